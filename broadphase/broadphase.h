@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "../shapes/aabb.h"
+#include "../shapes/function_ref.h"
+#include "../shapes/status.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Slot of a proxy, dense and reused: given by `insert`, free again after `remove`. The lowest free slot is taken first,
+/// so that the numbering does not depend on anything but the sequence of calls.
+enum class ProxyId : std::uint32_t {};
+
+/// The type lists: which kinds can meet at all. Static never meets static or kinematic, and kinematic not kinematic;
+/// sensors meet kinematic and dynamic things, never each other or static ones.
+enum class ProxyKind : std::uint8_t { fixed, kinematic, dynamic, sensor };
+inline constexpr int kProxyKindCount = 4;
+
+constexpr bool canMeet(ProxyKind a, ProxyKind b) {
+    if (a == ProxyKind::sensor || b == ProxyKind::sensor) {
+        const ProxyKind other = a == ProxyKind::sensor ? b : a;
+        return other == ProxyKind::kinematic || other == ProxyKind::dynamic;
+    }
+    return a == ProxyKind::dynamic || b == ProxyKind::dynamic;
+}
+
+/// Two proxies whose boxes overlap, lower slot first.
+struct ProxyPair {
+    ProxyId a;
+    ProxyId b;
+    constexpr auto operator<=>(const ProxyPair&) const = default;
+};
+
+enum class BroadphaseKind : std::uint8_t { allPairs, bvh };
+
+/// Counts since construction; never reset, so a caller takes differences.
+struct BroadphaseCounters {
+    std::uint64_t boxTests = 0;  ///< box against box, in pair finding and in queries
+    std::uint64_t pairsReported = 0;
+    std::uint64_t reinserted = 0;  ///< calls of `move`
+};
+
+/// Who might touch? Holds one box per proxy. The caller grows the boxes; touching boxes overlap.
+/// Every implementation reports the same pairs in the same order, whatever its history: only its cost differs.
+/// Not thread-safe, except that `query`, `ray` and `sweep` may run at the same time as each other.
+class Broadphase {
+public:
+    virtual ~Broadphase() = default;
+
+    /// @return `notFinite` or `outOfRange` (lower > upper) for a bad box.
+    virtual Result<ProxyId> insert(const Aabb& box, ProxyKind kind) = 0;
+    /// Replaces the box and marks the proxy as moved. Errors: `staleId`, and as `insert`.
+    virtual Status move(ProxyId id, const Aabb& box) = 0;
+    virtual Status remove(ProxyId id) = 0;
+
+    virtual const Aabb& box(ProxyId id) const = 0;
+
+    /// Writes every pair of overlapping boxes of kinds that can meet, of which at least one was inserted or moved since
+    /// the last call: each pair once, in ascending order. Clears the moved marks. `out` is cleared first and keeps its
+    /// capacity.
+    virtual void pairs(std::vector<ProxyPair>& out) = 0;
+
+    /// Calls `visit` for each proxy whose box overlaps; a visitor that returns false ends the query. Order is unspecified.
+    virtual void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
+
+    /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns the
+    /// new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop.
+    virtual void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const = 0;
+
+    /// The same for a box that is carried along `translation`.
+    virtual void sweep(const Aabb& box, DVec2 translation, Real maxFraction,
+                       FunctionRef<Real(ProxyId, Real)> visit) const = 0;
+
+    virtual BroadphaseCounters counters() const = 0;
+};
+
+std::unique_ptr<Broadphase> makeBroadphase(BroadphaseKind kind);
+
+}  // namespace swept::inline SWEPT_PRECISION

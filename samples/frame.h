@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../shapes/dvec2.h"
+
+/// What a run shows of itself, in double, whatever the backend and its precision.
+
+namespace swept {
+
+struct BodyFrame {
+    DVec2 position;  ///< body origin, world
+    double angle = 0;  ///< unwrapped
+    DVec2 velocity;    ///< of the centre of mass
+    double angularVelocity = 0;
+    bool awake = false;  ///< static bodies: false
+};
+
+struct ContactFrame {
+    DVec2 point;
+    DVec2 normal;  ///< from a to b
+    double separation = 0;
+    double impulse = 0;  ///< normal impulse of the step, N·s
+};
+
+/// A pose at which a body met something within the step (continuous collision).
+struct ImpactFrame {
+    int body = 0;
+    DVec2 position;
+    double angle = 0;
+};
+
+/// The state after `step` steps; bodies in scene order.
+struct Frame {
+    std::int64_t step = 0;
+    double time = 0;  ///< step · dt
+    std::vector<BodyFrame> bodies;
+    std::vector<ContactFrame> contacts;
+    std::vector<ImpactFrame> impacts;
+};
+
+enum class SceneEventType : std::uint8_t { begin, end, hit, sensorBegin, sensorEnd, jointBreak };
+
+/// One event of a step. `a`, `b` are indices of bodies in the scene (for jointBreak the joint's bodies), `shapeA`, `shapeB`
+/// indices within the body's shapes.
+struct SceneEvent {
+    std::int64_t step = 0;
+    double time = 0;  ///< (step − 1 + fraction) · dt
+    double fraction = 0;
+    SceneEventType type = SceneEventType::begin;
+    int a = 0;
+    int b = 0;
+    int shapeA = 0;
+    int shapeB = 0;
+    DVec2 point;
+    DVec2 normal;  ///< from a to b
+    double approachSpeed = 0;
+    double impulse = 0;
+};
+
+/// A named count, in the order in which the backend reports it.
+struct NamedNumber {
+    std::string name;
+    double value = 0;
+};
+
+struct LostTime {
+    int body = 0;
+    double seconds = 0;
+    std::string reason;  ///< "budget", "stuck", "cap"
+};
+
+/// Totals of a run so far.
+struct RunReport {
+    std::vector<NamedNumber> counters;  ///< sums over all steps
+    std::vector<LostTime> lostTime;
+    double deepestPenetration = 0;  ///< metres, largest of the run
+    double largestJointError = 0;   ///< metres, largest of the run
+    double startEnergy = 0;         ///< kinetic and potential, joules (potential 0 at y = 0)
+    double endEnergy = 0;
+    DVec2 startMomentum;  ///< of dynamic bodies
+    DVec2 endMomentum;
+    double startAngularMomentum = 0;  ///< about the world origin
+    double endAngularMomentum = 0;
+    bool finite = true;  ///< no NaN or infinity in any body's state
+};
+
+}  // namespace swept

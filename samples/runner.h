@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frame.h"
+#include "scene_description.h"
+
+namespace swept {
+
+/// A scene being run by some engine. Made by `makeRunner` (ours) or `makeBox2dRunner` (tools/).
+class Runner {
+public:
+    virtual ~Runner() = default;
+    /// Advances by the scene's dt.
+    virtual void step() = 0;
+    /// Writes the present state; capacity is reused. Contacts and impacts are filled only when asked for.
+    virtual void read(Frame& frame, bool withContacts) const = 0;
+    /// Events of the last step, sorted by time, then ids; empty unless `collectEvents` was set.
+    virtual const std::vector<SceneEvent>& events() const = 0;
+    virtual RunReport report() const = 0;
+    /// What this engine cannot do of the scene and does instead, one sentence each; empty for ours.
+    virtual std::vector<std::string> approximations() const = 0;
+};
+
+enum class Precision : std::uint8_t { f32, f64 };
+
+struct RunnerOptions {
+    Precision precision = Precision::f32;
+    bool collectEvents = false;
+    bool measure = false;  ///< deepest penetration, joint error and energies for the report
+};
+
+/// Builds our world from a scene that `validateScene` accepts.
+/// @return null, and a reason in `error` (with a JSON pointer to the culprit), when the engine refuses something.
+std::unique_ptr<Runner> makeRunner(const SceneDescription& scene, const RunnerOptions& options, std::string& error);
+
+/// A whole run in memory: frame 0 is the initial state.
+struct Trace {
+    std::vector<Frame> frames;
+    std::vector<SceneEvent> events;
+    RunReport report;
+};
+
+/// Runs `steps` steps and keeps every `every`-th frame (and the last).
+Trace runTrace(Runner& runner, std::int64_t steps, std::int64_t every = 1, bool withContacts = false);
+
+}  // namespace swept

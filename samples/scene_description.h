@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "../shapes/dvec2.h"
+
+/// A scene as plain data, in double, for every backend: filled by the JSON reader and by the built-in samples, consumed by
+/// `makeRunner` (ours in f32 and f64, Box2D) and by the renderer. Defaults are those of the scene format. Metres, kilograms,
+/// seconds, radians. Nothing here is validated; `validateScene` does that for both sources.
+
+namespace swept {
+
+struct BoxGeometry {
+    DVec2 half;
+    DVec2 center;
+    double angle = 0;
+};
+struct CircleGeometry {
+    DVec2 center;
+    double radius = 0;
+};
+struct CapsuleGeometry {
+    std::array<DVec2, 2> points;
+    double radius = 0;
+};
+struct SegmentGeometry {
+    std::array<DVec2, 2> points;
+};
+struct PolygonGeometry {
+    std::vector<DVec2> points;  ///< any order; every point must be a vertex of their hull
+};
+struct ChainGeometry {
+    std::vector<DVec2> points;
+    bool loop = false;
+};
+using Geometry =
+    std::variant<BoxGeometry, CircleGeometry, CapsuleGeometry, SegmentGeometry, PolygonGeometry, ChainGeometry>;
+
+struct FilterDescription {
+    std::uint32_t category = 1;
+    std::uint32_t mask = 0xFFFFFFFFu;
+    std::int32_t group = 0;
+};
+
+struct ShapeDescription {
+    Geometry geometry = CircleGeometry{};
+    double radius = 0;  ///< grows box, polygon, segment or chain outwards; 0 for circle and capsule (they have their own)
+    double density = 1;
+    double friction = 0.6;
+    double restitution = 0;
+    bool sensor = false;
+    FilterDescription filter;
+};
+
+enum class SceneBodyType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is "static" in the format
+enum class SceneContinuous : std::uint8_t { off, speedLimit, speculative, stop, subStep };
+enum class SceneProfile : std::uint8_t { accurate, fast };
+enum class SceneBroadphase : std::uint8_t { allPairs, bvh };
+
+struct BodyDescription {
+    std::string name;  ///< empty: `body<index>`
+    SceneBodyType type = SceneBodyType::fixed;
+    DVec2 position;
+    double angle = 0;
+    DVec2 velocity;
+    double angularVelocity = 0;
+    bool bullet = false;
+    bool fixedRotation = false;
+    double linearDamping = 0;
+    double angularDamping = 0;
+    double gravityScale = 1;
+    bool awake = true;
+    std::optional<SceneContinuous> continuous;  ///< omitted: the world's
+    std::optional<double> mass;                 ///< overrides what the shapes give
+    std::optional<double> inertia;              ///< about the centre of mass
+    std::vector<ShapeDescription> shapes;
+};
+
+struct RevoluteDescription {
+    DVec2 anchor;
+    std::optional<double> lower, upper;
+    std::optional<double> motorSpeed, maxMotorTorque;
+    std::optional<double> hertz, dampingRatio;
+};
+struct DistanceDescription {
+    DVec2 anchorA, anchorB;
+    std::optional<double> length;  ///< omitted: the initial distance of the anchors
+    std::optional<double> minLength, maxLength;
+    std::optional<double> hertz, dampingRatio;
+};
+using JointGeometry = std::variant<RevoluteDescription, DistanceDescription>;
+
+struct JointDescription {
+    std::string name;  ///< empty: `joint<index>`
+    std::string bodyA, bodyB;
+    bool collideConnected = false;
+    std::optional<double> breakForce, breakTorque;
+    JointGeometry joint = RevoluteDescription{};
+};
+
+struct SettingsDescription {
+    double dt = 1.0 / 60.0;
+    SceneProfile profile = SceneProfile::accurate;
+    std::optional<int> subSteps;     ///< omitted: the profile's
+    std::optional<int> relaxPasses;  ///< omitted: the profile's
+    SceneContinuous continuous = SceneContinuous::subStep;
+    int maxImpacts = 64;
+    std::optional<double> maxSpeed;  ///< omitted: none
+    bool sleep = true;
+    SceneBroadphase broadphase = SceneBroadphase::bvh;
+    std::optional<double> toiTolerance;  ///< metres; omitted: by extent
+    std::optional<double> maxPenetration, maxJointError, maxLostTime;  ///< error budgets
+};
+
+struct ViewDescription {
+    DVec2 center;
+    double height = 0;  ///< metres, greater than 0
+};
+
+struct SceneDescription {
+    std::string name;
+    DVec2 gravity{0, -9.81};
+    std::optional<ViewDescription> view;  ///< omitted: fitted to the bodies
+    SettingsDescription settings;
+    std::vector<BodyDescription> bodies;
+    std::vector<JointDescription> joints;
+};
+
+}  // namespace swept

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "polygon.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// One edge of a chain, from p to q, solid on its left-hand side and colliding on its right-hand side: the ground is
+/// listed from right to left, a counter-clockwise loop is solid inside. It knows its neighbours (`before` → p and
+/// q → `after`), so that nothing catches on an inner vertex. A missing neighbour (end of an open chain) is flagged.
+struct ChainSegment {
+    Vec2 before;
+    Vec2 p;
+    Vec2 q;
+    Vec2 after;
+    Real radius = 0;
+    bool hasBefore = false;
+    bool hasAfter = false;
+};
+
+/// The segment as a two-sided polygon (for bounds, distance, ray casts, TOI).
+Polygon polygonOf(const ChainSegment& segment);
+
+/// Outward (colliding side) unit normal: to the right of p → q.
+Vec2 normalOf(const ChainSegment& segment);
+
+/// Number of segments of a chain of `pointCount` points.
+constexpr int chainSegmentCount(int pointCount, bool loop) { return loop ? pointCount : pointCount - 1; }
+
+/// Checks the points of a chain: at least 2 (loop: 3), all finite, no two consecutive ones equal, radius finite and ≥ 0.
+Status validateChain(std::span<const Vec2> points, bool loop, Real radius);
+
+/// The i-th segment (0 ≤ i < chainSegmentCount) of a valid chain.
+ChainSegment chainSegment(std::span<const Vec2> points, bool loop, Real radius, int i);
+
+}  // namespace swept::inline SWEPT_PRECISION

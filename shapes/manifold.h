@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "chain.h"
+#include "polygon.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Names the features that made a contact point (vertex or edge indices of A and B), so that a point of this step is
+/// recognised in the next. Stable as long as the same features touch.
+using FeatureId = std::uint16_t;
+
+struct ManifoldPoint {
+    Vec2 point;           ///< half way between the two surfaces, frame of A
+    Real separation = 0;  ///< metres along the normal, radii included; negative when penetrating
+    FeatureId id = 0;
+};
+
+/// Where two shapes touch, or will within the margin.
+struct Manifold {
+    Vec2 normal;  ///< unit, from A to B, frame of A
+    std::array<ManifoldPoint, 2> points{};
+    int count = 0;  ///< 0 (farther apart than the margin), 1 or 2
+};
+
+/// Contact manifold of any pair of polygons: closest features when the cores are apart (one point between vertices, up to
+/// two where faces are parallel enough), face clipping along the axis of least penetration when they overlap.
+/// @param margin  largest separation at which a point is still reported, metres, at least 0.
+/// The deepest point's separation equals `distance()` up to rounding when the shapes are apart; the minimum translation
+/// when they overlap, except that a face axis is preferred to a nearly equal one (by a relative tolerance) for coherence.
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin);
+
+/// The same for a one-sided chain segment as A. Nothing is reported when the centre of B's core lies behind the segment,
+/// or where the contact belongs to a neighbour: normals outside the range that the neighbours leave open are refused
+/// (convex corner) or turned to the segment's own normal (flat or concave corner), so that a body slides over inner
+/// vertices without catching.
+Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin);
+
+}  // namespace swept::inline SWEPT_PRECISION

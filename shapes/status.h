@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <utility>
+
+/// The error convention of the whole library: a call that can refuse its input returns a `Status`, or a `Result` when
+/// it also has something to give. Refused input changes nothing. Nothing throws, prints or aborts.
+
+namespace swept {
+
+enum class StatusCode : std::uint8_t {
+    ok,
+    notFinite,        ///< a number is NaN or infinite
+    negative,         ///< a number that must be at least 0 is below it
+    notPositive,      ///< a number that must be above 0 is not
+    outOfRange,       ///< a number lies outside the documented range
+    staleId,          ///< the id is null, or what it named was destroyed
+    degenerate,       ///< the geometry has no extent: all points equal, or on a line where an area is needed
+    notConvex,        ///< the vertices are not those of a convex counter-clockwise polygon
+    tooFewVertices,   ///< fewer points than the geometry needs
+    tooManyVertices,  ///< more than `kMaxPolygonVertices` vertices on the hull
+    wrongBodyType,    ///< the call does not fit the body's type (a chain on a dynamic body, a velocity on a static one)
+    missingMass,      ///< a dynamic body would have no mass, or no inertia though it may rotate
+    sameBody,         ///< a joint needs two different bodies
+    locked,           ///< the world is inside `step` (call from a callback)
+    outOfMemory,      ///< an id space is used up
+};
+
+/// What went wrong, and with which argument.
+struct [[nodiscard]] Status {
+    StatusCode code = StatusCode::ok;
+    const char* field = "";  ///< name of the offending argument or member; a string literal, never null
+
+    constexpr bool ok() const { return code == StatusCode::ok; }
+    static constexpr Status success() { return {}; }
+};
+
+/// One phrase in lower case without a full stop, to be printed behind the field's name.
+constexpr const char* describe(StatusCode code) {
+    switch (code) {
+        case StatusCode::ok: return "ok";
+        case StatusCode::notFinite: return "must be finite";
+        case StatusCode::negative: return "must not be negative";
+        case StatusCode::notPositive: return "must be greater than 0";
+        case StatusCode::outOfRange: return "is out of range";
+        case StatusCode::staleId: return "names nothing that exists";
+        case StatusCode::degenerate: return "is degenerate (no extent)";
+        case StatusCode::notConvex: return "is not a convex counter-clockwise polygon";
+        case StatusCode::tooFewVertices: return "has too few points";
+        case StatusCode::tooManyVertices: return "has more than 8 hull vertices";
+        case StatusCode::wrongBodyType: return "does not fit the body type";
+        case StatusCode::missingMass: return "leaves a dynamic body without mass";
+        case StatusCode::sameBody: return "must be two different bodies";
+        case StatusCode::locked: return "cannot be used inside a step";
+        case StatusCode::outOfMemory: return "has no ids left";
+    }
+    return "";  // unreachable, but GCC cannot know
+}
+
+/// A value, or the reason why there is none.
+template <class T>
+class [[nodiscard]] Result {
+public:
+    constexpr Result(T value) : value_(std::move(value)) {}
+    constexpr Result(Status status) : status_(status) { assert(!status.ok() && "a success carries a value"); }
+
+    constexpr bool ok() const { return status_.ok(); }
+    constexpr Status status() const { return status_; }
+
+    /// The value; on failure a default-constructed one (a null id is refused by every call that takes an id).
+    constexpr const T& value() const { return value_; }
+
+private:
+    T value_{};
+    Status status_{};
+};
+
+}  // namespace swept

@@ -1,0 +1,1 @@
+#include "vec2.h"

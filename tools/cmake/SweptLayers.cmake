@@ -1,0 +1,46 @@
+# How a layer becomes its targets. Included by the top-level list file only.
+
+# Users write <swept/engine/world.h>; inside the tree that is the source root seen through a link.
+set(SWEPT_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${SWEPT_INCLUDE_DIR})
+file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${SWEPT_INCLUDE_DIR}/swept SYMBOLIC)
+
+# Warnings of our own targets; never handed on to users.
+function(swept_warnings target)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+    if(SWEPT_WERROR)
+        target_compile_options(${target} PRIVATE -Werror)
+    endif()
+endfunction()
+
+# Common to every library target of ours.
+function(swept_configure_library target export_name)
+    swept_warnings(${target})
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name}
+                                               POSITION_INDEPENDENT_CODE ON)
+    # Public on purpose: an inline function compiled with fused multiply-add in a user's file could be the copy that the
+    # linker keeps for the library too, and then the same bits on every machine are lost.
+    target_compile_options(${target} PUBLIC -ffp-contract=off)
+    target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${SWEPT_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
+    add_library(swept2d::${export_name} ALIAS ${target})
+    set_property(GLOBAL APPEND PROPERTY SWEPT_EXPORTED_TARGETS ${target})
+endfunction()
+
+# swept_add_layer(NAME SOURCES file... [NEEDS layer...] [NEEDS_ONCE target...])
+# Compiles a layer twice, as swept_NAME_f32 and swept_NAME_f64. NEEDS_ONCE names targets that exist once (swept_toi).
+function(swept_add_layer name)
+    cmake_parse_arguments(LAYER "" "" "SOURCES;NEEDS;NEEDS_ONCE" ${ARGN})
+    foreach(precision f32 f64)
+        set(target swept_${name}_${precision})
+        add_library(${target} STATIC ${LAYER_SOURCES})
+        swept_configure_library(${target} ${name}_${precision})
+        if(precision STREQUAL f64)
+            target_compile_definitions(${target} PUBLIC SWEPT_F64)
+        endif()
+        foreach(needed IN LISTS LAYER_NEEDS)
+            target_link_libraries(${target} PUBLIC swept_${needed}_${precision})
+        endforeach()
+        target_link_libraries(${target} PUBLIC ${LAYER_NEEDS_ONCE})
+    endforeach()
+endfunction()

@@ -1,0 +1,25 @@
+# How a test suite becomes its executables. Included by tests/CMakeLists.txt only.
+include(GoogleTest)
+
+# swept_add_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
+# One executable, discovered by ctest. Labels: quick (also run with sanitizers), parallel (also run with thread sanitizer).
+function(swept_add_test name)
+    cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    add_executable(${name} ${TEST_SOURCES})
+    swept_warnings(${name})
+    target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main)
+    gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${TEST_LABELS}")
+endfunction()
+
+# swept_add_layer_test(NAME SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
+# The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64.
+function(swept_add_layer_test name)
+    cmake_parse_arguments(TEST "" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
+    foreach(precision f32 f64)
+        set(libraries ${TEST_LIBRARIES})
+        foreach(layer IN LISTS TEST_LAYERS)
+            list(APPEND libraries swept_${layer}_${precision})
+        endforeach()
+        swept_add_test(${name}_${precision} SOURCES ${TEST_SOURCES} LIBRARIES ${libraries} LABELS ${TEST_LABELS})
+    endforeach()
+endfunction()
