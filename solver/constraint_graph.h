@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver_batch.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Colours of the constraint graph. Two constraints of one colour share no movable body, so a colour can be solved wide or
+/// by many threads, in any order, with the same bits. The last colour is the overflow: solved one after the other.
+inline constexpr int kColourCount = 64;
+inline constexpr int kOverflowColour = kColourCount - 1;
+/// Constraints against the fixed world take colours from here on, so that they are solved last: ground has the last word.
+inline constexpr int kFirstFixedColour = 48;
+
+/// A range of one colour within a kind's array.
+struct ColourRange {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+};
+
+/// Greedy colouring in array order (deterministic), then a stable sort of each kind's array by colour.
+class ConstraintGraph {
+public:
+    void colour(SolverBatch& batch);
+
+    /// Colours in use, ascending.
+    const std::vector<int>& activeColours() const { return active_; }
+    ColourRange contacts(int colour) const { return contactRanges_[static_cast<std::size_t>(colour)]; }
+    ColourRange revolutes(int colour) const { return revoluteRanges_[static_cast<std::size_t>(colour)]; }
+    ColourRange distances(int colour) const { return distanceRanges_[static_cast<std::size_t>(colour)]; }
+
+private:
+    using Ranges = std::array<ColourRange, kColourCount>;
+
+    int colourFor(BodySlot a, BodySlot b, const std::vector<BodyInertia>& inertias);
+    template <class Constraint>
+    void sortByColour(std::vector<Constraint>& constraints, std::vector<Constraint>& scratch, Ranges& ranges,
+                      const std::vector<BodyInertia>& inertias);
+
+    std::vector<std::uint64_t> used_;  ///< per slot: colours taken, one bit each
+    std::vector<std::uint8_t> colours_;
+    std::vector<ContactConstraint> contactScratch_;
+    std::vector<RevoluteConstraint> revoluteScratch_;
+    std::vector<DistanceConstraint> distanceScratch_;
+    std::vector<int> active_;
+    Ranges contactRanges_{};
+    Ranges revoluteRanges_{};
+    Ranges distanceRanges_{};
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "body_state.h"
+#include "softness.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// One contact point in a solve. Anchors are relative to the centres of mass, world orientation, at the start of the step.
+struct ContactConstraintPoint {
+    Vec2 anchorA;
+    Vec2 anchorB;
+    Real baseSeparation = 0;   ///< separation at the start of the step minus the anchors' own distance along the normal
+    Real normalMass = 0;       ///< kg
+    Real tangentMass = 0;      ///< kg
+    Real normalImpulse = 0;    ///< accumulated over a sub-step, N·s; warm start in, result out
+    Real tangentImpulse = 0;
+    Real totalNormalImpulse = 0;  ///< over the whole step, bounces included
+    Real bounceApproach = 0;      ///< largest approach speed at which the point bounced, m/s
+};
+
+/// The constraint that two shapes do not approach at up to two points, with Coulomb friction.
+struct ContactConstraint {
+    BodySlot slotA = kFixedSlot;
+    BodySlot slotB = kFixedSlot;
+    Vec2 normal;  ///< unit, world, from A to B, held for the whole step
+    Real friction = 0;
+    Real restitution = 0;
+    Real maxPushSpeed = 0;     ///< fastest push out of an overlap, m/s
+    Softness softness;
+    std::int32_t count = 0;    ///< points
+    std::uint32_t source = 0;  ///< the engine's name for the contact
+    std::array<ContactConstraintPoint, 2> points{};
+};
+
+/// Fills what follows from anchors and inertia: effective masses. `baseSeparation` holds the separation on entry.
+void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> inertias);
+
+/// Separation of a point now, from the motion since the start of the step.
+Real currentSeparation(const ContactConstraint& contact, const ContactConstraintPoint& point, const BodyState& a,
+                       const BodyState& b);
+
+/// Kernels over a range of contacts that share no movable body (one colour) or are solved one after the other.
+void warmStartContacts(std::span<ContactConstraint> contacts, const SolverBodies& bodies);
+/// @param useBias  true: push out of overlap (soft); false: only stop approaching (relaxation, rigid).
+void solveContacts(std::span<ContactConstraint> contacts, const SolverBodies& bodies, Real h, bool useBias);
+
+}  // namespace swept::inline SWEPT_PRECISION

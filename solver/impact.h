@@ -1,0 +1,33 @@
+#pragma once
+
+#include "contact_constraint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Which points of a contact take part in an impact.
+struct ImpactRule {
+    /// Slower approaches than this (m/s) are plastic: restitution 0.
+    Real restitutionThreshold = 0;
+    /// Points that meet within this time (s) at their present approach speed count as touching; 0: all points do.
+    Real horizon = 0;
+    /// Whether points below the threshold are resolved too, plastically, or left to the contact solver.
+    bool resolvePlastic = false;
+};
+
+/// Newton's impact law with Coulomb friction for all approaching points of one contact at once: the normal velocities of
+/// both points are reflected together (a 2×2 block), then friction acts within the cone of the normal impulses. Where that
+/// would make kinetic energy (Newton's rule with friction can), the impulses are blended towards those of restitution 0
+/// until it does not: the pair's kinetic energy relative to each other never grows.
+/// Records impulse and approach speed in the points. @return whether anything was applied.
+bool resolveImpact(ContactConstraint& contact, const SolverBodies& bodies, const ImpactRule& rule);
+
+/// Repeats `resolveImpact` over all contacts in turn until none approaches, at most `maxRounds` times: an impact travels
+/// through a row of touching bodies one contact at a time. @return the rounds used; `maxRounds` means that some may still
+/// approach (the contact solver then treats them as plastic).
+int resolveImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
+                   int maxRounds);
+
+/// Rounds inside a sub-step: a row of so many touching bodies passes an impact on at once; longer rows take more sub-steps.
+inline constexpr int kMaxBounceRounds = 32;
+
+}  // namespace swept::inline SWEPT_PRECISION

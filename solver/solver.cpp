@@ -1,0 +1,100 @@
+#include "solver.h"
+
+#include <span>
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+template <class Constraint>
+std::span<Constraint> slice(std::vector<Constraint>& all, ColourRange range) {
+    return std::span<Constraint>(all).subspan(range.begin, range.end - range.begin);
+}
+
+SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias}; }
+
+/// @return whether the speed was cut
+bool limitSpeed(BodyState& body, Real maxSpeed) {
+    const Real speed = length(body.velocity);
+    if (!(speed > maxSpeed)) { return false; }
+    body.velocity = (maxSpeed / speed) * body.velocity;
+    return true;
+}
+
+int integrateVelocities(SolverBatch& batch, Real maxSpeed) {
+    int limited = 0;
+    for (std::size_t i = 1; i < batch.states.size(); ++i) {
+        BodyState& body = batch.states[i];
+        const BodyDrive& drive = batch.drives[i];
+        body.velocity = drive.decay * body.velocity + drive.gain;
+        body.angularVelocity = drive.angularDecay * body.angularVelocity + drive.angularGain;
+        limited += limitSpeed(body, maxSpeed) ? 1 : 0;
+    }
+    return limited;
+}
+
+void integratePositions(SolverBatch& batch, Real h) {
+    for (std::size_t i = 1; i < batch.states.size(); ++i) {
+        BodyState& body = batch.states[i];
+        body.deltaPosition += h * body.velocity;
+        body.deltaAngle += h * body.angularVelocity;
+        body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle));
+    }
+}
+
+void addUpImpulses(std::vector<ContactConstraint>& contacts) {
+    for (ContactConstraint& contact : contacts) {
+        for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
+    }
+}
+
+}  // namespace
+
+void Solver::prepare(SolverBatch& batch) {
+    for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
+    for (RevoluteConstraint& joint : batch.revolutes) { prepareRevolute(joint, batch.inertias); }
+    for (DistanceConstraint& joint : batch.distances) { prepareDistance(joint); }
+    graph_.colour(batch);
+    bouncing_.clear();
+    for (ContactConstraint& contact : batch.contacts) {
+        if (contact.restitution > 0) { bouncing_.push_back(&contact); }
+    }
+}
+
+void Solver::warmStart(SolverBatch& batch) {
+    const SolverBodies bodies = bodiesOf(batch);
+    for (const int colour : graph_.activeColours()) {
+        warmStartRevolutes(slice(batch.revolutes, graph_.revolutes(colour)), bodies);
+        warmStartDistances(slice(batch.distances, graph_.distances(colour)), bodies);
+        warmStartContacts(slice(batch.contacts, graph_.contacts(colour)), bodies);
+    }
+}
+
+void Solver::solveColours(SolverBatch& batch, Real h, bool useBias) {
+    const SolverBodies bodies = bodiesOf(batch);
+    for (const int colour : graph_.activeColours()) {
+        solveRevolutes(slice(batch.revolutes, graph_.revolutes(colour)), bodies, h, useBias);
+        solveDistances(slice(batch.distances, graph_.distances(colour)), bodies, h, useBias);
+        solveContacts(slice(batch.contacts, graph_.contacts(colour)), bodies, h, useBias);
+    }
+}
+
+SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings) {
+    prepare(batch);
+    SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
+    const Real h = settings.dt / static_cast<Real>(settings.subSteps);
+    const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
+    for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
+        report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+        if (!bouncing_.empty()) {
+            report.bounceRounds += resolveImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds);
+        }
+        warmStart(batch);
+        solveColours(batch, h, true);
+        integratePositions(batch, h);
+        for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours(batch, h, false); }
+        addUpImpulses(batch.contacts);
+    }
+    return report;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "constraint_graph.h"
+#include "impact.h"
+#include "solver_batch.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct SolverSettings {
+    Real dt = 0;                    ///< the step, s
+    int subSteps = 1;               ///< at least 1
+    int relaxPasses = 1;            ///< per sub-step, at least 0
+    Real restitutionThreshold = 0;  ///< slower approaches do not bounce, m/s
+    Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s
+};
+
+struct SolveReport {
+    int colours = 0;
+    int bounceRounds = 0;   ///< over all sub-steps
+    int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
+};
+
+/// One sub-stepped solve of a batch, constraints in colour order: per sub-step integrate velocities, bounce, warm start,
+/// solve with soft constraints, integrate positions, relax. "Small Steps" (Macklin et al. 2019) with soft constraints and
+/// relaxation as in Catto's "Solver2D" (2024); bounces are resolved inside the sub-step in which a contact closes, with
+/// the velocity it has there, instead of once at the end of the step.
+class Solver {
+public:
+    /// @pre slots are valid, effective data (anchors, separations, limits) filled; masses are computed here.
+    SolveReport solve(SolverBatch& batch, const SolverSettings& settings);
+
+private:
+    void prepare(SolverBatch& batch);
+    void warmStart(SolverBatch& batch);
+    void solveColours(SolverBatch& batch, Real h, bool useBias);
+
+    ConstraintGraph graph_;
+    std::vector<ContactConstraint*> bouncing_;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "body_state.h"
+#include "contact_constraint.h"
+#include "distance_constraint.h"
+#include "revolute_constraint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Everything one coloured solve works on: bodies by slot, constraints by kind, each kind contiguous. The engine fills it
+/// anew each step (capacities stay), `Solver` sorts the constraints by colour, the engine reads the results by `source`.
+/// This is the seam between engine and solver: wide kernels and threads change what is behind it, not what is in front.
+struct SolverBatch {
+    std::vector<BodyState> states;
+    std::vector<BodyInertia> inertias;
+    std::vector<BodyDrive> drives;
+    std::vector<ContactConstraint> contacts;
+    std::vector<RevoluteConstraint> revolutes;
+    std::vector<DistanceConstraint> distances;
+
+    /// Empties all, and lays down the fixed world as slot 0.
+    void clear() {
+        states.assign(1, {});
+        inertias.assign(1, {});
+        drives.assign(1, {});
+        contacts.clear();
+        revolutes.clear();
+        distances.clear();
+    }
+    BodySlot addBody(const BodyState& state, const BodyInertia& inertia, const BodyDrive& drive) {
+        states.push_back(state);
+        inertias.push_back(inertia);
+        drives.push_back(drive);
+        return static_cast<BodySlot>(states.size() - 1);
+    }
+};
+
+}  // namespace swept::inline SWEPT_PRECISION
