@@ -1,0 +1,81 @@
+#include "time_of_impact.h"
+
+#include "axis_bound.h"
+#include "moving_pair.h"
+
+namespace swept {
+namespace {
+
+/// Each step is certified and gains time; 3 to 5 are typical and 21 was the worst of 300 000 queries up to half a turn.
+/// A body that spins many turns beside another needs some steps a turn. Beyond the budget the answer is `failed`.
+constexpr int kMaxSteps = 1024;
+
+DVec2 toWorld(f64::Rotation rotation, f64::Vec2 v) {
+    const f64::Vec2 world = rotate(rotation, v);
+    return {world.x, world.y};
+}
+
+Toi answerFrom(const PairPose& pose, const Sweep& sweepA, ToiState state, int iterations) {
+    const DVec2 origin = centerAt(sweepA, pose.fraction);
+    Toi toi;
+    toi.state = state;
+    toi.fraction = pose.fraction;
+    toi.separation = pose.distance.distance;
+    toi.normal = toWorld(pose.rotationA, pose.distance.normal);
+    toi.pointA = origin + toWorld(pose.rotationA, pose.distance.pointA);
+    toi.pointB = origin + toWorld(pose.rotationA, pose.distance.pointB);
+    toi.iterations = iterations;
+    return toi;
+}
+
+bool coresIntersect(const PairPose& pose) { return pose.distance.coreDistance <= 0; }
+
+Sweep withoutRotation(const Sweep& sweep) {
+    Sweep result = sweep;
+    result.a1 = result.a0;
+    return result;
+}
+
+}  // namespace
+
+Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                 const ToiSettings& settings) {
+    const MovingPair pair(a, sweepA, b, sweepB);
+    f64::SimplexCache cache;
+    PairPose pose = pair.poseAt(0, cache);
+    if (coresIntersect(pose)) { return answerFrom(pose, sweepA, ToiState::overlapped, 1); }
+
+    // Steps aim at the target itself; half of the tolerance above it ends the search at once, so that a grazing approach
+    // ends too, and the other half is for rounding.
+    const double closeEnough = settings.target + 0.5 * settings.tolerance;
+    for (int steps = 1; steps <= kMaxSteps; ++steps) {
+        const double separation = pose.distance.distance;
+        if (separation <= settings.target) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
+        const double rest = settings.tMax - pose.fraction;
+        if (!(rest > 0)) { return answerFrom(pose, sweepA, ToiState::separated, steps); }
+
+        const double advance = safeAdvance(pair, pose, settings.target, rest);
+        const bool free = advance >= rest;  // nothing more can happen, even from within the band
+        if (!free && separation <= closeEnough) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
+        const double next = free ? settings.tMax : pose.fraction + advance;
+        if (!(next > pose.fraction)) { return answerFrom(pose, sweepA, ToiState::failed, steps); }
+        pose = pair.poseAt(next, cache);
+    }
+    return answerFrom(pose, sweepA, ToiState::failed, kMaxSteps + 1);
+}
+
+Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+              const ToiSettings& settings) {
+    // Without spin the bound along the closest direction is the exact motion: each step is the ray cast of the relative
+    // path against the supporting line, as in van den Bergen's GJK ray cast (2004), with parabolas for paths.
+    return timeOfImpact(a, withoutRotation(sweepA), b, withoutRotation(sweepB), settings);
+}
+
+Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction) {
+    const MovingPair pair(a, sweepA, b, sweepB);
+    f64::SimplexCache cache;
+    const PairPose pose = pair.poseAt(fraction, cache);
+    return answerFrom(pose, sweepA, coresIntersect(pose) ? ToiState::overlapped : ToiState::separated, 1);
+}
+
+}  // namespace swept
