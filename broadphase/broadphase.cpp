@@ -1,1 +1,18 @@
 #include "broadphase.h"
+
+#include "all_pairs.h"
+#include "bvh.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+std::unique_ptr<Broadphase> makeBroadphase(BroadphaseKind kind) {
+    switch (kind) {
+        case BroadphaseKind::allPairs:
+            return std::make_unique<AllPairs>();
+        case BroadphaseKind::bvh:
+            return std::make_unique<Bvh>();
+    }
+    return nullptr;  // unreachable, but GCC cannot know
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "../shapes/aabb.h"
+#include "../shapes/dvec2.h"
 #include "../shapes/function_ref.h"
 #include "../shapes/status.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Slot of a proxy, dense and reused: given by `insert`, free again after `remove`. The lowest free slot is taken first,
-/// so that the numbering does not depend on anything but the sequence of calls.
+/// Slot of a proxy, dense and reused: given by `insert`, free again after `remove`. The lowest free slot is taken
+/// first, so that the numbering does not depend on anything but the sequence of calls.
 enum class ProxyId : std::uint32_t {};
 
 /// The type lists: which kinds can meet at all. Static never meets static or kinematic, and kinematic not kinematic;
@@ -56,6 +57,8 @@ public:
     virtual Status move(ProxyId id, const Aabb& box) = 0;
     virtual Status remove(ProxyId id) = 0;
 
+    /// The box as it was given last. `id` must name a proxy that exists: a stale id is undefined (asserted).
+    /// Valid until the next call that changes something.
     virtual const Aabb& box(ProxyId id) const = 0;
 
     /// Writes every pair of overlapping boxes of kinds that can meet, of which at least one was inserted or moved since
@@ -63,11 +66,12 @@ public:
     /// capacity.
     virtual void pairs(std::vector<ProxyPair>& out) = 0;
 
-    /// Calls `visit` for each proxy whose box overlaps; a visitor that returns false ends the query. Order is unspecified.
+    /// Calls `visit` for each proxy whose box overlaps; a visitor that returns false ends the query. Order is
+    /// unspecified.
     virtual void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
 
-    /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns the
-    /// new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop.
+    /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns
+    /// the new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop.
     virtual void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const = 0;
 
     /// The same for a box that is carried along `translation`.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "broadphase.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Sorts pairs ascending, keeping its scratch space from call to call.
+class PairOrder {
+public:
+    /// @param slotCount  above every slot in `pairs`.
+    void sort(std::vector<ProxyPair>& pairs, std::uint32_t slotCount);
+
+private:
+    std::vector<std::uint32_t> starts_;
+    std::vector<ProxyPair> sorted_;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,84 @@
+#include "proxy_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <functional>
+#include <limits>
+
+namespace swept::inline SWEPT_PRECISION {
+
+Status checkBox(const Aabb& box) {
+    if (!isFinite(box.lower) || !isFinite(box.upper)) {
+        return {StatusCode::notFinite, "box"};
+    }
+    if (box.lower.x > box.upper.x || box.lower.y > box.upper.y) {
+        return {StatusCode::outOfRange, "box"};
+    }
+    return Status::success();
+}
+
+Result<ProxyId> ProxyTable::add(ProxyKind kind) {
+    std::uint32_t slot = 0;
+    if (!free_.empty()) {
+        std::pop_heap(free_.begin(), free_.end(), std::greater<>{});
+        slot = free_.back();
+        free_.pop_back();
+    } else {
+        if (kindBits_.size() >= std::numeric_limits<std::uint32_t>::max()) {
+            return Status{StatusCode::outOfMemory, "box"};
+        }
+        slot = slotCount();
+        kindBits_.push_back(0);
+        listed_.push_back(0);
+        moved_.reserve(kindBits_.capacity());
+        free_.reserve(kindBits_.capacity());
+    }
+    kindBits_[slot] = kindBit(kind);
+    const auto id = static_cast<ProxyId>(slot);
+    markMoved(id);
+    return id;
+}
+
+void ProxyTable::release(ProxyId id) {
+    assert(holds(id) && "only a taken slot can be freed");
+    const auto slot = static_cast<std::uint32_t>(id);
+    kindBits_[slot] = 0;
+    free_.push_back(slot);
+    std::push_heap(free_.begin(), free_.end(), std::greater<>{});
+}
+
+ProxyKind ProxyTable::kindOf(ProxyId id) const {
+    assert(holds(id) && "a free slot has no kind");
+    return static_cast<ProxyKind>(std::countr_zero(kindBits_[static_cast<std::uint32_t>(id)]));
+}
+
+void ProxyTable::markMoved(ProxyId id) {
+    const auto slot = static_cast<std::uint32_t>(id);
+    if (listed_[slot] != 0) {
+        return;
+    }
+    listed_[slot] = 1;
+    moved_.push_back(slot);
+}
+
+std::span<const std::uint32_t> ProxyTable::sortedMoved() {
+    std::erase_if(moved_, [this](std::uint32_t slot) {
+        const bool freed = kindBits_[slot] == 0;
+        if (freed) {
+            listed_[slot] = 0;
+        }
+        return freed;
+    });
+    std::sort(moved_.begin(), moved_.end());
+    return moved_;
+}
+
+void ProxyTable::clearMoved() {
+    for (const std::uint32_t slot : moved_) {
+        listed_[slot] = 0;
+    }
+    moved_.clear();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
