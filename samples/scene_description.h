@@ -19,24 +19,36 @@ struct BoxGeometry {
     DVec2 half;
     DVec2 center;
     double angle = 0;
+
+    bool operator==(const BoxGeometry&) const = default;
 };
 struct CircleGeometry {
     DVec2 center;
     double radius = 0;
+
+    bool operator==(const CircleGeometry&) const = default;
 };
 struct CapsuleGeometry {
     std::array<DVec2, 2> points;
     double radius = 0;
+
+    bool operator==(const CapsuleGeometry&) const = default;
 };
 struct SegmentGeometry {
     std::array<DVec2, 2> points;
+
+    bool operator==(const SegmentGeometry&) const = default;
 };
 struct PolygonGeometry {
     std::vector<DVec2> points;  ///< any order; every point must be a vertex of their hull
+
+    bool operator==(const PolygonGeometry&) const = default;
 };
 struct ChainGeometry {
     std::vector<DVec2> points;
     bool loop = false;
+
+    bool operator==(const ChainGeometry&) const = default;
 };
 using Geometry =
     std::variant<BoxGeometry, CircleGeometry, CapsuleGeometry, SegmentGeometry, PolygonGeometry, ChainGeometry>;
@@ -45,6 +57,8 @@ struct FilterDescription {
     std::uint32_t category = 1;
     std::uint32_t mask = 0xFFFFFFFFu;
     std::int32_t group = 0;
+
+    bool operator==(const FilterDescription&) const = default;
 };
 
 struct ShapeDescription {
@@ -55,6 +69,8 @@ struct ShapeDescription {
     double restitution = 0;
     bool sensor = false;
     FilterDescription filter;
+
+    bool operator==(const ShapeDescription&) const = default;
 };
 
 enum class SceneBodyType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is "static" in the format
@@ -79,6 +95,8 @@ struct BodyDescription {
     std::optional<double> mass;                 ///< overrides what the shapes give
     std::optional<double> inertia;              ///< about the centre of mass
     std::vector<ShapeDescription> shapes;
+
+    bool operator==(const BodyDescription&) const = default;
 };
 
 struct RevoluteDescription {
@@ -86,12 +104,16 @@ struct RevoluteDescription {
     std::optional<double> lower, upper;
     std::optional<double> motorSpeed, maxMotorTorque;
     std::optional<double> hertz, dampingRatio;
+
+    bool operator==(const RevoluteDescription&) const = default;
 };
 struct DistanceDescription {
     DVec2 anchorA, anchorB;
     std::optional<double> length;  ///< omitted: the initial distance of the anchors
     std::optional<double> minLength, maxLength;
     std::optional<double> hertz, dampingRatio;
+
+    bool operator==(const DistanceDescription&) const = default;
 };
 using JointGeometry = std::variant<RevoluteDescription, DistanceDescription>;
 
@@ -101,6 +123,8 @@ struct JointDescription {
     bool collideConnected = false;
     std::optional<double> breakForce, breakTorque;
     JointGeometry joint = RevoluteDescription{};
+
+    bool operator==(const JointDescription&) const = default;
 };
 
 struct SettingsDescription {
@@ -115,11 +139,15 @@ struct SettingsDescription {
     SceneBroadphase broadphase = SceneBroadphase::bvh;
     std::optional<double> toiTolerance;  ///< metres; omitted: by extent
     std::optional<double> maxPenetration, maxJointError, maxLostTime;  ///< error budgets
+
+    bool operator==(const SettingsDescription&) const = default;
 };
 
 struct ViewDescription {
     DVec2 center;
     double height = 0;  ///< metres, greater than 0
+
+    bool operator==(const ViewDescription&) const = default;
 };
 
 struct SceneDescription {
@@ -129,6 +157,8 @@ struct SceneDescription {
     SettingsDescription settings;
     std::vector<BodyDescription> bodies;
     std::vector<JointDescription> joints;
+
+    bool operator==(const SceneDescription&) const = default;
 };
 
 }  // namespace swept

@@ -1,0 +1,205 @@
+#include "json_strict.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace swept {
+namespace {
+
+// No format of ours nests deeper than 7; the bound keeps recursive readers off the end of the stack.
+constexpr std::size_t kDeepest = 64;
+constexpr int kNumberOverflow = 406;  // nlohmann's id of "number overflow"
+
+std::string lineAndColumn(std::string_view text, std::size_t offset) {
+    offset = std::min(offset, text.size());
+    std::size_t line = 1;
+    std::size_t column = 1;
+    for (std::size_t i = 0; i < offset; ++i) {
+        if (text[i] == '\n') {
+            ++line;
+            column = 1;
+        } else if ((static_cast<unsigned char>(text[i]) & 0xC0u) != 0x80u) {  // not the inside of a UTF-8 sequence
+            ++column;
+        }
+    }
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+// The parser's message without its own prefix and position, and without bytes that may not be text.
+std::string plainMessage(std::string message) {
+    const std::size_t column = message.find("column ");
+    const std::size_t start = column == std::string::npos ? std::string::npos : message.find(": ", column);
+    if (start != std::string::npos) {
+        message.erase(0, start + 2);
+    }
+    for (char& c : message) {
+        if (static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20) {
+            c = '?';
+        }
+    }
+    return message;
+}
+
+// Builds the value and keeps the path, so that errors can name their place.
+class StrictBuilder {
+public:
+    explicit StrictBuilder(std::string_view text) : text_(text) {}
+
+    JsonResult take() { return error_ ? JsonResult{Json(), std::move(error_)} : JsonResult{std::move(root_), {}}; }
+
+    bool null() { return add(nullptr); }
+    bool boolean(bool value) { return add(value); }
+    bool number_integer(Json::number_integer_t value) { return add(value); }
+    bool number_unsigned(Json::number_unsigned_t value) { return add(value); }
+    bool number_float(Json::number_float_t value, const std::string&) { return add(value); }
+    bool string(std::string& value) { return add(std::move(value)); }
+    bool binary(Json::binary_t&) { return false; }  // exists in binary formats only
+    bool start_object(std::size_t) { return open(Json::object()); }
+    bool start_array(std::size_t) { return open(Json::array()); }
+    bool end_object() { return close(); }
+    bool end_array() { return close(); }
+
+    bool key(std::string& name) {
+        Level& level = levels_.back();
+        level.key = name;
+        if (!level.seen.insert(name).second) {
+            return fail(pointer(), "the key occurs twice in this object");
+        }
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) {
+        if (error.id == kNumberOverflow) {
+            countElement();
+            return fail(pointer(), "the number " + token + " overflows");
+        }
+        const std::size_t offset = position > 0 ? position - 1 : 0;  // of the last character that was read
+        return fail(lineAndColumn(text_, offset), plainMessage(error.what()));
+    }
+
+private:
+    struct Level {
+        Json* value = nullptr;
+        std::string key;             // the present one, in an object
+        std::set<std::string> seen;  // all so far, in an object
+        std::size_t count = 0;       // elements so far, in an array
+    };
+
+    bool fail(std::string where, std::string reason) {
+        error_ = JsonError{std::move(where), std::move(reason)};
+        return false;
+    }
+
+    void countElement() {
+        if (!levels_.empty() && levels_.back().value->is_array()) {
+            ++levels_.back().count;
+        }
+    }
+
+    // Of the key or element that is being read.
+    std::string pointer() const {
+        std::string result;
+        for (const Level& level : levels_) {
+            result += '/';
+            result += level.value->is_array() ? std::to_string(level.count - 1) : escapedToken(level.key);
+        }
+        return result;
+    }
+
+    template <class Value>
+    Json* place(Value&& value) {
+        countElement();
+        if (levels_.empty()) {
+            root_ = Json(std::forward<Value>(value));
+            return &root_;
+        }
+        Level& level = levels_.back();
+        if (level.value->is_array()) {
+            level.value->push_back(Json(std::forward<Value>(value)));
+            return &level.value->back();
+        }
+        // The key is new, so the search of the ordered map's own insertion is not needed.
+        auto& members = static_cast<Json::object_t::Container&>(level.value->get_ref<Json::object_t&>());
+        members.emplace_back(level.key, Json(std::forward<Value>(value)));
+        return &members.back().second;
+    }
+
+    template <class Value>
+    bool add(Value&& value) {
+        place(std::forward<Value>(value));
+        return true;
+    }
+
+    bool open(Json&& empty) {
+        Json* const value = place(std::move(empty));
+        if (levels_.size() == kDeepest) {
+            return fail(pointer(), "nested deeper than " + std::to_string(kDeepest) + " levels");
+        }
+        levels_.emplace_back();
+        levels_.back().value = value;
+        return true;
+    }
+
+    bool close() {
+        levels_.pop_back();
+        return true;
+    }
+
+    std::string_view text_;
+    Json root_;
+    std::vector<Level>
+        levels_;  // the containers that are open; their addresses are stable, for only the last one grows
+    std::optional<JsonError> error_;
+};
+
+}  // namespace
+
+JsonResult parseStrict(std::string_view text) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        return {Json(), JsonError{"line 1, column 1", "there is no JSON value"}};
+    }
+    StrictBuilder builder(text);
+    Json::sax_parse(text.begin(), text.end(), &builder);
+    return builder.take();
+}
+
+std::string escapedToken(std::string_view token) {
+    std::string escaped;
+    for (const char c : token) {
+        if (c == '~') {
+            escaped += "~0";
+        } else if (c == '/') {
+            escaped += "~1";
+        } else {
+            escaped += c;
+        }
+    }
+    return escaped;
+}
+
+std::string Place::pointer() const {
+    if (parent == nullptr) {
+        return {};
+    }
+    return parent->pointer() + '/' + (isIndex ? std::to_string(index) : escapedToken(key));
+}
+
+std::string kindOf(const Json& value) {
+    if (value.is_null()) {
+        return "null";
+    }
+    if (value.is_boolean()) {
+        return value.get<bool>() ? "true" : "false";
+    }
+    if (value.is_number()) {
+        return "a number";
+    }
+    if (value.is_string()) {
+        return "a string";
+    }
+    return value.is_array() ? "an array" : "an object";
+}
+
+}  // namespace swept
