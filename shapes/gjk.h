@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "core_axis.h"
+#include "distance.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A point of the Minkowski difference: vertex `b` of B minus vertex `a` of A, frame of A.
+struct SupportPair {
+    int a = 0;
+    int b = 0;
+    DVec2 w;
+};
+
+enum class GjkOutcome : std::uint8_t {
+    apart,     ///< the distance is `distance` up to rounding: a separating direction proves it
+    touching,  ///< the cores overlap, or their distance is below what double resolves at these coordinates
+    stalled,   ///< rounding stopped the progress before the proof; the simplex is only a guess
+};
+
+/// Where a run of GJK on the cores (without radii) ended. The simplex has 1 or 2 pairs when apart, up to 3 when touching.
+struct GjkResult {
+    GjkOutcome outcome = GjkOutcome::stalled;
+    int count = 0;
+    std::array<SupportPair, 3> simplex{};
+    DVec2 normal;         ///< unit, from A to B; only when apart
+    double distance = 0;  ///< of the cores, metres; only when apart
+    int iterations = 0;
+};
+
+/// Gilbert, Johnson and Keerthi (1988) in the plane. The simplex is a vertex or a segment of the Minkowski difference; a
+/// new support point makes two candidate segments, of which the closer is kept. It ends with a proof: the distance along
+/// the current normal (a lower bound) meets the distance of the simplex (an upper bound) within rounding.
+/// @param warm  simplex to start from, may be null; indices that do not fit are ignored.
+GjkResult runGjk(const PairView& pair, const SimplexCache* warm);
+
+/// The same answer by trying every vertex of each shape against every edge of the other: the way out of `stalled` for
+/// cores that are apart. @pre the cores do not overlap.
+GjkResult closestByExhaustion(const PairView& pair);
+
+/// GJK, with `stalled` resolved: `apart` or `touching`.
+GjkResult closestFeatures(const PairView& pair, const SimplexCache* warm);
+
+/// Core points that realise an `apart` result: b − a = distance · normal.
+CorePoints witnessOf(const PairView& pair, const GjkResult& result);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,93 @@
+#include "manifold.h"
+
+#include "gjk.h"
+#include "manifold_clip.h"
+#include "rescaled_pair.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// A face is preferred to a nearly equal one of the other shape by this fraction of the shorter of both, so that the
+/// reference does not change sides from step to step.
+constexpr double kFacePreference = 0x1p-10;
+
+/// Sine of the angle below which a closest direction counts as a face normal: up to there, the separation along the face
+/// normal is the distance, up to one rounding of `Real` (the cosine differs from 1 by half its square).
+const double kFaceAngle = std::sqrt(static_cast<double>(kEpsilon));
+
+ManifoldBuilder builderFor(const PairView& pair, double margin, bool referenceIsA, DVec2 normal) {
+    return {static_cast<double>(pair.a.radius), static_cast<double>(pair.b.radius), margin, referenceIsA, normal};
+}
+
+Manifold clipAgainstA(const PairView& pair, int edge, double margin, double slack) {
+    const ReferenceFace face = faceOfA(pair, edge);
+    return builderFor(pair, margin, true, face.normal).build(clip(face, incidentOfB(pair, face.normal), slack));
+}
+
+Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slack) {
+    const ReferenceFace face = faceOfB(pair, edge);
+    return builderFor(pair, margin, false, face.normal).build(clip(face, incidentOfA(pair, face.normal), slack));
+}
+
+/// Cores that overlap or touch: clip against the face of least penetration.
+Manifold collideOverlapping(const PairView& pair, const CoreAxis& axis, double margin) {
+    Manifold manifold;
+    if (axis.source == AxisSource::faceOfA) {
+        manifold = clipAgainstA(pair, axis.face, margin, 0);
+    } else if (axis.source == AxisSource::faceOfB) {
+        manifold = clipAgainstB(pair, axis.face, margin, 0);
+    }
+    if (manifold.count > 0) { return manifold; }
+    // No face along the axis (points, ends of segments), or the preferred face is not under the other shape.
+    const CoreAxis best = coreAxis(pair);
+    return singlePoint(corePoints(pair, best), best.separation, best.normal,
+                       featureId({false, best.supportA}, {false, best.supportB}), pair.a, pair.b, margin);
+}
+
+bool isFaceNormal(DVec2 faceNormal, DVec2 direction) {
+    const double sine = cross(faceNormal, direction);
+    return std::fabs(sine) <= kFaceAngle && dot(faceNormal, direction) > 0;
+}
+
+/// Cores that are apart: clip where the closest direction is a face's normal, else one point between the vertices.
+Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin) {
+    const double slack = 2 * kFaceAngle * gjk.distance;
+    Manifold manifold;
+    if (pair.a.count > 1) {
+        const int edge = edgeFacing(pair.a, gjk.normal);
+        if (isFaceNormal(pair.normalA(edge), gjk.normal)) { manifold = clipAgainstA(pair, edge, margin, slack); }
+    }
+    if (manifold.count == 0 && pair.b.count > 1) {
+        const DVec2 direction = pair.toB(-gjk.normal);
+        const int edge = edgeFacing(pair.b, direction);
+        if (isFaceNormal(pair.localNormalB(edge), direction)) { manifold = clipAgainstB(pair, edge, margin, slack); }
+    }
+    if (manifold.count > 0) { return manifold; }
+    return singlePoint(witnessOf(pair, gjk), gjk.distance, gjk.normal,
+                       featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}), pair.a, pair.b, margin);
+}
+
+Manifold collideCores(const PairView& pair, double margin) {
+    const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
+    // Sharp polygons in contact overlap or nearly do: separating axes answer most of them without GJK.
+    const bool areSharp = pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
+    if (areSharp) {
+        const CoreAxis axis = coreAxis(pair, kFacePreference);
+        if (axis.largest > reach) { return {}; }
+        if (axis.largest <= 0) { return collideOverlapping(pair, axis, margin); }
+    }
+    const GjkResult gjk = closestFeatures(pair, nullptr);
+    if (gjk.outcome == GjkOutcome::touching) {
+        return collideOverlapping(pair, coreAxis(pair, kFacePreference), margin);
+    }
+    if (gjk.distance > reach) { return {}; }
+    return collideApart(pair, gjk, margin);
+}
+
+}  // namespace
+
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin) {
+    return collideCores(PairView(a, b, bInA), static_cast<double>(margin));
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,130 @@
+#include "manifold_clip.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+ReferenceFace makeFace(DVec2 start, DVec2 edge, DVec2 storedNormal) {
+    ReferenceFace face;
+    face.start = start;
+    face.normal = edgeNormal(edge, storedNormal);
+    face.tangent = leftPerp(face.normal);
+    face.length = dot(edge, face.tangent);
+    return face;
+}
+
+}  // namespace
+
+ReferenceFace faceOfA(const PairView& pair, int edge) {
+    ReferenceFace face = makeFace(pair.vertexA(edge), pair.edgeA(edge), pair.normalA(edge));
+    face.edge = edge;
+    face.startVertex = edge;
+    face.endVertex = pair.a.next(edge);
+    return face;
+}
+
+ReferenceFace faceOfB(const PairView& pair, int edge) {
+    ReferenceFace face = makeFace(pair.vertexB(edge), pair.edgeB(edge), pair.normalB(edge));
+    face.edge = edge;
+    face.startVertex = edge;
+    face.endVertex = pair.b.next(edge);
+    return face;
+}
+
+int edgeFacing(const Polygon& polygon, DVec2 direction) {
+    int best = 0;
+    double bestDot = dot(direction, toDouble(polygon.normals[0]));
+    for (int i = 1; i < polygon.count; ++i) {
+        const double d = dot(direction, toDouble(polygon.normals[static_cast<std::size_t>(i)]));
+        if (d > bestDot) {
+            bestDot = d;
+            best = i;
+        }
+    }
+    return best;
+}
+
+IncidentEdge incidentOfA(const PairView& pair, DVec2 normal) {
+    if (pair.a.count == 1) { return {pair.vertexA(0), pair.vertexA(0), 0, 0, 0, true}; }
+    const int edge = edgeFacing(pair.a, -normal);
+    const int next = pair.a.next(edge);
+    return {pair.vertexA(edge), pair.vertexA(next), edge, edge, next, false};
+}
+
+IncidentEdge incidentOfB(const PairView& pair, DVec2 normal) {
+    if (pair.b.count == 1) { return {pair.vertexB(0), pair.vertexB(0), 0, 0, 0, true}; }
+    const int edge = edgeFacing(pair.b, pair.toB(-normal));
+    const int next = pair.b.next(edge);
+    return {pair.vertexB(edge), pair.vertexB(next), edge, edge, next, false};
+}
+
+ClippedEdge clip(const ReferenceFace& face, const IncidentEdge& edge, double slack) {
+    const double lower = -slack;
+    const double upper = face.length + slack;
+    const double startAlong = dot(face.tangent, edge.start - face.start);
+    const double endAlong = dot(face.tangent, edge.end - face.start);
+    ClippedEdge clipped;
+    if ((startAlong < lower && endAlong < lower) || (startAlong > upper && endAlong > upper)) { return clipped; }
+
+    const auto add = [&](double along, double otherAlong, DVec2 vertex, DVec2 other, int vertexIndex) {
+        ClippedPoint p;
+        if (along >= lower && along <= upper) {
+            p.core = vertex;
+            p.reference = {true, face.edge};
+            p.incident = {false, vertexIndex};
+        } else {
+            const double bound = along < lower ? lower : upper;
+            p.core = vertex + ((bound - along) / (otherAlong - along)) * (other - vertex);
+            p.reference = {false, along < lower ? face.startVertex : face.endVertex};
+            p.incident = {true, edge.edge};
+        }
+        p.separation = dot(face.normal, p.core - face.start);
+        clipped.points[static_cast<std::size_t>(clipped.count++)] = p;
+    };
+    add(startAlong, endAlong, edge.start, edge.end, edge.startVertex);
+    if (edge.isPoint) { return clipped; }
+    add(endAlong, startAlong, edge.end, edge.start, edge.endVertex);
+
+    // Only an overlap that the slack or rounding made is a single point: a steep edge keeps its two.
+    const double overlapLower = std::fmax(std::fmin(startAlong, endAlong), 0.0);
+    const double overlapUpper = std::fmin(std::fmax(startAlong, endAlong), face.length);
+    const bool onlySlack = overlapUpper <= overlapLower && startAlong != endAlong;
+    if (onlySlack) {
+        if (clipped.points[1].separation < clipped.points[0].separation) { clipped.points[0] = clipped.points[1]; }
+        clipped.count = 1;
+    }
+    return clipped;
+}
+
+Manifold ManifoldBuilder::build(const ClippedEdge& clipped) const {
+    Manifold manifold;
+    manifold.normal = clampedReal(referenceIsA ? referenceNormal : -referenceNormal);
+    const double referenceRadius = referenceIsA ? radiusA : radiusB;
+    const double incidentRadius = referenceIsA ? radiusB : radiusA;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
+        const ClippedPoint& p = clipped.points[i];
+        const double separation = p.separation - referenceRadius - incidentRadius;
+        if (separation > margin) { continue; }
+        const double toMiddle = 0.5 * (referenceRadius - incidentRadius - p.separation);
+        ManifoldPoint& out = manifold.points[static_cast<std::size_t>(manifold.count++)];
+        out.point = clampedReal(p.core + toMiddle * referenceNormal);
+        out.separation = clampedReal(separation);
+        out.id = referenceIsA ? featureId(p.reference, p.incident) : featureId(p.incident, p.reference);
+    }
+    return manifold;
+}
+
+Manifold singlePoint(const CorePoints& core, double coreSeparation, DVec2 normal, FeatureId id, const Polygon& a,
+                     const Polygon& b, double margin) {
+    const double radiusA = static_cast<double>(a.radius);
+    const double radiusB = static_cast<double>(b.radius);
+    Manifold manifold;
+    manifold.normal = clampedReal(normal);
+    if (coreSeparation - radiusA - radiusB > margin) { return manifold; }
+    manifold.count = 1;
+    manifold.points[0].point = clampedReal(core.a + (0.5 * (coreSeparation + radiusA - radiusB)) * normal);
+    manifold.points[0].separation = clampedReal(coreSeparation - radiusA - radiusB);
+    manifold.points[0].id = id;
+    return manifold;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
