@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "../shapes/penetration.h"
 #include "parabola.h"
 
 namespace swept {
@@ -67,26 +66,9 @@ double firstRootOfEnvelope(const Projections& a, const Projections& b, const Par
     return s;
 }
 
-double coreSeparationAlong(const MovingPair& pair, const PairPose& pose, Vec2 axis) {
-    const Projections a = project(pair.a, {}, -axis, 0);
-    const Projections b = project(pair.b, pose.bInA.rotation, axis, 0);
-    return dot(axis, pose.bInA.translation) + a.lowestAt(0).value + b.lowestAt(0).value;
-}
-
-/// The direction to hold: the closest one, unless it has lost its worth. Between two points much closer than the bodies
-/// are large it is only as good as the rounding of their coordinates divided by their distance, and turned by that much
-/// it may show hardly any separation. Then a face is near, and its normal, which has full precision, does better.
-Vec2 axisToHold(const MovingPair& pair, const PairPose& pose, double level) {
-    const Vec2 closest = pose.distance.normal;
-    const double needed = level + pair.radii();
-    const double seen = coreSeparationAlong(pair, pose, closest);
-    if (seen - needed > 0.5 * (pose.distance.distance - level)) { return closest; }
-    const f64::Penetration face = penetration(pair.a.polygon, pair.b.polygon, pose.bInA);
-    return face.separation > seen ? face.normal : closest;
-}
-
 /// Safe advance along one axis that turns at `spin`.
-double advanceAlong(const MovingPair& pair, const PairPose& pose, Vec2 axis, double spin, double level, double limit) {
+double advanceAlong(const MovingPair& pair, const PairPose& pose, double spin, double level, double limit) {
+    const Vec2 axis = pose.distance.normal;
     const double relativeA = pair.motion.spinA - spin;
     const double relativeB = pair.motion.spinB - spin;
     const Projections a = project(pair.a, {}, -axis, relativeA);
@@ -125,13 +107,12 @@ double advanceOfCircles(const MovingPair& pair, const PairPose& pose, double lev
 double safeAdvance(const MovingPair& pair, const PairPose& pose, double level, double limit) {
     const double spinA = pair.motion.spinA;
     const double spinB = pair.motion.spinB;
-    const Vec2 axis = axisToHold(pair, pose, level);
-    double best = advanceAlong(pair, pose, axis, 0, level, limit);
+    double best = advanceAlong(pair, pose, 0, level, limit);
     if (spinA == 0 && spinB == 0) { return best; }  // then that was exact
     if (best < limit) { best = std::max(best, advanceOfCircles(pair, pose, level, limit)); }
-    if (best < limit && spinA != 0) { best = std::max(best, advanceAlong(pair, pose, axis, spinA, level, limit)); }
+    if (best < limit && spinA != 0) { best = std::max(best, advanceAlong(pair, pose, spinA, level, limit)); }
     if (best < limit && spinB != 0 && spinB != spinA) {
-        best = std::max(best, advanceAlong(pair, pose, axis, spinB, level, limit));
+        best = std::max(best, advanceAlong(pair, pose, spinB, level, limit));
     }
     return best;
 }
