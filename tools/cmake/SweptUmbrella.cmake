@@ -1,0 +1,14 @@
+# swept2d::f32 and swept2d::f64: all library layers of one precision. Included by the top-level list file, after the layers.
+
+foreach(precision f32 f64)
+    add_library(swept_${precision} INTERFACE)
+    set_target_properties(swept_${precision} PROPERTIES EXPORT_NAME ${precision})
+    add_library(swept2d::${precision} ALIAS swept_${precision})
+    foreach(layer engine solver broadphase shapes)
+        if(TARGET swept_${layer}_${precision})
+            target_link_libraries(swept_${precision} INTERFACE swept_${layer}_${precision})
+        endif()
+    endforeach()
+    target_link_libraries(swept_${precision} INTERFACE swept_toi)
+    set_property(GLOBAL APPEND PROPERTY SWEPT_EXPORTED_TARGETS swept_${precision})
+endforeach()
