@@ -1,0 +1,214 @@
+#include "render_overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "render_style.h"
+#include "stroke_font.h"
+
+namespace swept {
+
+namespace {
+
+constexpr double kGridTarget = 28;  // pixels between fine lines, at least
+constexpr double kScaleBarShare = 0.17;
+
+PixelBox panel(Paint& paint, const OverlayMetrics& m, DVec2 low, DVec2 size) {
+    const PixelBox box{low, low + size};
+    paint.fillBox(box, m.padding * 0.7, style::kPanel);
+    return box;
+}
+
+void gridLines(Paint& paint, const PixelView& view, double spacing, int skipEvery, Color color) {
+    const DVec2 halfSize = 1 / view.scale * view.middle;
+    const auto lines = [&](double center, double half, auto&& draw) {
+        // Counted from the line next to the centre, so that far from the origin no digit of the pixels is lost.
+        const double first = std::floor((center - half) / spacing);
+        const double count = std::ceil((center + half) / spacing) - first;
+        for (double k = 0; k <= count; ++k) {
+            const bool skipped = skipEvery > 0 && std::fmod(first + k, skipEvery) == 0;
+            if (!skipped) { draw(view.scale * ((first + k) * spacing - center)); }
+        }
+    };
+    lines(view.center.x, halfSize.x, [&](double x) {
+        const double at = std::round(view.middle.x + x) + 0.5;
+        paint.line({at, 0}, {at, paint.box().high.y}, 1, color);
+    });
+    lines(view.center.y, halfSize.y, [&](double y) {
+        const double at = std::round(view.middle.y + y) + 0.5;
+        paint.line({0, at}, {paint.box().high.x, at}, 1, color);
+    });
+}
+
+void swatch(Paint& paint, DVec2 center, double size, const LegendEntry& entry) {
+    const PixelBox box{center - 0.5 * DVec2{size, size}, center + 0.5 * DVec2{size, size}};
+    const std::array<DVec2, 4> corners{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}};
+    if (entry.dashed || entry.outlineOnly) {
+        if (entry.dashed) { paint.fillConvex(corners, entry.fill); }
+        if (entry.dashed) {
+            paint.dashed(corners, true, 1.2, 3, 2.2, entry.edge);
+        } else {
+            paint.polyline(corners, true, 1.5, entry.edge);
+        }
+        return;
+    }
+    paint.fillBox(box, 2.5, entry.edge);
+    paint.fillBox(box.grownBy(-1.4), 1.4, entry.fill);
+}
+
+}  // namespace
+
+double roundLengthBelow(double limit) {
+    const double power = std::pow(10.0, std::floor(std::log10(limit)));
+    for (const double factor : {10.0, 5.0, 2.0}) {
+        // A little tolerance: 10^k is not exact, and 0.5 must stay 0.5.
+        if (factor * power <= limit * (1 + 1e-12)) { return factor * power; }
+    }
+    return power;
+}
+
+std::string lengthLabel(double metres) {
+    struct Unit {
+        double metres;
+        const char* name;
+    };
+    constexpr std::array<Unit, 5> kUnits{{{1e3, " km"}, {1, " m"}, {1e-2, " cm"}, {1e-3, " mm"}, {1e-6, " \u00B5m"}}};
+    for (const Unit& unit : kUnits) {
+        const double count = metres / unit.metres;
+        if (count > 0.999 && count < 9.99e5) { return fixedDecimals(std::round(count), 0) + unit.name; }
+    }
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.0e m", metres);  // no decimals, hence no locale
+    return text.data();
+}
+
+ScaleBar scaleBar(double pixelsPerMetre, double maxPixels) {
+    const double metres = roundLengthBelow(maxPixels / pixelsPerMetre);
+    return {metres, metres * pixelsPerMetre, lengthLabel(metres)};
+}
+
+std::string timeLabel(double time, double dt) {
+    const int needed = dt > 0 ? static_cast<int>(std::ceil(-std::log10(dt))) : 2;
+    return "t = " + fixedDecimals(time, std::clamp(needed, 2, 9)) + " s";
+}
+
+std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const RenderOptions& options) {
+    const auto any = [&scene](auto&& test) { return std::any_of(scene.bodies.begin(), scene.bodies.end(), test); };
+    const auto isPlain = [](const BodyDescription& b) { return b.type == SceneBodyType::dynamic && !b.bullet; };
+    const auto isSensor = [](const ShapeDescription& s) { return s.sensor; };
+    std::vector<LegendEntry> entries;
+    const auto add = [&entries](const style::BodyStyle& look, const char* label) {
+        entries.push_back({look.fill, look.edge, label, false, false});
+    };
+    if (any([](const BodyDescription& b) { return b.type == SceneBodyType::fixed; })) {
+        add(style::bodyStyle(SceneBodyType::fixed, false, false, 0), "static");
+    }
+    if (any([](const BodyDescription& b) { return b.type == SceneBodyType::kinematic; })) {
+        add(style::bodyStyle(SceneBodyType::kinematic, false, true, 0), "kinematic");
+    }
+    if (any(isPlain)) { add(style::bodyStyle(SceneBodyType::dynamic, false, true, 0), "dynamic"); }
+    if (any(isPlain) && scene.settings.sleep) {
+        add(style::bodyStyle(SceneBodyType::dynamic, false, false, 0), "asleep");
+    }
+    if (any([](const BodyDescription& b) { return b.bullet && b.type == SceneBodyType::dynamic; })) {
+        add(style::bodyStyle(SceneBodyType::dynamic, true, true, 0), "bullet");
+    }
+    if (any([&](const BodyDescription& b) { return std::any_of(b.shapes.begin(), b.shapes.end(), isSensor); })) {
+        entries.push_back({withAlpha(style::kSensor, 32), style::kSensor, "sensor", true, false});
+    }
+    if (options.ghosts) { entries.push_back({withAlpha(style::kGhost, 36), style::kGhost, "at impact", true, false}); }
+    if (options.contacts) { add({style::kContact, style::kContact}, "contact"); }
+    if (options.velocities) {
+        std::string label = "velocity \u00D7 " + fixedDecimals(options.velocitySeconds, 2) + " s";
+        entries.push_back({style::kVelocity, style::kVelocity, label, false, false});
+    }
+    return entries;
+}
+
+OverlayMetrics::OverlayMetrics(const RenderOptions& options) {
+    const double scale = std::clamp(std::min(options.height / 540.0, options.width / 960.0), 0.7, 3.0);
+    text = 10 * scale;
+    title = 13 * scale;
+    margin = 12 * scale;
+    padding = 8 * scale;
+}
+
+void drawGrid(Paint& paint, const PixelView& view) {
+    const double fine = roundLengthBelow(2.5 * kGridTarget / view.scale);
+    const double lead = fine / std::pow(10.0, std::floor(std::log10(fine) + 1e-9));
+    const int coarse = lead > 1.5 && lead < 2.5 ? 5 : 10;  // 2 → 10, 1 → 10, 5 → 50
+    gridLines(paint, view, fine, coarse, style::kGridFine);
+    gridLines(paint, view, coarse * fine, 0, style::kGridCoarse);
+}
+
+void drawTitle(Paint& paint, const OverlayMetrics& m, const std::string& title) {
+    const DVec2 size{textWidth(title, m.title) + 2 * m.padding, m.title + 2 * m.padding};
+    const PixelBox box = panel(paint, m, {m.margin, paint.box().high.y - m.margin - size.y}, size);
+    drawText(paint, title, box.low + DVec2{m.padding, m.padding}, m.title, style::kText);
+}
+
+void drawTime(Paint& paint, const OverlayMetrics& m, const std::string& label) {
+    const DVec2 size{textWidth(label, m.title) + 2 * m.padding, m.title + 2 * m.padding};
+    const PixelBox box = panel(paint, m, paint.box().high - DVec2{m.margin, m.margin} - size, size);
+    drawText(paint, label, box.low + DVec2{m.padding, m.padding}, m.title, style::kText);
+}
+
+void drawScaleBar(Paint& paint, const OverlayMetrics& m, const ScaleBar& bar) {
+    const double width = std::max(bar.pixels, textWidth(bar.label, m.text));
+    const DVec2 size{width + 2 * m.padding, 2.1 * m.text + 2 * m.padding};
+    const PixelBox box = panel(paint, m, {m.margin, m.margin}, size);
+    const DVec2 low = box.low + DVec2{m.padding + (width - bar.pixels) / 2, m.padding};
+    const double thick = 2;
+    const double tick = 0.55 * m.text;
+    const auto block = [&](double left, double right, double height) {
+        const std::array<DVec2, 4> corners{{low + DVec2{left, 0}, low + DVec2{right, 0}, low + DVec2{right, height},
+                                            low + DVec2{left, height}}};
+        paint.fillConvex(corners, style::kText);
+    };
+    block(0, bar.pixels, thick);
+    block(0, thick, tick);
+    block(bar.pixels - thick, bar.pixels, tick);
+    drawText(paint, bar.label, low + DVec2{bar.pixels / 2, 1.1 * m.text}, m.text, style::kText, TextAlign::center);
+}
+
+void drawLegend(Paint& paint, const OverlayMetrics& m, std::span<const LegendEntry> entries) {
+    const double size = 1.15 * m.text;
+    const double gap = 1.5 * m.text;
+    const double rowHeight = 1.9 * m.text;
+    const double available = (1 - kScaleBarShare) * paint.box().high.x - 4 * m.margin - 4 * m.padding;
+    const auto widthOf = [&](const LegendEntry& entry) { return 1.55 * size + textWidth(entry.label, m.text); };
+    std::vector<double> rows;  // widths
+    std::vector<std::size_t> rowOf;
+    for (const LegendEntry& entry : entries) {
+        const double width = widthOf(entry);
+        if (rows.empty() || rows.back() + gap + width > available) {
+            rows.push_back(width);
+        } else {
+            rows.back() += gap + width;
+        }
+        rowOf.push_back(rows.size() - 1);
+    }
+    if (rows.empty()) { return; }
+    const double widest = *std::max_element(rows.begin(), rows.end());
+    const DVec2 panelSize{widest + 2 * m.padding, static_cast<double>(rows.size() - 1) * rowHeight + size + 2 * m.padding};
+    const PixelBox box = panel(paint, m, {paint.box().high.x - m.margin - panelSize.x, m.margin}, panelSize);
+    double x = 0;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (i == 0 || rowOf[i] != rowOf[i - 1]) { x = box.low.x + m.padding; }
+        const double middle = box.high.y - m.padding - size / 2 - static_cast<double>(rowOf[i]) * rowHeight;
+        swatch(paint, {x + size / 2, middle}, size, entries[i]);
+        drawText(paint, entries[i].label, {x + 1.55 * size, middle - m.text / 2}, m.text, style::kText);
+        x += widthOf(entries[i]) + gap;
+    }
+}
+
+void drawWarning(Paint& paint, const OverlayMetrics& m, const std::string& text) {
+    const DVec2 size{textWidth(text, m.title) + 2 * m.padding, m.title + 2 * m.padding};
+    const PixelBox box = panel(
+        paint, m, {(paint.box().high.x - size.x) / 2, paint.box().high.y - 2 * m.margin - 2 * size.y}, size);
+    drawText(paint, text, box.low + DVec2{m.padding, m.padding}, m.title, style::kWarning);
+}
+
+}  // namespace swept

@@ -1,0 +1,264 @@
+#include "render_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "render_chain.h"
+#include "scene_reader.h"
+#include "stroke_font.h"
+
+namespace swept {
+
+namespace {
+
+/// Thinner shapes are drawn this thick, in pixels: a bullet or a wall must never be invisible.
+constexpr double kThinnest = 1.3;
+constexpr double kSegmentThickness = 2.2;
+
+ShapeCore coreInPixels(const PixelPose& pose, const ShapeCore& core, double thinnest) {
+    ShapeCore pixels{{}, core.radius * pose.scale()};
+    for (const DVec2 p : core.points) { pixels.points.push_back(pose.toPixels(p)); }
+    pixels.radius += std::max(0.0, (thinnest - narrowestWidth(pixels)) / 2);
+    return pixels;
+}
+
+/// A zigzag between two points, with straight ends.
+std::vector<DVec2> springPath(DVec2 p, DVec2 q) {
+    constexpr int kTurns = 12;
+    const DVec2 along = q - p;
+    const double size = std::hypot(along.x, along.y);
+    if (!(size > 0) || !std::isfinite(size)) { return {p, q}; }
+    const DVec2 side = std::min(5.0, size / 8) / size * DVec2{-along.y, along.x};
+    std::vector<DVec2> path{p, p + 0.12 * along};
+    for (int i = 0; i < kTurns; ++i) {
+        const double t = 0.12 + 0.76 * (i + 0.5) / kTurns;
+        path.push_back(p + t * along + (i % 2 == 0 ? 1.0 : -1.0) * side);
+    }
+    path.push_back(p + 0.88 * along);
+    path.push_back(q);
+    return path;
+}
+
+void pin(Paint& paint, DVec2 p, double radius) {
+    paint.disc(p, radius, style::kJoint);
+    paint.disc(p, radius * 0.48, rgb(0xFFFFFF));
+}
+
+DVec2 toLocal(const BodyDescription& body, DVec2 world) {
+    const DVec2 d = world - body.position;
+    const double c = std::cos(body.angle);
+    const double s = std::sin(body.angle);
+    return {c * d.x + s * d.y, c * d.y - s * d.x};
+}
+
+}  // namespace
+
+SceneDrawing::SceneDrawing(const SceneDescription& scene) {
+    std::size_t dynamicBodies = 0;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const BodyDescription& body = scene.bodies[i];
+        BodyDrawing drawing{bodyName(scene, i), body.type, body.bullet, dynamicBodies, {}};
+        dynamicBodies += body.type == SceneBodyType::dynamic ? 1 : 0;
+        for (const ShapeDescription& shape : body.shapes) { drawing.shapes.push_back(shapeDrawing(shape)); }
+        bodies_.push_back(std::move(drawing));
+    }
+    for (const JointDescription& joint : scene.joints) { addJoint(scene, joint); }
+}
+
+SceneDrawing::ShapeDrawing SceneDrawing::shapeDrawing(const ShapeDescription& shape) {
+    ShapeDrawing drawing{shapeCore(shape.geometry, shape.radius), Kind::convex, false, shape.sensor};
+    if (const auto* chain = std::get_if<ChainGeometry>(&shape.geometry)) {
+        drawing.kind = Kind::chain;
+        drawing.loop = chain->loop;
+    } else if (std::holds_alternative<CircleGeometry>(shape.geometry)) {
+        drawing.kind = Kind::circle;
+    } else if (std::holds_alternative<SegmentGeometry>(shape.geometry)) {
+        drawing.kind = Kind::segment;
+    }
+    return drawing;
+}
+
+void SceneDrawing::addJoint(const SceneDescription& scene, const JointDescription& joint) {
+    const auto indexOf = [this](const std::string& name) {
+        const auto found = std::find_if(bodies_.begin(), bodies_.end(), [&name](const BodyDrawing& b) { return b.name == name; });
+        return static_cast<std::size_t>(found - bodies_.begin());
+    };
+    const std::size_t a = indexOf(joint.bodyA);
+    const std::size_t b = indexOf(joint.bodyB);
+    if (a == bodies_.size() || b == bodies_.size()) { return; }
+    JointDrawing drawing;
+    drawing.bodyA = static_cast<int>(a);
+    drawing.bodyB = static_cast<int>(b);
+    if (const auto* revolute = std::get_if<RevoluteDescription>(&joint.joint)) {
+        drawing.localA = toLocal(scene.bodies[a], revolute->anchor);
+        drawing.localB = toLocal(scene.bodies[b], revolute->anchor);
+    } else if (const auto* distance = std::get_if<DistanceDescription>(&joint.joint)) {
+        drawing.localA = toLocal(scene.bodies[a], distance->anchorA);
+        drawing.localB = toLocal(scene.bodies[b], distance->anchorB);
+        drawing.revolute = false;
+        drawing.spring = distance->hertz.value_or(0) > 0;
+    }
+    joints_.push_back(drawing);
+}
+
+style::BodyStyle SceneDrawing::styleOf(std::size_t body, bool awake) const {
+    const BodyDrawing& drawing = bodies_[body];
+    return style::bodyStyle(drawing.type, drawing.bullet, awake, drawing.paletteIndex);
+}
+
+void SceneDrawing::removeJoints(int bodyA, int bodyB) {
+    std::erase_if(joints_, [bodyA, bodyB](const JointDrawing& j) {
+        return (j.bodyA == bodyA && j.bodyB == bodyB) || (j.bodyA == bodyB && j.bodyB == bodyA);
+    });
+}
+
+void SceneDrawing::drawBodies(Paint& paint, const PixelView& view, const Frame& frame) const {
+    const std::size_t count = std::min(bodies_.size(), frame.bodies.size());
+    const auto eachShape = [&](auto&& wanted, auto&& drawShape) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const PixelPose pose(view, frame.bodies[i].position, frame.bodies[i].angle);
+            if (!pose.finite()) { continue; }
+            for (const ShapeDrawing& shape : bodies_[i].shapes) {
+                if (wanted(bodies_[i], shape)) { drawShape(i, pose, shape); }
+            }
+        }
+    };
+    eachShape([](const BodyDrawing&, const ShapeDrawing& shape) { return shape.sensor; },
+              [&](std::size_t, const PixelPose& pose, const ShapeDrawing& shape) { drawSensor(paint, pose, shape); });
+    for (const SceneBodyType type : {SceneBodyType::fixed, SceneBodyType::kinematic, SceneBodyType::dynamic}) {
+        eachShape([type](const BodyDrawing& b, const ShapeDrawing& shape) { return b.type == type && !shape.sensor; },
+                  [&](std::size_t i, const PixelPose& pose, const ShapeDrawing& shape) {
+                      const style::BodyStyle look = styleOf(i, frame.bodies[i].awake);
+                      if (shape.kind == Kind::chain) {
+                          drawChain(paint, pose, shape, look);
+                      } else {
+                          drawConvex(paint, pose, shape, look);
+                      }
+                  });
+    }
+}
+
+void SceneDrawing::drawConvex(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape,
+                              const style::BodyStyle& look) const {
+    const bool segment = shape.kind == Kind::segment;
+    const ShapeCore core = coreInPixels(pose, shape.core, segment ? kSegmentThickness : kThinnest);
+    paint.fillConvex(roundedOutline(core, paint.box()), look.edge);
+    // The edge lies inside the shape, so that touching shapes touch in the picture; thin shapes keep some of their fill.
+    const double edge = std::min(style::kEdgeWidth, 0.25 * narrowestWidth(core));
+    if (!segment || shape.core.radius > 0) {
+        paint.fillConvex(roundedOutline(insetCore(core, edge), paint.box()), look.fill);
+    }
+    if (shape.kind == Kind::circle && core.radius > 3 * style::kEdgeWidth) {
+        const DVec2 tip = pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0});
+        paint.line(core.points[0], tip, edge, look.edge);
+    }
+}
+
+void SceneDrawing::drawChain(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape,
+                             const style::BodyStyle& look) const {
+    ShapeCore core{{}, shape.core.radius * pose.scale()};
+    for (const DVec2 p : shape.core.points) { core.points.push_back(pose.toPixels(p)); }
+    shadeSolidSide(paint, core.points, shape.loop, look.edge);
+    const double thickness = std::max(kSegmentThickness, 2 * core.radius);
+    paint.polyline(core.points, shape.loop, thickness, look.edge);
+    if (thickness > 3 * style::kEdgeWidth) {
+        paint.polyline(core.points, shape.loop, thickness - 2 * style::kEdgeWidth, look.fill);
+    }
+}
+
+void SceneDrawing::drawSensor(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape) const {
+    if (shape.kind != Kind::chain) {
+        const ShapeCore core = coreInPixels(pose, shape.core, kThinnest);
+        paint.fillConvex(roundedOutline(core, paint.box()), withAlpha(style::kSensor, 32));
+        paint.dashed(roundedOutline(core, paint.box()), true, 1.3, 5, 3.5, style::kSensor);
+        return;
+    }
+    std::vector<DVec2> points;
+    for (const DVec2 p : shape.core.points) { points.push_back(pose.toPixels(p)); }
+    paint.dashed(points, shape.loop, 1.3, 5, 3.5, style::kSensor);
+}
+
+void SceneDrawing::drawOutline(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, Color color) const {
+    const ShapeCore core = coreInPixels(pose, shape.core, kThinnest);
+    const bool chain = shape.kind == Kind::chain;
+    // A closed stroke of a full circle begins and ends at the same point; a zero-length edge does no harm.
+    paint.polyline(chain ? core.points : roundedOutline(core, paint.box()), !chain || shape.loop, 1.5, color);
+    if (shape.kind == Kind::circle) {
+        paint.line(core.points[0], pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0}), 1.2, color);
+    }
+}
+
+void SceneDrawing::drawOutlines(Paint& paint, const PixelView& view, const Frame& frame, Color color) const {
+    for (std::size_t i = 0; i < std::min(bodies_.size(), frame.bodies.size()); ++i) {
+        const PixelPose pose(view, frame.bodies[i].position, frame.bodies[i].angle);
+        if (!moves(i) || !pose.finite()) { continue; }
+        for (const ShapeDrawing& shape : bodies_[i].shapes) { drawOutline(paint, pose, shape, color); }
+    }
+}
+
+void SceneDrawing::drawPale(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state,
+                            double strength) const {
+    const PixelPose pose(view, state.position, state.angle);
+    if (!pose.finite()) { return; }
+    const style::BodyStyle own = styleOf(body, true);
+    const style::BodyStyle pale{mix(style::kBackground, own.fill, strength), mix(style::kBackground, own.edge, strength)};
+    for (const ShapeDrawing& shape : bodies_[body].shapes) {
+        if (!shape.sensor && shape.kind != Kind::chain) { drawConvex(paint, pose, shape, pale); }
+    }
+}
+
+void SceneDrawing::drawGhost(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state,
+                             Color color) const {
+    const PixelPose pose(view, state.position, state.angle);
+    if (!pose.finite()) { return; }
+    for (const ShapeDrawing& shape : bodies_[body].shapes) {
+        const std::vector<DVec2> outline = roundedOutline(coreInPixels(pose, shape.core, kThinnest), paint.box());
+        paint.fillConvex(outline, withAlpha(color, 36));
+        paint.dashed(outline, true, 1.4, 4, 3, color);
+    }
+}
+
+void SceneDrawing::drawJoints(Paint& paint, const PixelView& view, const Frame& frame) const {
+    for (const JointDrawing& joint : joints_) { drawJoint(paint, view, frame, joint); }
+}
+
+void SceneDrawing::drawJoint(Paint& paint, const PixelView& view, const Frame& frame, const JointDrawing& joint) const {
+    const auto a = static_cast<std::size_t>(joint.bodyA);
+    const auto b = static_cast<std::size_t>(joint.bodyB);
+    if (std::max(a, b) >= frame.bodies.size()) { return; }
+    const PixelPose poseA(view, frame.bodies[a].position, frame.bodies[a].angle);
+    const PixelPose poseB(view, frame.bodies[b].position, frame.bodies[b].angle);
+    if (!poseA.finite() || !poseB.finite()) { return; }
+    const DVec2 anchorA = poseA.toPixels(joint.localA);
+    const DVec2 anchorB = poseB.toPixels(joint.localB);
+    if (joint.revolute) {
+        // The arms from body to pin; a static body has none, its origin may be anywhere.
+        if (moves(a)) { paint.line(poseA.origin(), anchorA, 1.1, style::kJoint); }
+        if (moves(b)) { paint.line(poseB.origin(), anchorB, 1.1, style::kJoint); }
+        paint.line(anchorA, anchorB, 2, style::kWarning);  // of no length unless the joint is torn apart
+        pin(paint, anchorA, 3);
+        return;
+    }
+    const std::array<DVec2, 2> ends{anchorA, anchorB};
+    if (joint.spring) {
+        paint.polyline(springPath(anchorA, anchorB), false, 1.3, style::kJoint);
+    } else {
+        paint.polyline(ends, false, 1.3, style::kJoint);
+    }
+    for (const DVec2 end : ends) { pin(paint, end, 2.6); }
+}
+
+void SceneDrawing::drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const {
+    for (std::size_t i = 0; i < std::min(bodies_.size(), frame.bodies.size()); ++i) {
+        const DVec2 p = view.toPixels(frame.bodies[i].position);
+        if (!isFinite(p) || !paint.box().contains(p)) { continue; }
+        const double half = textWidth(bodies_[i].name, textHeight) / 2;
+        paint.fillBox({{p.x - half - 3, p.y - 0.5 * textHeight - 3}, {p.x + half + 3, p.y + 0.5 * textHeight + 3}}, 3,
+                      withAlpha(rgb(0xFFFFFF), 165));
+        drawText(paint, bodies_[i].name, p - DVec2{0, 0.5 * textHeight}, textHeight, style::kText, TextAlign::center);
+    }
+}
+
+}  // namespace swept
