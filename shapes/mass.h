@@ -18,7 +18,7 @@ struct MassProperties {
 /// @param density  kg/m², at least 0.
 MassProperties massOf(const Polygon& polygon, Real density);
 
-/// Sum of parts given in one frame (parallel-axis theorem about the common centre).
+/// Sum of parts given in one frame (parallel-axis theorem about the common centre). Without mass all is 0.
 MassProperties combine(std::span<const MassProperties> parts);
 
 }  // namespace swept::inline SWEPT_PRECISION

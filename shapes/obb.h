@@ -11,7 +11,7 @@ struct Obb {
 };
 
 /// Separating-axis test on the four face normals; touching boxes overlap. Rounding may report two boxes that are apart
-/// by less than 4 eps × (extents + distance) as overlapping, never the reverse.
+/// by less than 8 eps × (extents + distance) as overlapping, never the reverse.
 bool overlaps(const Obb& a, const Obb& b);
 
 /// Largest separation along the four face normals, metres: positive when apart (a lower bound of the distance), negative

@@ -42,6 +42,9 @@ Result<Polygon> makeBox(Vec2 half, Vec2 center = {}, double angle = 0, Real radi
 /// cloud of points use `convexHull` (hull.h).
 Result<Polygon> makePolygon(std::span<const Vec2> vertices, Real radius = 0);
 
+/// Outward unit normal of the edge from p to q of a counter-clockwise polygon (to the right of it); (0, 0) if p == q.
+inline Vec2 edgeNormal(Vec2 p, Vec2 q) { return normalized(rightPerp(q - p)).unit; }
+
 /// Whether a polygon fulfils the invariants above; `field` names the member that does not.
 Status validate(const Polygon& polygon);
 

@@ -1,0 +1,47 @@
+#include "chain.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+Polygon polygonOf(const ChainSegment& segment) {
+    Polygon polygon;
+    polygon.vertices[0] = segment.p;
+    polygon.vertices[1] = segment.q;
+    polygon.normals[0] = normalOf(segment);
+    polygon.normals[1] = -polygon.normals[0];
+    polygon.radius = segment.radius;
+    polygon.count = 2;
+    return polygon;
+}
+
+Vec2 normalOf(const ChainSegment& segment) { return edgeNormal(segment.p, segment.q); }
+
+Status validateChain(std::span<const Vec2> points, bool loop, Real radius) {
+    if (points.size() < (loop ? 3U : 2U)) { return {StatusCode::tooFewVertices, "points"}; }
+    for (const Vec2 point : points) {
+        if (!isFinite(point)) { return {StatusCode::notFinite, "points"}; }
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (points[i] == points[i - 1]) { return {StatusCode::degenerate, "points"}; }
+    }
+    if (loop && points.front() == points.back()) { return {StatusCode::degenerate, "points"}; }
+    if (!isFinite(radius)) { return {StatusCode::notFinite, "radius"}; }
+    if (radius < 0) { return {StatusCode::negative, "radius"}; }
+    return Status::success();
+}
+
+ChainSegment chainSegment(std::span<const Vec2> points, bool loop, Real radius, int i) {
+    const std::size_t count = points.size();
+    const auto first = static_cast<std::size_t>(i);
+    const auto cyclic = [&](std::size_t index) { return points[index % count]; };
+    ChainSegment segment;
+    segment.p = points[first];
+    segment.q = cyclic(first + 1);
+    segment.radius = radius;
+    segment.hasBefore = loop || first > 0;
+    segment.hasAfter = loop || first + 2 < count;
+    if (segment.hasBefore) { segment.before = cyclic(first + count - 1); }
+    if (segment.hasAfter) { segment.after = cyclic(first + 2); }
+    return segment;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

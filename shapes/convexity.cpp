@@ -1,0 +1,65 @@
+#include "convexity.h"
+
+#include <cmath>
+
+namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+
+/// Whether all points lie within rounding of the line through the first one and the one farthest from it.
+bool onOneLine(std::span<const Vec2> points) {
+    const DVec2 origin = toDouble(points.front());
+    DVec2 farthest;
+    for (const Vec2 point : points) {
+        const DVec2 offset = toDouble(point) - origin;
+        if (dot(offset, offset) > dot(farthest, farthest)) { farthest = offset; }
+    }
+    const double limit = kSmallestTurn * dot(farthest, farthest);
+    for (const Vec2 point : points) {
+        if (std::fabs(cross(farthest, toDouble(point) - origin)) > limit) { return false; }
+    }
+    return true;
+}
+
+/// Directions of [0, π) against those of [π, 2π): a polygon that turns left once around changes between them twice, a
+/// star more often.
+bool pointsUp(DVec2 edge) { return edge.y > 0 || (edge.y == 0 && edge.x > 0); }
+
+}  // namespace
+
+double sizeOf(std::span<const Vec2> points) {
+    if (points.empty()) { return 0; }
+    Vec2 lower = points.front();
+    Vec2 upper = points.front();
+    for (const Vec2 point : points) {
+        lower = min(lower, point);
+        upper = max(upper, point);
+    }
+    const DVec2 sides = toDouble(upper) - toDouble(lower);
+    return std::fmax(sides.x, sides.y);
+}
+
+double heightOver(Vec2 p, Vec2 q, Vec2 r) {
+    const DVec2 chord = toDouble(r) - toDouble(p);
+    const double chordLength = length(chord);
+    return chordLength > 0 ? cross(toDouble(q) - toDouble(p), chord) / chordLength : 0;
+}
+
+StatusCode judgeConvexity(std::span<const Vec2> vertices) {
+    const std::size_t count = vertices.size();
+    const auto edge = [&](std::size_t i) {
+        return toDouble(vertices[(i + 1) % count]) - toDouble(vertices[i % count]);
+    };
+    int changes = 0;
+    bool convex = true;
+    for (std::size_t i = 0; i < count; ++i) {
+        const DVec2 in = edge(i);
+        const DVec2 out = edge(i + 1);
+        convex = convex && cross(in, out) > kSmallestTurn * (length(in) * length(out));
+        changes += pointsUp(in) != pointsUp(out) ? 1 : 0;
+    }
+    if (convex && changes == 2) { return StatusCode::ok; }
+    return onOneLine(vertices) ? StatusCode::degenerate : StatusCode::notConvex;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,170 @@
+#include "ray_cast.h"
+
+#include <cmath>
+
+namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+
+/// All in double: the products of f32 coordinates are then exact, and a long ray keeps its end.
+struct Ray {
+    DVec2 origin;
+    DVec2 direction;
+};
+
+struct Entry {
+    bool hit = false;
+    double fraction = 0;
+    Vec2 normal;
+};
+
+DVec2 vertexOf(const Polygon& polygon, int i) { return toDouble(polygon.vertices[static_cast<std::size_t>(i)]); }
+DVec2 edgeOf(const Polygon& polygon, int i) { return vertexOf(polygon, polygon.next(i)) - vertexOf(polygon, i); }
+Vec2 normalOf(const Polygon& polygon, int i) { return polygon.normals[static_cast<std::size_t>(i)]; }
+
+double squaredDistanceToEdge(const Polygon& polygon, int i, DVec2 point) {
+    const DVec2 edge = edgeOf(polygon, i);
+    const DVec2 offset = point - vertexOf(polygon, i);
+    const double along = dot(offset, edge);
+    const double size = dot(edge, edge);
+    if (along <= 0) { return dot(offset, offset); }
+    if (along >= size) {
+        const DVec2 fromEnd = point - vertexOf(polygon, polygon.next(i));
+        return dot(fromEnd, fromEnd);
+    }
+    const double area = cross(edge, offset);
+    return area * (area / size);
+}
+
+bool contains(const Polygon& polygon, DVec2 point) {
+    const double limit = static_cast<double>(polygon.radius) * static_cast<double>(polygon.radius);
+    if (polygon.count == 1) {
+        const DVec2 offset = point - vertexOf(polygon, 0);
+        return dot(offset, offset) <= limit;
+    }
+    bool insideCore = polygon.count > 2;
+    for (int i = 0; i < polygon.count; ++i) {
+        if (squaredDistanceToEdge(polygon, i, point) <= limit) { return true; }
+        insideCore = insideCore && cross(edgeOf(polygon, i), point - vertexOf(polygon, i)) >= 0;
+    }
+    return insideCore;
+}
+
+/// Ray from outside against the disk about vertex i. Starts at the fraction `from`, near the disk, so that the roots keep
+/// their digits when the ray comes from far away.
+Entry enterDisk(const Polygon& polygon, int i, const Ray& ray, double from) {
+    const double radius = static_cast<double>(polygon.radius);
+    const DVec2 offset = (ray.origin - vertexOf(polygon, i)) + from * ray.direction;
+    const double speed = dot(ray.direction, ray.direction);
+    const double approach = -dot(offset, ray.direction);
+    const double area = cross(offset, ray.direction);
+    const double discriminant = radius * radius * speed - area * area;
+    if (approach <= 0 || discriminant < 0) { return {}; }
+    const double distance = length(offset);
+    const double outside = std::fmax((distance - radius) * (distance + radius), 0.0);
+    const double beyond = outside / (approach + std::sqrt(discriminant));  // the smaller root, without cancellation
+    const DVec2 radial = offset + beyond * ray.direction;
+    const Vec2 normal = toReal((1 / length(radial)) * radial);
+    return {true, from + beyond, normal};
+}
+
+/// Ray from outside against a bare segment, from either side.
+Entry enterSegment(const Polygon& segment, const Ray& ray) {
+    const DVec2 toStart = vertexOf(segment, 0) - ray.origin;
+    const DVec2 toEnd = vertexOf(segment, 1) - ray.origin;
+    const DVec2 edge = edgeOf(segment, 0);
+    const double rate = cross(ray.direction, edge);
+    const double startSide = cross(ray.direction, toStart);
+    const double endSide = cross(ray.direction, toEnd);
+    if (startSide == 0 && endSide == 0) {  // end on
+        const double nearest = std::fmin(dot(toStart, ray.direction), dot(toEnd, ray.direction));
+        const double speed = dot(ray.direction, ray.direction);
+        return {nearest >= 0, nearest / speed, -normalized(toReal((1 / std::sqrt(speed)) * ray.direction)).unit};
+    }
+    if ((startSide > 0 && endSide > 0) || (startSide < 0 && endSide < 0) || rate == 0) { return {}; }
+    const double fraction = cross(toStart, edge) / rate;
+    return {fraction >= 0, fraction, normalOf(segment, rate < 0 ? 0 : 1)};
+}
+
+/// Vertex nearest to a point.
+int nearestVertex(const Polygon& polygon, DVec2 point) {
+    int nearest = 0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < polygon.count; ++i) {
+        const DVec2 offset = point - vertexOf(polygon, i);
+        if (dot(offset, offset) < smallest) {
+            smallest = dot(offset, offset);
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+/// Part of the ray inside all half-planes of the edges, each moved outwards by the radius.
+struct Clip {
+    bool empty = false;
+    double enter = 0;
+    double leave = std::numeric_limits<double>::infinity();
+    int edge = -1;  ///< by which the ray enters; −1 if it starts inside
+};
+
+Clip clipToEdges(const Polygon& polygon, const Ray& ray) {
+    const double radius = static_cast<double>(polygon.radius);
+    Clip clip;
+    for (int i = 0; i < polygon.count; ++i) {
+        const DVec2 edge = edgeOf(polygon, i);
+        const double beyond = cross(ray.origin - vertexOf(polygon, i), edge) - radius * length(edge);
+        const double rate = cross(ray.direction, edge);  // both in units of the edge's length
+        if (rate == 0) {
+            clip.empty = clip.empty || beyond > 0;
+        } else if (rate < 0) {
+            const double fraction = beyond / -rate;
+            if (beyond > 0 && fraction >= clip.enter) {
+                clip.enter = fraction;
+                clip.edge = i;
+            }
+        } else {
+            clip.leave = std::fmin(clip.leave, -beyond / rate);
+        }
+    }
+    clip.empty = clip.empty || clip.enter > clip.leave;
+    return clip;
+}
+
+/// Ray from outside against two or more vertices. The moved half-planes meet in sharp corners; where the ray enters beyond
+/// the end of an edge it is in one such corner, and leaves it through the arc of that vertex or not at all.
+Entry enterOutline(const Polygon& polygon, const Ray& ray) {
+    const Clip clip = clipToEdges(polygon, ray);
+    if (clip.empty) { return {}; }
+    if (clip.edge < 0) { return enterDisk(polygon, nearestVertex(polygon, ray.origin), ray, 0); }
+    const Entry throughEdge{true, clip.enter, normalOf(polygon, clip.edge)};
+    if (polygon.radius == 0) { return throughEdge; }
+    const DVec2 edge = edgeOf(polygon, clip.edge);
+    const double along = dot((ray.origin - vertexOf(polygon, clip.edge)) + clip.enter * ray.direction, edge);
+    if (along < 0) { return enterDisk(polygon, clip.edge, ray, clip.enter); }
+    if (along > dot(edge, edge)) { return enterDisk(polygon, polygon.next(clip.edge), ray, clip.enter); }
+    return throughEdge;
+}
+
+Entry enter(const Polygon& polygon, const Ray& ray) {
+    if (polygon.count == 1) { return enterDisk(polygon, 0, ray, 0); }
+    return polygon.count == 2 && polygon.radius == 0 ? enterSegment(polygon, ray) : enterOutline(polygon, ray);
+}
+
+}  // namespace
+
+RayCastHit rayCast(const Polygon& polygon, Vec2 origin, Vec2 direction, Real maxFraction) {
+    const Ray ray{toDouble(origin), toDouble(direction)};
+    if (contains(polygon, ray.origin)) { return {.hit = true, .fraction = 0, .normal = {}, .point = origin}; }
+    if (direction == Vec2{}) { return {}; }
+    const Entry entry = enter(polygon, ray);
+    if (!entry.hit || entry.fraction > static_cast<double>(maxFraction)) { return {}; }
+    return {.hit = true,
+            .fraction = static_cast<Real>(entry.fraction),
+            .normal = entry.normal,
+            .point = toReal(ray.origin + entry.fraction * ray.direction)};
+}
+
+bool containsPoint(const Polygon& polygon, Vec2 point) { return contains(polygon, toDouble(point)); }
+
+}  // namespace swept::inline SWEPT_PRECISION

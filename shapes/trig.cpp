@@ -1,0 +1,154 @@
+#include "trig.h"
+
+#include <array>
+#include <cmath>
+
+namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+
+// π/2 = kHalfPi1 + kHalfPi2 + kHalfPi3 up to 2⁻¹¹⁸. The first two have at most 33 bits, so their products with a
+// quadrant number of 20 bits are exact.
+constexpr double kHalfPi1 = 0x1.921fb544p+0;
+constexpr double kHalfPi2 = 0x1.0b4611a4p-34;
+constexpr double kHalfPi3 = 0x1.13198a2e03707p-65;
+constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
+
+constexpr double kPi = 0x1.921fb54442d18p+1;
+constexpr double kPiRest = 0x1.1a62633145c07p-53;  // π − kPi
+constexpr double kTwoPi = 2 * kPi;
+
+/// Beyond this the angle is first reduced by the exact remainder of the rounded 2π.
+constexpr double kLargestExactAngle = 0x1p20;
+
+/// A number as the unevaluated sum of a rounded one and a small rest.
+struct TwoParts {
+    double high;
+    double low;
+};
+
+/// angle − quadrant·π/2.
+TwoParts reduced(double angle, double quadrant) {
+    const double afterFirst = angle - quadrant * kHalfPi1;  // exact: both are multiples of the smaller one's last bit
+    const double second = quadrant * kHalfPi2;
+    const double afterSecond = afterFirst - second;
+    const double subtracted = afterFirst - afterSecond;  // what the rounding let through of `second` (TwoSum)
+    const double lost = (afterFirst - (afterSecond + subtracted)) + (subtracted - second);
+    const double rest = lost - quadrant * kHalfPi3;
+    const double high = afterSecond + rest;
+    return {high, (afterSecond - high) + rest};
+}
+
+/// Coefficients first … last of a polynomial in z, by Horner's rule.
+template <std::size_t N>
+constexpr double polynomial(const std::array<double, N>& coefficients, double z) {
+    double sum = coefficients[N - 1];
+    for (std::size_t i = N - 1; i > 0; --i) { sum = sum * z + coefficients[i - 1]; }
+    return sum;
+}
+
+constexpr double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }  // exact up to 22!
+
+// Taylor's polynomials; on [−π/4, π/4] the first terms left out, x¹⁹/19! and x¹⁸/18!, are below 2⁻⁵⁸.
+constexpr std::array<double, 8> kSine = {-1 / factorial(3),  1 / factorial(5),   -1 / factorial(7),  1 / factorial(9),
+                                         -1 / factorial(11), 1 / factorial(13), -1 / factorial(15), 1 / factorial(17)};
+constexpr std::array<double, 7> kCosine = {1 / factorial(4),   -1 / factorial(6), 1 / factorial(8), -1 / factorial(10),
+                                           1 / factorial(12), -1 / factorial(14), 1 / factorial(16)};
+
+/// On [−π/4, π/4]; the low part enters to first order.
+SinCos sinCosOfReduced(TwoParts x) {
+    const double z = x.high * x.high;
+    const double half = 0.5 * z;
+    const double sine = x.high + (x.high * z * polynomial(kSine, z) + x.low * (1 - half));
+    const double top = 1 - half;
+    const double cosine = top + (((1 - top) - half) + (z * z * polynomial(kCosine, z) - x.high * x.low));
+    return {sine, cosine};
+}
+
+// atan(i/8).
+constexpr std::array<double, 9> kArcTangents = {
+    0x0p+0,                0x1.fd5ba9aac2f6ep-4, 0x1.f5b75f92c80ddp-3, 0x1.6f61941e4def1p-2, 0x1.dac670561bb4fp-2,
+    0x1.1e00babdefeb4p-1, 0x1.4978fa3269ee1p-1, 0x1.700a7c5784634p-1, 0x1.921fb54442d18p-1};
+// Taylor's polynomial of atan(u)/u in u²; for |u| ≤ 1/16 the first term left out is below 2⁻⁵⁹.
+constexpr std::array<double, 7> kArcTangent = {1.0, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13};
+
+/// atan(t) for t in [0, 1]: the difference to the nearest atan(i/8), by the addition theorem.
+double arcTangentOfFraction(double t) {
+    const double index = std::floor(8 * t + 0.5);
+    const double center = index / 8;
+    const double u = (t - center) / (1 + t * center);
+    return kArcTangents[static_cast<std::size_t>(index)] + u * polynomial(kArcTangent, u * u);
+}
+
+// ln 2 in two parts; the first has 40 bits, so its products with an exponent are exact.
+constexpr double kLn2High = 0x1.62e42fefa2p-1;
+constexpr double kLn2Low = 0x1.9ef35793c7673p-41;
+constexpr double kOneOverLn2 = 0x1.71547652b82fep+0;
+/// −ln of the smallest normal number.
+constexpr double kLargestExponent = 0x1.6232bdd7abcd2p+9;
+
+template <int kFirst, std::size_t N>
+constexpr std::array<double, N> inverseFactorials(double sign) {
+    std::array<double, N> result{};
+    double factor = 1;
+    for (std::size_t i = 0; i < N; ++i) {
+        result[i] = factor / factorial(kFirst + static_cast<int>(i));
+        factor *= sign;
+    }
+    return result;
+}
+// Taylor's polynomial of e^r; for |r| ≤ ½ ln 2 the first term left out, r¹⁴/14!, is below 2⁻⁵⁷.
+constexpr std::array<double, 14> kExponential = inverseFactorials<0, 14>(1);
+// phi2 for x ≤ 1: Σ (−x)ⁿ/(n + 2)!; the first term left out is 1/20! < 2⁻⁶¹.
+constexpr std::array<double, 18> kPhi2 = inverseFactorials<2, 18>(-1);
+
+}  // namespace
+
+SinCos sinCos(double angle) {
+    if (!std::isfinite(angle)) { return {0, 1}; }
+    // The C standard defines fmod without rounding, so it is the same everywhere.
+    if (std::fabs(angle) > kLargestExactAngle) { angle = std::fmod(angle, kTwoPi); }
+    const double quadrant = std::floor(angle * kTwoOverPi + 0.5);
+    const SinCos near = quadrant == 0 ? sinCosOfReduced({angle, 0}) : sinCosOfReduced(reduced(angle, quadrant));
+    switch (static_cast<int>(quadrant) & 3) {
+        case 0: return near;
+        case 1: return {near.cos, -near.sin};
+        case 2: return {-near.sin, -near.cos};
+        default: return {-near.cos, near.sin};
+    }
+}
+
+double arcTangent2(double y, double x) {
+    if (std::isnan(x) || std::isnan(y)) { return 0; }
+    const double width = std::fabs(x);
+    const double height = std::fabs(y);
+    if (height == 0 && width == 0) { return 0; }
+    const bool steep = height > width;
+    const bool bothInfinite = std::isinf(width) && std::isinf(height);
+    const double fraction = bothInfinite ? 1 : (steep ? width / height : height / width);
+    double angle = arcTangentOfFraction(fraction);
+    if (steep) { angle = kPi / 2 - (angle - kPiRest / 2); }
+    if (x < 0) { angle = kPi - (angle - kPiRest); }
+    return y < 0 ? -angle : angle;
+}
+
+double expOfMinus(double x) {
+    if (!(x > 0)) { return 1; }
+    if (x > kLargestExponent) { return 0; }
+    const double exponent = std::floor(x * kOneOverLn2 + 0.5);
+    const double r = (exponent * kLn2High - x) + exponent * kLn2Low;
+    return std::ldexp(polynomial(kExponential, r), -static_cast<int>(exponent));
+}
+
+DampedMotion dampedMotion(double x) {
+    const double decay = expOfMinus(x);
+    if (!(x > 0)) { return {1, 1, 0.5}; }
+    if (x <= 1) {
+        const double phi2 = polynomial(kPhi2, x);
+        return {decay, 1 - x * phi2, phi2};
+    }
+    const double phi1 = (1 - decay) / x;
+    return {decay, phi1, (1 - phi1) / x};
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
