@@ -49,7 +49,7 @@ Step descend(Json*& at, const std::string& token, bool isLast) {
     if (token != "-" && !parseIndex(token, index)) {
         return Step::notAnIndex;
     }
-    if (index > at->size()) {
+    if (index > at->size() || (index == at->size() && !isLast)) {
         return Step::pastTheEnd;
     }
     if (index == at->size()) {

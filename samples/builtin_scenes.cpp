@@ -1,0 +1,42 @@
+#include "builtin_scenes.h"
+
+#include <array>
+
+namespace swept {
+namespace {
+
+constexpr std::array<BuiltinScene, 14> kScenes{{
+    {"falling-shapes", "every kind of shape falls into a tray and comes to rest", scenes::fallingShapes, 8},
+    {"pyramid", "210 boxes stand still on each other, then a heavy ball arrives", scenes::pyramid, 10},
+    {"tall-stack", "20 boxes high: equal boxes, planks, and ever heavier ones", scenes::tallStack, 10},
+    {"bouncing-balls", "restitution from 0 on the left to 1 on the right, for balls and for tilted boxes",
+     scenes::bouncingBalls, 10},
+    {"friction-ramp", "five boxes on a slope of 3 in 4: those with too little friction slide", scenes::frictionRamp, 6},
+    {"dominoes", "two rows fall towards opposite sides, each hit by a rolling ball", scenes::dominoes, 8},
+    {"newtons-cradle", "momentum runs through five balls on rods; a double pendulum beside them", scenes::newtonsCradle,
+     12},
+    {"ragdolls", "jointed figures with limited joints tumble down stairs", scenes::ragdolls, 8},
+    {"hanging-chain", "a chain swings a heavy ball; a plank bridge carries boxes", scenes::hangingChain, 12},
+    {"terrain", "balls, capsules and boxes roll over one chain without catching on its vertices", scenes::terrain, 12},
+    {"paddle-drum", "a kinematic paddle stirs a drum; a sensor watches who passes", scenes::paddleDrum, 12},
+    {"bullet-curtain", "bullets of 25 to 1600 m/s against walls of 1 cm and of no thickness at all",
+     scenes::bulletCurtain, 3},
+    {"spinning-bars", "thin bars spin at up to 60 rad/s into a field of pins", scenes::spinningBars, 8},
+    {"slender-and-tiny", "a table of 90 cm: rods 2 mm thin, shot of 4 mm, a shelf without thickness",
+     scenes::slenderAndTiny, 4},
+}};
+
+}  // namespace
+
+std::span<const BuiltinScene> builtinScenes() { return kScenes; }
+
+const BuiltinScene* findBuiltinScene(std::string_view name) {
+    for (const BuiltinScene& scene : kScenes) {
+        if (name == scene.name) {
+            return &scene;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace swept

@@ -1,0 +1,73 @@
+#include "builtin_scenes.h"
+#include "scene_builder.h"
+
+/// What discrete engines lose: the fast, the thin and the small.
+
+namespace swept::scenes {
+
+using namespace build;
+
+SceneDescription bulletCurtain() {
+    SceneDescription scene = build::scene("bullet curtain", {0, 4}, 9.5);
+    addFixed(scene, "floor", {0, 0}, {box({8.2, 0.2}, {0, -0.2}), box({8.2, 0.05}, {0, 4})});
+    addFixed(scene, "thin wall", {3, 2}, {box({0.005, 1.95})});          // 1 cm
+    addFixed(scene, "line wall", {5, 0}, {segment({0, 4.05}, {0, 8})});  // no thickness at all
+    for (int row = 0; row < 8; ++row) {
+        const double y = 0.6 + 0.9 * (row % 4) + (row < 4 ? 0.0 : 4.05);
+        const double speed = 25.0 * static_cast<double>(1 << (2 * (row % 4)));  // 25, 100, 400, 1600 m/s
+        for (int i = 0; i < 5; ++i) {
+            const ShapeDescription kinds[] = {circle(0.06), box({0.09, 0.04}), capsule({-0.08, 0}, {0.08, 0}, 0.03)};
+            BodyDescription& bullet = addDynamic(scene, "", {-7.5 + 0.5 * i, y}, {withDensity(kinds[i % 3], 5)});
+            bullet.velocity = {speed, 0};
+            bullet.bullet = true;
+        }
+    }
+    return scene;
+}
+
+SceneDescription spinningBars() {
+    SceneDescription scene = build::scene("spinning bars", {0, 4.2}, 10);
+    addFixed(scene, "tray", {0, 0}, {box({7.4, 0.2}, {0, -0.2}), box({0.2, 2}, {-7.2, 2}), box({0.2, 2}, {7.2, 2})});
+    std::vector<ShapeDescription> pins;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 8; ++column) {
+            const double shift = row % 2 == 0 ? 0.0 : 0.85;
+            pins.push_back(circle(0.05, {1.7 * (column - 3.5) + shift - 0.425, 1.6 + 1.2 * row}));
+        }
+    }
+    addFixed(scene, "pins", {0, 0}, std::move(pins));
+    for (int i = 0; i < 8; ++i) {
+        const double x = 1.5 * (i - 3.5);
+        const double y = i % 2 == 0 ? 7.2 : 8.4;
+        const double length = 0.55 + 0.05 * (i % 3);
+        BodyDescription& bar = addDynamic(scene, "bar" + std::to_string(i), {x, y}, {box({length, 0.03})});
+        bar.angularVelocity = (i % 2 == 0 ? 1 : -1) * (18.0 + 6 * i);
+        bar.velocity = {0, -4};
+        bar.shapes[0].restitution = 0.3;
+    }
+    return scene;
+}
+
+SceneDescription slenderAndTiny() {
+    SceneDescription scene = build::scene("slender and tiny", {0, 0.21}, 0.52);
+    addFixed(scene, "table", {0, 0},
+             {box({0.45, 0.01}, {0, -0.01}), box({0.005, 0.03}, {-0.445, 0.03}), box({0.005, 0.03}, {0.445, 0.03})});
+    addFixed(scene, "shelf", {0, 0}, {segment({-0.3, 0.16}, {-0.05, 0.12}), segment({0.05, 0.12}, {0.3, 0.16})});
+    for (int i = 0; i < 6; ++i) {  // rods 15 cm long and 2 mm thick, upright: they topple
+        addDynamic(scene, "rod" + std::to_string(i), {-0.2 + 0.08 * i, 0.235 + 0.01 * i}, {box({0.001, 0.07})});
+        scene.bodies.back().angularVelocity = i % 2 == 0 ? 0.4 : -0.4;
+    }
+    Dice dice(5);
+    for (int i = 0; i < 60; ++i) {  // shot of 4 mm
+        const DVec2 place{-0.29 + 0.02 * (i % 30), 0.37 + 0.03 * static_cast<double>(i / 30)};
+        addDynamic(scene, "", place, {circle(0.002)}).velocity = {dice.range(-0.1, 0.1), dice.range(-2, 0)};
+    }
+    for (int i = 0; i < 3; ++i) {  // slivers: triangles that are a hundred times longer than high
+        addDynamic(scene, "sliver" + std::to_string(i), {-0.3 + 0.3 * i, 0.43},
+                   {polygon({{-0.1, 0}, {0.1, 0}, {0, 0.002}})})
+            .angularVelocity = 3;
+    }
+    return scene;
+}
+
+}  // namespace swept::scenes
