@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "oracle.h"
+
+namespace swept::test {
+
+/// Random queries by kind. All lengths are of order one unless the name says otherwise.
+enum class Family : std::uint8_t {
+    generic,       ///< speeds up to three sizes a step, up to a quarter turn
+    bars,          ///< slender, up to a whole turn
+    manyTurns,     ///< several turns, close together
+    parabola,      ///< accelerated, thrown up and falling back
+    fast,          ///< hundreds of sizes a step
+    far,           ///< a million from the origin, moving along together
+    tinyAndHuge,   ///< sizes a factor of up to 10⁵ apart
+    small,         ///< everything of size 1e-9
+    large,         ///< everything of size 1e9
+    close,         ///< starts around the target
+    sliver,        ///< aspect ratios up to 10⁵
+    offCenter,     ///< centres of mass outside the shapes
+};
+
+inline constexpr std::array kFamilies = {Family::generic, Family::bars,        Family::manyTurns, Family::parabola,
+                                         Family::fast,    Family::far,         Family::tinyAndHuge, Family::small,
+                                         Family::large,   Family::close,       Family::sliver,    Family::offCenter};
+
+std::string_view nameOf(Family family);
+
+/// The same seed gives the same query.
+Query randomQuery(Family family, std::uint64_t seed);
+
+}  // namespace swept::test
