@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include <swept/tools/query_lines.h>
+
+/// One JSON line in, one JSON line out.
+
+namespace swept::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The example of the format: a ball of radius ½ falls from 3 to −3 on a segment.
+Json example() {
+    return Json::parse(R"({"id": 1, "family": "generic",
+        "a": {"vertices": [[-1, 0], [1, 0]], "radius": 0,
+              "sweep": {"localCenter": [0, 0], "c0": [0, 0], "c1": [0, 0], "a0": 0, "a1": 0}},
+        "b": {"vertices": [[0, 0]], "radius": 0.5,
+              "sweep": {"localCenter": [0, 0], "c0": [0, 3], "c1": [0, -3], "k": [0, 0], "a0": 0, "a1": 2.5}},
+        "tMax": 1, "target": 0.01, "tolerance": 0.001})");
+}
+
+Json answerOf(const LineAnswer& answer) { return Json::parse(answer.text); }
+Json toiOf(const Json& line) { return answerOf(answerToiLine(line.dump())); }
+
+std::string errorOf(const std::string& line) {
+    const LineAnswer answer = answerToiLine(line);
+    EXPECT_FALSE(answer.good) << answer.text;
+    const Json json = answerOf(answer);
+    EXPECT_EQ(json.size(), 2U) << answer.text;
+    return json.at("error").get<std::string>();
+}
+
+template <class Change>
+std::string errorAfter(Change change) {
+    Json line = example();
+    change(line);
+    return errorOf(line.dump());
+}
+
+void expectStartsWith(const std::string& text, const std::string& start) {
+    EXPECT_EQ(text.substr(0, start.size()), start) << text;
+}
+
+TEST(QueryLines, AnswersTheExample) {
+    const LineAnswer answer = answerToiLine(example().dump());
+    EXPECT_TRUE(answer.good);
+    EXPECT_EQ(answer.text.find('\n'), std::string::npos);
+    const Json json = answerOf(answer);
+    std::string keys;
+    for (const auto& [key, value] : json.items()) { keys += key + ' '; }
+    EXPECT_EQ(keys, "id state t separation normal pointA pointB iterations target tolerance ");
+    EXPECT_EQ(json["id"], 1);
+    EXPECT_TRUE(json["id"].is_number_integer());
+    EXPECT_EQ(json["state"], "hit");
+    EXPECT_NEAR(json["t"].get<double>(), (3 - 0.51) / 6, 0.001 / 6);
+    EXPECT_NEAR(json["separation"].get<double>(), 0.01, 0.001);
+    EXPECT_NEAR(json["normal"][1].get<double>(), 1, 1e-12);
+    EXPECT_NEAR(json["pointA"][1].get<double>(), 0, 1e-12);
+    EXPECT_NEAR(json["pointB"][1].get<double>(), 0.01, 0.001);
+    EXPECT_EQ(json["target"], 0.01);
+    EXPECT_EQ(json["tolerance"], 0.001);
+}
+
+TEST(QueryLines, FillsInDefaults) {
+    Json line = example();
+    for (const char* key : {"family", "target", "tolerance"}) { line.erase(key); }
+    line["b"]["sweep"].erase("k");
+    const Json json = toiOf(line);
+    EXPECT_EQ(json["target"], 1.0 / 1024);  // the ball's diameter is the smaller extent
+    EXPECT_EQ(json["tolerance"], 0.25 / 1024);
+    EXPECT_EQ(json["state"], "hit");
+}
+
+TEST(QueryLines, AnswersEveryState) {
+    Json line = example();
+    line["tMax"] = 0.25;
+    Json json = toiOf(line);
+    EXPECT_EQ(json["state"], "separated");
+    EXPECT_EQ(json["t"], 0.25);
+    EXPECT_NEAR(json["separation"].get<double>(), 1.0, 1e-12);
+    line["b"]["sweep"]["c0"] = {0.25, 0};
+    json = toiOf(line);
+    EXPECT_EQ(json["state"], "overlapped");
+    EXPECT_EQ(json["t"], 0);
+    EXPECT_NEAR(json["separation"].get<double>(), -0.5, 1e-12);
+}
+
+TEST(QueryLines, EchoesTheIdWithItsType) {
+    for (const Json& id : {Json(7), Json(-7), Json(1.5), Json("seven \"7\" ü"), Json(nullptr), Json(true),
+                           Json(18446744073709551615U)}) {
+        Json line = example();
+        line["id"] = id;
+        EXPECT_EQ(toiOf(line)["id"].dump(), id.dump());
+        line["tMax"] = 2;  // also when something is wrong
+        EXPECT_EQ(toiOf(line)["id"].dump(), id.dump());
+        EXPECT_TRUE(toiOf(line).contains("error"));
+    }
+    EXPECT_EQ(answerToiLine(R"({"id": 1.0, "oops": 1})").text.substr(0, 9), R"({"id":1.0)");
+    EXPECT_EQ(answerOf(answerToiLine(R"({"id": 5, "tMax": 1e999})"))["id"], 5);
+    EXPECT_EQ(answerOf(answerToiLine(R"({"id": 5, "tMax": 1, "tMax": 1})"))["id"], 5);
+    EXPECT_EQ(answerOf(answerToiLine(R"({"id": 5, "a": )"))["id"], 5);
+    EXPECT_TRUE(answerOf(answerToiLine(R"({"a": {"id": 5}})"))["id"].is_null());
+    EXPECT_TRUE(answerOf(answerToiLine("nonsense"))["id"].is_null());
+}
+
+TEST(QueryLines, NamesWhatIsWrong) {
+    expectStartsWith(errorAfter([](Json& q) { q["color"] = 1; }), "/color: ");
+    expectStartsWith(errorAfter([](Json& q) { q["a"]["sweep"]["v"] = 1; }), "/a/sweep/v: ");
+    expectStartsWith(errorAfter([](Json& q) { q.erase("id"); }), "/id: is missing");
+    expectStartsWith(errorAfter([](Json& q) { q.erase("tMax"); }), "/tMax: is missing");
+    expectStartsWith(errorAfter([](Json& q) { q["b"].erase("radius"); }), "/b/radius: is missing");
+    expectStartsWith(errorAfter([](Json& q) { q["b"] = 3; }), "/b: must be an object, is a number");
+    expectStartsWith(errorAfter([](Json& q) { q["b"]["radius"] = "1"; }), "/b/radius: must be a number, is a string");
+    expectStartsWith(errorAfter([](Json& q) { q["b"]["radius"] = -1; }), "/b/radius: must not be negative");
+    expectStartsWith(errorAfter([](Json& q) { q["a"]["vertices"][1] = {1, 2, 3}; }), "/a/vertices/1: ");
+    expectStartsWith(errorAfter([](Json& q) { q["a"]["vertices"][1][0] = nullptr; }), "/a/vertices/1/0: ");
+    expectStartsWith(errorAfter([](Json& q) { q["a"]["vertices"] = Json::array(); }), "/a/vertices: ");
+    expectStartsWith(errorAfter([](Json& q) { q["a"]["vertices"] = {{0, 0}, {0, 1}, {1, 0}}; }), "/a/vertices: ");
+    expectStartsWith(errorAfter([](Json& q) { q["tMax"] = 0; }), "/tMax: must be greater than 0");
+    expectStartsWith(errorAfter([](Json& q) { q["tolerance"] = 0; }), "/tolerance: must be greater than 0");
+    expectStartsWith(errorAfter([](Json& q) { q["tolerance"] = 1e-20; }), "/tolerance: is out of range");
+    expectStartsWith(errorAfter([](Json& q) { q["target"] = -0.6; }), "/target: is out of range");
+    expectStartsWith(errorOf("[1]"), "the line must be an object");
+    expectStartsWith(errorOf(R"({"id": 1, "id": 2})"), "/id: ");
+    expectStartsWith(errorOf(R"({"id": 1, "tMax": 1e999})"), "/tMax: ");
+    expectStartsWith(errorOf(R"({"id": 1,})"), "line 1, column ");
+    expectStartsWith(errorOf(example().dump() + " x"), "line 1, column ");
+}
+
+TEST(QueryLines, CastsWithoutRotation) {
+    EXPECT_EQ(toiMethodFrom("certified"), ToiMethod::certified);
+    EXPECT_EQ(toiMethodFrom("shapeCast"), ToiMethod::shapeCast);
+    EXPECT_EQ(toiMethodFrom("magic"), std::nullopt);
+    Json line = example();  // a bar that would turn into the ball, which stands still
+    line["a"]["sweep"]["a1"] = 1.5;
+    line["b"]["sweep"]["c0"] = line["b"]["sweep"]["c1"] = {0, 0.75};
+    EXPECT_EQ(toiOf(line)["state"], "hit");
+    EXPECT_EQ(answerOf(answerToiLine(line.dump(), ToiMethod::shapeCast))["state"], "separated");
+}
+
+TEST(QueryLines, MeasuresDistanceInBothPrecisions) {
+    Json line = example();
+    line["a"]["sweep"]["c0"] = {1e6 + 0.1, 0};
+    line["b"]["sweep"]["c0"] = {1e6 + 0.1, 3};
+    for (const Precision precision : {Precision::f32, Precision::f64}) {
+        const double error = precision == Precision::f32 ? 1e-6 : 1e-14;
+        const LineAnswer answer = answerDistanceLine(line.dump(), precision);
+        EXPECT_TRUE(answer.good) << answer.text;
+        const Json json = answerOf(answer);
+        std::string keys;
+        for (const auto& [key, value] : json.items()) { keys += key + ' '; }
+        EXPECT_EQ(keys, "id distance normal pointA pointB iterations ");
+        EXPECT_NEAR(json["distance"].get<double>(), 2.5, error);
+        EXPECT_NEAR(json["normal"][1].get<double>(), 1, error);
+        EXPECT_NEAR(json["pointB"][0].get<double>(), 1e6 + 0.1, 1e-9 + error);
+    }
+    line["b"]["sweep"]["c0"] = {1e6 + 0.1, 0.2};
+    EXPECT_NEAR(answerOf(answerDistanceLine(line.dump()))["distance"].get<double>(), -0.3, 1e-9);
+    line["a"]["vertices"] = {{0, 0}, {1e30, 0}, {1e30, 1e-30}};  // flat beyond float, not beyond double
+    EXPECT_TRUE(answerDistanceLine(line.dump(), Precision::f64).good);
+    line["a"]["vertices"] = {{0, 0}, {1e39, 0}};  // beyond the largest float
+    EXPECT_TRUE(answerDistanceLine(line.dump(), Precision::f64).good);
+    EXPECT_FALSE(answerDistanceLine(line.dump(), Precision::f32).good);
+    line["b"]["sweep"]["a1"] = "x";
+    EXPECT_FALSE(answerDistanceLine(line.dump()).good);
+}
+
+TEST(QueryLines, NumbersReadBackAsTheSameDouble) {
+    Json line = example();
+    line["target"] = 0.1 + 0.2;
+    line["tolerance"] = 1.0 / 3;
+    const std::string text = answerToiLine(line.dump()).text;
+    EXPECT_NE(text.find("\"target\":0.30000000000000004,"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"tolerance\":0.3333333333333333}"), std::string::npos) << text;
+}
+
+TEST(QueryLines, AnswersInOrderAndSkipsBlankLines) {
+    std::string text;
+    for (int i = 0; i < 5; ++i) {
+        Json line = example();
+        line["id"] = i;
+        if (i == 3) { line["tMax"] = "bad"; }
+        text += "\n  \t\r\n" + line.dump() + (i % 2 == 0 ? "\r\n" : "\n");
+    }
+    std::istringstream in(text);
+    std::ostringstream out;
+    const auto answer = [](std::string_view line) { return answerToiLine(line); };
+    EXPECT_EQ(answerQueries(in, out, answer), 2);
+    std::istringstream answers(out.str());
+    int count = 0;
+    for (std::string line; std::getline(answers, line); ++count) {
+        EXPECT_EQ(Json::parse(line)["id"], count);
+        EXPECT_EQ(Json::parse(line).contains("error"), count == 3);
+    }
+    EXPECT_EQ(count, 5);
+    std::istringstream nothing("\n\n");
+    EXPECT_EQ(answerQueries(nothing, out, answer), 0);
+}
+
+}  // namespace
+}  // namespace swept::test

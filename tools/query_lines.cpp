@@ -1,0 +1,130 @@
+#include "query_lines.h"
+
+#include <istream>
+#include <ostream>
+
+#include "number_text.h"
+#include "query_distance.h"
+#include "query_reader.h"
+
+namespace swept {
+namespace {
+
+/// One JSON object on one line, member by member.
+class LineWriter {
+public:
+    explicit LineWriter(const Json& id) { text_ = "{\"id\":" + id.dump(); }
+
+    void add(const char* key, double number) {
+        startMember(key);
+        appendJsonNumber(text_, number);
+    }
+    void add(const char* key, DVec2 vector) {
+        startMember(key);
+        text_ += '[';
+        appendJsonNumber(text_, vector.x);
+        text_ += ',';
+        appendJsonNumber(text_, vector.y);
+        text_ += ']';
+    }
+    void add(const char* key, int number) {
+        startMember(key);
+        text_ += std::to_string(number);
+    }
+    void add(const char* key, const std::string& string) {
+        startMember(key);
+        text_ += Json(string).dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    std::string take() { return std::move(text_ += '}'); }
+
+private:
+    std::string text_;
+
+    void startMember(const char* key) { text_ += std::string(",\"") + key + "\":"; }
+};
+
+const char* nameOf(ToiState state) {
+    switch (state) {
+        case ToiState::hit: return "hit";
+        case ToiState::separated: return "separated";
+        case ToiState::overlapped: return "overlapped";
+        case ToiState::failed: return "failed";
+    }
+    return "";  // unreachable, but GCC cannot know
+}
+
+LineAnswer refusal(const Json& id, const std::string& reason) {
+    LineWriter line(id);
+    line.add("error", reason);
+    return {line.take(), false};
+}
+
+LineAnswer refusal(const Json& id, const Status& status) {
+    return refusal(id, std::string("/") + status.field + ": " + describe(status.code));
+}
+
+ToiSettings settingsOf(const QueryLine& query) {
+    ToiSettings settings = defaultToiSettings(query.a, query.b);
+    settings.tMax = query.tMax;
+    if (query.target) { settings.target = *query.target; }
+    if (query.tolerance) { settings.tolerance = *query.tolerance; }
+    return settings;
+}
+
+}  // namespace
+
+std::optional<ToiMethod> toiMethodFrom(std::string_view name) {
+    if (name == "certified") { return ToiMethod::certified; }
+    if (name == "shapeCast") { return ToiMethod::shapeCast; }
+    return {};
+}
+
+LineAnswer answerToiLine(std::string_view line, ToiMethod method) {
+    QueryLine query;
+    if (const auto error = readQueryLine(line, query)) { return refusal(query.id, *error); }
+    const ToiSettings settings = settingsOf(query);
+    const Status status = validateToi(query.a, query.sweepA, query.b, query.sweepB, settings);
+    if (!status.ok()) { return refusal(query.id, status); }
+    const auto function = method == ToiMethod::shapeCast ? shapeCast : timeOfImpact;
+    const Toi toi = function(query.a, query.sweepA, query.b, query.sweepB, settings);
+    LineWriter answer(query.id);
+    answer.add("state", std::string(nameOf(toi.state)));
+    answer.add("t", toi.fraction);
+    answer.add("separation", toi.separation);
+    answer.add("normal", toi.normal);
+    answer.add("pointA", toi.pointA);
+    answer.add("pointB", toi.pointB);
+    answer.add("iterations", toi.iterations);
+    answer.add("target", settings.target);
+    answer.add("tolerance", settings.tolerance);
+    return {answer.take(), true};
+}
+
+LineAnswer answerDistanceLine(std::string_view line, Precision precision) {
+    QueryLine query;
+    if (const auto error = readQueryLine(line, query)) { return refusal(query.id, *error); }
+    const auto function = precision == Precision::f32 ? queryDistance<Precision::f32> : queryDistance<Precision::f64>;
+    const Result<QueryDistance> found = function(query.a, query.sweepA, query.b, query.sweepB);
+    if (!found.ok()) { return refusal(query.id, found.status()); }
+    const QueryDistance& distance = found.value();
+    LineWriter answer(query.id);
+    answer.add("distance", distance.distance);
+    answer.add("normal", distance.normal);
+    answer.add("pointA", distance.pointA);
+    answer.add("pointB", distance.pointB);
+    answer.add("iterations", distance.iterations);
+    return {answer.take(), true};
+}
+
+int answerQueries(std::istream& in, std::ostream& out, const std::function<LineAnswer(std::string_view)>& answer) {
+    bool allGood = true;
+    for (std::string line; std::getline(in, line);) {
+        if (line.find_first_not_of(" \t\r") == std::string::npos) { continue; }
+        const LineAnswer answered = answer(line);
+        out << answered.text << '\n';
+        allGood = allGood && answered.good;
+    }
+    return allGood ? 0 : 2;
+}
+
+}  // namespace swept
