@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "code_scanner.h"
+#include "source_tree.h"
+
+/// The arrows of the house: who may include whom, and in which form.
+
+namespace swept::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::set<std::string> kLibraryFolders = {"shapes", "broadphase", "toi", "solver", "engine"};
+
+const std::map<std::string, std::set<std::string>> kAllowed = {
+    {"shapes", {}},
+    {"broadphase", {"shapes"}},
+    {"toi", {"shapes"}},
+    {"solver", {"shapes"}},
+    {"engine", {"shapes", "broadphase", "toi", "solver"}},
+    {"samples", {"shapes", "toi", "engine"}},
+    {"tools", {"shapes", "broadphase", "toi", "solver", "engine", "samples"}},
+    {"tests", {"shapes", "broadphase", "toi", "solver", "engine", "samples", "tools"}},
+};
+
+std::string folderOf(const std::string& path) { return path.substr(0, path.find('/')); }
+
+/// The file of our own that an include names, from the source root; empty when it names a foreign one.
+std::string resolved(const SourceFile& file, const Include& include) {
+    if (include.quoted) {
+        return (fs::path(file.path).parent_path() / include.target).lexically_normal().generic_string();
+    }
+    return include.target.starts_with("swept/") ? include.target.substr(6) : "";
+}
+
+/// Headers of the C++ standard library have plain names; the C ones end in .h.
+bool isStandard(const std::string& target) {
+    return target.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") == std::string::npos;
+}
+
+TEST(IncludeEdges, PointOneWay) {
+    int edges = 0;
+    for (const SourceFile& file : allCppFiles()) {
+        const std::string from = folderOf(file.path);
+        for (const Include& include : includesIn(file.text)) {
+            const std::string target = resolved(file, include);
+            if (target.empty()) {
+                continue;
+            }
+            const std::string to = folderOf(target);
+            ++edges;
+            EXPECT_TRUE(fs::is_regular_file(sourceRoot() / target))
+                << file.path << ':' << include.line << " includes " << include.target << ", which is not there";
+            EXPECT_TRUE(to == from || kAllowed.at(from).count(to) != 0)
+                << file.path << ':' << include.line << ": " << from << " may not include " << to;
+        }
+    }
+    EXPECT_GT(edges, 100) << "the scan found hardly anything";
+}
+
+TEST(IncludeEdges, OfTheLibraryAreRelativeOrStandard) {
+    for (const std::string& folder : kLibraryFolders) {
+        for (const SourceFile& file : cppFilesIn(folder)) {
+            for (const Include& include : includesIn(file.text)) {
+                if (include.quoted) {
+                    continue;
+                }
+                EXPECT_TRUE(isStandard(include.target) || include.target.starts_with("hwy/"))
+                    << file.path << ':' << include.line << " includes <" << include.target
+                    << ">: a library folder includes its own kind by relative path, and else the standard library";
+            }
+        }
+    }
+}
+
+TEST(IncludeEdges, OfTheTableFormNoCycle) {
+    for (const auto& [folder, below] : kAllowed) {
+        std::set<std::string> reached = below;
+        for (std::size_t before = 0; before != reached.size();) {
+            before = reached.size();
+            const std::set<std::string> last = reached;
+            for (const std::string& each : last) {
+                reached.insert(kAllowed.at(each).begin(), kAllowed.at(each).end());
+            }
+        }
+        EXPECT_EQ(reached.count(folder), 0U) << folder;
+    }
+}
+
+TEST(Headers, AreGuarded) {
+    for (const SourceFile& file : allCppFiles()) {
+        if (file.path.ends_with(".h")) {
+            EXPECT_TRUE(file.text.starts_with("#pragma once\n")) << file.path;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace swept::house

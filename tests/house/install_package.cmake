@@ -1,0 +1,17 @@
+# Installs the library part of a build tree into an empty prefix. BUILD_DIR, PREFIX.
+file(REMOVE_RECURSE ${PREFIX})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --component swept2d --prefix ${PREFIX}
+                OUTPUT_QUIET RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "the install failed")
+endif()
+file(GLOB_RECURSE headers RELATIVE ${PREFIX}/include ${PREFIX}/include/*)
+foreach(header IN LISTS headers)
+    if(NOT header MATCHES "^swept/(shapes|broadphase|toi|solver|engine)/[a-z0-9_]+\\.h$")
+        message(FATAL_ERROR "include/${header} should not be installed")
+    endif()
+endforeach()
+list(LENGTH headers count)
+if(count LESS 20)
+    message(FATAL_ERROR "only ${count} headers were installed")
+endif()

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "source_tree.h"
+
+namespace swept::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(TopLevel, HoldsWhatTheDesignNames) {
+    const std::set<std::string> allowed = {
+        "shapes",      "broadphase", "toi",       "solver",  "engine",         "samples",
+        "tools",       "tests",      "README.md", "LICENSE", "CMakeLists.txt", "CMakePresets.json",
+        "CHANGELOG.md"};
+    std::set<std::string> found;
+    for (const std::string& path : repositoryFiles()) {
+        found.insert(path.substr(0, path.find('/')));
+    }
+    for (const std::string& entry : found) {
+        EXPECT_TRUE(entry.starts_with('.') || allowed.count(entry) != 0) << entry << " does not belong there";
+    }
+    for (const char* const needed : {"shapes", "broadphase", "toi", "LICENSE", "CMakeLists.txt"}) {
+        EXPECT_EQ(found.count(needed), 1U) << needed << " is missing";
+    }
+}
+
+TEST(Names, OfSourcesAreSnakeCase) {
+    const std::regex snakeCase("[a-z][a-z0-9]*(_[a-z0-9]+)*\\.(h|cpp)");
+    for (const SourceFile& file : allCppFiles()) {
+        const std::string name = fs::path(file.path).filename().string();
+        EXPECT_TRUE(std::regex_match(name, snakeCase)) << file.path;
+    }
+}
+
+TEST(Texts, NameNoPlaceOfAParticularMachine) {
+    // Spelled in pieces, so that this file does not accuse itself. A script may use /tmp through mktemp only.
+    const std::string slash = "/";
+    const std::vector<std::string> places = {slash + "home/", slash + "root/", slash + "work/", slash + "Users/",
+                                             slash + "tmp/",  slash + "opt/",  slash + "mnt/"};
+    const std::set<std::string> readable = {".h", ".cpp", ".txt", ".cmake", ".in", ".json", ".md", ".sh", ".jsonl", ""};
+    for (const std::string& path : repositoryFiles()) {
+        if (readable.count(fs::path(path).extension().string()) == 0) {
+            continue;
+        }
+        const std::string text = readText(sourceRoot() / path);
+        for (const std::string& place : places) {
+            for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + 1)) {
+                // Inside a longer path (as in `a/opt/b`) it is no place of its own.
+                const bool startsThere =
+                    at == 0 || std::string_view(" \t\n\"'=(<:`").find(text[at - 1]) != std::string::npos;
+                EXPECT_FALSE(startsThere)
+                    << path << " names " << place << "…, line "
+                    << 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+            }
+        }
+    }
+}
+
+TEST(Texts, HaveNoTrailingSpaceAndEndWithANewline) {
+    for (const SourceFile& file : allCppFiles()) {
+        EXPECT_TRUE(file.text.ends_with('\n')) << file.path;
+        EXPECT_EQ(file.text.find(" \n"), std::string::npos) << file.path;
+        EXPECT_EQ(file.text.find('\t'), std::string::npos) << file.path;
+        EXPECT_EQ(file.text.find('\r'), std::string::npos) << file.path;
+    }
+}
+
+}  // namespace
+}  // namespace swept::house
