@@ -44,6 +44,8 @@ void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia
         Real massScale = 1;
         Real impulseScale = 0;
         if (separation > 0) {
+            // Relaxation starts no contact: what meets in the next sub-step must arrive there with its speed, to bounce.
+            if (!useBias && !(point.normalImpulse > 0)) { continue; }
             bias = separation / h;  // apart: may close the gap within this sub-step, no more
         } else if (useBias) {
             bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);

@@ -60,7 +60,9 @@ void solveLimit(const Rod& rod, Real room, Real direction, const Softness& softn
 }
 
 void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
-    if (joint.hasSpring) {
+    if (!(rod.mass > 0)) { return; }  // nothing to move; and 0 kg times the room of a limit at infinity is no number
+    // Once per sub-step: solved again in relaxation, with the length that it has just made, the spring would damp twice.
+    if (joint.hasSpring && useBias) {
         const Real change = scalarChange(rod.mass, rod.speed(), rod.length - joint.length, joint.springImpulse,
                                          joint.spring);
         joint.springImpulse += change;

@@ -7,7 +7,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Below this ratio of the determinant to the product of its diagonal, two points act as one (same place, or no rotation).
+/// Below this ratio of the determinant to the product of its diagonal, a response is singular as far as rounding can tell:
+/// two points act as one (same place, or no rotation).
 constexpr Real kSingularRatio = 16 * kEpsilon;
 /// An approach below this share of the points' own speeds is what rounding leaves of a solved contact.
 constexpr Real kRoundingRatio = 8 * kEpsilon;
@@ -29,9 +30,11 @@ struct ImpactProblem {
     Vec2 relativeVelocity(int i) const {
         return velocityAt(b, point(i).anchorB) - velocityAt(a, point(i).anchorA);
     }
-    /// Sum of the points' own speeds: what rounding of the relative velocity is measured against.
+    /// What rounding of the relative velocity is measured against: sum of the speeds it is made of. Those of moving and
+    /// turning are taken apart, since they cancel where a body rolls, and their rounding does not.
     Real speedScale(int i) const {
-        return length(velocityAt(a, point(i).anchorA)) + length(velocityAt(b, point(i).anchorB));
+        return length(a.velocity) + std::fabs(a.angularVelocity) * length(point(i).anchorA) + length(b.velocity) +
+               std::fabs(b.angularVelocity) * length(point(i).anchorB);
     }
     void apply(int i, Vec2 impulse) {
         applyImpulse(a, inertiaA, -impulse, point(i).anchorA);
@@ -44,6 +47,12 @@ struct ImpactProblem {
                inertiaA.inverseInertia * cross(point(i).anchorA, n) * cross(point(j).anchorA, n) +
                inertiaB.inverseInertia * cross(point(i).anchorB, n) * cross(point(j).anchorB, n);
     }
+    /// Tangential velocity at point i for a unit normal impulse there, and the other way round.
+    Real coupling(int i, Vec2 tangent) const {
+        const Vec2 n = contact.normal;
+        return inertiaA.inverseInertia * cross(point(i).anchorA, n) * cross(point(i).anchorA, tangent) +
+               inertiaB.inverseInertia * cross(point(i).anchorB, n) * cross(point(i).anchorB, tangent);
+    }
 };
 
 /// Smallest non-negative impulses that change both normal velocities by `change` (both points approach).
@@ -53,39 +62,52 @@ Scalars solveBlock(const ImpactProblem& problem, const Scalars& change) {
     const Real k01 = problem.response(0, 1);
     const Real determinant = k00 * k11 - k01 * k01;
     if (determinant <= kSingularRatio * k00 * k11) {
-        const Real each = std::max(change[0], change[1]) / (k00 + k11);
-        return {each, each};
+        // Any split moves the bodies alike. Where the points approach at different speeds (a kinematic partner turns), only
+        // the faster one may carry the impact: at the slower one the same impulse would do less work going in than out.
+        if (change[0] == change[1]) { return {change[0] / (k00 + k11), change[1] / (k00 + k11)}; }
+        return change[0] > change[1] ? Scalars{change[0] / k00, 0} : Scalars{0, change[1] / k11};
     }
-    const Real x0 = (change[0] * k11 - change[1] * k01) / determinant;
-    const Real x1 = (change[1] * k00 - change[0] * k01) / determinant;
+    // Elimination instead of Cramer's rule: near a singular matrix its impulses still make the velocities asked for.
+    const Real ratio = k01 / k00;
+    const Real x1 = (change[1] - ratio * change[0]) / (k11 - ratio * k01);
+    const Real x0 = (change[0] - k01 * x1) / k00;
     if (x0 >= 0 && x1 >= 0) { return {x0, x1}; }
     // One point alone carries the impact and lifts the other at least as much as asked.
     return x0 < 0 ? Scalars{0, change[1] / k11} : Scalars{change[0] / k00, 0};
 }
 
-/// Impulses for given restitutions of the points: normals together, then friction point by point.
-Impulses impulsesFor(ImpactProblem problem, const Scalars& restitution) {
+/// One point, normal and friction together: the normal velocity changes by exactly `change`, and friction opposes the slip
+/// that remains. Along the impulses with that normal change (normal = (change − coupling·friction)/kNormal), slip grows
+/// with friction, and the cone is an interval around 0: so the friction that would stop the slip, clamped to it, is the
+/// only solution. With restitution 0 it never makes energy (Moreau's argument: no work at the normal end velocity 0, and
+/// friction against the slip at the end).
+Vec2 solvePoint(const ImpactProblem& problem, int i, Real change) {
     const Vec2 normal = problem.contact.normal;
     const Vec2 tangent = rightPerp(normal);
-    Scalars change{};
+    const Real friction = problem.contact.friction;
+    const Real normalMass = problem.point(i).normalMass;
+    const Real kNormal = 1 / normalMass;
+    const Real kTangent = 1 / problem.point(i).tangentMass;
+    const Real coupling = problem.coupling(i, tangent);
+    const Real kSlip = std::max(kTangent - coupling * coupling * normalMass, kSingularRatio * kTangent);
+    const Real slip = dot(problem.relativeVelocity(i), tangent) + coupling * change * normalMass;
+    // A side of the cone that the line of impulses never meets does not limit friction.
+    const Real above = kNormal + friction * coupling;
+    const Real below = kNormal - friction * coupling;
+    Real total = -slip / kSlip;
+    if (above > 0) { total = std::min(total, friction * change / above); }
+    if (below > 0) { total = std::max(total, -friction * change / below); }
+    return (change - coupling * total) * normalMass * normal + total * tangent;
+}
+
+/// Two points: normals together, then friction point by point. Each part by itself makes no energy.
+Impulses solveTwoPoints(ImpactProblem problem, const Scalars& change) {
+    const Vec2 normal = problem.contact.normal;
+    const Vec2 tangent = rightPerp(normal);
+    const Scalars normalImpulse = solveBlock(problem, change);
+    Impulses impulses{normalImpulse[0] * normal, normalImpulse[1] * normal};
+    for (int i = 0; i < 2; ++i) { problem.apply(i, impulses[static_cast<std::size_t>(i)]); }
     for (int i = 0; i < 2; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (problem.active[k]) { change[k] = -(1 + restitution[k]) * dot(problem.relativeVelocity(i), normal); }
-    }
-    Scalars normalImpulse{};
-    if (problem.active[0] && problem.active[1]) {
-        normalImpulse = solveBlock(problem, change);
-    } else {
-        const std::size_t only = problem.active[0] ? 0 : 1;
-        normalImpulse[only] = change[only] * problem.point(static_cast<int>(only)).normalMass;
-    }
-    Impulses impulses{};
-    for (int i = 0; i < 2; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        impulses[k] = normalImpulse[k] * normal;
-        problem.apply(i, impulses[k]);
-    }
-    for (int i = 0; i < problem.contact.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const Real limit = problem.contact.friction * normalImpulse[k];
         const Real slip = dot(problem.relativeVelocity(i), tangent);
@@ -96,15 +118,28 @@ Impulses impulsesFor(ImpactProblem problem, const Scalars& restitution) {
     return impulses;
 }
 
+/// Impulses for given restitutions of the points.
+Impulses impulsesFor(const ImpactProblem& problem, const Scalars& restitution) {
+    Scalars change{};
+    for (int i = 0; i < 2; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Real approach = -dot(problem.relativeVelocity(i), problem.contact.normal);
+        if (problem.active[k]) { change[k] = (1 + restitution[k]) * approach; }
+    }
+    if (problem.active[0] && problem.active[1]) { return solveTwoPoints(problem, change); }
+    if (problem.active[0]) { return {solvePoint(problem, 0, change[0]), Vec2{}}; }
+    return {Vec2{}, solvePoint(problem, 1, change[1])};
+}
+
 /// Work done on the relative motion: impulse times mean relative velocity, summed over the points (exact, as velocities
-/// depend linearly on impulses). The bilinear form below it serves the blend.
-Real workOf(const ImpactProblem& before, const Impulses& first, const Impulses& second) {
+/// depend linearly on impulses).
+Real workOf(const ImpactProblem& before, const Impulses& impulses) {
     ImpactProblem after = before;
-    for (int i = 0; i < before.contact.count; ++i) { after.apply(i, second[static_cast<std::size_t>(i)]); }
+    for (int i = 0; i < before.contact.count; ++i) { after.apply(i, impulses[static_cast<std::size_t>(i)]); }
     Real work = 0;
     for (int i = 0; i < before.contact.count; ++i) {
         const Vec2 mean = Real(0.5) * (before.relativeVelocity(i) + after.relativeVelocity(i));
-        work += dot(first[static_cast<std::size_t>(i)], mean);
+        work += dot(impulses[static_cast<std::size_t>(i)], mean);
     }
     return work;
 }
@@ -119,14 +154,14 @@ Impulses mix(const Impulses& plastic, const Impulses& full, Real share) {
 /// positive at 1, so there is one crossing. As many halvings as the significand has bits decide it.
 Impulses withoutEnergyGain(const ImpactProblem& problem, const Impulses& full) {
     // Without friction a restitution of at most 1 cannot make energy; what shows here is rounding.
-    if (problem.contact.friction <= 0 || workOf(problem, full, full) <= 0) { return full; }
+    if (problem.contact.friction <= 0 || workOf(problem, full) <= 0) { return full; }
     const Impulses plastic = impulsesFor(problem, {0, 0});
     Real low = 0;
     Real high = 1;
     for (int i = 0; i < std::numeric_limits<Real>::digits; ++i) {
         const Real middle = Real(0.5) * (low + high);
         const Impulses mixed = mix(plastic, full, middle);
-        (workOf(problem, mixed, mixed) <= 0 ? low : high) = middle;
+        (workOf(problem, mixed) <= 0 ? low : high) = middle;
     }
     return mix(plastic, full, low);
 }
