@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <swept/tools/output_files.h>
+
+#include "scratch_directory.h"
+
+namespace swept {
+namespace {
+
+TEST(OutputFiles, OpensAllPlaces) {
+    const ScratchDirectory scratch;
+    OutputFiles outputs;
+    outputs.addFile("--csv", scratch.path("a.csv"));
+    outputs.addFile("--report", "");
+    outputs.addDirectory("--png", scratch.path("deep/er"));
+    std::string error;
+    ASSERT_TRUE(outputs.open(error)) << error;
+    EXPECT_EQ(outputs.stream(""), nullptr);
+    *outputs.stream(scratch.path("a.csv")) << "text";
+    ASSERT_TRUE(outputs.close(error)) << error;
+    EXPECT_EQ(scratch.read("a.csv"), "text");
+    EXPECT_TRUE(std::filesystem::is_directory(scratch.path("deep/er")));
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.path("deep/er")));
+}
+
+TEST(OutputFiles, CutsOffWhatAnEarlierRunLeft) {
+    const ScratchDirectory scratch;
+    OutputFiles outputs;
+    outputs.addFile("--csv", scratch.write("a.csv", "a long text of an earlier run"));
+    std::string error;
+    ASSERT_TRUE(outputs.open(error)) << error;
+    *outputs.stream(scratch.path("a.csv")) << "new";
+    ASSERT_TRUE(outputs.close(error));
+    EXPECT_EQ(scratch.read("a.csv"), "new");
+}
+
+TEST(OutputFiles, LeavesNoTraceWhenOnePlaceIsRefused) {
+    const ScratchDirectory scratch;
+    OutputFiles outputs;
+    outputs.addDirectory("--png", scratch.path("pictures"));
+    outputs.addFile("--csv", scratch.path("a.csv"));
+    outputs.addFile("--events", scratch.path("missing/b.jsonl"));
+    std::string error;
+    EXPECT_FALSE(outputs.open(error));
+    EXPECT_EQ(error, "--events " + scratch.path("missing/b.jsonl") + ": cannot be written: No such file or directory");
+    EXPECT_TRUE(scratch.isEmpty());
+}
+
+TEST(OutputFiles, KeepsOldFilesWhenAnotherPlaceIsRefused) {
+    const ScratchDirectory scratch;
+    OutputFiles outputs;
+    outputs.addFile("--csv", scratch.write("a.csv", "precious"));
+    outputs.addFile("--report", scratch.path("missing/b.json"));
+    std::string error;
+    EXPECT_FALSE(outputs.open(error));
+    EXPECT_EQ(scratch.read("a.csv"), "precious");
+}
+
+TEST(OutputFiles, RefusesADirectoryThatIsAFile) {
+    const ScratchDirectory scratch;
+    const std::string file = scratch.write("file", "text");
+    for (const std::string& path : {file, file + "/below"}) {
+        OutputFiles outputs;
+        outputs.addDirectory("--png", path);
+        std::string error;
+        EXPECT_FALSE(outputs.open(error));
+        EXPECT_NE(error.find("--png " + path + ": cannot be made a directory"), std::string::npos) << error;
+    }
+    EXPECT_EQ(scratch.read("file"), "text");
+}
+
+TEST(OutputFiles, RefusesToOverwriteTheInputOrItself) {
+    const ScratchDirectory scratch;
+    const std::string input = scratch.write("scene.json", "{}");
+    std::string error;
+    OutputFiles overInput;
+    overInput.protect(input);
+    overInput.addFile("--csv", scratch.path("./scene.json"));
+    EXPECT_FALSE(overInput.open(error));
+    EXPECT_NE(error.find("would overwrite the input"), std::string::npos) << error;
+    EXPECT_EQ(scratch.read("scene.json"), "{}");
+
+    OutputFiles twice;
+    twice.addFile("--csv", scratch.path("out"));
+    twice.addFile("--events", scratch.path("./out"));
+    EXPECT_FALSE(twice.open(error));
+    EXPECT_NE(error.find("--csv"), std::string::npos) << error;
+    EXPECT_FALSE(scratch.has("out"));
+}
+
+}  // namespace
+}  // namespace swept

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <limits>
+#include <string>
+
+#include <swept/tools/report_writer.h>
+
+namespace swept {
+namespace {
+
+SceneDescription smallScene() {
+    SceneDescription scene;
+    scene.name = "small";
+    scene.settings.dt = 0.125;
+    scene.settings.maxPenetration = 0.01;
+    scene.settings.maxLostTime = 1;
+    scene.bodies.resize(2);
+    scene.bodies[1].name = "ball";
+    return scene;
+}
+
+RunReport smallReport() {
+    RunReport report;
+    report.counters = {{"pairs", 12}, {"contacts", 7}};
+    report.lostTime = {{1, 0.5, "budget"}};
+    report.deepestPenetration = 0.02;
+    report.largestJointError = 0.001;
+    report.startEnergy = 100;
+    report.endEnergy = 90;
+    report.startMomentum = {1, 2};
+    report.endMomentum = {3, 4};
+    report.endAngularMomentum = -5;
+    return report;
+}
+
+TEST(ReportWriter, HoldsTheTotalsOfTheRun) {
+    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"swept2d 1.2.3", "f64", 8, 0.25}));
+    EXPECT_EQ(json.at("scene"), "small");
+    EXPECT_EQ(json.at("engine"), "swept2d 1.2.3");
+    EXPECT_EQ(json.at("precision"), "f64");
+    EXPECT_EQ(json.at("steps"), 8);
+    EXPECT_EQ(json.at("time"), 1.0);
+    EXPECT_EQ(json.at("finite"), true);
+    EXPECT_EQ(json.at("counters").at("contacts"), 7);
+    ASSERT_EQ(json.at("lostTime").size(), 1u);
+    EXPECT_EQ(json.at("lostTime")[0].at("body"), "ball");
+    EXPECT_EQ(json.at("lostTime")[0].at("seconds"), 0.5);
+    EXPECT_EQ(json.at("lostTime")[0].at("reason"), "budget");
+    EXPECT_EQ(json.at("deepestPenetration"), 0.02);
+    EXPECT_EQ(json.at("largestJointError"), 0.001);
+    EXPECT_EQ(json.at("energy").at("start"), 100);
+    EXPECT_EQ(json.at("energy").at("end"), 90);
+    EXPECT_EQ(json.at("momentum").at("end"), (nlohmann::json{3, 4}));
+    EXPECT_EQ(json.at("angularMomentum").at("end"), -5);
+}
+
+TEST(ReportWriter, NamesTheSettingsUsed) {
+    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"e", "f32", 8, 0}));
+    const auto& settings = json.at("settings");
+    EXPECT_EQ(settings.at("dt"), 0.125);
+    EXPECT_EQ(settings.at("profile"), "accurate");
+    EXPECT_EQ(settings.at("continuous"), "subStep");
+    EXPECT_EQ(settings.at("maxImpacts"), 64);
+    EXPECT_EQ(settings.at("sleep"), true);
+    EXPECT_EQ(settings.at("broadphase"), "bvh");
+    EXPECT_FALSE(settings.contains("subSteps")) << "left to the profile";
+}
+
+TEST(ReportWriter, TellsWhichBudgetsWereKept) {
+    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"e", "f32", 8, 0}));
+    const auto& budgets = json.at("budgets");
+    EXPECT_EQ(budgets.at("maxPenetration").at("kept"), false);
+    EXPECT_EQ(budgets.at("maxLostTime").at("kept"), true);
+    EXPECT_FALSE(budgets.contains("maxJointError"));
+}
+
+TEST(ReportWriter, StaysValidWhenTheRunDidNot) {
+    RunReport report = smallReport();
+    report.endEnergy = std::numeric_limits<double>::quiet_NaN();
+    report.finite = false;
+    const auto json = nlohmann::json::parse(reportText(smallScene(), report, {"e", "f32", 8, 0}));
+    EXPECT_TRUE(json.at("energy").at("end").is_null());
+    EXPECT_EQ(json.at("finite"), false);
+}
+
+}  // namespace
+}  // namespace swept

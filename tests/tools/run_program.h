@@ -1,0 +1,51 @@
+#pragma once
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <string>
+#include <vector>
+
+#include "scratch_directory.h"
+
+extern char** environ;
+
+namespace swept {
+
+struct ProgramResult {
+    int exitCode = -1;  ///< −1: could not be started, or died of a signal
+    std::string out;
+    std::string err;
+};
+
+/// Runs the built `swept` to its end. Its streams are files, so that nothing can block.
+inline ProgramResult runSwept(std::vector<std::string> arguments, const std::string& input = "") {
+    const ScratchDirectory scratch;
+    const std::string in = scratch.write("in", input);
+    const std::string out = scratch.path("out");
+    const std::string err = scratch.path("err");
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, in.c_str(), O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+    arguments.insert(arguments.begin(), SWEPT_PROGRAM);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) { pointers.push_back(argument.data()); }
+    pointers.push_back(nullptr);
+    ProgramResult result;
+    pid_t process = -1;
+    int status = 0;
+    const int failure = posix_spawn(&process, SWEPT_PROGRAM, &actions, nullptr, pointers.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failure == 0 && waitpid(process, &status, 0) == process && WIFEXITED(status)) {
+        result.exitCode = WEXITSTATUS(status);
+    }
+    result.out = scratch.read("out");
+    result.err = scratch.read("err");
+    return result;
+}
+
+}  // namespace swept

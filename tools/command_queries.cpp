@@ -1,0 +1,79 @@
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "commands.h"
+#include "query_lines.h"
+
+namespace swept {
+namespace {
+
+struct QueryArguments {
+    std::string file;
+    std::string method = "certified";
+    std::string precision = "f64";
+};
+
+using Answerer = std::function<LineAnswer(std::string_view)>;
+
+std::optional<Precision> precisionFrom(const std::string& name) {
+    if (name == "f32") { return Precision::f32; }
+    if (name == "f64") { return Precision::f64; }
+    return std::nullopt;
+}
+
+/// Answers the file's lines, or those of standard input.
+int answerAll(const std::string& path, const Answerer& answer) {
+    std::ios::sync_with_stdio(false);
+    if (path.empty() || path == "-") { return answerQueries(std::cin, std::cout, answer); }
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) { return refuse(path + ": is a directory"); }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) { return refuse(path + ": cannot be read"); }
+    return answerQueries(file, std::cout, answer);
+}
+
+int answerToi(const QueryArguments& arguments) {
+    const std::optional<ToiMethod> method = toiMethodFrom(arguments.method);
+    if (!method) { return refuse("--method " + arguments.method + ": must be certified or shapeCast"); }
+    if (!precisionFrom(arguments.precision)) { return refuse("--precision: must be f32 or f64"); }
+    return answerAll(arguments.file, [method](std::string_view line) { return answerToiLine(line, *method); });
+}
+
+int answerDistance(const QueryArguments& arguments) {
+    if (arguments.method != "gjk") { return refuse("--method " + arguments.method + ": must be gjk"); }
+    const std::optional<Precision> precision = precisionFrom(arguments.precision);
+    if (!precision) { return refuse("--precision: must be f32 or f64"); }
+    return answerAll(arguments.file, [precision](std::string_view line) { return answerDistanceLine(line, *precision); });
+}
+
+void addFileOption(CLI::App& command, QueryArguments& arguments) {
+    command.add_option("file", arguments.file, "Queries, one JSON object a line; standard input if left out")
+        ->type_name("FILE");
+}
+
+}  // namespace
+
+void addQueryCommands(CLI::App& app, int& exitCode) {
+    CLI::App* const toi = app.add_subcommand("toi", "Answer time-of-impact queries, one JSON line each");
+    const auto toiArguments = std::make_shared<QueryArguments>();
+    addFileOption(*toi, *toiArguments);
+    toi->add_option("--method", toiArguments->method, "certified or shapeCast [certified]")->type_name("NAME");
+    toi->add_option("--precision", toiArguments->precision, "f32 or f64; the time of impact is in double in both [f64]")
+        ->type_name("P");
+    toi->callback([toiArguments, &exitCode] { exitCode = answerToi(*toiArguments); });
+
+    CLI::App* const distance = app.add_subcommand("distance", "Answer distance queries (poses at fraction 0)");
+    const auto distanceArguments = std::make_shared<QueryArguments>();
+    distanceArguments->method = "gjk";
+    addFileOption(*distance, *distanceArguments);
+    distance->add_option("--method", distanceArguments->method, "gjk [gjk]")->type_name("NAME");
+    distance->add_option("--precision", distanceArguments->precision, "Build of the distance function [f64]")
+        ->type_name("P");
+    distance->callback([distanceArguments, &exitCode] { exitCode = answerDistance(*distanceArguments); });
+}
+
+}  // namespace swept

@@ -1,0 +1,191 @@
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "commands.h"
+#include "csv_writer.h"
+#include "event_writer.h"
+#include "number_text.h"
+#include "output_files.h"
+#include "picture_output.h"
+#include "progress.h"
+#include "report_writer.h"
+#include "scene_source.h"
+
+namespace swept {
+namespace {
+
+struct RunArguments {
+    SceneArguments scene;
+    PictureArguments pictures;
+    std::string csv;
+    std::string events;
+    std::string report;
+    int threads = 1;
+};
+
+/// What happened to the run, for the exit code and the summary.
+struct RunOutcome {
+    std::int64_t steps = 0;
+    double wallSeconds = 0;
+    std::string culprit;  ///< the first body whose state is not finite; empty while all are
+};
+
+bool isFinite(const BodyFrame& body) {
+    return swept::isFinite(body.position) && swept::isFinite(body.velocity) && std::isfinite(body.angle) &&
+           std::isfinite(body.angularVelocity);
+}
+
+std::string firstBodyThatIsNotFinite(const Frame& frame, const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+        if (!isFinite(frame.bodies[i])) { return names[i]; }
+    }
+    return "";
+}
+
+/// A run with all that looks at it: steps, hands each state to the writers, and stops at the first that is not finite.
+class ObservedRun {
+public:
+    ObservedRun(Runner& runner, const LoadedScene& loaded, std::vector<std::string> names)
+        : runner_(runner), loaded_(loaded), names_(std::move(names)) {}
+
+    void writeTo(OutputFiles& outputs, const RunArguments& arguments) {
+        if (std::ofstream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_); }
+        if (std::ofstream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
+    }
+
+    /// @return false, and the reason in `error`, when a picture could not be written.
+    bool run(PictureOutput* pictures, RunOutcome& outcome, std::string& error) {
+        Progress progress(loaded_.source, loaded_.steps);
+        const bool wantsContacts = pictures != nullptr && pictures->wantsContacts();
+        for (std::int64_t step = 0;; ++step) {
+            runner_.read(frame_, wantsContacts);
+            if (csv_) { csv_->write(frame_); }
+            outcome.steps = step;
+            outcome.culprit = firstBodyThatIsNotFinite(frame_, names_);
+            if (!outcome.culprit.empty()) { return true; }
+            if (pictures != nullptr && !pictures->show(frame_, runner_.events(), error)) { return false; }
+            if (step == loaded_.steps) { return true; }
+            const auto start = std::chrono::steady_clock::now();
+            runner_.step();
+            outcome.wallSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            if (events_) { events_->write(runner_.events()); }
+            progress.update(step + 1);
+        }
+    }
+
+private:
+    Runner& runner_;
+    const LoadedScene& loaded_;
+    std::vector<std::string> names_;
+    std::optional<CsvWriter> csv_;
+    std::optional<EventWriter> events_;
+    Frame frame_;
+};
+
+void addRunOptions(CLI::App& command, RunArguments& arguments) {
+    addSceneArguments(command, arguments.scene);
+    addPictureArguments(command, arguments.pictures);
+    command.add_option("--csv", arguments.csv, "State of every body after every step")->type_name("FILE");
+    command.add_option("--events", arguments.events, "Contact, sensor and joint events as JSON lines")
+        ->type_name("FILE");
+    command.add_option("--report", arguments.report, "Totals of the run as JSON")->type_name("FILE");
+    command
+        .add_option("--threads", arguments.threads,
+                    "Threads that the step may use; never changes the results, and this version uses one [1]")
+        ->type_name("N");
+}
+
+OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
+    OutputFiles outputs;
+    outputs.protect(loaded.file);
+    outputs.addFile("--csv", arguments.csv);
+    outputs.addFile("--events", arguments.events);
+    outputs.addFile("--report", arguments.report);
+    addPicturePlaces(outputs, arguments.pictures);
+    return outputs;
+}
+
+void printSummary(const LoadedScene& loaded, const RunOutcome& outcome, const RunReport& report) {
+    const double time = static_cast<double>(outcome.steps) * loaded.scene.settings.dt;
+    const std::string& name = loaded.scene.name.empty() ? loaded.source : loaded.scene.name;
+    std::cout << name << ": " << outcome.steps << " steps of " << roundedText(loaded.scene.settings.dt) << " s = "
+              << roundedText(time) << " s, computed in " << roundedText(outcome.wallSeconds, 3) << " s ("
+              << (loaded.precision == Precision::f64 ? "f64" : "f32") << ")\n";
+    std::cout << "deepest penetration " << roundedText(report.deepestPenetration, 3) << " m";
+    if (!loaded.scene.joints.empty()) {
+        std::cout << ", largest joint error " << roundedText(report.largestJointError, 3) << " m";
+    }
+    double lost = 0;
+    for (const LostTime& entry : report.lostTime) { lost += entry.seconds; }
+    if (lost > 0) { std::cout << ", lost time " << roundedText(lost, 3) << " s"; }
+    std::cout << '\n';
+}
+
+void printPlace(const char* what, const std::string& path) {
+    if (!path.empty()) { std::cout << what << path << '\n'; }
+}
+
+void warnOfBudget(const char* name, const std::optional<double>& limit, double value) {
+    if (!limit || value <= *limit) { return; }
+    std::cerr << "swept: warning: " << roundedText(value, 3) << " is above the scene's budget " << name << " = "
+              << roundedText(*limit) << '\n';
+}
+
+/// Writes what belongs to the end of the run, closes the files, and tells the user.
+int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Runner& runner, const RunOutcome& outcome,
+              OutputFiles& outputs) {
+    const RunReport report = runner.report();
+    if (std::ofstream* const file = outputs.stream(arguments.report)) {
+        const std::string precision = loaded.precision == Precision::f64 ? "f64" : "f32";
+        *file << reportText(loaded.scene, report,
+                            {"swept2d " + versionText(), precision, outcome.steps, outcome.wallSeconds});
+    }
+    std::string error;
+    if (!outputs.close(error)) { return refuse(error); }
+    printSummary(loaded, outcome, report);
+    printPlace("states    ", arguments.csv);
+    printPlace("events    ", arguments.events);
+    printPlace("report    ", arguments.report);
+    printPicturePlaces(arguments.pictures);
+    warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration);
+    warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError);
+    if (outcome.culprit.empty() && report.finite) { return kExitDone; }
+    std::cerr << "swept: " << loaded.source << ": the state of body \"" << outcome.culprit << "\" is not finite after step "
+              << outcome.steps << '\n';
+    return kExitNotFinite;
+}
+
+int runScene(const RunArguments& arguments) {
+    std::string error;
+    if (arguments.threads < 1) { return refuse("--threads: must be at least 1"); }
+    const auto loaded = loadScene(arguments.scene, error);
+    if (!loaded) { return refuse(error); }
+    const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, loaded->steps, error);
+    if (!error.empty()) { return refuse(error); }
+    const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
+    const auto runner = makeRunner(loaded->scene, {loaded->precision, needsEvents, true}, error);
+    if (!runner) { return refuse(loaded->source + ": " + error); }
+    OutputFiles outputs = placesOf(arguments, *loaded);
+    if (!outputs.open(error)) { return refuse(error); }
+    ObservedRun run(*runner, *loaded, bodyNames(loaded->scene));
+    run.writeTo(outputs, arguments);
+    RunOutcome outcome;
+    const bool complete = run.run(pictures.get(), outcome, error);
+    if (!complete || (pictures && !pictures->finish(error))) { return refuse(error); }
+    return finishRun(arguments, *loaded, *runner, outcome, outputs);
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, int& exitCode) {
+    CLI::App* const command = app.add_subcommand("run", "Run a scene: pictures, states, events, a report");
+    const auto arguments = std::make_shared<RunArguments>();
+    addRunOptions(*command, *arguments);
+    command->callback([arguments, &exitCode] { exitCode = runScene(*arguments); });
+}
+
+}  // namespace swept

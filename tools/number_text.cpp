@@ -1,0 +1,36 @@
+#include "number_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace swept {
+namespace {
+
+// The longest shortest form is "-2.2250738585072014e-308": 24 characters.
+constexpr std::size_t kLongestNumber = 32;
+
+}  // namespace
+
+void appendNumber(std::string& text, double value) {
+    std::array<char, kLongestNumber> digits{};
+    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    text.append(digits.data(), result.ptr);
+}
+
+void appendJsonNumber(std::string& text, double value) {
+    if (std::isfinite(value)) {
+        appendNumber(text, value);
+    } else {
+        text += "null";
+    }
+}
+
+std::string roundedText(double value, int digits) {
+    std::array<char, kLongestNumber> characters{};
+    const auto result = std::to_chars(characters.data(), characters.data() + characters.size(), value,
+                                      std::chars_format::general, digits);
+    return std::string(characters.data(), result.ptr);
+}
+
+}  // namespace swept

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace swept {
+
+/// Appends the shortest decimal that reads back as the same double ("0.1", "-0", "1e+22", "nan", "inf").
+void appendNumber(std::string& text, double value);
+
+/// As `appendNumber`, for JSON, which has no NaN and no infinity: those become `null`.
+void appendJsonNumber(std::string& text, double value);
+
+/// A number for a human: at most `digits` significant digits.
+std::string roundedText(double value, int digits = 4);
+
+}  // namespace swept

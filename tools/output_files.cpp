@@ -1,0 +1,138 @@
+#include "output_files.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace swept {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool samePlace(const std::string& a, const std::string& b) {
+    std::error_code error;
+    const fs::path canonicalA = fs::weakly_canonical(fs::absolute(a, error), error);
+    const fs::path canonicalB = fs::weakly_canonical(fs::absolute(b, error), error);
+    return canonicalA == canonicalB || fs::equivalent(a, b, error);
+}
+
+/// Whether writing truncates something that can be lost: pipes and devices may be named twice.
+bool isDevice(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+}  // namespace
+
+void OutputFiles::protect(const std::string& path) {
+    if (!path.empty()) { protected_.push_back(path); }
+}
+
+void OutputFiles::addFile(const std::string& flag, const std::string& path) {
+    if (!path.empty()) { files_.push_back({flag, path, {}}); }
+}
+
+void OutputFiles::addDirectory(const std::string& flag, const std::string& path) {
+    if (!path.empty()) { directories_.push_back({flag, path, {}}); }
+}
+
+bool OutputFiles::open(std::string& error) {
+    bool opened = refuseClashes(error);
+    for (const Place& place : directories_) { opened = opened && openDirectory(place, error); }
+    for (Place& place : files_) { opened = opened && openFile(place, error); }
+    if (!opened) {
+        discard();
+        return false;
+    }
+    // Only now that all can be written is anything of an earlier run cut off.
+    for (Place& place : files_) {
+        place.stream.close();
+        place.stream.clear();
+        place.stream.open(place.path, std::ios::binary | std::ios::trunc);
+    }
+    return true;
+}
+
+bool OutputFiles::refuseClashes(std::string& error) const {
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        if (isDevice(files_[i].path)) { continue; }
+        for (const std::string& input : protected_) {
+            if (!samePlace(files_[i].path, input)) { continue; }
+            error = files_[i].flag + ' ' + files_[i].path + ": would overwrite the input";
+            return false;
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!samePlace(files_[i].path, files_[j].path)) { continue; }
+            error = files_[i].flag + ' ' + files_[i].path + ": is already the file of " + files_[j].flag;
+            return false;
+        }
+    }
+    return true;
+}
+
+bool OutputFiles::openDirectory(const Place& place, std::string& error) {
+    const fs::path path = fs::path(place.path).lexically_normal();
+    fs::path partial;
+    for (const fs::path& part : path) {
+        partial /= part;
+        std::error_code failure;
+        const bool isNew = !part.empty() && fs::create_directory(partial, failure);
+        if (isNew) { created_.push_back(partial.string()); }
+        std::error_code ignored;
+        if (!fs::is_directory(partial, ignored)) {
+            const std::string reason = failure ? failure.message() : "Not a directory";
+            error = place.flag + ' ' + place.path + ": cannot be made a directory: " + reason;
+            return false;
+        }
+    }
+    // What a directory's permissions are worth shows only when something is written.
+    const std::string probe = (path / ".swept_probe").string();
+    errno = 0;
+    if (!std::ofstream(probe)) {
+        error = place.flag + ' ' + place.path + ": cannot be written to: " + std::strerror(errno);
+        return false;
+    }
+    std::error_code ignored;
+    fs::remove(probe, ignored);
+    return true;
+}
+
+bool OutputFiles::openFile(Place& place, std::string& error) {
+    std::error_code ignored;
+    const bool existed = fs::exists(place.path, ignored);
+    errno = 0;
+    place.stream.open(place.path, std::ios::binary | std::ios::app);
+    if (!place.stream) {
+        error = place.flag + ' ' + place.path + ": cannot be written: " + std::strerror(errno);
+        return false;
+    }
+    if (!existed) { created_.push_back(place.path); }
+    return true;
+}
+
+std::ofstream* OutputFiles::stream(const std::string& path) {
+    for (Place& place : files_) {
+        if (!path.empty() && place.path == path) { return &place.stream; }
+    }
+    return nullptr;
+}
+
+bool OutputFiles::close(std::string& error) {
+    for (Place& place : files_) {
+        if (!place.stream.is_open()) { continue; }
+        place.stream.close();
+        if (place.stream) { continue; }
+        error = place.flag + ' ' + place.path + ": could not be written to the end";
+        return false;
+    }
+    return true;
+}
+
+void OutputFiles::discard() {
+    for (Place& place : files_) { place.stream.close(); }
+    std::error_code ignored;
+    for (; !created_.empty(); created_.pop_back()) { fs::remove(created_.back(), ignored); }
+}
+
+}  // namespace swept

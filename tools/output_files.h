@@ -1,0 +1,47 @@
+#pragma once
+
+#include <deque>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace swept {
+
+/// All places a command will write to, opened together before the work begins: when one of them cannot be written,
+/// whatever was newly created is taken away again, and a refused command leaves no trace.
+class OutputFiles {
+public:
+    /// A file that must not be overwritten: what the command reads.
+    void protect(const std::string& path);
+    /// @param flag  the option that named it, for errors. An empty path is no output and is left out.
+    void addFile(const std::string& flag, const std::string& path);
+    /// A directory for many files; it and its missing parents are created.
+    void addDirectory(const std::string& flag, const std::string& path);
+    /// @return false, and one line in `error`, when some place cannot be written or two options name the same one.
+    bool open(std::string& error);
+    /// The open file of a path given to `addFile`; null for an empty path. Files written by others (pictures) are simply
+    /// not asked for: they stay empty until the other overwrites them.
+    std::ofstream* stream(const std::string& path);
+    /// Closes all files.
+    /// @return false, and one line in `error`, when something could not be written (a full disk).
+    bool close(std::string& error);
+    /// Closes and takes away what `open` created.
+    void discard();
+
+private:
+    struct Place {
+        std::string flag;
+        std::string path;
+        std::ofstream stream;
+    };
+    bool refuseClashes(std::string& error) const;
+    bool openDirectory(const Place& place, std::string& error);
+    bool openFile(Place& place, std::string& error);
+
+    std::vector<std::string> protected_;
+    std::vector<Place> directories_;
+    std::deque<Place> files_;  // a deque, as streams are handed out by address
+    std::vector<std::string> created_;
+};
+
+}  // namespace swept

@@ -1,0 +1,204 @@
+#include "picture_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <charconv>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <swept/samples/contact_sheet.h>
+#include <swept/samples/image_png.h>
+#include <swept/samples/image_webp.h>
+#include <swept/samples/render_overlay.h>
+#include <swept/samples/scene_renderer.h>
+
+namespace swept {
+namespace {
+
+constexpr int kSmallestSide = 16;    // pixels
+constexpr int kLargestSide = 16383;  // the most that WebP can hold
+constexpr int kSmallestTile = 240;   // pixels; below that nothing is recognised
+constexpr int kMostTiles = 400;
+constexpr int kSheetMargin = 2;  // the sheet is about so many pictures wide
+
+std::string sheetPath(const PictureArguments& arguments) { return arguments.directory + "/sheet.png"; }
+
+/// A sheet of N pictures in full size would be huge: tiles shrink with their number.
+PictureSize tileSize(PictureSize size, int count) {
+    const double columns = std::ceil(std::sqrt(static_cast<double>(count)));
+    const double shrink = std::min(1.0, std::max(kSheetMargin / columns, double{kSmallestTile} / size.width));
+    return {std::max(kSmallestSide, static_cast<int>(std::lround(shrink * size.width))),
+            std::max(kSmallestSide, static_cast<int>(std::lround(shrink * size.height)))};
+}
+
+RenderOptions renderOptions(const PictureArguments& arguments, PictureSize size) {
+    RenderOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.trails = arguments.trails;
+    options.contacts = arguments.contacts;
+    options.velocities = arguments.velocities;
+    options.ghosts = arguments.ghosts;
+    return options;
+}
+
+class Pictures final : public PictureOutput {
+public:
+    Pictures(const PictureArguments& arguments, double dt) : arguments_(arguments), dt_(dt) {}
+
+    bool create(const SceneDescription& scene, PictureSize size, std::int64_t steps, std::string& error) {
+        renderer_ = SceneRenderer::create(scene, renderOptions(arguments_, size), error);
+        if (!renderer_) { return false; }
+        if (!arguments_.webp.empty()) { webp_.emplace(); }
+        if (arguments_.sheet == 0) { return true; }
+        sheetSteps_ = sheetSteps(steps, arguments_.sheet);
+        tileRenderer_ = SceneRenderer::create(scene, renderOptions(arguments_, tileSize(size, arguments_.sheet)), error);
+        return tileRenderer_ != nullptr;
+    }
+
+    bool wantsContacts() const override { return arguments_.contacts || arguments_.ghosts; }
+
+    bool show(const Frame& frame, std::span<const SceneEvent> events, std::string& error) override {
+        for (SceneRenderer* const renderer : {renderer_.get(), tileRenderer_.get()}) {
+            if (renderer != nullptr) { noteStep(*renderer, frame, events); }
+        }
+        if (frame.step % arguments_.every == 0 && !drawFrame(frame, error)) { return false; }
+        if (std::binary_search(sheetSteps_.begin(), sheetSteps_.end(), frame.step)) {
+            tiles_.push_back(tileRenderer_->draw(frame));
+            captions_.push_back(timeLabel(frame.time, dt_));
+        }
+        return true;
+    }
+
+    bool finish(std::string& error) override {
+        const int pause = std::max(1, static_cast<int>(std::lround(1000 * dt_ * arguments_.every)));
+        if (webp_ && !webp_->finish(arguments_.webp, lastMs_ + pause, error)) { return false; }
+        if (tiles_.empty()) { return true; }
+        const std::optional<Image> sheet = contactSheet(tiles_, captions_, 0, error);
+        return sheet && writePng(*sheet, sheetPath(arguments_), error);
+    }
+
+private:
+    void noteStep(SceneRenderer& renderer, const Frame& frame, std::span<const SceneEvent> events) const {
+        if (arguments_.trails) { renderer.addTrail(frame); }
+        for (const SceneEvent& event : events) {
+            if (event.type == SceneEventType::jointBreak) { renderer.removeJoints(event.a, event.b); }
+        }
+    }
+
+    bool drawFrame(const Frame& frame, std::string& error) {
+        const bool wantsPng = !arguments_.directory.empty();
+        if (!wantsPng && !webp_) { return true; }
+        const Image image = renderer_->draw(frame);
+        if (wantsPng && !writePng(image, picturePath(arguments_.directory, frame.step), error)) { return false; }
+        if (!webp_) { return true; }
+        // Times rise strictly even where steps are shorter than a millisecond: then the animation is in slow motion.
+        lastMs_ = std::max(lastMs_ + 1, static_cast<int>(std::lround(1000 * frame.time)));
+        webp_->add(image, lastMs_);  // a refused picture is reported by `finish`
+        return true;
+    }
+
+    PictureArguments arguments_;
+    double dt_;
+    std::unique_ptr<SceneRenderer> renderer_;
+    std::unique_ptr<SceneRenderer> tileRenderer_;
+    std::optional<WebpWriter> webp_;
+    int lastMs_ = -1;
+    std::vector<std::int64_t> sheetSteps_;
+    std::vector<Image> tiles_;
+    std::vector<std::string> captions_;
+};
+
+/// What is wrong with the arguments themselves; empty when nothing is.
+std::string faultOf(const PictureArguments& arguments, double duration) {
+    if (arguments.every < 1) { return "--every: must be at least 1"; }
+    if (arguments.sheet < 0 || arguments.sheet > kMostTiles) {
+        return "--sheet: must be between 0 and " + std::to_string(kMostTiles);
+    }
+    if (arguments.sheet > 0 && arguments.directory.empty()) {
+        return "--sheet: needs --png DIR, into which it writes sheet.png";
+    }
+    const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
+    if (!draws && (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts)) {
+        return "--trails, --contacts, --velocities and --ghosts need --png or --webp";
+    }
+    if (!arguments.webp.empty() && duration * 1000 > std::numeric_limits<int>::max() / 2.0) {
+        return "--webp: the run is too long for an animation";
+    }
+    return "";
+}
+
+}  // namespace
+
+void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
+    command.add_option("--png", arguments.directory, "Directory for pictures, frame_<step>.png")->type_name("DIR");
+    command.add_option("--every", arguments.every, "Steps from one picture to the next [1]")->type_name("N");
+    command.add_option("--size", arguments.size, "Size of the pictures in pixels [1280x720]")->type_name("WxH");
+    command.add_option("--webp", arguments.webp, "Animation of the pictures, in real time")->type_name("FILE");
+    command.add_option("--sheet", arguments.sheet, "N moments of the run in one picture, sheet.png in the --png directory")
+        ->type_name("N");
+    command.add_flag("--trails", arguments.trails, "Draw where the bodies have been");
+    command.add_flag("--contacts", arguments.contacts, "Draw contact points and normals");
+    command.add_flag("--velocities", arguments.velocities, "Draw velocity vectors");
+    command.add_flag("--ghosts", arguments.ghosts, "Draw the bodies where they met something within the step");
+}
+
+bool parseSize(const std::string& text, PictureSize& size, std::string& error) {
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    const bool hasCross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = hasCross ? std::from_chars(width.ptr + 1, end, size.height) : width;
+    if (!hasCross || height.ec != std::errc() || height.ptr != end) {
+        error = "--size " + text + ": expected WIDTHxHEIGHT in pixels, as 1280x720";
+        return false;
+    }
+    const auto isInRange = [](int side) { return side >= kSmallestSide && side <= kLargestSide; };
+    if (isInRange(size.width) && isInRange(size.height)) { return true; }
+    error = "--size " + text + ": sides must be between " + std::to_string(kSmallestSide) + " and " +
+            std::to_string(kLargestSide);
+    return false;
+}
+
+std::string picturePath(const std::string& directory, std::int64_t step) {
+    std::string number = std::to_string(step);
+    constexpr std::size_t kDigits = 6;
+    if (number.size() < kDigits) { number.insert(0, kDigits - number.size(), '0'); }
+    return directory + "/frame_" + number + ".png";
+}
+
+std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count) {
+    std::vector<std::int64_t> chosen;
+    for (int i = 0; i < count; ++i) {
+        const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
+        const auto step = static_cast<std::int64_t>(std::llround(share * static_cast<double>(steps)));
+        if (chosen.empty() || step > chosen.back()) { chosen.push_back(step); }
+    }
+    return chosen;
+}
+
+void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments) {
+    outputs.addDirectory("--png", arguments.directory);
+    outputs.addFile("--webp", arguments.webp);
+}
+
+void printPicturePlaces(const PictureArguments& arguments) {
+    if (!arguments.directory.empty()) { std::cout << "pictures  " << arguments.directory << "/frame_*.png\n"; }
+    if (arguments.sheet > 0) { std::cout << "sheet     " << sheetPath(arguments) << '\n'; }
+    if (!arguments.webp.empty()) { std::cout << "animation " << arguments.webp << '\n'; }
+}
+
+std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
+                                                 std::int64_t steps, std::string& error) {
+    error = faultOf(arguments, static_cast<double>(steps) * scene.settings.dt);
+    PictureSize size;
+    if (!error.empty() || !parseSize(arguments.size, size, error)) { return nullptr; }
+    if (arguments.directory.empty() && arguments.webp.empty()) { return nullptr; }
+    auto pictures = std::make_unique<Pictures>(arguments, scene.settings.dt);
+    if (pictures->create(scene, size, steps, error)) { return pictures; }
+    error = "no pictures: " + error;
+    return nullptr;
+}
+
+}  // namespace swept

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <swept/samples/frame.h>
+#include <swept/samples/scene_description.h>
+
+#include "output_files.h"
+
+namespace swept {
+
+/// What `swept run` can draw.
+struct PictureArguments {
+    std::string directory;  ///< for PNGs and the contact sheet
+    std::string webp;
+    int every = 1;  ///< steps between pictures
+    std::string size = "1280x720";
+    int sheet = 0;  ///< moments on the contact sheet; 0: none
+    bool trails = false;
+    bool contacts = false;
+    bool velocities = false;
+    bool ghosts = false;
+};
+
+/// Width and height in pixels.
+struct PictureSize {
+    int width = 0;
+    int height = 0;
+};
+
+void addPictureArguments(CLI::App& command, PictureArguments& arguments);
+
+/// "1280x720" as numbers. @return false, and one line in `error`, when it is none or out of range.
+bool parseSize(const std::string& text, PictureSize& size, std::string& error);
+
+/// The path of the picture after `step` steps: DIR/frame_000120.png.
+std::string picturePath(const std::string& directory, std::int64_t step);
+
+/// Steps shown on a contact sheet of `count` moments: equally spaced, the first and the last step among them.
+std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count);
+
+void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments);
+void printPicturePlaces(const PictureArguments& arguments);
+
+/// Draws the states it is shown, where and as often as the arguments say.
+class PictureOutput {
+public:
+    virtual ~PictureOutput() = default;
+    /// Whether frames should carry contacts and impacts.
+    virtual bool wantsContacts() const = 0;
+    /// To be called with every step's state and events, from step 0 on; draws the ones asked for.
+    /// @return false, and one line in `error`, when a picture could not be written.
+    virtual bool show(const Frame& frame, std::span<const SceneEvent> events, std::string& error) = 0;
+    /// Writes what needs the whole run: the animation, the contact sheet.
+    virtual bool finish(std::string& error) = 0;
+};
+
+/// @param steps  length of the run, for the moments of the contact sheet.
+/// @return null without error when no picture is asked for; null and one line in `error` when the arguments make no sense or
+///         the renderer cannot be set up.
+std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
+                                                 std::int64_t steps, std::string& error);
+
+}  // namespace swept

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace swept {
+
+/// A line on stderr that counts a long run's steps. Silent when stderr is no terminal, and during the first second.
+class Progress {
+public:
+    Progress(std::string what, std::int64_t steps);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void update(std::int64_t step);
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::string what_;
+    std::int64_t steps_;
+    bool onTerminal_;
+    bool shown_ = false;
+    Clock::time_point start_;
+    Clock::time_point next_;
+};
+
+}  // namespace swept

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <box2d/box2d.h>
+#include <deque>
+
+#include <swept/samples/scene_description.h>
+
+namespace swept {
+
+/// What the adapter remembers of a fixture, reached through its user data.
+struct Box2dFixtureNote {
+    const ShapeDescription* shape = nullptr;
+    bool isSensor = false;
+    float radius = 0;  ///< the true radius of the geometry, where Box2D works with a thicker skin; metres
+};
+
+/// Mass, centre and inertia of a body, in double.
+struct Box2dMass {
+    double mass = 0;
+    DVec2 center;        ///< body frame
+    double inertia = 0;  ///< about the centre of mass
+};
+
+inline b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+inline DVec2 fromBox2d(b2Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+/// Adds the fixtures of one shape to a body. Fixtures have density 0: Box2D leaves radii out of the mass, so the adapter
+/// sets the exact mass of the whole body itself.
+/// @param notes  gets one element for each fixture; a deque, as fixtures hold addresses of its elements.
+void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFixtureNote>& notes);
+
+/// Exact mass of a body's shapes, with the overrides of the description applied.
+Box2dMass massOfBody(const BodyDescription& body);
+
+/// The filter of the scene format in all its 32 bits, where Box2D itself has 16.
+class Box2dFilter : public b2ContactFilter {
+public:
+    bool ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) override;
+};
+
+}  // namespace swept

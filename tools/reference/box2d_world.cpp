@@ -1,0 +1,181 @@
+#include "box2d_world.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <swept/samples/scene_reader.h>
+
+#include "box2d_joints.h"
+#include "box2d_shapes.h"
+
+namespace swept {
+namespace {
+
+constexpr int32 kVelocityIterations = 8;
+constexpr int32 kPositionIterations = 3;
+
+b2BodyType typeOf(SceneBodyType type) {
+    switch (type) {
+        case SceneBodyType::fixed: return b2_staticBody;
+        case SceneBodyType::kinematic: return b2_kinematicBody;
+        case SceneBodyType::dynamic: return b2_dynamicBody;
+    }
+    return b2_staticBody;  // unreachable, but GCC cannot know
+}
+
+b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& settings) {
+    b2BodyDef definition;
+    definition.type = typeOf(body.type);
+    definition.position = toBox2d(body.position);
+    definition.angle = static_cast<float>(body.angle);
+    definition.linearDamping = static_cast<float>(body.linearDamping);
+    definition.angularDamping = static_cast<float>(body.angularDamping);
+    definition.gravityScale = static_cast<float>(body.gravityScale);
+    definition.fixedRotation = body.fixedRotation;
+    definition.bullet = body.bullet;
+    definition.awake = body.awake;
+    definition.allowSleep = settings.sleep;
+    return definition;
+}
+
+void setMass(b2Body& body, const Box2dMass& mass) {
+    b2MassData massData;
+    massData.mass = static_cast<float>(mass.mass);
+    massData.center = toBox2d(mass.center);
+    massData.I = static_cast<float>(mass.inertia + mass.mass * dot(mass.center, mass.center));
+    body.SetMassData(&massData);
+}
+
+float trueRadius(b2Fixture& fixture) {
+    return reinterpret_cast<const Box2dFixtureNote*>(fixture.GetUserData().pointer)->radius;
+}
+
+}  // namespace
+
+struct Box2dWorld::Parts {
+    explicit Parts(const SceneDescription& description) : scene(description), world(toBox2d(description.gravity)) {}
+
+    void addBodies();
+    void addJoints();
+    void breakJoints();
+    void readBodies(Box2dSample& sample) const;
+    void readContacts(Box2dSample& sample) const;
+    double energyOf(std::size_t i) const;
+
+    const SceneDescription& scene;
+    Box2dFilter filter;
+    std::deque<Box2dFixtureNote> notes;
+    b2World world;
+    std::vector<b2Body*> bodies;
+    std::vector<Box2dMass> masses;   // in double, one for each body
+    std::vector<b2Joint*> joints;    // null once broken
+    std::int64_t steps = 0;
+    std::int64_t brokenJoints = 0;
+};
+
+void Box2dWorld::Parts::addBodies() {
+    for (const BodyDescription& description : scene.bodies) {
+        const b2BodyDef definition = definitionOf(description, scene.settings);
+        b2Body* const body = world.CreateBody(&definition);
+        for (const ShapeDescription& shape : description.shapes) { addFixtures(*body, shape, notes); }
+        const bool isDynamic = description.type == SceneBodyType::dynamic;
+        masses.push_back(isDynamic ? massOfBody(description) : Box2dMass{});
+        if (isDynamic) { setMass(*body, masses.back()); }
+        // After the mass, which would shift it: the velocity is that of the centre of mass. Setting one wakes the body.
+        if (description.awake) {
+            body->SetLinearVelocity(toBox2d(description.velocity));
+            body->SetAngularVelocity(static_cast<float>(description.angularVelocity));
+        }
+        bodies.push_back(body);
+    }
+}
+
+void Box2dWorld::Parts::addJoints() {
+    std::map<std::string, b2Body*> byName;
+    for (std::size_t i = 0; i < bodies.size(); ++i) { byName[bodyName(scene, i)] = bodies[i]; }
+    for (const JointDescription& joint : scene.joints) { joints.push_back(addJoint(world, joint, byName)); }
+}
+
+void Box2dWorld::Parts::breakJoints() {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (joints[i] == nullptr || !breaks(*joints[i], scene.joints[i], scene.settings.dt)) { continue; }
+        world.DestroyJoint(joints[i]);
+        joints[i] = nullptr;
+        ++brokenJoints;
+    }
+}
+
+double Box2dWorld::Parts::energyOf(std::size_t i) const {
+    const Box2dMass& mass = masses[i];
+    const DVec2 velocity = fromBox2d(bodies[i]->GetLinearVelocity());
+    const auto omega = static_cast<double>(bodies[i]->GetAngularVelocity());
+    const double inertia = scene.bodies[i].fixedRotation ? 0 : mass.inertia;
+    const double height = dot(scene.gravity, fromBox2d(bodies[i]->GetWorldCenter()));
+    return 0.5 * mass.mass * dot(velocity, velocity) + 0.5 * inertia * omega * omega -
+           scene.bodies[i].gravityScale * mass.mass * height;
+}
+
+void Box2dWorld::Parts::readBodies(Box2dSample& sample) const {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const b2Body& body = *bodies[i];
+        const DVec2 velocity = fromBox2d(body.GetLinearVelocity());
+        const auto omega = static_cast<double>(body.GetAngularVelocity());
+        sample.frame.bodies.push_back({fromBox2d(body.GetPosition()), static_cast<double>(body.GetAngle()), velocity,
+                                       omega, body.IsAwake() && body.GetType() != b2_staticBody});
+        const double mass = masses[i].mass;
+        const double inertia = scene.bodies[i].fixedRotation ? 0 : masses[i].inertia;
+        sample.energy += energyOf(i);
+        sample.momentum += mass * velocity;
+        sample.angularMomentum += mass * cross(fromBox2d(body.GetWorldCenter()), velocity) + inertia * omega;
+    }
+}
+
+void Box2dWorld::Parts::readContacts(Box2dSample& sample) const {
+    for (const b2Contact* contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
+        b2Fixture* const a = const_cast<b2Contact*>(contact)->GetFixtureA();
+        b2Fixture* const b = const_cast<b2Contact*>(contact)->GetFixtureB();
+        const b2Manifold* const manifold = contact->GetManifold();
+        if (!contact->IsTouching() || a->IsSensor() || b->IsSensor()) { continue; }
+        b2WorldManifold placed;  // with the true radii: Box2D's skin is no penetration
+        placed.Initialize(manifold, a->GetBody()->GetTransform(), trueRadius(*a), b->GetBody()->GetTransform(),
+                          trueRadius(*b));
+        for (int32 i = 0; i < manifold->pointCount; ++i) {
+            const auto separation = static_cast<double>(placed.separations[i]);
+            sample.frame.contacts.push_back({fromBox2d(placed.points[i]), fromBox2d(placed.normal), separation,
+                                             static_cast<double>(manifold->points[i].normalImpulse)});
+            sample.penetration = std::max(sample.penetration, -separation);
+        }
+    }
+}
+
+Box2dWorld::Box2dWorld(const SceneDescription& scene) : parts_(std::make_unique<Parts>(scene)) {
+    parts_->world.SetContactFilter(&parts_->filter);
+    parts_->world.SetAllowSleeping(scene.settings.sleep);
+    parts_->world.SetContinuousPhysics(scene.settings.continuous != SceneContinuous::off);
+    parts_->addBodies();
+    parts_->addJoints();
+}
+
+Box2dWorld::~Box2dWorld() = default;
+
+void Box2dWorld::step() {
+    parts_->world.Step(static_cast<float>(parts_->scene.settings.dt), kVelocityIterations, kPositionIterations);
+    parts_->breakJoints();
+    ++parts_->steps;
+}
+
+Box2dSample Box2dWorld::sample() const {
+    Box2dSample sample;
+    sample.frame.step = parts_->steps;
+    sample.frame.time = static_cast<double>(parts_->steps) * parts_->scene.settings.dt;
+    sample.brokenJoints = parts_->brokenJoints;
+    parts_->readBodies(sample);
+    parts_->readContacts(sample);
+    for (b2Joint* const joint : parts_->joints) {
+        if (joint != nullptr) { sample.jointError = std::max(sample.jointError, jointErrorOf(*joint)); }
+    }
+    return sample;
+}
+
+}  // namespace swept

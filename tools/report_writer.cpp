@@ -1,0 +1,103 @@
+#include "report_writer.h"
+
+#include <nlohmann/json.hpp>
+#include <swept/samples/scene_reader.h>
+
+namespace swept {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* nameOf(SceneContinuous mode) {
+    switch (mode) {
+        case SceneContinuous::off: return "off";
+        case SceneContinuous::speedLimit: return "speedLimit";
+        case SceneContinuous::speculative: return "speculative";
+        case SceneContinuous::stop: return "stop";
+        case SceneContinuous::subStep: return "subStep";
+    }
+    return "";  // unreachable, but GCC cannot know
+}
+
+Json pairOf(DVec2 v) { return Json::array({v.x, v.y}); }
+
+template <class T>
+void setIfGiven(Json& object, const char* key, const std::optional<T>& value) {
+    if (value) { object[key] = *value; }
+}
+
+Json settingsOf(const SettingsDescription& settings) {
+    Json json;
+    json["dt"] = settings.dt;
+    json["profile"] = settings.profile == SceneProfile::fast ? "fast" : "accurate";
+    setIfGiven(json, "subSteps", settings.subSteps);
+    setIfGiven(json, "relaxPasses", settings.relaxPasses);
+    json["continuous"] = nameOf(settings.continuous);
+    json["maxImpacts"] = settings.maxImpacts;
+    setIfGiven(json, "maxSpeed", settings.maxSpeed);
+    json["sleep"] = settings.sleep;
+    json["broadphase"] = settings.broadphase == SceneBroadphase::allPairs ? "allPairs" : "bvh";
+    setIfGiven(json, "toiTolerance", settings.toiTolerance);
+    setIfGiven(json, "maxPenetration", settings.maxPenetration);
+    setIfGiven(json, "maxJointError", settings.maxJointError);
+    setIfGiven(json, "maxLostTime", settings.maxLostTime);
+    return json;
+}
+
+Json lostTimeOf(const SceneDescription& scene, const RunReport& report) {
+    Json list = Json::array();
+    for (const LostTime& lost : report.lostTime) {
+        Json entry;
+        entry["body"] = bodyName(scene, static_cast<std::size_t>(lost.body));
+        entry["seconds"] = lost.seconds;
+        entry["reason"] = lost.reason;
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+void addBudget(Json& budgets, const char* name, const std::optional<double>& limit, double value) {
+    if (!limit) { return; }
+    Json entry;
+    entry["limit"] = *limit;
+    entry["value"] = value;
+    entry["kept"] = value <= *limit;
+    budgets[name] = std::move(entry);
+}
+
+Json budgetsOf(const SettingsDescription& settings, const RunReport& report) {
+    double longestLoss = 0;
+    for (const LostTime& lost : report.lostTime) { longestLoss = std::max(longestLoss, lost.seconds); }
+    Json budgets = Json::object();
+    addBudget(budgets, "maxPenetration", settings.maxPenetration, report.deepestPenetration);
+    addBudget(budgets, "maxJointError", settings.maxJointError, report.largestJointError);
+    addBudget(budgets, "maxLostTime", settings.maxLostTime, longestLoss);
+    return budgets;
+}
+
+}  // namespace
+
+std::string reportText(const SceneDescription& scene, const RunReport& report, const RunFacts& facts) {
+    Json json;
+    json["scene"] = scene.name;
+    json["engine"] = facts.engine;
+    json["precision"] = facts.precision;
+    json["steps"] = facts.steps;
+    json["time"] = static_cast<double>(facts.steps) * scene.settings.dt;
+    json["wallSeconds"] = facts.wallSeconds;
+    json["finite"] = report.finite;
+    json["counters"] = Json::object();
+    for (const NamedNumber& counter : report.counters) { json["counters"][counter.name] = counter.value; }
+    json["lostTime"] = lostTimeOf(scene, report);
+    json["deepestPenetration"] = report.deepestPenetration;
+    json["largestJointError"] = report.largestJointError;
+    json["energy"] = Json{{"start", report.startEnergy}, {"end", report.endEnergy}};
+    json["momentum"] = Json{{"start", pairOf(report.startMomentum)}, {"end", pairOf(report.endMomentum)}};
+    json["angularMomentum"] = Json{{"start", report.startAngularMomentum}, {"end", report.endAngularMomentum}};
+    json["budgets"] = budgetsOf(scene.settings, report);
+    json["gravity"] = pairOf(scene.gravity);
+    json["settings"] = settingsOf(scene.settings);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace swept
