@@ -72,12 +72,12 @@ constexpr std::array<double, 9> kArcTangents = {
 // Taylor's polynomial of atan(u)/u in u²; for |u| ≤ 1/16 the first term left out is below 2⁻⁵⁹.
 constexpr std::array<double, 7> kArcTangent = {1.0, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13};
 
-/// atan(t) for t in [0, 1]: the difference to the nearest atan(i/8), by the addition theorem.
-double arcTangentOfFraction(double t) {
+/// atan(t) for t in [0, 1] as the nearest atan(i/8) and the difference, by the addition theorem.
+TwoParts arcTangentOfFraction(double t) {
     const double index = std::floor(8 * t + 0.5);
     const double center = index / 8;
     const double u = (t - center) / (1 + t * center);
-    return kArcTangents[static_cast<std::size_t>(index)] + u * polynomial(kArcTangent, u * u);
+    return {kArcTangents[static_cast<std::size_t>(index)], u * polynomial(kArcTangent, u * u)};
 }
 
 // ln 2 in two parts; the first has 40 bits, so its products with an exponent are exact.
@@ -106,6 +106,7 @@ constexpr std::array<double, 18> kPhi2 = inverseFactorials<2, 18>(-1);
 
 SinCos sinCos(double angle) {
     if (!std::isfinite(angle)) { return {0, 1}; }
+    if (angle == 0) { return {angle, 1}; }  // keeps the sign of −0
     // The C standard defines fmod without rounding, so it is the same everywhere.
     if (std::fabs(angle) > kLargestExactAngle) { angle = std::fmod(angle, kTwoPi); }
     const double quadrant = std::floor(angle * kTwoOverPi + 0.5);
@@ -126,9 +127,14 @@ double arcTangent2(double y, double x) {
     const bool steep = height > width;
     const bool bothInfinite = std::isinf(width) && std::isinf(height);
     const double fraction = bothInfinite ? 1 : (steep ? width / height : height / width);
-    double angle = arcTangentOfFraction(fraction);
-    if (steep) { angle = kPi / 2 - (angle - kPiRest / 2); }
-    if (x < 0) { angle = kPi - (angle - kPiRest); }
+    const TwoParts octant = arcTangentOfFraction(fraction);
+    // The angle is base ± octant; all small parts are gathered first, so that only the last sum rounds visibly.
+    const double halfTurns = steep ? 0.5 : (x < 0 ? 1 : 0);
+    const double sign = steep == (x < 0) ? 1 : -1;
+    const double base = halfTurns * kPi;
+    const double high = base + sign * octant.high;
+    const double lost = (base - high) + sign * octant.high;
+    const double angle = high + (lost + (sign * octant.low + halfTurns * kPiRest));
     return y < 0 ? -angle : angle;
 }
 
