@@ -3,16 +3,12 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Smallest value of dot(direction, vertex) over a polygon, and where.
-struct Lowest {
-    int vertex = 0;
-    double value = 0;
-};
-Lowest lowestVertex(const Polygon& p, DVec2 direction) {
-    Lowest lowest{0, dot(direction, toDouble(p.vertices[0]))};
+/// Smallest value of dot(direction, vertex) over a polygon. Where it is attained is asked for the best face only.
+double lowestValue(const Polygon& p, DVec2 direction) {
+    double lowest = dot(direction, toDouble(p.vertices[0]));
     for (int i = 1; i < p.count; ++i) {
         const double d = dot(direction, toDouble(p.vertices[static_cast<std::size_t>(i)]));
-        if (d < lowest.value) { lowest = {i, d}; }
+        lowest = d < lowest ? d : lowest;
     }
     return lowest;
 }
@@ -38,6 +34,7 @@ CoreAxis asCoreAxis(const FaceAxis& f, bool ofA) {
     CoreAxis axis;
     axis.source = ofA ? AxisSource::faceOfA : AxisSource::faceOfB;
     axis.separation = f.separation;
+    axis.largest = f.separation;
     axis.normal = ofA ? f.normal : -f.normal;
     axis.face = f.face;
     axis.supportA = ofA ? f.face : f.support;
@@ -53,7 +50,10 @@ void tryEnds(const PairView& pair, CoreAxis& best) {
                                 : leftPerp(edgeNormal(pair.edgeB(0), pair.normalB(0)));
         for (const DVec2 direction : {along, -along}) {
             const CoreAxis end = alongDirection(pair, direction);
-            if (end.separation > best.separation) { best = end; }
+            // Not by rounding alone: a perpendicular segment has this direction as a face, whose points are right.
+            const double size = sumNorm(pair.vertexA(end.supportA)) + sumNorm(pair.vertexB(end.supportB)) +
+                                2 * sumNorm(pair.translation);
+            if (end.separation > best.separation + kResolution * size) { best = end; }
         }
     }
 }
@@ -64,41 +64,79 @@ double shorterFace(const PairView& pair, int faceA, int faceB) {
     return a < b ? a : b;
 }
 
+/// One face measured with its own vertices: the axis, and where the foot of the support vertex falls.
+struct MeasuredFace {
+    FaceAxis axis;
+    double along = 0;  ///< of the foot, times the length of the edge
+    double end = 0;    ///< of the edge, in the same unit
+};
+
+MeasuredFace measureFaceOfA(const PairView& pair, int face) {
+    const DVec2 edge = pair.edgeA(face);
+    const DVec2 normal = edgeNormal(edge, pair.normalA(face));
+    const int support = extremeVertex<-1>(pair.b, pair.toB(normal));
+    const DVec2 toSupport = pair.vertexB(support) - pair.vertexA(face);
+    return {{face, support, dot(normal, toSupport), normal}, dot(edge, toSupport), dot(edge, edge)};
+}
+
+MeasuredFace measureFaceOfB(const PairView& pair, int face) {
+    const DVec2 edge = pair.edgeB(face);
+    const DVec2 normal = edgeNormal(edge, pair.normalB(face));
+    const int support = extremeVertex<-1>(pair.a, normal);
+    const DVec2 toSupport = pair.vertexA(support) - pair.vertexB(face);
+    return {{face, support, dot(normal, toSupport), normal}, dot(edge, toSupport), dot(edge, edge)};
+}
+
+/// The stored normals may choose a face beside the best one where several are almost parallel. Then the foot of the
+/// support vertex falls beyond the end of the face, on the side of the better one.
+FaceAxis settled(const PairView& pair, bool ofA, int face) {
+    const Polygon& reference = ofA ? pair.a : pair.b;
+    const auto measure = [&pair, ofA](int i) { return ofA ? measureFaceOfA(pair, i) : measureFaceOfB(pair, i); };
+    MeasuredFace chosen = measure(face);
+    for (int i = 1; i < reference.count; ++i) {
+        if (chosen.along >= 0 && chosen.along <= chosen.end) { break; }
+        const int beside = chosen.along < 0 ? reference.previous(chosen.axis.face) : reference.next(chosen.axis.face);
+        const MeasuredFace other = measure(beside);
+        if (!(other.axis.separation > chosen.axis.separation)) { break; }
+        chosen = other;
+    }
+    return chosen.axis;
+}
+
 }  // namespace
 
 FaceAxis bestFaceOfA(const PairView& pair) {
-    FaceAxis best;
+    int best = -1;
+    double bestSeparation = 0;
     for (int i = 0; i < faceCount(pair.a); ++i) {
         const DVec2 n = pair.normalA(i);
-        const Lowest lowest = lowestVertex(pair.b, pair.toB(n));
-        const double separation = lowest.value + dot(n, pair.translation - pair.vertexA(i));
-        if (best.face < 0 || separation > best.separation) { best = {i, lowest.vertex, separation, n}; }
+        const double separation = lowestValue(pair.b, pair.toB(n)) + dot(n, pair.translation - pair.vertexA(i));
+        if (best < 0 || separation > bestSeparation) {
+            best = i;
+            bestSeparation = separation;
+        }
     }
-    if (best.face >= 0) {
-        best.normal = edgeNormal(pair.edgeA(best.face), best.normal);
-        best.separation = dot(best.normal, pair.vertexB(best.support) - pair.vertexA(best.face));
-    }
-    return best;
+    return best < 0 ? FaceAxis{} : settled(pair, true, best);
 }
 
 FaceAxis bestFaceOfB(const PairView& pair) {
-    FaceAxis best;
+    int best = -1;
+    double bestSeparation = 0;
     for (int i = 0; i < faceCount(pair.b); ++i) {
         const DVec2 n = pair.normalB(i);
-        const Lowest lowest = lowestVertex(pair.a, n);
-        const double separation = lowest.value - dot(n, pair.vertexB(i));
-        if (best.face < 0 || separation > best.separation) { best = {i, lowest.vertex, separation, n}; }
+        const double separation = lowestValue(pair.a, n) - dot(n, pair.vertexB(i));
+        if (best < 0 || separation > bestSeparation) {
+            best = i;
+            bestSeparation = separation;
+        }
     }
-    if (best.face >= 0) {
-        best.normal = edgeNormal(pair.edgeB(best.face), best.normal);
-        best.separation = dot(best.normal, pair.vertexA(best.support) - pair.vertexB(best.face));
-    }
-    return best;
+    return best < 0 ? FaceAxis{} : settled(pair, false, best);
 }
 
-CoreAxis coreAxis(const PairView& pair, double preference) {
+CoreAxis coreAxis(const PairView& pair, double preference, double enough) {
     if (pair.a.count == 1 && pair.b.count == 1) { return betweenPoints(pair); }
     const FaceAxis faceA = bestFaceOfA(pair);
+    if (faceA.face >= 0 && faceA.separation > enough) { return asCoreAxis(faceA, true); }
     const FaceAxis faceB = bestFaceOfB(pair);
     bool takeA = faceB.face < 0 || (faceA.face >= 0 && faceA.separation >= faceB.separation);
     const double largest = takeA ? faceA.separation : faceB.separation;

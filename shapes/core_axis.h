@@ -32,7 +32,9 @@ struct CoreAxis {
 };
 /// @param preference  a face of A is taken even if a face of B is better by up to this fraction of the shorter of the two
 ///                    faces; 0 gives the minimum translation.
-CoreAxis coreAxis(const PairView& pair, double preference = 0);
+/// @param enough      a face of A with a separation above this ends the search: the cores are known to be farther apart.
+CoreAxis coreAxis(const PairView& pair, double preference = 0,
+                  double enough = std::numeric_limits<double>::infinity());
 
 /// Core points that realise an axis: b − a = separation · normal. On both cores when these overlap or touch.
 struct CorePoints {

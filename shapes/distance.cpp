@@ -15,51 +15,40 @@ void remember(const GjkResult& r, SimplexCache& cache) {
     }
 }
 
-/// Separation, normal and witness points without radii.
-struct CoreDistance {
-    double separation = 0;
-    DVec2 normal;
-    DVec2 pointA;
-    DVec2 pointB;
-    int iterations = 0;
-};
-
-CoreDistance coreDistance(const Polygon& a, const Polygon& b, const Transform& bInA, SimplexCache* cache) {
-    const PairView pair(a, b, bInA);
-    const GjkResult gjk = closestFeatures(pair, cache);
-    if (cache != nullptr) { remember(gjk, *cache); }
-    if (gjk.outcome == GjkOutcome::apart) {
-        const CorePoints points = witnessOf(pair, gjk);
-        return {gjk.distance, gjk.normal, points.a, points.b, gjk.iterations};
-    }
-    const CoreAxis axis = coreAxis(pair);
-    const CorePoints points = corePoints(pair, axis);
-    return {axis.separation, axis.normal, points.a, points.b, gjk.iterations};
-}
-
-Distance withRadii(const CoreDistance& core, Real radiusA, Real radiusB) {
+Distance withRadii(const CoreSeparation& core, int iterations, Real radiusA, Real radiusB) {
     const double rA = static_cast<double>(radiusA);
     const double rB = static_cast<double>(radiusB);
     Distance d;
     d.distance = clampedReal(core.separation - rA - rB);
     d.normal = clampedReal(core.normal);
-    d.pointA = clampedReal(core.pointA + rA * core.normal);
-    d.pointB = clampedReal(core.pointB - rB * core.normal);
+    d.pointA = clampedReal(core.points.a + rA * core.normal);
+    d.pointB = clampedReal(core.points.b - rB * core.normal);
     d.coreDistance = clampedReal(core.separation);
-    d.iterations = core.iterations;
+    d.iterations = iterations;
     return d;
 }
 
 }  // namespace
 
 Distance distance(const Polygon& a, const Polygon& b, const Transform& bInA, SimplexCache* cache) {
+    const auto solve = [cache](const PairView& pair, int& iterations) {
+        const GjkResult gjk = closestFeatures(pair, cache);
+        if (cache != nullptr) { remember(gjk, *cache); }
+        iterations = gjk.iterations;
+        return coreSeparation(pair, gjk);
+    };
+    int iterations = 0;
     const RescaledPair scaled(a, b, bInA);
-    if (!scaled.isNeeded()) { return withRadii(coreDistance(a, b, bInA, cache), a.radius, b.radius); }
-    CoreDistance core = coreDistance(scaled.a(), scaled.b(), scaled.bInA(), cache);
+    if (!scaled.isNeeded()) {
+        const CoreSeparation core = solve(PairView(a, b, bInA), iterations);
+        return withRadii(core, iterations, a.radius, b.radius);
+    }
+    const Polygon scaledA = scaled.a();
+    const Polygon scaledB = scaled.b();
+    CoreSeparation core = solve(PairView(scaledA, scaledB, scaled.bInA()), iterations);
     core.separation = scaled.restored(core.separation);
-    core.pointA = scaled.restored(core.pointA);
-    core.pointB = scaled.restored(core.pointB);
-    return withRadii(core, a.radius, b.radius);
+    core.points = {scaled.restored(core.points.a), scaled.restored(core.points.b)};
+    return withRadii(core, iterations, a.radius, b.radius);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -12,6 +12,7 @@ struct SupportPair {
     int a = 0;
     int b = 0;
     DVec2 w;
+    double size = 0;  ///< sum of the magnitudes of the coordinates that went into it, metres
 };
 
 enum class GjkOutcome : std::uint8_t {
@@ -25,8 +26,10 @@ struct GjkResult {
     GjkOutcome outcome = GjkOutcome::stalled;
     int count = 0;
     std::array<SupportPair, 3> simplex{};
-    DVec2 normal;         ///< unit, from A to B; only when apart
-    double distance = 0;  ///< of the cores, metres; only when apart
+    DVec2 normal;           ///< unit, from A to B; only when apart
+    double distance = 0;    ///< of the simplex, metres; when apart, of the cores
+    double resolution = 0;  ///< what the coordinates resolve, metres
+    bool encloses = false;  ///< touching: the simplex is a triangle with the origin well inside
     int iterations = 0;
 };
 
@@ -43,7 +46,16 @@ GjkResult closestByExhaustion(const PairView& pair);
 /// GJK, with `stalled` resolved: `apart` or `touching`.
 GjkResult closestFeatures(const PairView& pair, const SimplexCache* warm);
 
-/// Core points that realise an `apart` result: b − a = distance · normal.
-CorePoints witnessOf(const PairView& pair, const GjkResult& result);
+/// Points of both cores on the simplex of a result, b − a = gap.
+CorePoints witnessOf(const PairView& pair, const GjkResult& result, DVec2 gap);
+
+/// Signed separation of the cores, unit normal from A to B and the core points that realise it.
+struct CoreSeparation {
+    double separation = 0;
+    DVec2 normal;
+    CorePoints points;
+};
+/// What a result means: the closest points when apart, else the least penetration.
+CoreSeparation coreSeparation(const PairView& pair, const GjkResult& gjk);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -2,7 +2,6 @@
 
 #include "gjk.h"
 #include "manifold_clip.h"
-#include "rescaled_pair.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -63,7 +62,7 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
         if (isFaceNormal(pair.localNormalB(edge), direction)) { manifold = clipAgainstB(pair, edge, margin, slack); }
     }
     if (manifold.count > 0) { return manifold; }
-    return singlePoint(witnessOf(pair, gjk), gjk.distance, gjk.normal,
+    return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
                        featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}), pair.a, pair.b, margin);
 }
 
@@ -72,7 +71,7 @@ Manifold collideCores(const PairView& pair, double margin) {
     // Sharp polygons in contact overlap or nearly do: separating axes answer most of them without GJK.
     const bool areSharp = pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
     if (areSharp) {
-        const CoreAxis axis = coreAxis(pair, kFacePreference);
+        const CoreAxis axis = coreAxis(pair, kFacePreference, reach);
         if (axis.largest > reach) { return {}; }
         if (axis.largest <= 0) { return collideOverlapping(pair, axis, margin); }
     }
@@ -87,7 +86,14 @@ Manifold collideCores(const PairView& pair, double margin) {
 }  // namespace
 
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin) {
-    return collideCores(PairView(a, b, bInA), static_cast<double>(margin));
+    const RescaledPair scaled(a, b, bInA);
+    if (!scaled.isNeeded()) { return collideCores(PairView(a, b, bInA), static_cast<double>(margin)); }
+    Polygon scaledA = scaled.a();
+    Polygon scaledB = scaled.b();
+    scaledA.radius = scaled.scaled(a.radius);
+    scaledB.radius = scaled.scaled(b.radius);
+    const PairView pair(scaledA, scaledB, scaled.bInA());
+    return restored(scaled, collideCores(pair, static_cast<double>(scaled.scaled(margin))));
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

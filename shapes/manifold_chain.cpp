@@ -140,22 +140,34 @@ Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkRe
             if (manifold.count > 0) { return manifold; }
         }
     }
-    return singlePoint(witnessOf(pair, gjk), gjk.distance, gjk.normal,
+    return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
                        featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}), pair.a, pair.b, margin);
+}
+
+Manifold collideChain(const ChainSegment& segment, const PairView& pair, double margin) {
+    const ChainFace chain = prepare(pair, segment);
+    if (dot(chain.face.normal, centerOfB(pair) - chain.face.start) < 0) { return {}; }
+    const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
+    const GjkResult gjk = closestFeatures(pair, nullptr);
+    if (gjk.outcome == GjkOutcome::touching) { return collideCrossing(pair, chain, margin); }
+    if (gjk.distance > reach) { return {}; }
+    return collideBeside(pair, chain, gjk, margin);
 }
 
 }  // namespace
 
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin) {
-    const Polygon segment = polygonOf(a);
-    const PairView pair(segment, b, bInA);
-    const ChainFace chain = prepare(pair, a);
-    if (dot(chain.face.normal, centerOfB(pair) - chain.face.start) < 0) { return {}; }
-    const double marginAndRadii = static_cast<double>(margin) + static_cast<double>(a.radius) + static_cast<double>(b.radius);
-    const GjkResult gjk = closestFeatures(pair, nullptr);
-    if (gjk.outcome == GjkOutcome::touching) { return collideCrossing(pair, chain, static_cast<double>(margin)); }
-    if (gjk.distance > marginAndRadii) { return {}; }
-    return collideBeside(pair, chain, gjk, static_cast<double>(margin));
+    const Polygon core = polygonOf(a);
+    const RescaledPair scaled(core, b, bInA, {a.before, a.after});
+    if (!scaled.isNeeded()) { return collideChain(a, PairView(core, b, bInA), static_cast<double>(margin)); }
+    ChainSegment segment = a;
+    for (Vec2* v : {&segment.before, &segment.p, &segment.q, &segment.after}) { *v = scaled.scaled(*v); }
+    Polygon scaledA = scaled.a();
+    Polygon scaledB = scaled.b();
+    scaledA.radius = scaled.scaled(a.radius);
+    scaledB.radius = scaled.scaled(b.radius);
+    const PairView pair(scaledA, scaledB, scaled.bInA());
+    return restored(scaled, collideChain(segment, pair, static_cast<double>(scaled.scaled(margin))));
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -127,4 +127,12 @@ Manifold singlePoint(const CorePoints& core, double coreSeparation, DVec2 normal
     return manifold;
 }
 
+Manifold restored(const RescaledPair& scaled, Manifold manifold) {
+    for (ManifoldPoint& p : manifold.points) {
+        p.point = clampedReal(scaled.restored(toDouble(p.point)));
+        p.separation = clampedReal(scaled.restored(static_cast<double>(p.separation)));
+    }
+    return manifold;
+}
+
 }  // namespace swept::inline SWEPT_PRECISION

@@ -2,6 +2,7 @@
 
 #include "core_axis.h"
 #include "manifold.h"
+#include "rescaled_pair.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -77,5 +78,8 @@ struct ManifoldBuilder {
 /// One point between core points a and b, b − a = separation · normal.
 Manifold singlePoint(const CorePoints& core, double coreSeparation, DVec2 normal, FeatureId id, const Polygon& a,
                      const Polygon& b, double margin);
+
+/// A manifold of a scaled pair at the scale of the input.
+Manifold restored(const RescaledPair& scaled, Manifold manifold);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -40,11 +40,15 @@ struct PairView {
     DVec2 normalB(int i) const { return toA(localNormalB(i)); }
 };
 
+/// What double resolves of a difference of coordinates, per unit of their sum: a rotated and translated vertex carries
+/// about three half-units of rounding, the difference one more.
+inline constexpr double kResolution = 2 * std::numeric_limits<double>::epsilon();
+
 /// Number of edges with a side: none for a point, two for a segment.
 constexpr int faceCount(const Polygon& p) { return p.count < 2 ? 0 : p.count; }
 
 /// Sum of the magnitudes of the coordinates: a cheap length, at most √2 times the Euclidean one.
-constexpr double sumNorm(DVec2 v) { return (v.x < 0 ? -v.x : v.x) + (v.y < 0 ? -v.y : v.y); }
+inline double sumNorm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 
 /// Turned by +90° and −90°.
 constexpr DVec2 leftPerp(DVec2 v) { return {-v.y, v.x}; }
@@ -68,15 +72,13 @@ inline Vec2 clampedReal(DVec2 v) { return {clampedReal(v.x), clampedReal(v.y)}; 
 /// Index of the vertex with the largest (sign +1) or smallest (sign −1) value of dot(direction, vertex); the lowest
 /// index on a tie. `direction` is in the frame of the polygon.
 template <int sign>
-int extremeVertex(const Polygon& p, DVec2 direction) {
+[[gnu::always_inline]] inline int extremeVertex(const Polygon& p, DVec2 direction) {
     int best = 0;
     double bestDot = sign * dot(direction, toDouble(p.vertices[0]));
     for (int i = 1; i < p.count; ++i) {
         const double d = sign * dot(direction, toDouble(p.vertices[static_cast<std::size_t>(i)]));
-        if (d > bestDot) {
-            bestDot = d;
-            best = i;
-        }
+        best = d > bestDot ? i : best;
+        bestDot = d > bestDot ? d : bestDot;
     }
     return best;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <type_traits>
 
 #include "polygon.h"
@@ -12,9 +13,11 @@ namespace swept::inline SWEPT_PRECISION {
 /// are merely added at the end. Float coordinates never need it: all products are taken in double.
 class RescaledPair {
 public:
-    RescaledPair(const Polygon& a, const Polygon& b, const Transform& bInA) : a_(a), b_(b), bInA_(bInA) {
+    /// @param more  further points in the frame of A that take part in the query.
+    RescaledPair(const Polygon& a, const Polygon& b, const Transform& bInA, std::initializer_list<Vec2> more = {})
+        : a_(a), b_(b), bInA_(bInA) {
         if constexpr (std::is_same_v<Real, double>) {
-            const double largest = largestCoordinate();
+            const double largest = largestCoordinate(more);
             if (largest > kLargest || (largest < 1 / kLargest && largest > 0)) {
                 std::frexp(largest, &exponent_);
                 ++exponent_;  // a power of two above every sum of two coordinates
@@ -26,7 +29,12 @@ public:
     Polygon a() const { return scaled(a_); }
     Polygon b() const { return scaled(b_); }
     Transform bInA() const { return {scaled(bInA_.translation), bInA_.rotation}; }
-    Real scaled(Real x) const { return std::ldexp(x, -exponent_); }
+    /// A length or coordinate; at most the largest finite value.
+    Real scaled(Real x) const {
+        constexpr Real kMost = std::numeric_limits<Real>::max();
+        const Real y = std::ldexp(x, -exponent_);
+        return y > kMost ? kMost : y;
+    }
     Vec2 scaled(Vec2 v) const { return {scaled(v.x), scaled(v.y)}; }
 
     /// Back to the scale of the input; beyond the range of double, its largest finite value.
@@ -40,11 +48,12 @@ public:
 private:
     static constexpr double kLargest = 0x1p200;
 
-    double largestCoordinate() const {
+    double largestCoordinate(std::initializer_list<Vec2> more) const {
         Vec2 most = max(bInA_.translation, -bInA_.translation);
         for (const Polygon* p : {&a_, &b_}) {
             for (const Vec2& v : p->points()) { most = max(most, max(v, -v)); }
         }
+        for (const Vec2& v : more) { most = max(most, max(v, -v)); }
         return static_cast<double>(most.x > most.y ? most.x : most.y);
     }
     Polygon scaled(const Polygon& p) const {
