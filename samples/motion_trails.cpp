@@ -53,7 +53,7 @@ void MotionTrails::drawLine(Paint& paint, const PixelView& view, const std::dequ
         if (!newest && std::hypot(next.x - last.x, next.y - last.y) < 1) { continue; }
         const double age = static_cast<double>(i) / static_cast<double>(line.size());
         const double strength = kOldestStrength + (kNewestStrength - kOldestStrength) * age;
-        paint.line(last, next, 1.6, mix(style::kBackground, color, strength));
+        paint.line(last, next, 1.6 * view.pen, mix(style::kBackground, color, strength));
         last = next;
     }
 }

@@ -30,21 +30,22 @@ DVec2 miter(DVec2 before, DVec2 after) {
     return std::min(1.0, kLongestMiter / longest) * exact;
 }
 
-void hatch(Paint& paint, DVec2 p, DVec2 along, DVec2 left, double walked, double visible, Color color) {
-    const double first = kHatchStep - std::fmod(walked, kHatchStep);
-    for (double s = first; s < visible; s += kHatchStep) {
+void hatch(Paint& paint, DVec2 p, DVec2 along, DVec2 left, double walked, double visible, Color color, double pen) {
+    const double step = kHatchStep * pen;
+    const double first = step - std::fmod(walked, step);
+    for (double s = first; s < visible; s += step) {
         const DVec2 foot = p + s * along;
-        paint.line(foot, foot + kHatchDepth * (left - along), 1, color);
+        paint.line(foot, foot + pen * kHatchDepth * (left - along), pen, color);
     }
 }
 
 }  // namespace
 
-void shadeSolidSide(Paint& paint, std::span<const DVec2> points, bool loop, Color color) {
+void shadeSolidSide(Paint& paint, std::span<const DVec2> points, bool loop, Color color, double pen) {
     const std::size_t count = points.size();
     if (count < 2 || !std::all_of(points.begin(), points.end(), isFinite)) { return; }
     const std::size_t edges = loop ? count : count - 1;
-    const PixelBox near = paint.box().grownBy(kLongestMiter * kBand);
+    const PixelBox near = paint.box().grownBy(kLongestMiter * kBand * pen);
     const auto normal = [&](std::size_t edge) { return leftOf(points[edge % count], points[(edge + 1) % count]); };
     double walked = 0;
     for (std::size_t i = 0; i < edges; ++i) {
@@ -60,11 +61,12 @@ void shadeSolidSide(Paint& paint, std::span<const DVec2> points, bool loop, Colo
             const DVec2 leftAtQ = joinsAfter ? miter(left, normal(i + 1)) : left;
             const DVec2 a = p + part.from * (q - p);
             const DVec2 b = p + part.to * (q - p);
-            paint.fillGradient(a, b, a + kBand * leftAtP, b + kBand * leftAtQ, withAlpha(color, kBandAlpha),
+            paint.fillGradient(a, b, a + pen * kBand * leftAtP, b + pen * kBand * leftAtQ, withAlpha(color, kBandAlpha),
                                withAlpha(color, 0));
-            hatch(paint, a, 1 / size * (q - p), left, walked + part.from * size, (part.to - part.from) * size, color);
+            hatch(paint, a, 1 / size * (q - p), left, walked + part.from * size, (part.to - part.from) * size, color,
+                  pen);
         }
-        walked = std::fmod(walked + size, kHatchStep);
+        walked = std::fmod(walked + size, kHatchStep * pen);
     }
 }
 

@@ -16,9 +16,9 @@ void drawContacts(Paint& paint, const PixelView& view, const Frame& frame) {
     for (const ContactFrame& contact : frame.contacts) {
         const DVec2 p = view.toPixels(contact.point);
         if (!isFinite(p) || !isFinite(contact.normal)) { continue; }
-        paint.arrow(p, p + kNormalLength * contact.normal, 1.4, style::kContact);
-        paint.disc(p, 3.4, rgb(0xFFFFFF));
-        paint.disc(p, 2.5, style::kContact);
+        paint.arrow(p, p + view.pen * kNormalLength * contact.normal, 1.4 * view.pen, style::kContact);
+        paint.disc(p, 3.4 * view.pen, rgb(0xFFFFFF));
+        paint.disc(p, 2.5 * view.pen, style::kContact);
     }
 }
 
@@ -28,7 +28,7 @@ void drawVelocities(Paint& paint, const PixelView& view, const SceneDrawing& sce
         if (!body.awake || !scene.moves(i)) { continue; }
         const DVec2 tail = view.toPixels(body.position);
         const DVec2 way = view.scale * seconds * body.velocity;
-        if (std::hypot(way.x, way.y) >= kShortestArrow) { paint.arrow(tail, tail + way, 1.7, style::kVelocity); }
+        if (std::hypot(way.x, way.y) >= kShortestArrow) { paint.arrow(tail, tail + way, 1.7 * view.pen, style::kVelocity); }
     }
 }
 

@@ -102,10 +102,11 @@ double narrowestWidth(const ShapeCore& core) {
     double narrowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < core.points.size(); ++i) {
         const DVec2 edge = core.points[(i + 1) % core.points.size()] - core.points[i];
-        const double size = length(edge);
+        const double size = std::hypot(edge.x, edge.y);
+        if (!(size > 0)) { continue; }
         double width = 0;
-        for (const DVec2 p : core.points) { width = std::max(width, cross(edge, p - core.points[i])); }
-        if (size > 0) { narrowest = std::min(narrowest, width / size); }
+        for (const DVec2 p : core.points) { width = std::max(width, cross(1 / size * edge, p - core.points[i])); }
+        narrowest = std::min(narrowest, width);
     }
     return (std::isfinite(narrowest) ? narrowest : 0) + 2 * core.radius;
 }
@@ -129,18 +130,20 @@ std::vector<DVec2> roundedOutline(const ShapeCore& core, const PixelBox& box) {
     return out;
 }
 
-ShapeCore insetCore(const ShapeCore& core, double depth) {
+ShapeCore insetCore(const ShapeCore& core, double depth, const PixelBox& box) {
     if (depth <= core.radius) { return {core.points, core.radius - depth}; }
     if (core.points.size() < 3) { return {}; }
     ShapeCore inner{core.points, 0};
     const double cut = depth - core.radius;
+    // Cut what is visible, not what is there: a corner 10^17 pixels away cannot be moved by one pixel.
+    clipToBox(inner.points, box.grownBy(4 * depth));
     for (std::size_t i = 0; i < core.points.size(); ++i) {
         const DVec2 p = core.points[i];
         const DVec2 edge = core.points[(i + 1) % core.points.size()] - p;
-        const double size = length(edge);
+        const double size = std::hypot(edge.x, edge.y);
         if (!(size > 0)) { continue; }
-        const DVec2 inward = cut / size * DVec2{-edge.y, edge.x};
-        cutLeftOf(inner.points, p + inward, -edge);
+        const DVec2 along = 1 / size * edge;
+        cutLeftOf(inner.points, p + cut * DVec2{-along.y, along.x}, -along);
     }
     return inner;
 }

@@ -29,7 +29,8 @@ double narrowestWidth(const ShapeCore& core);
 /// @param box   what is visible.
 std::vector<DVec2> roundedOutline(const ShapeCore& core, const PixelBox& box);
 
-/// The same shape with `depth` (pixels) taken off all around; empty when nothing is left.
-ShapeCore insetCore(const ShapeCore& core, double depth);
+/// The same shape with `depth` (pixels) taken off all around; empty when nothing is left. What lies far outside of the
+/// box may be missing.
+ShapeCore insetCore(const ShapeCore& core, double depth, const PixelBox& box);
 
 }  // namespace swept

@@ -13,7 +13,6 @@ namespace swept {
 namespace {
 
 constexpr double kGridTarget = 28;  // pixels between fine lines, at least
-constexpr double kScaleBarShare = 0.17;
 
 PixelBox panel(Paint& paint, const OverlayMetrics& m, DVec2 low, DVec2 size) {
     const PixelBox box{low, low + size};
@@ -42,20 +41,29 @@ void gridLines(Paint& paint, const PixelView& view, double spacing, int skipEver
     });
 }
 
-void swatch(Paint& paint, DVec2 center, double size, const LegendEntry& entry) {
+void swatch(Paint& paint, DVec2 center, double size, const LegendEntry& entry, double pen) {
     const PixelBox box{center - 0.5 * DVec2{size, size}, center + 0.5 * DVec2{size, size}};
     const std::array<DVec2, 4> corners{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}};
     if (entry.dashed || entry.outlineOnly) {
         if (entry.dashed) { paint.fillConvex(corners, entry.fill); }
         if (entry.dashed) {
-            paint.dashed(corners, true, 1.2, 3, 2.2, entry.edge);
+            paint.dashed(corners, true, 1.2 * pen, 3 * pen, 2.2 * pen, entry.edge);
         } else {
-            paint.polyline(corners, true, 1.5, entry.edge);
+            paint.polyline(corners, true, 1.5 * pen, entry.edge);
         }
         return;
     }
-    paint.fillBox(box, 2.5, entry.edge);
-    paint.fillBox(box.grownBy(-1.4), 1.4, entry.fill);
+    paint.fillBox(box, 2.5 * pen, entry.edge);
+    const PixelBox inner = box.grownBy(-1.4 * pen);
+    paint.fillBox(inner, 1.4 * pen, entry.fill);
+    const auto parts = static_cast<double>(entry.moreFills.size() + 1);
+    for (std::size_t i = 0; i < entry.moreFills.size(); ++i) {
+        const double from = static_cast<double>(i + 1) / parts;
+        const double to = static_cast<double>(i + 2) / parts;
+        const double width = inner.high.x - inner.low.x;
+        const PixelBox stripe{{inner.low.x + from * width, inner.low.y}, {inner.low.x + to * width, inner.high.y}};
+        paint.fillBox(stripe, 0, entry.moreFills[i]);
+    }
 }
 
 }  // namespace
@@ -100,7 +108,7 @@ std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const Rend
     const auto isSensor = [](const ShapeDescription& s) { return s.sensor; };
     std::vector<LegendEntry> entries;
     const auto add = [&entries](const style::BodyStyle& look, const char* label) {
-        entries.push_back({look.fill, look.edge, label, false, false});
+        entries.push_back({look.fill, look.edge, label, false, false, {}});
     };
     if (any([](const BodyDescription& b) { return b.type == SceneBodyType::fixed; })) {
         add(style::bodyStyle(SceneBodyType::fixed, false, false, 0), "static");
@@ -108,7 +116,7 @@ std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const Rend
     if (any([](const BodyDescription& b) { return b.type == SceneBodyType::kinematic; })) {
         add(style::bodyStyle(SceneBodyType::kinematic, false, true, 0), "kinematic");
     }
-    if (any(isPlain)) { add(style::bodyStyle(SceneBodyType::dynamic, false, true, 0), "dynamic"); }
+    if (any(isPlain)) { entries.push_back(dynamicLegend("dynamic")); }
     if (any(isPlain) && scene.settings.sleep) {
         add(style::bodyStyle(SceneBodyType::dynamic, false, false, 0), "asleep");
     }
@@ -116,19 +124,25 @@ std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const Rend
         add(style::bodyStyle(SceneBodyType::dynamic, true, true, 0), "bullet");
     }
     if (any([&](const BodyDescription& b) { return std::any_of(b.shapes.begin(), b.shapes.end(), isSensor); })) {
-        entries.push_back({withAlpha(style::kSensor, 32), style::kSensor, "sensor", true, false});
+        entries.push_back({withAlpha(style::kSensor, 32), style::kSensor, "sensor", true, false, {}});
     }
-    if (options.ghosts) { entries.push_back({withAlpha(style::kGhost, 36), style::kGhost, "at impact", true, false}); }
+    if (options.ghosts) { entries.push_back({withAlpha(style::kGhost, 36), style::kGhost, "at impact", true, false, {}}); }
     if (options.contacts) { add({style::kContact, style::kContact}, "contact"); }
     if (options.velocities) {
         std::string label = "velocity \u00D7 " + fixedDecimals(options.velocitySeconds, 2) + " s";
-        entries.push_back({style::kVelocity, style::kVelocity, label, false, false});
+        entries.push_back({style::kVelocity, style::kVelocity, label, false, false, {}});
     }
     return entries;
 }
 
+LegendEntry dynamicLegend(const std::string& label) {
+    const style::BodyStyle look = style::bodyStyle(SceneBodyType::dynamic, false, true, 0);
+    return {look.fill, look.edge, label, false, false, {style::paletteColor(1), style::paletteColor(2)}};
+}
+
 OverlayMetrics::OverlayMetrics(const RenderOptions& options) {
-    const double scale = std::clamp(std::min(options.height / 540.0, options.width / 960.0), 0.7, 3.0);
+    const double scale = penScale(options);
+    pen = scale;
     text = 10 * scale;
     title = 13 * scale;
     margin = 12 * scale;
@@ -160,7 +174,7 @@ void drawScaleBar(Paint& paint, const OverlayMetrics& m, const ScaleBar& bar) {
     const DVec2 size{width + 2 * m.padding, 2.1 * m.text + 2 * m.padding};
     const PixelBox box = panel(paint, m, {m.margin, m.margin}, size);
     const DVec2 low = box.low + DVec2{m.padding + (width - bar.pixels) / 2, m.padding};
-    const double thick = 2;
+    const double thick = 2 * m.pen;
     const double tick = 0.55 * m.text;
     const auto block = [&](double left, double right, double height) {
         const std::array<DVec2, 4> corners{{low + DVec2{left, 0}, low + DVec2{right, 0}, low + DVec2{right, height},
@@ -198,7 +212,7 @@ void drawLegend(Paint& paint, const OverlayMetrics& m, std::span<const LegendEnt
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (i == 0 || rowOf[i] != rowOf[i - 1]) { x = box.low.x + m.padding; }
         const double middle = box.high.y - m.padding - size / 2 - static_cast<double>(rowOf[i]) * rowHeight;
-        swatch(paint, {x + size / 2, middle}, size, entries[i]);
+        swatch(paint, {x + size / 2, middle}, size, entries[i], m.pen);
         drawText(paint, entries[i].label, {x + 1.55 * size, middle - m.text / 2}, m.text, style::kText);
         x += widthOf(entries[i]) + gap;
     }

@@ -21,6 +21,9 @@ double roundLengthBelow(double limit);
 /// @param metres  1, 2 or 5 times a power of ten.
 std::string lengthLabel(double metres);
 
+/// Longest scale bar, as a part of the width of the picture.
+inline constexpr double kScaleBarShare = 0.17;
+
 struct ScaleBar {
     double metres = 0;
     double pixels = 0;
@@ -38,14 +41,18 @@ struct LegendEntry {
     std::string label;
     bool dashed = false;
     bool outlineOnly = false;
+    std::vector<Color> moreFills;  ///< stripes beside `fill`
 };
+/// Filled with the first colours of the palette.
+LegendEntry dynamicLegend(const std::string& label);
 /// One entry for each kind of thing that the scene has and the options show.
 std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const RenderOptions& options);
 
 /// Sizes of texts and margins, in pixels; they follow the size of the picture.
 struct OverlayMetrics {
     explicit OverlayMetrics(const RenderOptions& options);
-    double text;
+    double pen;   ///< as in `PixelView`
+    double text;  ///< heights of capital letters
     double title;
     double margin;
     double padding;

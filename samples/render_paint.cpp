@@ -26,6 +26,26 @@ DVec2 normalOf(DVec2 p, DVec2 q) {
     return size > 0 ? DVec2{-along.y / size, along.x / size} : DVec2{0, 1};
 }
 
+/// Keeps what lies above (`side` 1) or below (`side` −1) of a coordinate. The cut is exactly there, however far away the
+/// ends of an edge are: interpolation alone would lose it in their last digits.
+void cutAtCoordinate(std::vector<DVec2>& points, double DVec2::*axis, double bound, double side) {
+    std::vector<DVec2> kept;
+    kept.reserve(points.size() + 1);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const DVec2 a = points[i];
+        const DVec2 b = points[(i + 1) % points.size()];
+        const double depthA = side * (a.*axis - bound);
+        const double depthB = side * (b.*axis - bound);
+        if (depthA >= 0) { kept.push_back(a); }
+        if ((depthA < 0 && depthB > 0) || (depthA > 0 && depthB < 0)) {
+            DVec2 cut = a + depthA / (depthA - depthB) * (b - a);
+            cut.*axis = bound;
+            kept.push_back(cut);
+        }
+    }
+    points.swap(kept);
+}
+
 /// Narrows the visible part to `distance + t · slope >= 0`.
 void narrow(VisiblePart& part, double distance, double slope) {
     if (slope == 0) {
@@ -73,6 +93,19 @@ void cutLeftOf(std::vector<DVec2>& points, DVec2 p, DVec2 direction) {
     points.swap(kept);
 }
 
+void clipToBox(std::vector<DVec2>& points, const PixelBox& box) {
+    bool inside = true;
+    for (DVec2& p : points) {
+        p = clamped(p);
+        inside = inside && box.contains(p);
+    }
+    if (inside) { return; }
+    cutAtCoordinate(points, &DVec2::x, box.low.x, 1);
+    cutAtCoordinate(points, &DVec2::x, box.high.x, -1);
+    cutAtCoordinate(points, &DVec2::y, box.low.y, 1);
+    cutAtCoordinate(points, &DVec2::y, box.high.y, -1);
+}
+
 Paint::Paint(int width, int height) : box_{{0, 0}, {static_cast<double>(width), static_cast<double>(height)}} {}
 
 void Paint::add(DVec2 p, Color color) {
@@ -87,19 +120,8 @@ void Paint::triangle(DVec2 a, DVec2 b, DVec2 c, Color color) {
 
 void Paint::fillConvex(std::span<const DVec2> outline, Color color) {
     if (outline.size() < 3 || !allFinite(outline)) { return; }
-    const PixelBox clip = box_.grownBy(kClipMargin);
     clipped_.assign(outline.begin(), outline.end());
-    bool inside = true;
-    for (DVec2& p : clipped_) {
-        p = clamped(p);
-        inside = inside && clip.contains(p);
-    }
-    if (!inside) {
-        cutLeftOf(clipped_, clip.low, {0, 1});
-        cutLeftOf(clipped_, clip.high, {0, -1});
-        cutLeftOf(clipped_, clip.high, {1, 0});
-        cutLeftOf(clipped_, clip.low, {-1, 0});
-    }
+    clipToBox(clipped_, box_.grownBy(kClipMargin));
     for (std::size_t i = 2; i < clipped_.size(); ++i) { triangle(clipped_[0], clipped_[i - 1], clipped_[i], color); }
 }
 

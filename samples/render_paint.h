@@ -57,6 +57,9 @@ VisiblePart clipSegment(DVec2 p, DVec2 q, const PixelBox& box);
 /// @param points  a convex outline.
 void cutLeftOf(std::vector<DVec2>& points, DVec2 p, DVec2 direction);
 
+/// Cuts a convex outline to a box, in place; no coordinate is too large.
+void clipToBox(std::vector<DVec2>& points, const PixelBox& box);
+
 /// Collects a drawing as triangles, in painter's order. Coordinates are pixels in double, y up from the bottom left, and may
 /// be as large as they like: everything is clipped to the picture before it becomes float. Drawings with a coordinate that
 /// is not finite are left out. Strokes overlap themselves at their joins: draw them opaque.

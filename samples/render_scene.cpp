@@ -14,23 +14,25 @@ namespace swept {
 namespace {
 
 /// Thinner shapes are drawn this thick, in pixels: a bullet or a wall must never be invisible.
-constexpr double kThinnest = 1.3;
+constexpr double kThinnest = 1.6;
+/// Thinner shapes show their edge only.
+constexpr double kThinnestWithFill = 2.6;
 constexpr double kSegmentThickness = 2.2;
 
-ShapeCore coreInPixels(const PixelPose& pose, const ShapeCore& core, double thinnest) {
+ShapeCore coreInPixels(const PixelPose& pose, const ShapeCore& core, double thinnest = kThinnest) {
     ShapeCore pixels{{}, core.radius * pose.scale()};
     for (const DVec2 p : core.points) { pixels.points.push_back(pose.toPixels(p)); }
-    pixels.radius += std::max(0.0, (thinnest - narrowestWidth(pixels)) / 2);
+    pixels.radius += std::max(0.0, (thinnest * pose.pen() - narrowestWidth(pixels)) / 2);
     return pixels;
 }
 
 /// A zigzag between two points, with straight ends.
-std::vector<DVec2> springPath(DVec2 p, DVec2 q) {
+std::vector<DVec2> springPath(DVec2 p, DVec2 q, double pen) {
     constexpr int kTurns = 12;
     const DVec2 along = q - p;
     const double size = std::hypot(along.x, along.y);
     if (!(size > 0) || !std::isfinite(size)) { return {p, q}; }
-    const DVec2 side = std::min(5.0, size / 8) / size * DVec2{-along.y, along.x};
+    const DVec2 side = std::min(5 * pen, size / 8) / size * DVec2{-along.y, along.x};
     std::vector<DVec2> path{p, p + 0.12 * along};
     for (int i = 0; i < kTurns; ++i) {
         const double t = 0.12 + 0.76 * (i + 0.5) / kTurns;
@@ -144,13 +146,14 @@ void SceneDrawing::drawConvex(Paint& paint, const PixelPose& pose, const ShapeDr
                               const style::BodyStyle& look) const {
     const bool segment = shape.kind == Kind::segment;
     const ShapeCore core = coreInPixels(pose, shape.core, segment ? kSegmentThickness : kThinnest);
+    const double edge = style::kEdgeWidth * pose.pen();
     paint.fillConvex(roundedOutline(core, paint.box()), look.edge);
     // The edge lies inside the shape, so that touching shapes touch in the picture; thin shapes keep some of their fill.
-    const double edge = std::min(style::kEdgeWidth, 0.25 * narrowestWidth(core));
-    if (!segment || shape.core.radius > 0) {
-        paint.fillConvex(roundedOutline(insetCore(core, edge), paint.box()), look.fill);
+    const double width = narrowestWidth(core);
+    if (width > kThinnestWithFill * pose.pen()) {
+        paint.fillConvex(roundedOutline(insetCore(core, std::min(edge, 0.25 * width), paint.box()), paint.box()), look.fill);
     }
-    if (shape.kind == Kind::circle && core.radius > 3 * style::kEdgeWidth) {
+    if (shape.kind == Kind::circle && core.radius > 3 * edge) {
         const DVec2 tip = pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0});
         paint.line(core.points[0], tip, edge, look.edge);
     }
@@ -160,33 +163,34 @@ void SceneDrawing::drawChain(Paint& paint, const PixelPose& pose, const ShapeDra
                              const style::BodyStyle& look) const {
     ShapeCore core{{}, shape.core.radius * pose.scale()};
     for (const DVec2 p : shape.core.points) { core.points.push_back(pose.toPixels(p)); }
-    shadeSolidSide(paint, core.points, shape.loop, look.edge);
-    const double thickness = std::max(kSegmentThickness, 2 * core.radius);
+    shadeSolidSide(paint, core.points, shape.loop, look.edge, pose.pen());
+    const double thickness = std::max(kSegmentThickness * pose.pen(), 2 * core.radius);
+    const double edge = style::kEdgeWidth * pose.pen();
     paint.polyline(core.points, shape.loop, thickness, look.edge);
-    if (thickness > 3 * style::kEdgeWidth) {
-        paint.polyline(core.points, shape.loop, thickness - 2 * style::kEdgeWidth, look.fill);
+    if (thickness > 3 * edge) {
+        paint.polyline(core.points, shape.loop, thickness - 2 * edge, look.fill);
     }
 }
 
 void SceneDrawing::drawSensor(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape) const {
     if (shape.kind != Kind::chain) {
-        const ShapeCore core = coreInPixels(pose, shape.core, kThinnest);
+        const ShapeCore core = coreInPixels(pose, shape.core);
         paint.fillConvex(roundedOutline(core, paint.box()), withAlpha(style::kSensor, 32));
-        paint.dashed(roundedOutline(core, paint.box()), true, 1.3, 5, 3.5, style::kSensor);
+        paint.dashed(roundedOutline(core, paint.box()), true, 1.3 * pose.pen(), 5 * pose.pen(), 3.5 * pose.pen(), style::kSensor);
         return;
     }
     std::vector<DVec2> points;
     for (const DVec2 p : shape.core.points) { points.push_back(pose.toPixels(p)); }
-    paint.dashed(points, shape.loop, 1.3, 5, 3.5, style::kSensor);
+    paint.dashed(points, shape.loop, 1.3 * pose.pen(), 5 * pose.pen(), 3.5 * pose.pen(), style::kSensor);
 }
 
 void SceneDrawing::drawOutline(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, Color color) const {
-    const ShapeCore core = coreInPixels(pose, shape.core, kThinnest);
+    const ShapeCore core = coreInPixels(pose, shape.core);
     const bool chain = shape.kind == Kind::chain;
     // A closed stroke of a full circle begins and ends at the same point; a zero-length edge does no harm.
-    paint.polyline(chain ? core.points : roundedOutline(core, paint.box()), !chain || shape.loop, 1.5, color);
+    paint.polyline(chain ? core.points : roundedOutline(core, paint.box()), !chain || shape.loop, 1.5 * pose.pen(), color);
     if (shape.kind == Kind::circle) {
-        paint.line(core.points[0], pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0}), 1.2, color);
+        paint.line(core.points[0], pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0}), 1.2 * pose.pen(), color);
     }
 }
 
@@ -214,9 +218,9 @@ void SceneDrawing::drawGhost(Paint& paint, const PixelView& view, std::size_t bo
     const PixelPose pose(view, state.position, state.angle);
     if (!pose.finite()) { return; }
     for (const ShapeDrawing& shape : bodies_[body].shapes) {
-        const std::vector<DVec2> outline = roundedOutline(coreInPixels(pose, shape.core, kThinnest), paint.box());
+        const std::vector<DVec2> outline = roundedOutline(coreInPixels(pose, shape.core), paint.box());
         paint.fillConvex(outline, withAlpha(color, 36));
-        paint.dashed(outline, true, 1.4, 4, 3, color);
+        paint.dashed(outline, true, 1.4 * pose.pen(), 4 * pose.pen(), 3 * pose.pen(), color);
     }
 }
 
@@ -233,21 +237,22 @@ void SceneDrawing::drawJoint(Paint& paint, const PixelView& view, const Frame& f
     if (!poseA.finite() || !poseB.finite()) { return; }
     const DVec2 anchorA = poseA.toPixels(joint.localA);
     const DVec2 anchorB = poseB.toPixels(joint.localB);
+    const double pen = view.pen;
     if (joint.revolute) {
         // The arms from body to pin; a static body has none, its origin may be anywhere.
-        if (moves(a)) { paint.line(poseA.origin(), anchorA, 1.1, style::kJoint); }
-        if (moves(b)) { paint.line(poseB.origin(), anchorB, 1.1, style::kJoint); }
-        paint.line(anchorA, anchorB, 2, style::kWarning);  // of no length unless the joint is torn apart
-        pin(paint, anchorA, 3);
+        if (moves(a)) { paint.line(poseA.origin(), anchorA, 1.1 * pen, style::kJoint); }
+        if (moves(b)) { paint.line(poseB.origin(), anchorB, 1.1 * pen, style::kJoint); }
+        paint.line(anchorA, anchorB, 2 * pen, style::kWarning);  // of no length unless the joint is torn apart
+        pin(paint, anchorA, 3 * pen);
         return;
     }
     const std::array<DVec2, 2> ends{anchorA, anchorB};
     if (joint.spring) {
-        paint.polyline(springPath(anchorA, anchorB), false, 1.3, style::kJoint);
+        paint.polyline(springPath(anchorA, anchorB, pen), false, 1.3 * pen, style::kJoint);
     } else {
-        paint.polyline(ends, false, 1.3, style::kJoint);
+        paint.polyline(ends, false, 1.3 * pen, style::kJoint);
     }
-    for (const DVec2 end : ends) { pin(paint, end, 2.6); }
+    for (const DVec2 end : ends) { pin(paint, end, 2.6 * pen); }
 }
 
 void SceneDrawing::drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const {

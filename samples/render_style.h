@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "render_paint.h"
 #include "scene_description.h"
 
@@ -8,8 +10,8 @@
 namespace swept::style {
 
 inline constexpr Color kBackground = rgb(0xFAFAFA);
-inline constexpr Color kGridFine = rgb(0xF1F2F4);
-inline constexpr Color kGridCoarse = rgb(0xE5E7EB);
+inline constexpr Color kGridFine = rgb(0xEFF1F3);
+inline constexpr Color kGridCoarse = rgb(0xE1E4E9);
 inline constexpr Color kText = rgb(0x2F343B);
 inline constexpr Color kFaintText = rgb(0x69717C);
 inline constexpr Color kPanel = withAlpha(rgb(0xFFFFFF), 205);
@@ -21,7 +23,7 @@ inline constexpr Color kReference = rgb(0xC2255C);
 inline constexpr Color kWarning = rgb(0xC92A2A);
 inline constexpr Color kSensor = rgb(0xB08900);
 
-/// Pixels at a picture height of 540.
+/// Pixels in a picture of 960 × 540; see `PixelView::pen`.
 inline constexpr double kEdgeWidth = 1.6;
 
 struct BodyStyle {
@@ -31,5 +33,8 @@ struct BodyStyle {
 
 /// @param index  of the body among the dynamic ones: picks from the palette.
 BodyStyle bodyStyle(SceneBodyType type, bool bullet, bool awake, std::size_t index);
+
+/// The fill of the dynamic body of this index while it is awake.
+Color paletteColor(std::size_t index);
 
 }  // namespace swept::style

@@ -52,10 +52,12 @@ WorldBox boxOf(const BodyDescription& body) {
 }  // namespace
 
 PixelPose::PixelPose(const PixelView& view, DVec2 position, double angle)
-    : origin_(view.toPixels(position)),
-      cosine_(view.scale * std::cos(angle)),
-      sine_(view.scale * std::sin(angle)),
-      scale_(view.scale) {}
+    : offset_(position - view.center),
+      middle_(view.middle),
+      cosine_(std::cos(angle)),
+      sine_(std::sin(angle)),
+      scale_(view.scale),
+      pen_(view.pen) {}
 
 ViewDescription fittedView(const SceneDescription& scene, double aspect) {
     WorldBox moving;
@@ -82,13 +84,17 @@ ViewDescription fittedView(const SceneDescription& scene, double aspect) {
     return {0.5 * (all.low + all.high), height > 0 ? height : 10};
 }
 
+double penScale(const RenderOptions& options) {
+    return std::clamp(std::min(options.height / 540.0, options.width / 960.0), 0.7, 4.0);
+}
+
 PixelView pixelView(const SceneDescription& scene, const RenderOptions& options) {
     const double width = options.width;
     const double height = options.height;
     const ViewDescription view = options.view   ? *options.view
                                  : scene.view ? *scene.view
                                               : fittedView(scene, width / height);
-    return {view.center, height / view.height, {width / 2, height / 2}};
+    return {view.center, height / view.height, {width / 2, height / 2}, penScale(options)};
 }
 
 }  // namespace swept

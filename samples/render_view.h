@@ -12,6 +12,7 @@ struct PixelView {
     DVec2 center;      ///< world, metres
     double scale = 1;  ///< pixels per metre
     DVec2 middle;      ///< of the picture, pixels
+    double pen = 1;    ///< widths of lines and sizes of marks, in pixels, are multiplied by this
 
     DVec2 toPixels(DVec2 world) const { return middle + scale * (world - center); }
 };
@@ -21,22 +22,30 @@ class PixelPose {
 public:
     PixelPose(const PixelView& view, DVec2 position, double angle);
     DVec2 toPixels(DVec2 local) const {
-        return origin_ + DVec2{cosine_ * local.x - sine_ * local.y, sine_ * local.x + cosine_ * local.y};
+        // Metres first: a corner of a huge body close to the centre must not lose digits to the size of the body.
+        const DVec2 turned{cosine_ * local.x - sine_ * local.y, sine_ * local.x + cosine_ * local.y};
+        return middle_ + scale_ * (offset_ + turned);
     }
-    DVec2 origin() const { return origin_; }
+    DVec2 origin() const { return middle_ + scale_ * offset_; }
     double scale() const { return scale_; }
-    bool finite() const { return isFinite(origin_) && isFinite({cosine_, sine_}); }
+    double pen() const { return pen_; }
+    bool finite() const { return isFinite(origin()) && isFinite({cosine_, sine_}); }
 
 private:
-    DVec2 origin_;
-    double cosine_;  // times pixels per metre, like sine_
+    DVec2 offset_;  // from the centre of the view, metres
+    DVec2 middle_;
+    double cosine_;
     double sine_;
     double scale_;
+    double pen_;
 };
 
 /// A view of the initial state: all moving bodies, and of the static ones what is near them.
 /// @param aspect  width by height of the picture.
 ViewDescription fittedView(const SceneDescription& scene, double aspect);
+
+/// How large lines and letters are in a picture, against one of 960 × 540.
+double penScale(const RenderOptions& options);
 
 /// The view that the options or the scene ask for, or the fitted one.
 PixelView pixelView(const SceneDescription& scene, const RenderOptions& options);

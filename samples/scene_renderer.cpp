@@ -70,11 +70,10 @@ void SceneRenderer::drawMarks(const Frame& frame) {
 void SceneRenderer::drawOverlay(const Frame& frame, const Reference* reference) {
     if (options_.title && !title_.empty()) { drawTitle(paint_, metrics_, title_); }
     if (options_.time) { drawTime(paint_, metrics_, timeLabel(frame.time, dt_)); }
-    if (options_.scaleBar) { drawScaleBar(paint_, metrics_, scaleBar(view_.scale, 0.17 * options_.width)); }
+    if (options_.scaleBar) { drawScaleBar(paint_, metrics_, scaleBar(view_.scale, kScaleBarShare * options_.width)); }
     if (options_.legend && reference != nullptr) {
-        const style::BodyStyle ours = style::bodyStyle(SceneBodyType::dynamic, false, true, 0);
-        const std::vector<LegendEntry> entries{{ours.fill, ours.edge, reference->ours, false, false},
-                                               {style::kBackground, style::kReference, reference->theirs, false, true}};
+        const std::vector<LegendEntry> entries{
+            dynamicLegend(reference->ours), {style::kBackground, style::kReference, reference->theirs, false, true, {}}};
         drawLegend(paint_, metrics_, entries);
     } else if (options_.legend) {
         drawLegend(paint_, metrics_, legend_);

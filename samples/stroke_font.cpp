@@ -15,8 +15,9 @@ namespace swept {
 namespace {
 
 constexpr double kUnitsPerCapital = 20;
-constexpr double kLetterGap = 4.6;      // between neighbours, in glyph units
+constexpr double kLetterGap = 4.9;      // between neighbours, in glyph units
 constexpr double kStrokeWeight = 2.35;  // in glyph units
+constexpr double kDotWeight = 1.35;     // of a dot, against a stroke
 constexpr double kArcStep = 15;         // degrees; the chords of a 5-unit arc deviate by 0.04 units
 
 struct Stroke {
@@ -131,7 +132,8 @@ void drawText(Paint& paint, std::string_view text, DVec2 base, double height, Co
         for (const Stroke& stroke : glyph.strokes) {
             points.clear();
             for (const DVec2 p : stroke.points) { points.push_back(DVec2{x, base.y} + scale * p); }
-            paint.polyline(points, stroke.closed, scale * kStrokeWeight, color);
+            const bool dot = points.size() == 2 && points[0] == points[1];
+            paint.polyline(points, stroke.closed, scale * kStrokeWeight * (dot ? kDotWeight : 1), color);
         }
         x += scale * (glyph.width + kLetterGap);
     }
