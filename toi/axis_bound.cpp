@@ -4,10 +4,8 @@
 
 #include "parabola.h"
 
-namespace swept {
+namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-using f64::Vec2;
 
 /// Lower bounds of the projections of one body's vertices on the axis, relative to the body's centre.
 struct Projections {
@@ -28,7 +26,7 @@ struct Projections {
 
 /// @param body      the vertices, turned by `rotation` into the frame of the axis.
 /// @param relative  rate at which the body turns relative to the axis.
-Projections project(const CenteredPolygon& body, f64::Rotation rotation, Vec2 axis, double relative) {
+Projections project(const CenteredPolygon& body, Rotation rotation, Vec2 axis, double relative) {
     Projections result;
     result.count = body.polygon.count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(result.count); ++i) {
@@ -93,7 +91,7 @@ double advanceAlong(const MovingPair& pair, const PairPose& pose, double spin, d
 
 /// Safe advance if the bodies were the circles about their centres that hold them, along the line of the centres.
 double advanceOfCircles(const MovingPair& pair, const PairPose& pose, double level, double limit) {
-    const f64::UnitAndLength line = normalized(pose.bInA.translation);
+    const UnitAndLength line = normalized(pose.bInA.translation);
     Parabola centers = projectCenters(pair, pose, line.unit, 0, limit);
     const auto reachOf = [](const CenteredPolygon& body) {
         return *std::max_element(body.reach.begin(), body.reach.begin() + body.polygon.count);
@@ -117,4 +115,4 @@ double safeAdvance(const MovingPair& pair, const PairPose& pose, double level, d
     return best;
 }
 
-}  // namespace swept
+}  // namespace swept::inline SWEPT_PRECISION

@@ -2,7 +2,7 @@
 
 #include "moving_pair.h"
 
-namespace swept {
+namespace swept::inline SWEPT_PRECISION {
 
 /// The largest time the pair can be advanced, for certain, before its separation may fall to `level`.
 ///
@@ -28,4 +28,4 @@ namespace swept {
 /// @return in [0, limit]; `limit` means that nothing happens up to there. Not an upper bound of anything.
 double safeAdvance(const MovingPair& pair, const PairPose& pose, double level, double limit);
 
-}  // namespace swept
+}  // namespace swept::inline SWEPT_PRECISION

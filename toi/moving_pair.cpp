@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
-namespace swept {
+namespace swept::inline SWEPT_PRECISION {
 namespace {
+
+static_assert(std::is_same_v<Real, double>, "a float fraction cannot express the certificate");
 
 /// Largest length of coordinates that the centred vertices are made from.
 double largestCoordinate(const ToiPolygon& polygon, DVec2 center) {
@@ -29,14 +32,14 @@ CenteredPolygon::CenteredPolygon(const ToiPolygon& source, DVec2 center) {
     }
     if (polygon.count < 2) { return; }
     for (int i = 0; i < polygon.count; ++i) {
-        const f64::Vec2 from = polygon.vertices[static_cast<std::size_t>(i)];
-        const f64::Vec2 to = polygon.vertices[static_cast<std::size_t>(polygon.next(i))];
+        const Vec2 from = polygon.vertices[static_cast<std::size_t>(i)];
+        const Vec2 to = polygon.vertices[static_cast<std::size_t>(polygon.next(i))];
         polygon.normals[static_cast<std::size_t>(i)] = normalized(rightPerp(to - from)).unit;
     }
 }
 
-PairPose MovingPair::poseAt(double fraction, f64::SimplexCache& cache) const {
-    const auto inA = [](f64::Rotation q, DVec2 world) { return unrotate(q, f64::Vec2{world.x, world.y}); };
+PairPose MovingPair::poseAt(double fraction, SimplexCache& cache) const {
+    const auto inA = [](Rotation q, DVec2 world) { return unrotate(q, Vec2{world.x, world.y}); };
     PairPose pose;
     pose.fraction = fraction;
     pose.rotationA = motion.rotationA(fraction);
@@ -61,4 +64,4 @@ double roundingSlack(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon&
     return kRoundings * std::numeric_limits<double>::epsilon() * (centers + reachA + reachB + a.radius + b.radius);
 }
 
-}  // namespace swept
+}  // namespace swept::inline SWEPT_PRECISION

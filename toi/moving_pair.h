@@ -4,11 +4,11 @@
 #include "relative_motion.h"
 #include "time_of_impact.h"
 
-namespace swept {
+namespace swept::inline SWEPT_PRECISION {
 
 /// A polygon with the centre of mass as its origin, ready for the distance function.
 struct CenteredPolygon {
-    f64::Polygon polygon;
+    Polygon polygon;
     std::array<double, 8> reach{};  ///< distance of each vertex from the centre, metres
 
     CenteredPolygon(const ToiPolygon& source, DVec2 center);
@@ -18,11 +18,11 @@ struct CenteredPolygon {
 /// turned with it. The bounds need only scalar products, for which any frame will do; this one saves turning A.
 struct PairPose {
     double fraction = 0;
-    f64::Rotation rotationA;  ///< frame of A to world
-    f64::Transform bInA;
-    f64::Vec2 velocity;   ///< of B's centre relative to A's, metres per unit of fraction
-    f64::Vec2 curvature;  ///< kB − kA, metres
-    f64::Distance distance;
+    Rotation rotationA;  ///< frame of A to world
+    Transform bInA;
+    Vec2 velocity;   ///< of B's centre relative to A's, metres per unit of fraction
+    Vec2 curvature;  ///< kB − kA, metres
+    Distance distance;
 };
 
 /// Two polygons and their motion: what a time-of-impact query works on.
@@ -37,11 +37,11 @@ struct MovingPair {
     double radii() const { return a.polygon.radius + b.polygon.radius; }
 
     /// Pose and distance at a fraction. `cache` carries the simplex from one evaluation to the next.
-    PairPose poseAt(double fraction, f64::SimplexCache& cache) const;
+    PairPose poseAt(double fraction, SimplexCache& cache) const;
 };
 
 /// How far a separation computed by this folder, or a bound on it, may be from the true one by rounding, anywhere in the
 /// sweep. Metres. A-priori: a count of roundings, each relative to the largest coordinate it touches.
 double roundingSlack(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB);
 
-}  // namespace swept
+}  // namespace swept::inline SWEPT_PRECISION

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace swept {
+namespace swept::inline SWEPT_PRECISION {
 
 double RelativeMotion::farthestWithin(double from, double to) const {
     // On a straight line the distance is largest at an end. The parabola leaves its chord by s (s − span) k, at most
@@ -17,4 +17,4 @@ double RelativeMotion::fastestWithin(double from, double to) const {
     return std::max(length(velocityAt(from)), length(velocityAt(to)));
 }
 
-}  // namespace swept
+}  // namespace swept::inline SWEPT_PRECISION

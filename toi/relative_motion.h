@@ -3,7 +3,7 @@
 #include "../shapes/rotation.h"
 #include "sweep.h"
 
-namespace swept {
+namespace swept::inline SWEPT_PRECISION {
 
 /// The motion of B's centre as seen from A's centre, in world axes, and both rotations. Only differences of centres are
 /// kept, taken before anything else, so that nothing here depends on the distance from the origin.
@@ -28,12 +28,12 @@ struct RelativeMotion {
     DVec2 offsetAt(double t) const { return start + t * change + (t * (t - 1)) * curvature; }
     /// Metres per unit of fraction.
     DVec2 velocityAt(double t) const { return change + (2 * t - 1) * curvature; }
-    f64::Rotation rotationA(double t) const { return f64::rotationFromAngle(angleA + t * spinA); }
-    f64::Rotation rotationB(double t) const { return f64::rotationFromAngle(angleB + t * spinB); }
+    Rotation rotationA(double t) const { return rotationFromAngle(angleA + t * spinA); }
+    Rotation rotationB(double t) const { return rotationFromAngle(angleB + t * spinB); }
 
     /// Largest distance of the centres and largest speed between two fractions.
     double farthestWithin(double from, double to) const;
     double fastestWithin(double from, double to) const;
 };
 
-}  // namespace swept
+}  // namespace swept::inline SWEPT_PRECISION

@@ -8,10 +8,10 @@ namespace swept {
 /// stands at c0 + t (c1 − c0) + t (t − 1) k, with k = ½·a·T² for a constant acceleration a over the time T (0: straight
 /// line), and the angle is a0 + t (a1 − a0). A body-fixed point p stands at c(t) + R(angle(t)) · (p − localCenter).
 struct Sweep {
-    DVec2 localCenter;  ///< centre of mass, body frame, metres
+    DVec2 localCenter{};  ///< centre of mass, body frame, metres
     DVec2 c0;           ///< centre at fraction 0
     DVec2 c1;           ///< centre at fraction 1
-    DVec2 k;            ///< curvature of the path, metres
+    DVec2 k{};            ///< curvature of the path, metres
     double a0 = 0;      ///< angle at fraction 0, radians; any number of turns
     double a1 = 0;
 };

@@ -11,8 +11,8 @@ namespace {
 /// steps a turn, so this is enough for a hundred turns between two frames. Beyond it the answer is `failed`.
 constexpr int kMaxSteps = 1024;
 
-DVec2 toWorld(f64::Rotation rotation, f64::Vec2 v) {
-    const f64::Vec2 world = rotate(rotation, v);
+DVec2 toWorld(Rotation rotation, Vec2 v) {
+    const Vec2 world = rotate(rotation, v);
     return {world.x, world.y};
 }
 
@@ -42,7 +42,7 @@ Sweep withoutRotation(const Sweep& sweep) {
 Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                  const ToiSettings& settings) {
     const MovingPair pair(a, sweepA, b, sweepB);
-    f64::SimplexCache cache;
+    SimplexCache cache;
     PairPose pose = pair.poseAt(0, cache);
     if (coresIntersect(pose)) { return answerFrom(pose, sweepA, ToiState::overlapped, 1); }
 
@@ -74,7 +74,7 @@ Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, con
 
 Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction) {
     const MovingPair pair(a, sweepA, b, sweepB);
-    f64::SimplexCache cache;
+    SimplexCache cache;
     const PairPose pose = pair.poseAt(fraction, cache);
     return answerFrom(pose, sweepA, coresIntersect(pose) ? ToiState::overlapped : ToiState::separated, 1);
 }
