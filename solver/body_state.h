@@ -14,11 +14,11 @@ inline constexpr BodySlot kFixedSlot = 0;
 /// What the solver reads and writes for every constraint: one element per slot. Motion is relative to the start of the
 /// step, so it stays small and precise wherever the body is.
 struct BodyState {
-    Vec2 velocity;             ///< of the centre of mass, m/s
+    Vec2 velocity{};             ///< of the centre of mass, m/s
     Real angularVelocity = 0;  ///< rad/s
     Real deltaAngle = 0;       ///< turned since the start of the step, rad
-    Vec2 deltaPosition;        ///< moved since the start of the step, m
-    Rotation deltaRotation;    ///< of `deltaAngle`
+    Vec2 deltaPosition{};        ///< moved since the start of the step, m
+    Rotation deltaRotation{};    ///< of `deltaAngle`
 };
 static_assert(sizeof(BodyState) == 8 * sizeof(Real), "a state fills one 8-lane register");
 
@@ -30,7 +30,7 @@ struct BodyInertia {
 
 /// What acceleration and damping do within one sub-step h: v ← decay·v + gain, exactly (see `DampedMotion`).
 struct BodyDrive {
-    Vec2 gain;               ///< m/s
+    Vec2 gain{};               ///< m/s
     Real angularGain = 0;    ///< rad/s
     Real decay = 1;
     Real angularDecay = 1;

@@ -11,8 +11,8 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// One contact point in a solve. Anchors are relative to the centres of mass, world orientation, at the start of the step.
 struct ContactConstraintPoint {
-    Vec2 anchorA;
-    Vec2 anchorB;
+    Vec2 anchorA{};
+    Vec2 anchorB{};
     Real baseSeparation = 0;   ///< separation at the start of the step minus the anchors' own distance along the normal
     Real normalMass = 0;       ///< kg
     Real tangentMass = 0;      ///< kg
@@ -26,11 +26,11 @@ struct ContactConstraintPoint {
 struct ContactConstraint {
     BodySlot slotA = kFixedSlot;
     BodySlot slotB = kFixedSlot;
-    Vec2 normal;  ///< unit, world, from A to B, held for the whole step
+    Vec2 normal{};  ///< unit, world, from A to B, held for the whole step
     Real friction = 0;
     Real restitution = 0;
     Real maxPushSpeed = 0;     ///< fastest push out of an overlap, m/s
-    Softness softness;
+    Softness softness{};
     std::int32_t count = 0;    ///< points
     std::uint32_t source = 0;  ///< the engine's name for the contact
     std::array<ContactConstraintPoint, 2> points{};

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "../shapes/transform.h"
+#include "body_def.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Hot state of a body, one element per body slot, in an array of its own: what every stage of the step reads.
+struct BodyMotion {
+    DVec2 center{};         ///< of mass, world
+    double angle = 0;     ///< unwrapped
+    WorldTransform pose{};  ///< of the body frame; follows from centre, angle and local centre
+    Vec2 velocity{};        ///< of the centre of mass
+    Real angularVelocity = 0;
+};
+
+/// Part a body plays in the present step.
+enum class BodyRole : std::uint8_t {
+    idle,    ///< static or asleep
+    free,    ///< nothing holds it: one step of its parabola
+    solved,  ///< tied to others by contacts or joints: the sub-stepped solver
+    flyer,   ///< fast, with nothing but static and kinematic things in its way: the impact loop
+};
+
+/// The rest of a body.
+struct Body {
+    BodyDef def;                  ///< as given; pose and velocity there are not kept up to date
+    std::vector<std::uint32_t> shapes;  ///< shape slots, in order of creation
+    std::vector<std::uint32_t> joints;  ///< joint slots
+
+    double mass = 0;
+    double inertia = 0;
+    Real inverseMass = 0;
+    Real inverseInertia = 0;
+    Vec2 localCenter{};
+    Real extent = 0;       ///< smallest extent of its solid shapes; 0: none
+    Real radius = 0;       ///< farthest solid point from the centre of mass
+
+    Vec2 force{};            ///< for the next step
+    Real torque = 0;
+
+    bool awake = false;
+    bool touchesDynamic = false;  ///< this step: contact points with a dynamic body
+    bool hasContact = false;      ///< this step: contact points with anything solid
+    bool deepContact = false;     ///< this step: overlaps something static too far to be swept out of it
+    bool fast = false;            ///< this step: some point may move more than a quarter of the extent
+    BodyRole role = BodyRole::idle;
+    std::uint32_t slot = 0;       ///< in the solver, this step
+    DVec2 startCenter{};            ///< at the start of this step
+    double startAngle = 0;
+
+    DVec2 restCenter{};             ///< pose since which it has hardly moved
+    double restAngle = 0;
+    double restTime = 0;          ///< seconds it has hardly moved
+    int restSteps = 0;
+    std::uint32_t nextAsleep = 0; ///< ring of the bodies that fell asleep together
+
+    bool isDynamic() const { return def.type == BodyType::dynamic; }
+};
+
+/// Body pose from centre of mass and angle.
+inline WorldTransform poseOf(DVec2 center, double angle, Vec2 localCenter) {
+    const Rotation rotation = rotationFromAngle(angle);
+    return {center - toDouble(rotate(rotation, localCenter)), rotation};
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

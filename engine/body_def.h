@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "../shapes/vec2.h"
+
+namespace swept {
+
+/// `fixed` (static in the scene format; a keyword here) never moves; `kinematic` moves by its velocity and is not moved by
+/// anything; `dynamic` obeys forces and impulses.
+enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
+
+/// What happens when a body moves so fast that it could pass through something within a step.
+enum class ContinuousMode : std::uint8_t {
+    off,      ///< nothing: contacts are looked for at the start of the step only
+    stop,     ///< the body stops at its first impact with a static or kinematic shape; the rest of its step is lost (and
+              ///< entered in the lost-time ledger)
+    subStep,  ///< the impact is resolved at its own time, and the body goes on through the rest of the step
+};
+
+}  // namespace swept
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// How to make a body. Metres, radians, seconds, kilograms.
+struct BodyDef {
+    BodyType type = BodyType::fixed;
+    DVec2 position{};            ///< of the body origin, world
+    double angle = 0;          ///< counter-clockwise; kept unwrapped
+    Vec2 velocity{};             ///< of the centre of mass; not for static bodies
+    Real angularVelocity = 0;
+    Real linearDamping = 0;    ///< 1/s, v′ = −c·v, applied exactly; at least 0
+    Real angularDamping = 0;
+    Real gravityScale = 1;
+    Real mass = 0;             ///< replaces the mass of the shapes; 0: take theirs
+    Real inertia = 0;          ///< about the centre of mass; replaces that of the shapes; 0: take theirs
+    bool fixedRotation = false;
+    bool bullet = false;       ///< reserved for sweeps against dynamic bodies
+    bool awake = true;
+    std::optional<ContinuousMode> continuous;  ///< empty: the world's
+    std::uint64_t userData = 0;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

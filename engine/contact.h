@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "../shapes/manifold.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Two shapes whose boxes overlap. A chain segment or a sensor is always A.
+struct Contact {
+    std::uint32_t shapeA = 0;  ///< slots
+    std::uint32_t shapeB = 0;
+    std::uint32_t bodyA = 0;
+    std::uint32_t bodyB = 0;
+    Manifold manifold;         ///< at the start of the present step, frame of body A
+    std::array<Real, 2> normalImpulse{};   ///< warm start, by point of the manifold
+    std::array<Real, 2> tangentImpulse{};
+    std::array<Real, 2> totalImpulse{};    ///< normal impulse over the last step, N·s
+    Real friction = 0;
+    Real restitution = 0;
+    Real extent = 0;           ///< of the pair
+    Real approachSpeed = 0;    ///< at the start of the step, m/s
+    bool sensor = false;
+    bool touching = false;     ///< begin was reported, end was not
+    bool apart = false;        ///< found this step: boxes no longer overlap
+    bool updated = false;      ///< found this step: manifold is new
+    bool pressed = false;      ///< carried an impulse in the last step
+
+    bool isSolid() const { return !sensor && manifold.count > 0; }
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+namespace swept {
+
+/// What the last step did. Always on.
+struct StepCounters {
+    std::uint64_t awakeBodies = 0;
+    std::uint64_t freeBodies = 0;      ///< took their parabola in one step
+    std::uint64_t solvedBodies = 0;    ///< went through the sub-stepped solver
+    std::uint64_t flyers = 0;          ///< went through the impact loop
+    std::uint64_t pairsFound = 0;      ///< new pairs of boxes
+    std::uint64_t boxTests = 0;
+    std::uint64_t contacts = 0;        ///< pairs of shapes whose boxes overlap
+    std::uint64_t manifolds = 0;       ///< computed
+    std::uint64_t touching = 0;        ///< contacts with points
+    std::uint64_t constraints = 0;     ///< contacts and joints solved
+    std::uint64_t colours = 0;
+    std::uint64_t subSteps = 0;        ///< of the solver
+    std::uint64_t bounceRounds = 0;
+    std::uint64_t islands = 0;         ///< of bodies that contacts or joints tie together
+    std::uint64_t sweeps = 0;          ///< bodies swept for continuous collision
+    std::uint64_t toiCalls = 0;
+    std::uint64_t toiIterations = 0;
+    std::uint64_t impacts = 0;         ///< resolved at their own time
+    std::uint64_t speedsLimited = 0;   ///< by `maxSpeed`
+    std::uint64_t fellAsleep = 0;
+    std::uint64_t wokeUp = 0;
+    std::uint64_t proxiesMoved = 0;    ///< boxes handed to the broadphase anew
+};
+
+/// Wall-clock seconds of the stages of the last step; zeros unless `measureStageTimes` is set.
+struct StageTimes {
+    double pairs = 0;
+    double collide = 0;
+    double islands = 0;
+    double solve = 0;
+    double continuous = 0;
+    double finish = 0;  ///< boxes, sleep, events
+};
+
+}  // namespace swept

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../shapes/vec2.h"
+#include "ids.h"
+
+namespace swept {
+
+enum class ContactEventType : std::uint8_t { begin, end, hit, sensorBegin, sensorEnd };
+
+/// Why a body did not use its whole step.
+enum class LostTimeReason : std::uint8_t {
+    stop,    ///< continuous mode `stop`
+    budget,  ///< `maxImpacts` was used up
+    stuck,   ///< it could not move without passing through something
+    clamp,   ///< a fast body with joints or touching neighbours was held at its impact
+};
+
+/// One line of the lost-time ledger of the last step.
+struct LostTimeEntry {
+    BodyId body{};
+    double seconds = 0;
+    LostTimeReason reason = LostTimeReason::stop;
+};
+
+struct JointBreakEvent {
+    JointId joint{};
+    BodyId bodyA{};
+    BodyId bodyB{};
+    std::uint64_t userData = 0;
+    DVec2 point{};  ///< anchor on A, world
+};
+
+}  // namespace swept
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Something between two shapes in the last step. For sensor events `shapeA` is the sensor.
+struct ContactEvent {
+    ContactEventType type = ContactEventType::begin;
+    ShapeId shapeA{};
+    ShapeId shapeB{};
+    BodyId bodyA{};
+    BodyId bodyB{};
+    double fraction = 0;     ///< of the step, 0 … 1
+    DVec2 point{};             ///< world
+    Vec2 normal{};             ///< unit, from A to B
+    Real approachSpeed = 0;  ///< m/s before a hit
+    Real impulse = 0;        ///< N·s of a hit, along the normal
+};
+
+/// A pose at which a body met something within the step.
+struct ImpactPose {
+    BodyId body{};
+    DVec2 position{};  ///< body origin
+    double angle = 0;
+    double fraction = 0;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,258 @@
+#include "flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraint_builder.h"
+#include "sweep_obstacles.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Rounds of impulses at one moment: a wedge of angle φ passes an impact to and fro about π/φ times; what still
+/// approaches after that many is stopped plastically.
+constexpr int kMaxImpactRounds = 64;
+constexpr BodySlot kFlyerSlot = 1;
+
+/// A body in flight: its own copy of its motion, and how much of the step has passed.
+struct Flight {
+    WorldState& world;
+    std::uint32_t slot;
+    FlightScratch& scratch;
+    BodyMotion motion;
+    double dt;
+    double elapsed = 0;
+    Real threshold = 0;
+
+    const Body& body() const { return world.bodies[slot]; }
+    double remaining() const { return dt - elapsed; }
+};
+
+/// Acceleration and damping over a time, exactly.
+struct Drift {
+    DampedMotion linear;
+    DampedMotion angular;
+    DVec2 acceleration;
+    double angularAcceleration;
+};
+
+Drift driftOf(const Flight& flight, double time) {
+    const Body& body = flight.body();
+    return {dampedMotion(static_cast<double>(body.def.linearDamping) * time),
+            dampedMotion(static_cast<double>(body.def.angularDamping) * time),
+            toDouble(accelerationOf(flight.world, body)), static_cast<double>(angularAccelerationOf(body))};
+}
+
+/// The rest of the step as a sweep: the parabola through its exact end points with the present velocity. Exact without
+/// damping.
+Sweep sweepOf(const Flight& flight) {
+    const double time = flight.remaining();
+    const Drift drift = driftOf(flight, time);
+    const DVec2 velocity = toDouble(flight.motion.velocity);
+    const auto spin = static_cast<double>(flight.motion.angularVelocity);
+    Sweep sweep;
+    sweep.localCenter = toDouble(flight.body().localCenter);
+    sweep.c0 = flight.motion.center;
+    const DVec2 path =
+        (drift.linear.phi1 * time) * velocity + (drift.linear.phi2 * time * time) * drift.acceleration;
+    sweep.c1 = sweep.c0 + path;
+    sweep.k = path - time * velocity;
+    sweep.a0 = flight.motion.angle;
+    sweep.a1 = sweep.a0 + drift.angular.phi1 * time * spin +
+               drift.angular.phi2 * time * time * drift.angularAcceleration;
+    return sweep;
+}
+
+void advance(Flight& flight, const Sweep& sweep, double fraction) {
+    const double time = fraction * flight.remaining();
+    const Drift drift = driftOf(flight, time);
+    const DVec2 velocity = toDouble(flight.motion.velocity);
+    const auto spin = static_cast<double>(flight.motion.angularVelocity);
+    const Vec2 newVelocity =
+        toReal(drift.linear.decay * velocity + (drift.linear.phi1 * time) * drift.acceleration);
+    const double newSpin = drift.angular.decay * spin + drift.angular.phi1 * time * drift.angularAcceleration;
+    flight.motion = motionAt(sweep, fraction, flight.body().localCenter);
+    flight.motion.velocity = newVelocity;
+    flight.motion.angularVelocity = static_cast<Real>(newSpin);
+    flight.elapsed = fraction >= 1 ? flight.dt : flight.elapsed + time;
+}
+
+/// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
+/// between two impacts of a sliding body is undone by it.
+void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, Real target, Real tolerance) {
+    Real deepest = target;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        deepest = std::min(deepest, manifold.points[i].separation);
+    }
+    if (deepest >= target - tolerance) { return; }
+    flight.motion.center += toDouble((target - deepest) * normal);
+    flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
+}
+
+void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t source) {
+    const Shape& own = flight.world.shapes[obstacle.own];
+    const Shape& other = flight.world.shapes[obstacle.other];
+    const Body& otherBody = flight.world.bodies[other.body];
+    const Sweep otherSweep = obstacleSweep(flight.world, other.body, flight.elapsed, flight.dt);
+    const BodyMotion otherMotion = motionAt(otherSweep, 0, otherBody.localCenter);
+    const auto target = static_cast<Real>(targetOf(flight.world, obstacle));
+    const auto tolerance = static_cast<Real>(toleranceOf(flight.world, obstacle));
+    const Manifold manifold =
+        obstacleManifold(flight.world, obstacle, otherMotion.pose, flight.motion.pose, target + 2 * tolerance);
+    if (manifold.count == 0) { return; }
+    ContactConstraint constraint =
+        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion,
+                     std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
+                     std::max(own.def.restitution, other.def.restitution), 0);
+    constraint.source = source;
+    constraint.slotB = kFlyerSlot;
+    if (otherBody.def.type == BodyType::kinematic) {
+        const BodyMotion& moving = flight.world.motions[other.body];
+        constraint.slotA = static_cast<BodySlot>(flight.scratch.states.size());
+        flight.scratch.states.push_back({.velocity = moving.velocity, .angularVelocity = moving.angularVelocity});
+        flight.scratch.inertias.push_back({});
+    }
+    setBack(flight, manifold, constraint.normal, target, tolerance);
+    flight.scratch.constraints.push_back(constraint);
+}
+
+void report(Flight& flight, const ContactConstraint& constraint) {
+    const ContactConstraintPoint& first = constraint.points[0];
+    const ContactConstraintPoint& second = constraint.points[1];
+    const Real speed = std::max(first.bounceApproach, second.bounceApproach);
+    if (!(speed > flight.threshold)) { return; }
+    const FlightObstacle& obstacle = flight.scratch.obstacles[constraint.source];
+    const Shape& other = flight.world.shapes[obstacle.other];
+    const Vec2 arm = second.totalNormalImpulse > first.totalNormalImpulse ? second.anchorB : first.anchorB;
+    flight.scratch.events.push_back(
+        {.type = ContactEventType::hit,
+         .shapeA = flight.world.shapes.idOf(other.head),
+         .shapeB = flight.world.shapes.idOf(flight.world.shapes[obstacle.own].head),
+         .bodyA = flight.world.bodies.idOf(other.body),
+         .bodyB = flight.world.bodies.idOf(flight.slot),
+         .fraction = flight.elapsed / flight.dt,
+         .point = flight.motion.center + toDouble(arm),
+         .normal = constraint.normal,
+         .approachSpeed = speed,
+         .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
+}
+
+/// All contacts of this moment together: approaching velocities are reflected, slow ones stopped.
+void resolveHere(Flight& flight) {
+    FlightScratch& scratch = flight.scratch;
+    const Body& body = flight.body();
+    scratch.states.assign(2, {});
+    scratch.inertias.assign(2, {});
+    scratch.constraints.clear();
+    scratch.order.clear();
+    for (std::size_t i = 0; i < scratch.obstacles.size(); ++i) {
+        addConstraint(flight, scratch.obstacles[i], static_cast<std::uint32_t>(i));
+    }
+    if (scratch.constraints.empty()) { return; }
+    scratch.states[kFlyerSlot].velocity = flight.motion.velocity;
+    scratch.states[kFlyerSlot].angularVelocity = flight.motion.angularVelocity;
+    scratch.inertias[kFlyerSlot] = {body.inverseMass, body.inverseInertia};
+    for (ContactConstraint& constraint : scratch.constraints) {
+        prepareContact(constraint, scratch.inertias);
+        scratch.order.push_back(&constraint);
+    }
+    const SolverBodies bodies{scratch.states, scratch.inertias};
+    ImpactRule rule{.restitutionThreshold = flight.threshold, .resolvePlastic = true};
+    if (resolveImpacts(scratch.order, bodies, rule, kMaxImpactRounds) == kMaxImpactRounds) {
+        rule.restitutionThreshold = std::numeric_limits<Real>::infinity();
+        resolveImpacts(scratch.order, bodies, rule, kMaxImpactRounds);
+    }
+    flight.motion.velocity = scratch.states[kFlyerSlot].velocity;
+    flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
+    for (const ContactConstraint& constraint : scratch.constraints) { report(flight, constraint); }
+}
+
+void enterLedger(FlightScratch& scratch, BodyId body, double seconds, LostTimeReason reason) {
+    scratch.lostTime.push_back({.body = body, .seconds = seconds, .reason = reason});
+}
+
+void notePose(Flight& flight) {
+    flight.scratch.impactPoses.push_back({.body = flight.world.bodies.idOf(flight.slot),
+                                          .position = flight.motion.pose.position,
+                                          .angle = flight.motion.angle,
+                                          .fraction = flight.elapsed / flight.dt});
+}
+
+void limitSpeed(Flight& flight) {
+    const Real speed = length(flight.motion.velocity);
+    const Real limit = flight.world.settings.maxSpeed;
+    if (!(speed > limit)) { return; }
+    flight.motion.velocity = (limit / speed) * flight.motion.velocity;
+    ++flight.scratch.speedsLimited;
+}
+
+/// Resolves what touches already at the start of the step: only then may the sweeps look for lower separations.
+void resolveAtStart(Flight& flight) {
+    const DVec2 center = flight.motion.center;
+    const double angle = flight.motion.angle;
+    const Sweep standing{
+        .localCenter = toDouble(flight.body().localCenter), .c0 = center, .c1 = center, .a0 = angle, .a1 = angle};
+    findObstacles(flight.world, flight.slot, standing, flight.scratch);
+    resolveHere(flight);
+}
+
+/// Flies until the step is used up or the budget is.
+void flyThrough(Flight& flight) {
+    FlightScratch& scratch = flight.scratch;
+    resolveAtStart(flight);
+    for (int impacts = 0; flight.remaining() > 0; ++impacts) {
+        const Sweep sweep = sweepOf(flight);
+        findObstacles(flight.world, flight.slot, sweep, scratch);
+        const FirstImpact first = firstImpact(flight.world, sweep, flight.elapsed, flight.dt, scratch);
+        if (!first.hit) {
+            advance(flight, sweep, 1);
+            return;
+        }
+        if (impacts == flight.world.settings.maxImpacts) {
+            const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
+            enterLedger(scratch, flight.world.bodies.idOf(flight.slot), flight.remaining(), reason);
+            return;
+        }
+        advance(flight, sweep, first.fraction);
+        resolveHere(flight);
+        notePose(flight);
+        ++scratch.impacts;
+    }
+}
+
+}  // namespace
+
+void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+    Flight flight{world, slot, scratch, world.motions[slot], dt};
+    flight.threshold = length(world.settings.gravity) * static_cast<Real>(dt);
+    limitSpeed(flight);
+    flyThrough(flight);
+    limitSpeed(flight);
+    world.motions[slot] = flight.motion;
+}
+
+void clampAtImpact(WorldState& world, std::uint32_t slot, double dt, LostTimeReason reason, FlightScratch& scratch) {
+    const Body& body = world.bodies[slot];
+    BodyMotion& motion = world.motions[slot];
+    const Sweep sweep{.localCenter = toDouble(body.localCenter),
+                      .c0 = body.startCenter,
+                      .c1 = motion.center,
+                      .a0 = body.startAngle,
+                      .a1 = motion.angle};
+    findObstacles(world, slot, sweep, scratch);
+    const FirstImpact first = firstImpact(world, sweep, 0, dt, scratch);
+    if (!first.hit) { return; }
+    const BodyMotion stopped = motionAt(sweep, first.fraction, body.localCenter);
+    motion.center = stopped.center;
+    motion.angle = stopped.angle;
+    motion.pose = stopped.pose;
+    ++scratch.impacts;
+    enterLedger(scratch, world.bodies.idOf(slot), (1 - first.fraction) * dt, reason);
+    scratch.impactPoses.push_back({.body = world.bodies.idOf(slot),
+                                   .position = motion.pose.position,
+                                   .angle = motion.angle,
+                                   .fraction = first.fraction});
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

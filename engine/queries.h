@@ -1,0 +1,42 @@
+#pragma once
+
+#include "../shapes/vec2.h"
+#include "ids.h"
+#include "shape_def.h"
+
+namespace swept {
+
+/// Which shapes a query sees: those whose category is in `mask` and whose mask has `category`.
+struct QueryFilter {
+    std::uint32_t category = 1;
+    std::uint32_t mask = 0xFFFFFFFFu;
+    bool sensors = false;
+};
+
+}  // namespace swept
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// The first thing that a ray or a cast shape meets.
+struct CastHit {
+    bool hit = false;
+    ShapeId shape{};
+    BodyId body{};
+    Real fraction = 0;  ///< of the translation, 0 … 1
+    DVec2 point{};        ///< world
+    Vec2 normal{};        ///< unit, outward from the shape that was hit; (0, 0) when the cast starts inside
+};
+
+/// One contact as the world sees it now.
+struct ContactView {
+    ShapeId shapeA{};
+    ShapeId shapeB{};
+    BodyId bodyA{};
+    BodyId bodyB{};
+    DVec2 point{};
+    Vec2 normal{};  ///< from A to B
+    Real separation = 0;
+    Real impulse = 0;  ///< normal impulse of the last step, N·s
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

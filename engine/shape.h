@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../broadphase/broadphase.h"
+#include "../shapes/chain.h"
+#include "../shapes/polygon.h"
+#include "shape_def.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
+
+/// A convex polygon on a body, or one segment of a chain. The segments of a chain are shapes of their own, linked in order;
+/// the first one carries the id that the user knows.
+struct Shape {
+    Polygon polygon;       ///< of a chain segment: the segment as two-sided polygon
+    ChainSegment segment;  ///< only when `isChainSegment`
+    ShapeDef def;
+    Real extent = 0;
+    std::uint32_t body = kNoIndex;
+    std::uint32_t head = kNoIndex;         ///< slot of the shape that the user knows
+    std::uint32_t nextInChain = kNoIndex;
+    ProxyId proxy{};
+    bool isChainSegment = false;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

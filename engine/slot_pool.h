@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace swept {
+
+/// Things with generational handles. Slots are reused last-freed first, so the numbering follows from the sequence of
+/// calls alone; a slot whose generation would wrap is retired, so a stale id never comes to life again.
+template <class T, class Id>
+class SlotPool {
+public:
+    /// Empty when all slots are used up.
+    std::optional<Id> insert(T value) {
+        if (free_.empty()) {
+            if (slots_.size() >= std::numeric_limits<std::uint32_t>::max()) { return std::nullopt; }
+            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+            slots_.push_back({});
+        }
+        const std::uint32_t index = free_.back();
+        free_.pop_back();
+        Slot& slot = slots_[index];
+        slot.value = std::move(value);
+        slot.alive = true;
+        ++alive_;
+        return Id{index, slot.generation};
+    }
+
+    /// @pre `isValid(id)`
+    void erase(Id id) {
+        Slot& slot = slots_[id.index];
+        slot.value = T{};
+        slot.alive = false;
+        --alive_;
+        if (slot.generation < std::numeric_limits<std::uint32_t>::max()) {
+            ++slot.generation;
+            free_.push_back(id.index);
+        }
+    }
+
+    bool isValid(Id id) const {
+        return id.index < slots_.size() && slots_[id.index].alive && slots_[id.index].generation == id.generation;
+    }
+    T* find(Id id) { return isValid(id) ? &slots_[id.index].value : nullptr; }
+    const T* find(Id id) const { return isValid(id) ? &slots_[id.index].value : nullptr; }
+
+    /// By slot. @pre the slot is alive
+    T& operator[](std::uint32_t index) { return slots_[index].value; }
+    const T& operator[](std::uint32_t index) const { return slots_[index].value; }
+    bool isAlive(std::uint32_t index) const { return slots_[index].alive; }
+    Id idOf(std::uint32_t index) const { return {index, slots_[index].generation}; }
+
+    /// Slots ever used: the range of indices.
+    std::uint32_t slotCount() const { return static_cast<std::uint32_t>(slots_.size()); }
+    std::uint32_t size() const { return alive_; }
+
+private:
+    struct Slot {
+        T value{};
+        std::uint32_t generation = 1;
+        bool alive = false;
+    };
+    std::vector<Slot> slots_;
+    std::vector<std::uint32_t> free_;
+    std::uint32_t alive_ = 0;
+};
+
+}  // namespace swept

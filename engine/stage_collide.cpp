@@ -1,0 +1,126 @@
+#include <algorithm>
+
+#include "../shapes/distance.h"
+#include "step.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Contacts per task: enough work to pay for handing it over.
+constexpr std::size_t kContactGrain = 64;
+
+bool isMoving(const WorldState& world, const Contact& contact) {
+    return world.bodies[contact.bodyA].awake || world.bodies[contact.bodyB].awake;
+}
+
+void carryImpulses(const Contact& before, Contact& now) {
+    now.normalImpulse = {};
+    now.tangentImpulse = {};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
+        for (std::size_t j = 0; j < static_cast<std::size_t>(before.manifold.count); ++j) {
+            if (before.manifold.points[j].id != now.manifold.points[i].id) { continue; }
+            now.normalImpulse[i] = before.normalImpulse[j];
+            now.tangentImpulse[i] = before.tangentImpulse[j];
+            break;
+        }
+    }
+}
+
+Manifold manifoldOf(const Shape& a, const Shape& b, const Transform& bInA, Real margin) {
+    return a.isChainSegment ? collide(a.segment, b.polygon, bInA, margin)
+                            : collide(a.polygon, b.polygon, bInA, margin);
+}
+
+/// Writes only to the contact: contacts may be updated in any order.
+void updateContact(const WorldState& world, Contact& contact) {
+    contact.updated = isMoving(world, contact);
+    if (!contact.updated) { return; }
+    const Shape& a = world.shapes[contact.shapeA];
+    const Shape& b = world.shapes[contact.shapeB];
+    contact.apart = !overlaps(world.broadphase->box(a.proxy), world.broadphase->box(b.proxy));
+    if (contact.apart) { return; }
+    const Transform bInA = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
+    const Contact before = contact;
+    if (contact.sensor) {
+        contact.manifold.count = distance(a.polygon, b.polygon, bInA).distance <= 0 ? 1 : 0;
+        contact.manifold.points[0].separation = 0;
+        return;
+    }
+    contact.manifold = manifoldOf(a, b, bInA, contactReach(world, a) + contactReach(world, b));
+    carryImpulses(before, contact);
+    contact.totalImpulse = {};
+}
+
+Real deepestSeparation(const Manifold& manifold) {
+    Real deepest = manifold.points[0].separation;
+    if (manifold.count == 2) { deepest = std::min(deepest, manifold.points[1].separation); }
+    return deepest;
+}
+
+bool isTouching(const Contact& contact) {
+    if (contact.manifold.count == 0) { return false; }
+    if (contact.sensor) { return true; }
+    const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
+    return deepestSeparation(contact.manifold) <= limit;
+}
+
+ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begins) {
+    ContactEvent event;
+    if (contact.sensor) {
+        event.type = begins ? ContactEventType::sensorBegin : ContactEventType::sensorEnd;
+    } else {
+        event.type = begins ? ContactEventType::begin : ContactEventType::end;
+    }
+    event.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
+    event.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
+    event.bodyA = world.bodies.idOf(contact.bodyA);
+    event.bodyB = world.bodies.idOf(contact.bodyB);
+    if (!contact.sensor && contact.manifold.count > 0) {
+        const WorldTransform& pose = world.motions[contact.bodyA].pose;
+        event.point = apply(pose, contact.manifold.points[0].point);
+        event.normal = rotate(pose.rotation, contact.manifold.normal);
+    }
+    return event;
+}
+
+/// Awake and able to push: a kinematic body at rest lets others sleep on it.
+bool disturbs(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const bool moves = motion.velocity != Vec2{} || motion.angularVelocity != 0;
+    return body.awake && (body.isDynamic() || moves);
+}
+
+/// Between parallel updates, in order of the contacts: events, and waking of what an awake body touches.
+void noticeTouching(WorldState& world, Contact& contact) {
+    if (!contact.updated || contact.apart) { return; }
+    ++world.counters.manifolds;
+    const bool touching = isTouching(contact);
+    if (touching != contact.touching) {
+        world.contactEvents.push_back(eventOf(world, contact, touching));
+        contact.touching = touching;
+    }
+    if (!contact.isSolid()) { return; }
+    if (disturbs(world, contact.bodyA) && world.bodies[contact.bodyB].isDynamic()) { wake(world, contact.bodyB); }
+    if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
+}
+
+}  // namespace
+
+void collideContacts(WorldState& world) {
+    world.tasks->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
+    });
+    bool anyApart = false;
+    for (Contact& contact : world.contacts) {
+        noticeTouching(world, contact);
+        anyApart = anyApart || (contact.updated && contact.apart);
+    }
+    if (anyApart) {
+        removeContacts(world, [](const Contact& contact) { return contact.updated && contact.apart; });
+    }
+    world.counters.contacts = world.contacts.size();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "constraint_builder.h"
+#include "step.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
+double restTimeOf(const WorldState& world, const Body& body) {
+    const auto gravity = static_cast<double>(length(world.settings.gravity));
+    if (!(gravity > 0)) { return 0; }
+    return kRestTimes * std::sqrt(static_cast<double>(body.extent) / gravity);
+}
+
+bool hardlyMoved(const Body& body, const BodyMotion& motion) {
+    const double moved = length(motion.center - body.restCenter) +
+                         std::fabs(motion.angle - body.restAngle) * static_cast<double>(body.radius);
+    return moved <= static_cast<double>(kRestRatio * body.extent);
+}
+
+void countRest(Body& body, const BodyMotion& motion, double dt) {
+    if (hardlyMoved(body, motion)) {
+        body.restTime += dt;
+        ++body.restSteps;
+        return;
+    }
+    body.restCenter = motion.center;
+    body.restAngle = motion.angle;
+    body.restTime = 0;
+    body.restSteps = 0;
+}
+
+bool isTired(const WorldState& world, const Body& body) {
+    const bool held = body.hasContact || !body.joints.empty();
+    return held && body.restSteps >= kRestSteps && body.restTime >= restTimeOf(world, body);
+}
+
+bool movesKinematically(const WorldState& world, std::uint32_t slot) {
+    const BodyMotion& motion = world.motions[slot];
+    return world.bodies[slot].def.type == BodyType::kinematic &&
+           (motion.velocity != Vec2{} || motion.angularVelocity != 0);
+}
+
+/// Marks the islands that a moving kinematic body keeps awake.
+void keepAwakeByKinematic(WorldState& world) {
+    for (const Contact& contact : world.contacts) {
+        if (!contact.isSolid()) { continue; }
+        if (movesKinematically(world, contact.bodyA)) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
+        if (movesKinematically(world, contact.bodyB)) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
+    }
+    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
+        if (!world.joints.isAlive(i)) { continue; }
+        const Joint& joint = world.joints[i];
+        if (movesKinematically(world, joint.bodyA)) { world.islandRestless[world.islands.find(joint.bodyB)] = 1; }
+        if (movesKinematically(world, joint.bodyB)) { world.islandRestless[world.islands.find(joint.bodyA)] = 1; }
+    }
+}
+
+void fallAsleep(WorldState& world, std::uint32_t slot) {
+    Body& body = world.bodies[slot];
+    BodyMotion& motion = world.motions[slot];
+    body.awake = false;
+    body.role = BodyRole::idle;
+    body.slot = kFixedSlot;
+    motion.velocity = {};
+    motion.angularVelocity = 0;
+    // Into the ring of its island, whose last member is remembered by root.
+    const std::uint32_t root = world.islands.find(slot);
+    const std::uint32_t last = world.islandRing[root];
+    if (last == kNoIndex) {
+        body.nextAsleep = slot;
+    } else {
+        body.nextAsleep = world.bodies[last].nextAsleep;
+        world.bodies[last].nextAsleep = slot;
+    }
+    world.islandRing[root] = slot;
+    ++world.counters.fellAsleep;
+}
+
+auto eventKey(const ContactEvent& e) {
+    return std::make_tuple(e.fraction, e.shapeA.index, e.shapeB.index, e.type, e.approachSpeed, e.impulse, e.point.x,
+                           e.point.y);
+}
+
+}  // namespace
+
+void moveProxies(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) { updateProxies(world, slot, false); }
+}
+
+void breakJoints(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
+        if (!world.joints.isAlive(i)) { continue; }
+        const Joint& joint = world.joints[i];
+        const bool force = joint.base.breakForce && length(joint.reactionForce) > *joint.base.breakForce;
+        const bool torque = joint.base.breakTorque && std::fabs(joint.reactionTorque) > *joint.base.breakTorque;
+        if (!force && !torque) { continue; }
+        const JointId id = world.joints.idOf(i);
+        world.jointBreaks.push_back({.joint = id,
+                                     .bodyA = joint.base.bodyA,
+                                     .bodyB = joint.base.bodyB,
+                                     .userData = joint.base.userData,
+                                     .point = apply(world.motions[joint.bodyA].pose, joint.localAnchorA)});
+        removeJoint(world, id);
+    }
+}
+
+void putToSleep(WorldState& world, double dt) {
+    world.islandRestless.assign(world.bodies.slotCount(), 0);
+    world.islandRing.assign(world.bodies.slotCount(), kNoIndex);
+    bool anyTired = false;
+    for (const std::uint32_t slot : world.awake) {
+        Body& body = world.bodies[slot];
+        if (!body.isDynamic()) { continue; }
+        countRest(body, world.motions[slot], dt);
+        const bool tired = isTired(world, body);
+        anyTired = anyTired || tired;
+        if (!tired) { world.islandRestless[world.islands.find(slot)] = 1; }
+    }
+    if (!world.settings.sleep || !anyTired) { return; }
+    keepAwakeByKinematic(world);
+    for (const std::uint32_t slot : world.awake) {
+        const bool rests = world.bodies[slot].isDynamic() && world.islandRestless[world.islands.find(slot)] == 0;
+        if (rests) { fallAsleep(world, slot); }
+    }
+    std::erase_if(world.awake, [&world](std::uint32_t slot) { return !world.bodies[slot].awake; });
+}
+
+void sortEvents(WorldState& world) {
+    std::sort(world.contactEvents.begin(), world.contactEvents.end(),
+              [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); });
+    std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
+        return std::tie(a.body.index, a.seconds) < std::tie(b.body.index, b.seconds);
+    });
+    std::sort(world.impactPoses.begin(), world.impactPoses.end(), [](const ImpactPose& a, const ImpactPose& b) {
+        return std::tie(a.body.index, a.fraction, a.position.x, a.position.y) <
+               std::tie(b.body.index, b.fraction, b.position.x, b.position.y);
+    });
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

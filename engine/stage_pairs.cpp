@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cmath>
+
+#include "step.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
+    for (const std::uint32_t slot : world.bodies[bodyA].joints) {
+        const Joint& joint = world.joints[slot];
+        const bool connects = joint.bodyA == bodyB || joint.bodyB == bodyB;
+        if (connects && !joint.base.collideConnected) { return true; }
+    }
+    return false;
+}
+
+bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
+    return a.body != b.body && shouldCollide(a.def.filter, b.def.filter) && !jointForbids(world, a.body, b.body);
+}
+
+/// Chain segments and sensors come first, else the lower slot.
+bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
+    const Shape& shapeA = world.shapes[a];
+    const Shape& shapeB = world.shapes[b];
+    if (shapeA.def.sensor != shapeB.def.sensor) { return shapeA.def.sensor; }
+    if (shapeA.isChainSegment != shapeB.isChainSegment) { return shapeA.isChainSegment; }
+    return a < b;
+}
+
+Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second) {
+    const Shape& a = world.shapes[first];
+    const Shape& b = world.shapes[second];
+    Contact contact;
+    contact.shapeA = first;
+    contact.shapeB = second;
+    contact.bodyA = a.body;
+    contact.bodyB = b.body;
+    // Product of the roots: unlike the root of the product it cannot overflow, and scales the same.
+    contact.friction = std::sqrt(a.def.friction) * std::sqrt(b.def.friction);
+    contact.restitution = std::max(a.def.restitution, b.def.restitution);
+    contact.extent = std::min(a.extent, b.extent);
+    contact.sensor = a.def.sensor;
+    return contact;
+}
+
+}  // namespace
+
+void findPairs(WorldState& world) {
+    const std::uint64_t testsBefore = world.broadphase->counters().boxTests;
+    world.broadphase->pairs(world.newPairs);
+    world.counters.boxTests = world.broadphase->counters().boxTests - testsBefore;
+    for (const ProxyPair& pair : world.newPairs) {
+        std::uint32_t a = world.proxyShapes[static_cast<std::uint32_t>(pair.a)];
+        std::uint32_t b = world.proxyShapes[static_cast<std::uint32_t>(pair.b)];
+        if (!mayTouch(world, world.shapes[a], world.shapes[b]) || !world.pairs.insert(a, b)) { continue; }
+        if (!comesFirst(world, a, b)) { std::swap(a, b); }
+        world.contacts.push_back(contactOf(world, a, b));
+        ++world.counters.pairsFound;
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

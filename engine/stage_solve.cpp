@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+
+#include "constraint_builder.h"
+#include "profile.h"
+#include "step.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// @return whether the speed was cut
+bool limitSpeed(Vec2& velocity, Real maxSpeed) {
+    const Real speed = length(velocity);
+    if (!(speed > maxSpeed)) { return false; }
+    velocity = (maxSpeed / speed) * velocity;
+    return true;
+}
+
+/// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt.
+void moveFreely(WorldState& world, std::uint32_t slot, double dt) {
+    const Body& body = world.bodies[slot];
+    BodyMotion& motion = world.motions[slot];
+    world.counters.speedsLimited += limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
+    const bool dynamic = body.isDynamic();
+    const DampedMotion linear = dampedMotion(dynamic ? static_cast<double>(body.def.linearDamping) * dt : 0);
+    const DampedMotion angular = dampedMotion(dynamic ? static_cast<double>(body.def.angularDamping) * dt : 0);
+    const DVec2 acceleration = dynamic ? toDouble(accelerationOf(world, body)) : DVec2{};
+    const double angularAcceleration = dynamic ? static_cast<double>(angularAccelerationOf(body)) : 0;
+    const DVec2 velocity = toDouble(motion.velocity);
+    const auto spin = static_cast<double>(motion.angularVelocity);
+    motion.center += (linear.phi1 * dt) * velocity + (linear.phi2 * dt * dt) * acceleration;
+    motion.angle += angular.phi1 * dt * spin + angular.phi2 * dt * dt * angularAcceleration;
+    motion.velocity = toReal(linear.decay * velocity + (linear.phi1 * dt) * acceleration);
+    motion.angularVelocity = static_cast<Real>(angular.decay * spin + angular.phi1 * dt * angularAcceleration);
+    world.counters.speedsLimited += limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
+    updatePose(world, slot);
+}
+
+BodyDrive driveOf(const WorldState& world, const Body& body, Real h) {
+    if (!body.isDynamic()) { return {}; }
+    const auto step = static_cast<double>(h);
+    const DampedMotion linear = dampedMotion(static_cast<double>(body.def.linearDamping) * step);
+    const DampedMotion angular = dampedMotion(static_cast<double>(body.def.angularDamping) * step);
+    return {.gain = static_cast<Real>(linear.phi1 * step) * accelerationOf(world, body),
+            .angularGain = static_cast<Real>(angular.phi1 * step) * angularAccelerationOf(body),
+            .decay = static_cast<Real>(linear.decay),
+            .angularDecay = static_cast<Real>(angular.decay)};
+}
+
+/// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic one
+/// takes part with its velocity and its pose at the start of the step.
+void addBodies(WorldState& world, Real h) {
+    for (const std::uint32_t slot : world.awake) {
+        Body& body = world.bodies[slot];
+        const bool takesPart = body.role == BodyRole::solved || body.def.type == BodyType::kinematic;
+        if (!takesPart) { continue; }
+        const BodyMotion& motion = world.motions[slot];
+        const BodyState state{.velocity = motion.velocity, .angularVelocity = motion.angularVelocity};
+        body.slot = world.batch.addBody(state, {body.inverseMass, body.inverseInertia}, driveOf(world, body, h));
+    }
+}
+
+bool isSolved(const WorldState& world, const Contact& contact) {
+    const BodyRole a = world.bodies[contact.bodyA].role;
+    const BodyRole b = world.bodies[contact.bodyB].role;
+    return contact.isSolid() && (a == BodyRole::solved || b == BodyRole::solved);
+}
+
+Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& batch) {
+    Real fastest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {
+        const ContactConstraintPoint& point = constraint.points[i];
+        const Vec2 velocity = velocityAt(batch.states[constraint.slotB], point.anchorB) -
+                              velocityAt(batch.states[constraint.slotA], point.anchorA);
+        fastest = std::max(fastest, -dot(velocity, constraint.normal));
+    }
+    return fastest;
+}
+
+void addContacts(WorldState& world, Real dt, Real h) {
+    const Softness softness = softnessOfSubStep(kContactDampingRatio, h);
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+        Contact& contact = world.contacts[i];
+        if (!isSolved(world, contact)) { continue; }
+        ContactConstraint constraint =
+            constraintOf(contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
+                         world.motions[contact.bodyB], contact.friction, contact.restitution,
+                         kPushRatio * contact.extent / dt);
+        constraint.slotA = world.bodies[contact.bodyA].slot;
+        constraint.slotB = world.bodies[contact.bodyB].slot;
+        constraint.softness = softness;
+        constraint.source = static_cast<std::uint32_t>(i);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
+            constraint.points[k].normalImpulse = contact.normalImpulse[k];
+            constraint.points[k].tangentImpulse = contact.tangentImpulse[k];
+        }
+        contact.approachSpeed = approachSpeedOf(constraint, world.batch);
+        world.batch.contacts.push_back(constraint);
+    }
+}
+
+void addJoints(WorldState& world, Real h) {
+    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
+        if (!world.joints.isAlive(i)) { continue; }
+        const Joint& joint = world.joints[i];
+        const bool solved = world.bodies[joint.bodyA].role == BodyRole::solved ||
+                            world.bodies[joint.bodyB].role == BodyRole::solved;
+        if (!solved) { continue; }
+        switch (joint.kind) {
+            case JointKind::revolute: world.batch.revolutes.push_back(revoluteOf(world, joint, i, h)); break;
+            case JointKind::distance: world.batch.distances.push_back(distanceOf(world, joint, i, h)); break;
+        }
+    }
+}
+
+void readBodies(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) {
+        const Body& body = world.bodies[slot];
+        if (body.role != BodyRole::solved) { continue; }
+        const BodyState& state = world.batch.states[body.slot];
+        BodyMotion& motion = world.motions[slot];
+        motion.center += toDouble(state.deltaPosition);
+        motion.angle += static_cast<double>(state.deltaAngle);
+        motion.velocity = state.velocity;
+        motion.angularVelocity = state.angularVelocity;
+        updatePose(world, slot);
+    }
+}
+
+/// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.
+void noteHit(WorldState& world, const Contact& contact, const ContactConstraint& constraint, Real threshold, Real dt) {
+    const ContactConstraintPoint& first = constraint.points[0];
+    const ContactConstraintPoint& second = constraint.points[1];
+    const Real bounce = std::max(first.bounceApproach, second.bounceApproach);
+    const Real speed = std::max(contact.approachSpeed, bounce);
+    const Real impulse = first.totalNormalImpulse + second.totalNormalImpulse;
+    if (contact.pressed || !(impulse > 0) || !(speed > threshold)) { return; }
+    const std::size_t k = second.totalNormalImpulse > first.totalNormalImpulse ? 1 : 0;
+    const BodyMotion& a = world.motions[contact.bodyA];
+    // The gap closes at the approach speed: a first-order estimate of when in the step.
+    const Real wait = std::max(contact.manifold.points[k].separation, Real(0)) / (speed * dt);
+    world.contactEvents.push_back({.type = ContactEventType::hit,
+                                   .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
+                                   .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
+                                   .bodyA = world.bodies.idOf(contact.bodyA),
+                                   .bodyB = world.bodies.idOf(contact.bodyB),
+                                   .fraction = static_cast<double>(std::min(wait, Real(1))),
+                                   .point = apply(a.pose, contact.manifold.points[k].point),
+                                   .normal = constraint.normal,
+                                   .approachSpeed = speed,
+                                   .impulse = impulse});
+}
+
+void readContacts(WorldState& world, Real threshold, Real dt) {
+    for (const ContactConstraint& constraint : world.batch.contacts) {
+        Contact& contact = world.contacts[constraint.source];
+        noteHit(world, contact, constraint, threshold, dt);
+        contact.pressed = false;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
+            contact.normalImpulse[k] = constraint.points[k].normalImpulse;
+            contact.tangentImpulse[k] = constraint.points[k].tangentImpulse;
+            contact.totalImpulse[k] = constraint.points[k].totalNormalImpulse;
+            contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
+        }
+    }
+}
+
+void readJoints(WorldState& world, Real h) {
+    for (const RevoluteConstraint& constraint : world.batch.revolutes) {
+        Joint& joint = world.joints[constraint.source];
+        joint.revoluteState = constraint;
+        joint.reactionForce = (1 / h) * constraint.linearImpulse;
+        joint.reactionTorque = (1 / h) * (constraint.motorImpulse + constraint.springImpulse +
+                                          constraint.lowerImpulse - constraint.upperImpulse);
+    }
+    for (const DistanceConstraint& constraint : world.batch.distances) {
+        Joint& joint = world.joints[constraint.source];
+        joint.distanceState = constraint;
+        joint.reactionForce = ((1 / h) * (constraint.rigidImpulse + constraint.springImpulse +
+                                          constraint.lowerImpulse - constraint.upperImpulse)) *
+                              constraint.axis;
+    }
+}
+
+}  // namespace
+
+void moveFreeBodies(WorldState& world, double dt) {
+    for (const std::uint32_t slot : world.awake) {
+        const Body& body = world.bodies[slot];
+        if (body.role == BodyRole::free && body.isDynamic()) { moveFreely(world, slot, dt); }
+    }
+}
+
+void solveTiedBodies(WorldState& world, Real dt) {
+    if (world.counters.solvedBodies == 0) { return; }
+    const int subSteps = subStepsOf(world.settings);
+    const Real h = dt / static_cast<Real>(subSteps);
+    const Real threshold = length(world.settings.gravity) * dt;
+    world.batch.clear();
+    addBodies(world, h);
+    addContacts(world, dt, h);
+    addJoints(world, h);
+    const SolveReport report =
+        world.solver.solve(world.batch, {.dt = dt,
+                                         .subSteps = subSteps,
+                                         .relaxPasses = relaxPassesOf(world.settings),
+                                         .restitutionThreshold = threshold,
+                                         .maxSpeed = world.settings.maxSpeed});
+    readContacts(world, threshold, dt);
+    readBodies(world);
+    readJoints(world, h);
+    world.counters.subSteps = static_cast<std::uint64_t>(subSteps);
+    world.counters.colours = static_cast<std::uint64_t>(report.colours);
+    world.counters.bounceRounds = static_cast<std::uint64_t>(report.bounceRounds);
+    world.counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
+    world.counters.constraints =
+        world.batch.contacts.size() + world.batch.revolutes.size() + world.batch.distances.size();
+}
+
+void moveKinematicBodies(WorldState& world, double dt) {
+    for (const std::uint32_t slot : world.awake) {
+        if (world.bodies[slot].def.type == BodyType::kinematic) { moveFreely(world, slot, dt); }
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "world_state.h"
+
+/// The stages of a step, in their order. Each is a file of its own.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Pairs of boxes that began to overlap become contacts (stage_pairs.cpp).
+void findPairs(WorldState& world);
+/// Manifolds of all contacts with something awake; begin and end of touching; wakes what is touched (stage_collide.cpp).
+void collideContacts(WorldState& world);
+/// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
+void assignRoles(WorldState& world, Real dt);
+void findIslands(WorldState& world);
+/// Free flight, and the sub-stepped solve of all that is tied together (stage_solve.cpp).
+void moveFreeBodies(WorldState& world, double dt);
+void solveTiedBodies(WorldState& world, Real dt);
+/// After the sweeps, which see kinematic bodies at the start of their step.
+void moveKinematicBodies(WorldState& world, double dt);
+/// Flyers, and fast bodies held at their impacts (stage_continuous.cpp).
+void sweepFastBodies(WorldState& world, double dt);
+/// Boxes, breaking joints, sleep, order of events (stage_finish.cpp).
+void moveProxies(WorldState& world);
+void breakJoints(WorldState& world);
+void putToSleep(WorldState& world, double dt);
+void sortEvents(WorldState& world);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,169 @@
+#include "sweep_obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Box of all positions of the centre: hull of the control points of the path, a quadratic Bézier curve.
+Aabb centerBox(const Sweep& sweep) {
+    const DVec2 control = sweep.c0 + 0.5 * ((sweep.c1 - sweep.c0) - sweep.k);
+    const DVec2 lower{std::min({sweep.c0.x, control.x, sweep.c1.x}), std::min({sweep.c0.y, control.y, sweep.c1.y})};
+    const DVec2 upper{std::max({sweep.c0.x, control.x, sweep.c1.x}), std::max({sweep.c0.y, control.y, sweep.c1.y})};
+    return roundedOutward(lower, upper);
+}
+
+bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
+    return other.body != own.body && !world.bodies[other.body].isDynamic() && !other.def.sensor &&
+           shouldCollide(own.def.filter, other.def.filter);
+}
+
+/// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
+bool isBehindChain(const WorldState& world, const Shape& own, const Shape& other, const Sweep& sweep) {
+    if (!other.isChainSegment) { return false; }
+    const WorldTransform pose = poseOf(sweep.c0, sweep.a0, toReal(sweep.localCenter));
+    Vec2 middle;
+    for (const Vec2 vertex : own.polygon.points()) { middle += vertex; }
+    middle = (1 / static_cast<Real>(own.polygon.count)) * middle;
+    const Vec2 local = applyInverse(world.motions[other.body].pose, apply(pose, middle));
+    return dot(local - other.segment.p, normalOf(other.segment)) < 0;
+}
+
+ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle, double tMax) {
+    return {.target = obstacle.level, .tolerance = toleranceOf(world, obstacle), .tMax = tMax};
+}
+
+/// One obstacle: time of impact at its level, or at a lower one where it is within its level already.
+Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep, FlightObstacle& obstacle,
+               double tMax, FlightScratch& scratch) {
+    const ToiPolygon own = toiPolygonOf(world.shapes[obstacle.own].polygon);
+    const ToiPolygon other = toiPolygonOf(world.shapes[obstacle.other].polygon);
+    Sweep lifted = sweep;
+    lifted.c0 += obstacle.lift;
+    lifted.c1 += obstacle.lift;
+    Toi toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
+    ++scratch.toiCalls;
+    scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+    if (toi.state == ToiState::hit && toi.fraction <= 0) {
+        obstacle.level = std::min(obstacle.level, toi.separation - 2 * toleranceOf(world, obstacle));
+        toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
+        ++scratch.toiCalls;
+        scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+    }
+    return toi;
+}
+
+/// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
+DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep) {
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const BodyMotion pose = motionAt(sweep, 0, toReal(sweep.localCenter));
+    const BodyMotion otherPose = motionAt(otherSweep, 0, toReal(otherSweep.localCenter));
+    const Manifold manifold =
+        obstacleManifold(world, obstacle, otherPose.pose, pose.pose, std::min(own.extent, other.extent));
+    Real deepest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        deepest = std::min(deepest, manifold.points[i].separation);
+    }
+    const double up = targetOf(world, obstacle) - static_cast<double>(deepest);
+    return up * toDouble(rotate(otherPose.pose.rotation, manifold.normal));
+}
+
+}  // namespace
+
+ToiPolygon toiPolygonOf(const Polygon& polygon) {
+    ToiPolygon result;
+    result.count = polygon.count;
+    result.radius = static_cast<double>(polygon.radius);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+        result.vertices[i] = toDouble(polygon.vertices[i]);
+    }
+    return result;
+}
+
+BodyMotion motionAt(const Sweep& sweep, double fraction, Vec2 localCenter) {
+    BodyMotion motion;
+    motion.center = centerAt(sweep, fraction);
+    motion.angle = angleAt(sweep, fraction);
+    motion.pose = poseOf(motion.center, motion.angle, localCenter);
+    return motion;
+}
+
+Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, double to) {
+    const BodyMotion& motion = world.motions[body];
+    const DVec2 velocity = toDouble(motion.velocity);
+    const auto spin = static_cast<double>(motion.angularVelocity);
+    return {.localCenter = toDouble(world.bodies[body].localCenter),
+            .c0 = motion.center + from * velocity,
+            .c1 = motion.center + to * velocity,
+            .a0 = motion.angle + from * spin,
+            .a1 = motion.angle + to * spin};
+}
+
+double targetOf(const WorldState& world, const FlightObstacle& obstacle) {
+    const Real extent = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
+    return static_cast<double>(kTargetRatio * extent);
+}
+
+double toleranceOf(const WorldState& world, const FlightObstacle& obstacle) {
+    if (world.settings.toiTolerance > 0) {
+        return std::min(static_cast<double>(world.settings.toiTolerance), targetOf(world, obstacle) / 2);
+    }
+    const Real extent = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
+    return static_cast<double>(kToleranceRatio * extent);
+}
+
+void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
+    scratch.obstacles.clear();
+    const Aabb path = centerBox(sweep);
+    for (const std::uint32_t slot : world.bodies[body].shapes) {
+        const Shape& own = world.shapes[slot];
+        if (own.def.sensor) { continue; }
+        const Real reach = radiusAbout(own.polygon, world.bodies[body].localCenter) + kTargetRatio * own.extent;
+        scratch.found.clear();
+        world.broadphase->query(grown(path, reach), [&](ProxyId id) {
+            scratch.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
+            return true;
+        });
+        std::sort(scratch.found.begin(), scratch.found.end());
+        for (const std::uint32_t found : scratch.found) {
+            const Shape& other = world.shapes[found];
+            if (!isObstacle(world, own, other) || isBehindChain(world, own, other, sweep)) { continue; }
+            FlightObstacle obstacle{.own = slot, .other = found};
+            obstacle.level = targetOf(world, obstacle);
+            scratch.obstacles.push_back(obstacle);
+        }
+    }
+}
+
+Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& other,
+                          const WorldTransform& own, Real margin) {
+    const Shape& a = world.shapes[obstacle.other];
+    const Shape& b = world.shapes[obstacle.own];
+    const Transform bInA = relativeTransform(other, own);
+    return a.isChainSegment ? collide(a.segment, b.polygon, bInA, margin)
+                            : collide(a.polygon, b.polygon, bInA, margin);
+}
+
+FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch) {
+    FirstImpact first;
+    for (std::size_t i = 0; i < scratch.obstacles.size() && first.fraction > 0; ++i) {
+        FlightObstacle& obstacle = scratch.obstacles[i];
+        const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
+        Toi toi = impactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
+        if (toi.state == ToiState::overlapped) {
+            obstacle.lift = liftOf(world, obstacle, sweep, otherSweep);
+            obstacle.level = targetOf(world, obstacle);
+            toi = impactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
+        }
+        const bool blocked = toi.state == ToiState::overlapped || toi.state == ToiState::failed;
+        if (toi.state != ToiState::hit && !blocked) { continue; }
+        first = {.hit = true, .fraction = toi.fraction, .obstacle = i};
+    }
+    return first;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "../shapes/real.h"
+
+/// All tolerances of the engine, as ratios to lengths of the scene (`extent`: smallest non-zero width of a shape, of a pair
+/// the smaller one). There are no absolute lengths. Powers of two, so that scaled scenes give scaled results.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Separation at which continuous collision counts two shapes as touching, and how exactly it is met.
+inline constexpr Real kTargetRatio = Real(1) / 1024;
+inline constexpr Real kToleranceRatio = kTargetRatio / 4;
+/// Contacts begin below 2 and end above 4 targets: resting jitter and the TOI's own band lie below the first.
+inline constexpr Real kBeginRatio = 2 * kTargetRatio;
+inline constexpr Real kEndRatio = 4 * kTargetRatio;
+/// A body is fast when some point of it may move more than this part of its extent in the step.
+inline constexpr Real kFastRatio = Real(1) / 4;
+/// Contact points are made ahead of time up to the motion of a step, but no farther than this part of the extent (what
+/// moves farther is fast, and swept), and at least as far as the second one, so that resting contacts never flicker.
+inline constexpr Real kMaxReachRatio = Real(1) / 4;
+inline constexpr Real kMinReachRatio = Real(1) / 128;
+/// Boxes are made larger than needed by this part of the extent, to be moved more rarely.
+inline constexpr Real kBoxMarginRatio = Real(1) / 8;
+/// Fastest push out of an overlap: this part of the pair's extent per step.
+inline constexpr Real kPushRatio = Real(1) / 4;
+/// A flyer that overlaps something by up to this part of the extent is set back to the surface before it flies on.
+inline constexpr Real kShallowRatio = 8 * kTargetRatio;
+/// A body rests while it moves less than this part of its extent …
+inline constexpr Real kRestRatio = kTargetRatio;
+/// … for so many steps, and for so many times √(extent/|gravity|).
+inline constexpr int kRestSteps = 32;
+inline constexpr double kRestTimes = 4;
+
+}  // namespace swept::inline SWEPT_PRECISION

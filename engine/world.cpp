@@ -1,0 +1,126 @@
+#include "world.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "step.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr int kMaxSubSteps = 1024;
+constexpr int kMaxRelaxPasses = 64;
+
+/// Adds the time since it was made, or since the last call, to a stage; costs nothing when nobody asked.
+class StageClock {
+public:
+    explicit StageClock(bool on) : on_(on) {
+        if (on_) { last_ = Clock::now(); }
+    }
+    void stop(double& stage) {
+        if (!on_) { return; }
+        const Clock::time_point now = Clock::now();
+        stage = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    bool on_;
+    Clock::time_point last_;
+};
+
+Status check(const WorldSettings& settings) {
+    if (!isFinite(settings.gravity)) { return {StatusCode::notFinite, "gravity"}; }
+    if (settings.subSteps < 0 || settings.subSteps > kMaxSubSteps) { return {StatusCode::outOfRange, "subSteps"}; }
+    if (settings.relaxPasses < -1 || settings.relaxPasses > kMaxRelaxPasses) {
+        return {StatusCode::outOfRange, "relaxPasses"};
+    }
+    if (settings.maxImpacts < 1) { return {StatusCode::outOfRange, "maxImpacts"}; }
+    if (std::isnan(settings.maxSpeed)) { return {StatusCode::notFinite, "maxSpeed"}; }
+    if (settings.maxSpeed <= 0) { return {StatusCode::notPositive, "maxSpeed"}; }
+    if (!isFinite(settings.toiTolerance)) { return {StatusCode::notFinite, "toiTolerance"}; }
+    if (settings.toiTolerance < 0) { return {StatusCode::negative, "toiTolerance"}; }
+    return Status::success();
+}
+
+void clearForces(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) {
+        world.bodies[slot].force = {};
+        world.bodies[slot].torque = 0;
+    }
+}
+
+/// The pipeline.
+void advance(WorldState& world, double dt) {
+    const Real step = static_cast<Real>(dt);
+    world.lastDt = dt;
+    StageClock clock(world.settings.measureStageTimes);
+    findPairs(world);
+    clock.stop(world.stageTimes.pairs);
+    collideContacts(world);
+    clock.stop(world.stageTimes.collide);
+    assignRoles(world, step);
+    findIslands(world);
+    clock.stop(world.stageTimes.islands);
+    moveFreeBodies(world, dt);
+    solveTiedBodies(world, step);
+    clock.stop(world.stageTimes.solve);
+    sweepFastBodies(world, dt);
+    moveKinematicBodies(world, dt);
+    clock.stop(world.stageTimes.continuous);
+    clearForces(world);
+    breakJoints(world);
+    moveProxies(world);
+    putToSleep(world, dt);
+    sortEvents(world);
+    clock.stop(world.stageTimes.finish);
+}
+
+}  // namespace
+
+World::World() : state_(std::make_unique<WorldState>()) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+Status World::configure(const WorldSettings& settings) {
+    const Status status = check(settings);
+    if (!status.ok()) { return status; }
+    WorldState& world = *state_;
+    if (settings.broadphase != world.settings.broadphase) {
+        if (world.shapes.size() > 0) { return {StatusCode::outOfRange, "broadphase"}; }
+        world.broadphase = makeBroadphase(settings.broadphase);
+    }
+    world.settings = settings;
+    return Status::success();
+}
+
+const WorldSettings& World::settings() const { return state_->settings; }
+
+void World::setTaskSystem(TaskSystem* tasks) { state_->tasks = tasks != nullptr ? tasks : &state_->serialTasks; }
+
+Status World::step(double dt) {
+    WorldState& world = *state_;
+    if (!std::isfinite(dt)) { return {StatusCode::notFinite, "dt"}; }
+    if (!(static_cast<Real>(dt) > 0)) { return {StatusCode::notPositive, "dt"}; }
+    if (world.masslessBodies > 0) { return {StatusCode::missingMass, "body"}; }
+    const std::uint64_t wokenBefore = world.counters.wokeUp;
+    world.counters = {};
+    world.counters.wokeUp = wokenBefore;
+    world.contactEvents.clear();
+    world.jointBreaks.clear();
+    world.lostTime.clear();
+    world.impactPoses.clear();
+    advance(world, dt);
+    return Status::success();
+}
+
+std::span<const ContactEvent> World::contactEvents() const { return state_->contactEvents; }
+std::span<const JointBreakEvent> World::jointBreaks() const { return state_->jointBreaks; }
+std::span<const LostTimeEntry> World::lostTime() const { return state_->lostTime; }
+std::span<const ImpactPose> World::impactPoses() const { return state_->impactPoses; }
+const StepCounters& World::counters() const { return state_->counters; }
+const StageTimes& World::stageTimes() const { return state_->stageTimes; }
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <cmath>
+
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+Status checkFinite(const BodyDef& def) {
+    if (!isFinite(def.position)) { return {StatusCode::notFinite, "position"}; }
+    if (!std::isfinite(def.angle)) { return {StatusCode::notFinite, "angle"}; }
+    if (!isFinite(def.velocity)) { return {StatusCode::notFinite, "velocity"}; }
+    if (!isFinite(def.angularVelocity)) { return {StatusCode::notFinite, "angularVelocity"}; }
+    if (!isFinite(def.linearDamping)) { return {StatusCode::notFinite, "linearDamping"}; }
+    if (!isFinite(def.angularDamping)) { return {StatusCode::notFinite, "angularDamping"}; }
+    if (!isFinite(def.gravityScale)) { return {StatusCode::notFinite, "gravityScale"}; }
+    if (!isFinite(def.mass)) { return {StatusCode::notFinite, "mass"}; }
+    if (!isFinite(def.inertia)) { return {StatusCode::notFinite, "inertia"}; }
+    return Status::success();
+}
+
+Status check(const BodyDef& def) {
+    const Status finite = checkFinite(def);
+    if (!finite.ok()) { return finite; }
+    if (def.linearDamping < 0) { return {StatusCode::negative, "linearDamping"}; }
+    if (def.angularDamping < 0) { return {StatusCode::negative, "angularDamping"}; }
+    if (def.mass < 0) { return {StatusCode::negative, "mass"}; }
+    if (def.inertia < 0) { return {StatusCode::negative, "inertia"}; }
+    const bool moves = def.velocity != Vec2{} || def.angularVelocity != 0;
+    if (def.type == BodyType::fixed && moves) { return {StatusCode::wrongBodyType, "velocity"}; }
+    return Status::success();
+}
+
+/// Contacts of a body that was teleported or destroyed say nothing any more; what rested on it wakes.
+void dropContacts(WorldState& world, std::uint32_t slot) {
+    wakeNeighbours(world, slot);
+    removeContacts(world, [slot](const Contact& contact) { return contact.bodyA == slot || contact.bodyB == slot; });
+}
+
+/// Leaves the ring of bodies it sleeps with by waking them all.
+void removeFromAwake(WorldState& world, std::uint32_t slot) {
+    wake(world, slot);
+    std::erase(world.awake, slot);
+}
+
+}  // namespace
+
+Result<BodyId> World::createBody(const BodyDef& def) {
+    const Status status = check(def);
+    if (!status.ok()) { return status; }
+    WorldState& world = *state_;
+    Body body;
+    body.def = def;
+    const std::optional<BodyId> id = world.bodies.insert(std::move(body));
+    if (!id) { return Status{StatusCode::outOfMemory, "body"}; }
+    world.motions.resize(world.bodies.slotCount());
+    BodyMotion& motion = world.motions[id->index];
+    motion = {.center = def.position, .angle = def.angle, .velocity = def.velocity,
+              .angularVelocity = def.angularVelocity};
+    world.bodies[id->index].nextAsleep = id->index;
+    updatePose(world, id->index);
+    if (def.type == BodyType::dynamic) {
+        ++world.masslessBodies;  // until the next line finds a mass
+        updateMass(world, id->index);
+    }
+    if (def.awake || def.type == BodyType::kinematic) {
+        const std::uint64_t woken = world.counters.wokeUp;
+        wake(world, id->index);
+        world.counters.wokeUp = woken;  // born awake
+    }
+    return *id;
+}
+
+Status World::destroyBody(BodyId id) {
+    WorldState& world = *state_;
+    if (!world.bodies.isValid(id)) { return {StatusCode::staleId, "body"}; }
+    dropContacts(world, id.index);
+    while (!world.bodies[id.index].joints.empty()) {
+        removeJoint(world, world.joints.idOf(world.bodies[id.index].joints.back()));
+    }
+    Body& body = world.bodies[id.index];
+    for (const std::uint32_t slot : body.shapes) {
+        (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
+        world.shapes.erase(world.shapes.idOf(slot));
+    }
+    if (body.isDynamic() && body.mass <= 0) { --world.masslessBodies; }
+    if (body.def.type != BodyType::fixed) { removeFromAwake(world, id.index); }
+    world.bodies.erase(id);
+    return Status::success();
+}
+
+bool World::isValid(BodyId id) const { return state_->bodies.isValid(id); }
+std::uint32_t World::bodyCount() const { return state_->bodies.size(); }
+
+BodyType World::type(BodyId id) const {
+    const Body* body = state_->bodies.find(id);
+    return body != nullptr ? body->def.type : BodyType::fixed;
+}
+DVec2 World::position(BodyId id) const {
+    return isValid(id) ? state_->motions[id.index].pose.position : DVec2{};
+}
+double World::angle(BodyId id) const { return isValid(id) ? state_->motions[id.index].angle : 0; }
+DVec2 World::centerOfMass(BodyId id) const { return isValid(id) ? state_->motions[id.index].center : DVec2{}; }
+Vec2 World::velocity(BodyId id) const { return isValid(id) ? state_->motions[id.index].velocity : Vec2{}; }
+Real World::angularVelocity(BodyId id) const {
+    return isValid(id) ? state_->motions[id.index].angularVelocity : Real(0);
+}
+bool World::isAwake(BodyId id) const {
+    const Body* body = state_->bodies.find(id);
+    return body != nullptr && body->awake;
+}
+double World::mass(BodyId id) const {
+    const Body* body = state_->bodies.find(id);
+    return body != nullptr ? body->mass : 0;
+}
+double World::inertia(BodyId id) const {
+    const Body* body = state_->bodies.find(id);
+    return body != nullptr ? body->inertia : 0;
+}
+std::uint64_t World::userData(BodyId id) const {
+    const Body* body = state_->bodies.find(id);
+    return body != nullptr ? body->def.userData : 0;
+}
+
+Status World::setPose(BodyId id, DVec2 position, double angle) {
+    WorldState& world = *state_;
+    if (!world.bodies.isValid(id)) { return {StatusCode::staleId, "body"}; }
+    if (!isFinite(position)) { return {StatusCode::notFinite, "position"}; }
+    if (!std::isfinite(angle)) { return {StatusCode::notFinite, "angle"}; }
+    dropContacts(world, id.index);
+    wake(world, id.index);
+    BodyMotion& motion = world.motions[id.index];
+    motion.angle = angle;
+    motion.pose = {position, rotationFromAngle(angle)};
+    motion.center = apply(motion.pose, world.bodies[id.index].localCenter);
+    updateProxies(world, id.index, true);
+    return Status::success();
+}
+
+Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
+    WorldState& world = *state_;
+    const Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (body->def.type == BodyType::fixed) { return {StatusCode::wrongBodyType, "body"}; }
+    if (!isFinite(velocity)) { return {StatusCode::notFinite, "velocity"}; }
+    if (!isFinite(angularVelocity)) { return {StatusCode::notFinite, "angularVelocity"}; }
+    wake(world, id.index);
+    world.motions[id.index].velocity = velocity;
+    world.motions[id.index].angularVelocity = angularVelocity;
+    return Status::success();
+}
+
+Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
+    WorldState& world = *state_;
+    Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    if (!isFinite(force)) { return {StatusCode::notFinite, "force"}; }
+    if (!isFinite(point)) { return {StatusCode::notFinite, "point"}; }
+    wake(world, id.index);
+    body->force += force;
+    body->torque += cross(toReal(point - world.motions[id.index].center), force);
+    return Status::success();
+}
+
+Status World::applyTorque(BodyId id, Real torque) {
+    WorldState& world = *state_;
+    Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    if (!isFinite(torque)) { return {StatusCode::notFinite, "torque"}; }
+    wake(world, id.index);
+    body->torque += torque;
+    return Status::success();
+}
+
+Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
+    WorldState& world = *state_;
+    const Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    if (!isFinite(impulse)) { return {StatusCode::notFinite, "impulse"}; }
+    if (!isFinite(point)) { return {StatusCode::notFinite, "point"}; }
+    wake(world, id.index);
+    BodyMotion& motion = world.motions[id.index];
+    motion.velocity += body->inverseMass * impulse;
+    motion.angularVelocity += body->inverseInertia * cross(toReal(point - motion.center), impulse);
+    return Status::success();
+}
+
+Status World::setAwake(BodyId id, bool awake) {
+    WorldState& world = *state_;
+    Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    if (awake) {
+        wake(world, id.index);
+    } else if (body->awake) {
+        body->awake = false;
+        body->role = BodyRole::idle;
+        body->slot = kFixedSlot;
+        body->nextAsleep = id.index;
+        world.motions[id.index].velocity = {};
+        world.motions[id.index].angularVelocity = 0;
+        std::erase(world.awake, id.index);
+    }
+    return Status::success();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+
+#include "../shapes/mass.h"
+#include "tolerances.h"
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+void startResting(Body& body, const BodyMotion& motion) {
+    body.restCenter = motion.center;
+    body.restAngle = motion.angle;
+    body.restTime = 0;
+    body.restSteps = 0;
+}
+
+MassProperties massOfShapes(const WorldState& world, const Body& body) {
+    std::vector<MassProperties> parts;
+    for (const std::uint32_t slot : body.shapes) {
+        const Shape& shape = world.shapes[slot];
+        if (!shape.isChainSegment) { parts.push_back(massOf(shape.polygon, shape.def.density)); }
+    }
+    return combine(parts);
+}
+
+/// The box of a kinematic shape spans its whole next step: others are swept against it there.
+Aabb boxAfter(const WorldState& world, const Shape& shape, const Aabb& tight) {
+    const BodyMotion& motion = world.motions[shape.body];
+    const Body& body = world.bodies[shape.body];
+    const DVec2 center = motion.center + world.lastDt * toDouble(motion.velocity);
+    const double angle = motion.angle + world.lastDt * static_cast<double>(motion.angularVelocity);
+    return hullOf(tight, boundsOf(shape.polygon, poseOf(center, angle, body.localCenter)));
+}
+
+}  // namespace
+
+void wake(WorldState& world, std::uint32_t start) {
+    if (world.bodies[start].awake || world.bodies[start].def.type == BodyType::fixed) { return; }
+    std::uint32_t slot = start;
+    do {
+        Body& body = world.bodies[slot];
+        const std::uint32_t next = body.nextAsleep;
+        body.awake = true;
+        body.nextAsleep = slot;
+        startResting(body, world.motions[slot]);
+        world.awake.push_back(slot);
+        ++world.counters.wokeUp;
+        slot = next;
+    } while (slot != start);
+}
+
+void wakeNeighbours(WorldState& world, std::uint32_t body) {
+    for (const Contact& contact : world.contacts) {
+        if (!contact.isSolid()) { continue; }
+        if (contact.bodyA == body) { wake(world, contact.bodyB); }
+        if (contact.bodyB == body) { wake(world, contact.bodyA); }
+    }
+    for (const std::uint32_t slot : world.bodies[body].joints) {
+        const Joint& joint = world.joints[slot];
+        wake(world, joint.bodyA == body ? joint.bodyB : joint.bodyA);
+    }
+}
+
+void updateMass(WorldState& world, std::uint32_t slot) {
+    Body& body = world.bodies[slot];
+    const bool wasMassless = body.isDynamic() && body.mass <= 0;
+    MassProperties total = massOfShapes(world, body);
+    if (body.def.mass > 0) {
+        const double given = static_cast<double>(body.def.mass);
+        total.inertia = total.mass > 0 ? total.inertia * (given / total.mass) : 0;
+        total.mass = given;
+    }
+    if (body.def.inertia > 0) { total.inertia = static_cast<double>(body.def.inertia); }
+    const Vec2 center = body.isDynamic() && total.mass > 0 ? toReal(total.center) : Vec2{};
+    BodyMotion& motion = world.motions[slot];
+    // The velocity given is that of the centre of mass: it stays, wherever the centre moves to.
+    motion.center = apply(motion.pose, center);
+    body.localCenter = center;
+    body.mass = body.isDynamic() ? total.mass : 0;
+    body.inertia = body.isDynamic() ? total.inertia : 0;
+    body.inverseMass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
+    const bool turns = body.inertia > 0 && !body.def.fixedRotation;
+    body.inverseInertia = turns ? static_cast<Real>(1 / body.inertia) : Real(0);
+    body.extent = 0;
+    body.radius = 0;
+    for (const std::uint32_t shapeSlot : body.shapes) {
+        const Shape& shape = world.shapes[shapeSlot];
+        if (shape.def.sensor) { continue; }
+        body.extent = body.extent > 0 ? std::min(body.extent, shape.extent) : shape.extent;
+        body.radius = std::max(body.radius, radiusAbout(shape.polygon, center));
+    }
+    const bool isMassless = body.isDynamic() && body.mass <= 0;
+    if (isMassless && !wasMassless) { ++world.masslessBodies; }
+    if (!isMassless && wasMassless) { --world.masslessBodies; }
+}
+
+void updatePose(WorldState& world, std::uint32_t slot) {
+    BodyMotion& motion = world.motions[slot];
+    motion.pose = poseOf(motion.center, motion.angle, world.bodies[slot].localCenter);
+}
+
+Vec2 accelerationOf(const WorldState& world, const Body& body) {
+    return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
+}
+
+Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
+
+Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    Real speed = length(motion.velocity);
+    Real spin = std::fabs(motion.angularVelocity);
+    if (body.isDynamic()) {
+        speed += dt * length(accelerationOf(world, body));
+        spin += dt * std::fabs(angularAccelerationOf(body));
+    }
+    return dt * (speed + spin * body.radius);
+}
+
+Real contactReach(const WorldState& world, const Shape& shape) {
+    const Body& body = world.bodies[shape.body];
+    if (body.def.type == BodyType::fixed) { return 0; }
+    const Real motion = motionBound(world, shape.body, static_cast<Real>(world.lastDt));
+    return std::clamp(motion, kMinReachRatio * shape.extent, kMaxReachRatio * shape.extent);
+}
+
+Aabb neededBox(const WorldState& world, const Shape& shape) {
+    const Aabb tight = boundsOf(shape.polygon, world.motions[shape.body].pose);
+    switch (world.bodies[shape.body].def.type) {
+        case BodyType::fixed: return tight;
+        case BodyType::kinematic: return grown(boxAfter(world, shape, tight), contactReach(world, shape));
+        case BodyType::dynamic: return grown(tight, contactReach(world, shape));
+    }
+    return tight;  // unreachable, but GCC cannot know
+}
+
+Aabb fatBox(const WorldState& world, const Shape& shape) {
+    const Aabb needed = neededBox(world, shape);
+    if (world.bodies[shape.body].def.type == BodyType::fixed) { return needed; }
+    return grown(needed, kBoxMarginRatio * shape.extent);
+}
+
+void updateProxies(WorldState& world, std::uint32_t body, bool always) {
+    for (const std::uint32_t slot : world.bodies[body].shapes) {
+        const Shape& shape = world.shapes[slot];
+        if (!always && contains(world.broadphase->box(shape.proxy), neededBox(world, shape))) { continue; }
+        const Status moved = world.broadphase->move(shape.proxy, fatBox(world, shape));
+        world.counters.proxiesMoved += moved.ok() ? 1 : 0;
+    }
+}
+
+void removeJoint(WorldState& world, JointId id) {
+    const Joint& joint = world.joints[id.index];
+    const std::uint32_t bodies[] = {joint.bodyA, joint.bodyB};
+    world.joints.erase(id);
+    for (const std::uint32_t slot : bodies) {
+        std::erase(world.bodies[slot].joints, id.index);
+        wake(world, slot);
+        updateProxies(world, slot, true);  // so that a pair the joint kept apart is found
+    }
+}
+
+void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed) {
+    auto keep = world.contacts.begin();
+    for (Contact& contact : world.contacts) {
+        if (!doomed(contact)) {
+            if (&*keep != &contact) { *keep = contact; }
+            ++keep;
+            continue;
+        }
+        world.pairs.erase(contact.shapeA, contact.shapeB);
+        if (contact.touching) {
+            world.contactEvents.push_back(
+                {.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
+                 .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
+                 .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
+                 .bodyA = world.bodies.idOf(contact.bodyA),
+                 .bodyB = world.bodies.idOf(contact.bodyB)});
+        }
+    }
+    world.contacts.erase(keep, world.contacts.end());
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+Status check(const ShapeDef& def) {
+    if (!isFinite(def.density)) { return {StatusCode::notFinite, "density"}; }
+    if (def.density < 0) { return {StatusCode::negative, "density"}; }
+    if (!isFinite(def.friction)) { return {StatusCode::notFinite, "friction"}; }
+    if (def.friction < 0) { return {StatusCode::negative, "friction"}; }
+    if (!isFinite(def.restitution)) { return {StatusCode::notFinite, "restitution"}; }
+    if (def.restitution < 0 || def.restitution > 1) { return {StatusCode::outOfRange, "restitution"}; }
+    return Status::success();
+}
+
+ProxyKind kindOf(const Shape& shape, BodyType type) {
+    if (shape.def.sensor) { return ProxyKind::sensor; }
+    switch (type) {
+        case BodyType::fixed: return ProxyKind::fixed;
+        case BodyType::kinematic: return ProxyKind::kinematic;
+        case BodyType::dynamic: return ProxyKind::dynamic;
+    }
+    return ProxyKind::fixed;  // unreachable, but GCC cannot know
+}
+
+void remember(WorldState& world, ProxyId proxy, std::uint32_t shape) {
+    const auto index = static_cast<std::size_t>(proxy);
+    if (world.proxyShapes.size() <= index) { world.proxyShapes.resize(index + 1, kNoIndex); }
+    world.proxyShapes[index] = shape;
+}
+
+/// Puts a shape into the world: slot, proxy, list of the body.
+Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
+    shape.body = body;
+    shape.extent = extentOf(shape.polygon);
+    const ProxyKind kind = kindOf(shape, world.bodies[body].def.type);
+    const Aabb box = fatBox(world, shape);
+    const std::optional<ShapeId> id = world.shapes.insert(std::move(shape));
+    if (!id) { return Status{StatusCode::outOfMemory, "shape"}; }
+    const Result<ProxyId> proxy = world.broadphase->insert(box, kind);
+    if (!proxy.ok()) {
+        world.shapes.erase(*id);
+        return proxy.status();
+    }
+    Shape& stored = world.shapes[id->index];
+    stored.proxy = proxy.value();
+    stored.head = id->index;
+    remember(world, proxy.value(), id->index);
+    world.bodies[body].shapes.push_back(id->index);
+    return *id;
+}
+
+void removeOne(WorldState& world, std::uint32_t slot) {
+    const std::uint32_t body = world.shapes[slot].body;
+    (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
+    removeContacts(world, [slot](const Contact& c) { return c.shapeA == slot || c.shapeB == slot; });
+    std::erase(world.bodies[body].shapes, slot);
+    world.shapes.erase(world.shapes.idOf(slot));
+}
+
+/// After its shapes changed, boxes of a body may have to reach farther (a new centre of mass, a new radius).
+void refresh(WorldState& world, std::uint32_t body) {
+    updateMass(world, body);
+    wake(world, body);
+    updateProxies(world, body, false);
+}
+
+}  // namespace
+
+Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
+    WorldState& world = *state_;
+    if (!world.bodies.isValid(body)) { return Status{StatusCode::staleId, "body"}; }
+    const Status geometry = validate(polygon);
+    if (!geometry.ok()) { return geometry; }
+    const Status surface = check(def);
+    if (!surface.ok()) { return surface; }
+    Shape shape;
+    shape.polygon = polygon;
+    shape.def = def;
+    const Result<ShapeId> id = insert(world, body.index, std::move(shape));
+    if (id.ok()) { refresh(world, body.index); }
+    return id;
+}
+
+Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def,
+                                Real radius) {
+    WorldState& world = *state_;
+    if (!world.bodies.isValid(body)) { return Status{StatusCode::staleId, "body"}; }
+    if (world.bodies[body.index].isDynamic()) { return Status{StatusCode::wrongBodyType, "body"}; }
+    const Status geometry = validateChain(points, loop, radius);
+    if (!geometry.ok()) { return geometry; }
+    const Status surface = check(def);
+    if (!surface.ok()) { return surface; }
+    ShapeId head;
+    std::uint32_t previous = kNoIndex;
+    for (int i = 0; i < chainSegmentCount(static_cast<int>(points.size()), loop); ++i) {
+        Shape shape;
+        shape.segment = chainSegment(points, loop, radius, i);
+        shape.polygon = polygonOf(shape.segment);
+        shape.isChainSegment = true;
+        shape.def = def;
+        const Result<ShapeId> id = insert(world, body.index, std::move(shape));
+        if (!id.ok()) {
+            if (previous != kNoIndex) { (void)destroyShape(head); }  // all or nothing
+            return id.status();
+        }
+        if (previous == kNoIndex) {
+            head = id.value();
+        } else {
+            world.shapes[previous].nextInChain = id.value().index;
+        }
+        previous = id.value().index;
+        world.shapes[previous].head = head.index;
+    }
+    refresh(world, body.index);
+    return head;
+}
+
+Status World::destroyShape(ShapeId id) {
+    WorldState& world = *state_;
+    if (!isValid(id)) { return {StatusCode::staleId, "shape"}; }
+    const std::uint32_t body = world.shapes[id.index].body;
+    wakeNeighbours(world, body);
+    for (std::uint32_t slot = id.index; slot != kNoIndex;) {
+        const std::uint32_t next = world.shapes[slot].nextInChain;
+        removeOne(world, slot);
+        slot = next;
+    }
+    refresh(world, body);
+    return Status::success();
+}
+
+bool World::isValid(ShapeId id) const {
+    const Shape* shape = state_->shapes.find(id);
+    return shape != nullptr && shape->head == id.index;
+}
+BodyId World::bodyOf(ShapeId id) const {
+    return isValid(id) ? state_->bodies.idOf(state_->shapes[id.index].body) : BodyId{};
+}
+std::uint64_t World::userData(ShapeId id) const { return isValid(id) ? state_->shapes[id.index].def.userData : 0; }
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "../solver/island_finder.h"
+#include "../solver/solver.h"
+#include "body.h"
+#include "contact.h"
+#include "flight.h"
+#include "joint.h"
+#include "pair_table.h"
+#include "shape.h"
+#include "slot_pool.h"
+#include "world.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`.
+struct WorldState {
+    WorldSettings settings;
+    SerialTaskSystem serialTasks;
+    TaskSystem* tasks = &serialTasks;
+
+    SlotPool<Body, BodyId> bodies;
+    std::vector<BodyMotion> motions;  ///< by body slot
+    SlotPool<Shape, ShapeId> shapes;
+    SlotPool<Joint, JointId> joints;
+    std::vector<std::uint32_t> awake;  ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
+
+    std::unique_ptr<Broadphase> broadphase = makeBroadphase(BroadphaseKind::bvh);
+    std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
+    std::vector<ProxyPair> newPairs;
+
+    std::vector<Contact> contacts;
+    PairTable pairs;  ///< of shape slots that have a contact
+
+    SolverBatch batch;
+    Solver solver;
+    IslandFinder islands;
+    std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
+    std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
+    std::vector<std::uint32_t> flyers;
+    std::vector<FlightScratch> flightScratch;  ///< one per worker
+
+    std::vector<ContactEvent> contactEvents;
+    std::vector<JointBreakEvent> jointBreaks;
+    std::vector<LostTimeEntry> lostTime;
+    std::vector<ImpactPose> impactPoses;
+    StepCounters counters;
+    StageTimes stageTimes;
+    double lastDt = 0;  ///< of the last step, s; predicts how far boxes must reach
+    bool stepping = false;
+};
+
+// --- bookkeeping shared by the stages (world_bookkeeping.cpp)
+
+/// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake and static bodies.
+void wake(WorldState& world, std::uint32_t body);
+/// Wakes everything that has a contact or a joint with the body.
+void wakeNeighbours(WorldState& world, std::uint32_t body);
+/// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.
+void updateMass(WorldState& world, std::uint32_t body);
+/// Recomputes the pose of the body frame from centre and angle.
+void updatePose(WorldState& world, std::uint32_t body);
+/// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
+Aabb neededBox(const WorldState& world, const Shape& shape);
+Aabb fatBox(const WorldState& world, const Shape& shape);
+/// Hands boxes that grew too small to the broadphase. @param always  also those that still fit (teleports).
+void updateProxies(WorldState& world, std::uint32_t body, bool always);
+/// Removes contacts for which `doomed` is true; reports the end of those that touched.
+void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed);
+/// Removes a joint, wakes its bodies, and lets them collide again.
+void removeJoint(WorldState& world, JointId id);
+/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its extent.
+Real contactReach(const WorldState& world, const Shape& shape);
+/// Length of the longest path that a point of the body can take within dt, metres.
+Real motionBound(const WorldState& world, std::uint32_t body, Real dt);
+/// Acceleration of a dynamic body: gravity and force, m/s²; angular, rad/s².
+Vec2 accelerationOf(const WorldState& world, const Body& body);
+Real angularAccelerationOf(const Body& body);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "../engine/counters.h"
+#include "frame.h"
+
+namespace swept {
+
+/// Every counter with its name in reports: the one list that sums and prints them.
+inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::uint64_t StepCounters::*>>({
+    {"awakeBodies", &StepCounters::awakeBodies},
+    {"freeBodies", &StepCounters::freeBodies},
+    {"solvedBodies", &StepCounters::solvedBodies},
+    {"flyers", &StepCounters::flyers},
+    {"pairsFound", &StepCounters::pairsFound},
+    {"boxTests", &StepCounters::boxTests},
+    {"contacts", &StepCounters::contacts},
+    {"manifolds", &StepCounters::manifolds},
+    {"touching", &StepCounters::touching},
+    {"constraints", &StepCounters::constraints},
+    {"colours", &StepCounters::colours},
+    {"subSteps", &StepCounters::subSteps},
+    {"bounceRounds", &StepCounters::bounceRounds},
+    {"islands", &StepCounters::islands},
+    {"sweeps", &StepCounters::sweeps},
+    {"toiCalls", &StepCounters::toiCalls},
+    {"toiIterations", &StepCounters::toiIterations},
+    {"impacts", &StepCounters::impacts},
+    {"speedsLimited", &StepCounters::speedsLimited},
+    {"fellAsleep", &StepCounters::fellAsleep},
+    {"wokeUp", &StepCounters::wokeUp},
+    {"proxiesMoved", &StepCounters::proxiesMoved},
+});
+static_assert(sizeof(StepCounters) == kCounterNames.size() * sizeof(std::uint64_t), "a counter has no name");
+
+inline void addCounters(StepCounters& sums, const StepCounters& step) {
+    for (const auto& [name, member] : kCounterNames) { sums.*member += step.*member; }
+}
+
+inline std::vector<NamedNumber> namedCounters(const StepCounters& counters) {
+    std::vector<NamedNumber> named;
+    for (const auto& [name, member] : kCounterNames) {
+        named.push_back({name, static_cast<double>(counters.*member)});
+    }
+    return named;
+}
+
+}  // namespace swept

@@ -1,0 +1,236 @@
+#include "world_builder.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "../shapes/hull.h"
+#include "scene_reader.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr int kIndexBits = 32;
+
+Real real(double x) { return static_cast<Real>(x); }
+std::optional<Real> real(const std::optional<double>& x) {
+    return x ? std::optional<Real>(real(*x)) : std::nullopt;
+}
+
+std::vector<Vec2> realPoints(const std::vector<DVec2>& points) {
+    std::vector<Vec2> result;
+    for (const DVec2 point : points) { result.push_back(toReal(point)); }
+    return result;
+}
+
+/// All geometries that are one polygon. A chain is not among them.
+struct PolygonMaker {
+    Real radius;
+    Result<Polygon> operator()(const BoxGeometry& g) const {
+        return makeBox(toReal(g.half), toReal(g.center), g.angle, radius);
+    }
+    Result<Polygon> operator()(const CircleGeometry& g) const { return makeCircle(toReal(g.center), real(g.radius)); }
+    Result<Polygon> operator()(const CapsuleGeometry& g) const {
+        return makeCapsule(toReal(g.points[0]), toReal(g.points[1]), real(g.radius));
+    }
+    Result<Polygon> operator()(const SegmentGeometry& g) const {
+        return makeSegment(toReal(g.points[0]), toReal(g.points[1]), radius);
+    }
+    Result<Polygon> operator()(const PolygonGeometry& g) const { return convexHull(realPoints(g.points), radius); }
+    Result<Polygon> operator()(const ChainGeometry&) const { return Status{StatusCode::degenerate, "chain"}; }
+};
+
+ContinuousMode continuousOf(SceneContinuous mode) {
+    switch (mode) {
+        case SceneContinuous::off: return ContinuousMode::off;
+        case SceneContinuous::stop: return ContinuousMode::stop;
+        case SceneContinuous::subStep: return ContinuousMode::subStep;
+        // Refused by `validateScene`; the safest of those there are.
+        case SceneContinuous::speedLimit:
+        case SceneContinuous::speculative: return ContinuousMode::subStep;
+    }
+    return ContinuousMode::subStep;  // unreachable, but GCC cannot know
+}
+
+BodyType typeOf(SceneBodyType type) {
+    switch (type) {
+        case SceneBodyType::fixed: return BodyType::fixed;
+        case SceneBodyType::kinematic: return BodyType::kinematic;
+        case SceneBodyType::dynamic: return BodyType::dynamic;
+    }
+    return BodyType::fixed;  // unreachable, but GCC cannot know
+}
+
+WorldSettings settingsOf(const SceneDescription& scene) {
+    const SettingsDescription& given = scene.settings;
+    WorldSettings settings;
+    settings.gravity = toReal(scene.gravity);
+    settings.profile = given.profile == SceneProfile::accurate ? Profile::accurate : Profile::fast;
+    settings.subSteps = given.subSteps.value_or(0);
+    settings.relaxPasses = given.relaxPasses.value_or(-1);
+    settings.continuous = continuousOf(given.continuous);
+    settings.maxImpacts = given.maxImpacts;
+    settings.maxSpeed = given.maxSpeed ? real(*given.maxSpeed) : std::numeric_limits<Real>::infinity();
+    settings.toiTolerance = real(given.toiTolerance.value_or(0));
+    settings.sleep = given.sleep;
+    settings.broadphase =
+        given.broadphase == SceneBroadphase::bvh ? BroadphaseKind::bvh : BroadphaseKind::allPairs;
+    return settings;
+}
+
+BodyDef bodyDefOf(const BodyDescription& given, std::size_t index) {
+    BodyDef def;
+    def.type = typeOf(given.type);
+    def.position = given.position;
+    def.angle = given.angle;
+    def.velocity = toReal(given.velocity);
+    def.angularVelocity = real(given.angularVelocity);
+    def.linearDamping = real(given.linearDamping);
+    def.angularDamping = real(given.angularDamping);
+    def.gravityScale = real(given.gravityScale);
+    def.mass = real(given.mass.value_or(0));
+    def.inertia = real(given.inertia.value_or(0));
+    def.fixedRotation = given.fixedRotation;
+    def.bullet = given.bullet;
+    def.awake = given.awake;
+    if (given.continuous) { def.continuous = continuousOf(*given.continuous); }
+    def.userData = index;
+    return def;
+}
+
+ShapeDef shapeDefOf(const ShapeDescription& given, std::size_t body, std::size_t shape) {
+    ShapeDef def;
+    def.density = real(given.density);
+    def.friction = real(given.friction);
+    def.restitution = real(given.restitution);
+    def.sensor = given.sensor;
+    def.filter = {given.filter.category, given.filter.mask, given.filter.group};
+    def.userData = (static_cast<std::uint64_t>(body) << kIndexBits) | shape;
+    return def;
+}
+
+Status addShape(World& world, BodyId body, const ShapeDescription& given, const ShapeDef& def) {
+    if (const auto* chain = std::get_if<ChainGeometry>(&given.geometry)) {
+        return world.addChain(body, realPoints(chain->points), chain->loop, def, real(given.radius)).status();
+    }
+    const Result<Polygon> polygon = std::visit(PolygonMaker{real(given.radius)}, given.geometry);
+    return polygon.ok() ? world.addShape(body, polygon.value(), def).status() : polygon.status();
+}
+
+std::string refusal(const std::string& pointer, Status status) {
+    return pointer + ": " + status.field + " " + describe(status.code);
+}
+
+bool buildBodies(const SceneDescription& scene, SceneWorld& built, std::string& error) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const std::string pointer = "/bodies/" + std::to_string(i);
+        const BodyDescription& given = scene.bodies[i];
+        const Result<BodyId> body = built.world.createBody(bodyDefOf(given, i));
+        if (!body.ok()) {
+            error = refusal(pointer, body.status());
+            return false;
+        }
+        built.bodies.push_back(body.value());
+        for (std::size_t k = 0; k < given.shapes.size(); ++k) {
+            const Status status = addShape(built.world, body.value(), given.shapes[k], shapeDefOf(given.shapes[k], i, k));
+            if (!status.ok()) {
+                error = refusal(pointer + "/shapes/" + std::to_string(k), status);
+                return false;
+            }
+        }
+        // Adding shapes wakes: what the scene lays down asleep goes to sleep when it is complete.
+        if (!given.awake && given.type == SceneBodyType::dynamic) { (void)built.world.setAwake(body.value(), false); }
+    }
+    return true;
+}
+
+/// Spring of a joint, when it has one.
+std::optional<Spring> springOf(const std::optional<double>& hertz, const std::optional<double>& dampingRatio) {
+    if (!hertz) { return std::nullopt; }
+    return Spring{real(*hertz), real(dampingRatio.value_or(0))};
+}
+
+struct JointMaker {
+    World& world;
+    JointDef base;
+
+    Result<JointId> operator()(const RevoluteDescription& given) const {
+        constexpr Real kUnlimited = std::numeric_limits<Real>::max();
+        RevoluteJointDef def;
+        def.base = base;
+        def.anchor = given.anchor;
+        if (given.lower || given.upper) {
+            def.limits = AngleLimits{real(given.lower).value_or(-kUnlimited), real(given.upper).value_or(kUnlimited)};
+        }
+        if (given.motorSpeed || given.maxMotorTorque) {
+            def.motor = AngularMotor{real(given.motorSpeed.value_or(0)), real(given.maxMotorTorque.value_or(0))};
+        }
+        def.spring = springOf(given.hertz, given.dampingRatio);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const DistanceDescription& given) const {
+        DistanceJointDef def;
+        def.base = base;
+        def.anchorA = given.anchorA;
+        def.anchorB = given.anchorB;
+        def.length = real(given.length);
+        if (given.minLength || given.maxLength) {
+            def.limits = LengthLimits{real(given.minLength).value_or(0),
+                                      real(given.maxLength).value_or(std::numeric_limits<Real>::infinity())};
+        }
+        def.spring = springOf(given.hertz, given.dampingRatio);
+        return world.createJoint(def);
+    }
+};
+
+using BodyNames = std::map<std::string, BodyId, std::less<>>;
+
+BodyNames namesOfBodies(const SceneDescription& scene, const SceneWorld& built) {
+    BodyNames names;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) { names.emplace(bodyName(scene, i), built.bodies[i]); }
+    return names;
+}
+
+/// Null, and hence refused by `createJoint`, when there is none of that name.
+BodyId bodyNamed(const BodyNames& names, const std::string& name) {
+    const auto found = names.find(name);
+    return found != names.end() ? found->second : BodyId{};
+}
+
+bool buildJoints(const SceneDescription& scene, SceneWorld& built, std::string& error) {
+    const BodyNames names = namesOfBodies(scene, built);
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        const JointDescription& given = scene.joints[i];
+        JointMaker maker{built.world, {}};
+        maker.base.bodyA = bodyNamed(names, given.bodyA);
+        maker.base.bodyB = bodyNamed(names, given.bodyB);
+        maker.base.collideConnected = given.collideConnected;
+        maker.base.breakForce = real(given.breakForce);
+        maker.base.breakTorque = real(given.breakTorque);
+        maker.base.userData = i;
+        const Result<JointId> joint = std::visit(maker, given.joint);
+        if (!joint.ok()) {
+            error = refusal("/joints/" + std::to_string(i), joint.status());
+            return false;
+        }
+        built.joints.push_back(joint.value());
+    }
+    return true;
+}
+
+}  // namespace
+
+ShapeOrigin shapeOrigin(std::uint64_t userData) {
+    return {static_cast<int>(userData >> kIndexBits), static_cast<int>(userData & 0xFFFFFFFFu)};
+}
+
+bool buildWorld(const SceneDescription& scene, SceneWorld& built, std::string& error) {
+    const Status configured = built.world.configure(settingsOf(scene));
+    if (!configured.ok()) {
+        error = refusal("/settings", configured);
+        return false;
+    }
+    return buildBodies(scene, built, error) && buildJoints(scene, built, error);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "../engine/world.h"
+#include "scene_description.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A world made from a scene, and which of its things belongs to which entry of the scene.
+struct SceneWorld {
+    World world;
+    std::vector<BodyId> bodies;  ///< by body index
+    std::vector<JointId> joints;  ///< by joint index
+};
+
+/// User data of a body is its index; of a shape its body's index (upper half) and its own (lower half); of a joint its index.
+struct ShapeOrigin {
+    int body = 0;
+    int shape = 0;
+};
+ShapeOrigin shapeOrigin(std::uint64_t userData);
+
+/// @return whether all of it could be made; else `error` says what was refused, with its JSON pointer.
+bool buildWorld(const SceneDescription& scene, SceneWorld& built, std::string& error);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <cmath>
+
+#include "counter_names.h"
+#include "runner.h"
+#include "world_builder.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+const char* nameOf(LostTimeReason reason) {
+    switch (reason) {
+        case LostTimeReason::stop: return "stop";
+        case LostTimeReason::budget: return "budget";
+        case LostTimeReason::stuck: return "stuck";
+        case LostTimeReason::clamp: return "clamp";
+    }
+    return "";  // unreachable, but GCC cannot know
+}
+
+SceneEventType typeOf(ContactEventType type) {
+    switch (type) {
+        case ContactEventType::begin: return SceneEventType::begin;
+        case ContactEventType::end: return SceneEventType::end;
+        case ContactEventType::hit: return SceneEventType::hit;
+        case ContactEventType::sensorBegin: return SceneEventType::sensorBegin;
+        case ContactEventType::sensorEnd: return SceneEventType::sensorEnd;
+    }
+    return SceneEventType::begin;  // unreachable, but GCC cannot know
+}
+
+/// Energy and momenta of a moment.
+struct Totals {
+    double energy = 0;
+    DVec2 momentum;
+    double angularMomentum = 0;
+};
+
+/// Our world behind the common interface.
+class WorldRunner final : public Runner {
+public:
+    WorldRunner(const SceneDescription& scene, const RunnerOptions& options, SceneWorld built)
+        : scene_(scene), options_(options), built_(std::move(built)) {
+        lost_.resize(scene_.bodies.size());
+        const Totals totals = this->totals();
+        report_.startEnergy = totals.energy;
+        report_.startMomentum = totals.momentum;
+        report_.startAngularMomentum = totals.angularMomentum;
+    }
+
+    void step() override {
+        (void)built_.world.step(scene_.settings.dt);  // dt and masses were validated with the scene
+        ++steps_;
+        addCounters(sums_, built_.world.counters());
+        for (const LostTimeEntry& entry : built_.world.lostTime()) { noteLostTime(entry); }
+        if (options_.collectEvents) { collectEvents(); }
+        if (options_.measure) { measure(); }
+    }
+
+    void read(Frame& frame, bool withContacts) const override {
+        frame.step = steps_;
+        frame.time = static_cast<double>(steps_) * scene_.settings.dt;
+        frame.bodies.clear();
+        frame.contacts.clear();
+        frame.impacts.clear();
+        const World& world = built_.world;
+        for (const BodyId id : built_.bodies) {
+            frame.bodies.push_back({world.position(id), world.angle(id), toDouble(world.velocity(id)),
+                                    static_cast<double>(world.angularVelocity(id)), world.isAwake(id)});
+        }
+        if (!withContacts) { return; }
+        world.visitContacts([&frame](const ContactView& contact) {
+            frame.contacts.push_back({contact.point, toDouble(contact.normal),
+                                      static_cast<double>(contact.separation), static_cast<double>(contact.impulse)});
+        });
+        for (const ImpactPose& pose : world.impactPoses()) {
+            frame.impacts.push_back({static_cast<int>(world.userData(pose.body)), pose.position, pose.angle});
+        }
+    }
+
+    const std::vector<SceneEvent>& events() const override { return events_; }
+    std::vector<std::string> approximations() const override { return {}; }
+
+    RunReport report() const override {
+        RunReport report = report_;
+        report.counters = namedCounters(sums_);
+        for (std::size_t i = 0; i < lost_.size(); ++i) {
+            for (const auto& [reason, seconds] : lost_[i]) {
+                report.lostTime.push_back({static_cast<int>(i), seconds, nameOf(reason)});
+            }
+        }
+        const Totals totals = this->totals();
+        report.endEnergy = totals.energy;
+        report.endMomentum = totals.momentum;
+        report.endAngularMomentum = totals.angularMomentum;
+        for (const BodyId id : built_.bodies) {
+            const World& world = built_.world;
+            report.finite = report.finite && isFinite(world.position(id)) && std::isfinite(world.angle(id)) &&
+                            isFinite(world.velocity(id)) && isFinite(world.angularVelocity(id));
+        }
+        return report;
+    }
+
+private:
+    Totals totals() const {
+        Totals totals;
+        const World& world = built_.world;
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
+            const BodyId id = built_.bodies[i];
+            if (world.type(id) != BodyType::dynamic) { continue; }
+            const double mass = world.mass(id);
+            const double inertia = scene_.bodies[i].fixedRotation ? 0 : world.inertia(id);
+            const DVec2 velocity = toDouble(world.velocity(id));
+            const auto spin = static_cast<double>(world.angularVelocity(id));
+            const DVec2 center = world.centerOfMass(id);
+            totals.energy += 0.5 * mass * dot(velocity, velocity) + 0.5 * inertia * spin * spin -
+                             mass * scene_.bodies[i].gravityScale * dot(scene_.gravity, center);
+            totals.momentum += mass * velocity;
+            totals.angularMomentum += mass * cross(center, velocity) + inertia * spin;
+        }
+        return totals;
+    }
+
+    void noteLostTime(const LostTimeEntry& entry) {
+        auto& list = lost_[static_cast<std::size_t>(built_.world.userData(entry.body))];
+        for (auto& [reason, seconds] : list) {
+            if (reason != entry.reason) { continue; }
+            seconds += entry.seconds;
+            return;
+        }
+        list.emplace_back(entry.reason, entry.seconds);
+    }
+
+    double timeAt(double fraction) const {
+        return (static_cast<double>(steps_ - 1) + fraction) * scene_.settings.dt;
+    }
+
+    void collectEvents() {
+        events_.clear();
+        const World& world = built_.world;
+        for (const ContactEvent& event : world.contactEvents()) {
+            const ShapeOrigin a = shapeOrigin(world.userData(event.shapeA));
+            const ShapeOrigin b = shapeOrigin(world.userData(event.shapeB));
+            events_.push_back({steps_, timeAt(event.fraction), event.fraction, typeOf(event.type), a.body, b.body,
+                               a.shape, b.shape, event.point, toDouble(event.normal),
+                               static_cast<double>(event.approachSpeed), static_cast<double>(event.impulse)});
+        }
+        for (const JointBreakEvent& event : world.jointBreaks()) {
+            SceneEvent broken;
+            broken.step = steps_;
+            broken.fraction = 1;
+            broken.time = timeAt(1);
+            broken.type = SceneEventType::jointBreak;
+            broken.a = static_cast<int>(world.userData(event.bodyA));
+            broken.b = static_cast<int>(world.userData(event.bodyB));
+            broken.point = event.point;
+            events_.push_back(broken);
+        }
+    }
+
+    void measure() {
+        built_.world.visitContacts([this](const ContactView& contact) {
+            report_.deepestPenetration =
+                std::max(report_.deepestPenetration, -static_cast<double>(contact.separation));
+        });
+        for (const JointId id : built_.joints) {
+            report_.largestJointError =
+                std::max(report_.largestJointError, static_cast<double>(built_.world.jointError(id)));
+        }
+    }
+
+    SceneDescription scene_;
+    RunnerOptions options_;
+    SceneWorld built_;
+    std::int64_t steps_ = 0;
+    StepCounters sums_;
+    std::vector<std::vector<std::pair<LostTimeReason, double>>> lost_;
+    std::vector<SceneEvent> events_;
+    RunReport report_;
+};
+
+}  // namespace
+
+std::unique_ptr<Runner> makeWorldRunner(const SceneDescription& scene, const RunnerOptions& options,
+                                        std::string& error) {
+    SceneWorld built;
+    if (!buildWorld(scene, built, error)) { return nullptr; }
+    return std::make_unique<WorldRunner>(scene, options, std::move(built));
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
