@@ -1,6 +1,11 @@
 # How a test suite becomes its executables. Included by tests/CMakeLists.txt only.
 include(GoogleTest)
 
+# All suites with one label, to be built without the rest.
+foreach(label quick parallel)
+    add_custom_target(swept_tests_${label})
+endforeach()
+
 # swept_add_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
 # One executable, discovered by ctest. Labels: quick (also run with sanitizers), parallel (also run with thread sanitizer).
 function(swept_add_test name)
@@ -8,7 +13,20 @@ function(swept_add_test name)
     add_executable(${name} ${TEST_SOURCES})
     swept_warnings(${name})
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main)
-    gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${TEST_LABELS}")
+    foreach(label IN LISTS TEST_LABELS)
+        if(TARGET swept_tests_${label})
+            add_dependencies(swept_tests_${label} ${name})
+        endif()
+    endforeach()
+    gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60)
+    # PROPERTIES of the line above would take a list of labels apart, so they are set where ctest reads its files.
+    set(labels_file ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake)
+    file(CONFIGURE OUTPUT ${labels_file} CONTENT [[
+foreach(test IN LISTS @name@_TESTS)
+    set_tests_properties(${test} PROPERTIES LABELS "@TEST_LABELS@")
+endforeach()
+]] @ONLY)
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels_file})
 endfunction()
 
 # swept_add_layer_test(NAME SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])

@@ -1,0 +1,65 @@
+# shellcheck shell=bash
+# What the scripts in this folder share. Sourced, not run.
+
+set -euo pipefail
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+log_dir="$root/build/logs"
+
+# say TEXT...: one line about what is being done now.
+say() { printf '==> %s\n' "$*"; }
+
+# fail TEXT...: one line about why it ends here.
+fail() {
+    printf 'error: %s\n' "$*" >&2
+    exit 1
+}
+
+# quietly NAME COMMAND...: runs a command with its output in build/logs/NAME.log; shows what matters of it on failure.
+quietly() {
+    local name="$1"
+    shift
+    mkdir -p "$log_dir"
+    local log="$log_dir/$name.log"
+    local status=0
+    "$@" >"$log" 2>&1 || status=$?
+    if [ "$status" -ne 0 ]; then
+        local errors
+        errors="$(grep -nE '(error|Error|FAILED)[: ]' "$log" | head -n 12 || true)"
+        if [ -n "$errors" ]; then printf -- '--- errors in %s\n%s\n' "${log#"$root"/}" "$errors" >&2; fi
+        printf -- '--- the end of %s\n' "${log#"$root"/}" >&2
+        tail -n 25 "$log" >&2
+        return "$status"
+    fi
+}
+
+# Build processes: one per core, fewer when memory is short (a compiler may take 1 GiB).
+build_jobs() {
+    local cores memory_gib
+    cores="$(nproc 2>/dev/null || echo 2)"
+    memory_gib="$(awk '/MemAvailable/ {print int($2 / 1048576)}' /proc/meminfo 2>/dev/null || echo "$cores")"
+    if [ "$memory_gib" -lt 1 ]; then memory_gib=1; fi
+    echo $((cores < memory_gib ? cores : memory_gib))
+}
+
+# Arguments for cmake that use ccache where there is one.
+launcher_arguments() {
+    if command -v ccache >/dev/null; then echo "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"; fi
+}
+
+# configure PRESET ARGUMENT...
+configure() {
+    local preset="$1"
+    shift
+    local launcher
+    launcher="$(launcher_arguments)"
+    quietly "configure-$preset" cmake -S "$root" --preset "$preset" ${launcher:+"$launcher"} "$@" ||
+        fail "configuring the preset '$preset' failed"
+}
+
+# build PRESET TARGET...
+build() {
+    local preset="$1"
+    shift
+    quietly "build-$preset" cmake --build "$root/build/$preset" --parallel "$(build_jobs)" --target "$@" ||
+        fail "building the preset '$preset' failed"
+}

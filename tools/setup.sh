@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing (apt, with sudo when not root). Silent when all is there.
+#   tools/setup.sh         all
+#   tools/setup.sh demo    only what the swept command needs
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+demo_packages=(g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libbox2d-dev
+    libpng-dev libwebp-dev libosmesa6-dev libhwy-dev)
+test_packages=(libgtest-dev libbenchmark-dev libtbb-dev gnuplot-nox clang-14 libclang-rt-14-dev)
+
+wanted=("${demo_packages[@]}")
+if [ "${1:-all}" != demo ]; then wanted+=("${test_packages[@]}"); fi
+
+is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+# Another system may have all of it under other names: then CMake says what it cannot find.
+if ! command -v dpkg-query >/dev/null; then exit 0; fi
+
+missing=()
+for package in "${wanted[@]}"; do
+    if ! is_installed "$package"; then missing+=("$package"); fi
+done
+if [ "${#missing[@]}" -eq 0 ]; then exit 0; fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+        fail "missing packages and neither root nor sudo; as root: apt-get install ${missing[*]}"
+    as_root=(sudo)
+fi
+command -v apt-get >/dev/null || fail "missing packages and no apt-get to install them: ${missing[*]}"
+
+install() {
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+}
+
+say "installing ${#missing[@]} packages: ${missing[*]}"
+mkdir -p "$log_dir"
+log="$log_dir/setup.log"
+{ "${as_root[@]}" apt-get update && install "${missing[@]}"; } >"$log" 2>&1 && exit 0
+
+# Something is not to be had: install what can be, then name the rest.
+lost=()
+for package in "${missing[@]}"; do
+    is_installed "$package" || install "$package" >>"$log" 2>&1 || lost+=("$package")
+done
+if [ "${#lost[@]}" -eq 0 ]; then exit 0; fi
+fail "cannot install ${lost[*]} ($(grep -m1 '^E:' "$log" || echo "see ${log#"$root"/}"))"

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Builds everything and runs the tests: first with the default compiler, both precisions; then with clang 14 and the
+# address and undefined behaviour sanitizers the tests labelled quick; then with thread sanitizer those labelled parallel.
+#   tools/test.sh [--long] [--werror] [--no-sanitizers]
+# --long adds the tests labelled long. --werror (also: CI=true in the environment) makes warnings errors.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+long=no
+sanitizers=yes
+werror=OFF
+if [ "${CI:-}" = true ]; then werror=ON; fi
+for argument in "$@"; do
+    case "$argument" in
+        --long) long=yes ;;
+        --werror) werror=ON ;;
+        --no-sanitizers) sanitizers=no ;;
+        -h | --help) sed -n '2,5s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        *) fail "unknown argument $argument (see --help)" ;;
+    esac
+done
+
+"$root/tools/setup.sh"
+started=$SECONDS
+summary="$root/build/test-summary.txt"
+mkdir -p "$log_dir"
+: >"$summary"
+failed=no
+
+# run_tests PRESET TITLE CTEST-ARGUMENT...: runs tests and keeps ctest's own summary for the end.
+run_tests() {
+    local preset="$1" title="$2"
+    shift 2
+    local log="$log_dir/ctest-$preset.log"
+    say "$title: running the tests"
+    ctest --test-dir "$root/build/$preset" --parallel "$(nproc)" --output-on-failure --no-tests=error "$@" \
+        >"$log" 2>&1 || failed=yes
+    # From the first failure on, with the failed test's output; never the list of what passed.
+    grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+: .* Passed )' "$log" |
+        sed -n '/\*\*\*/,$p' | head -n 120 || true
+    {
+        printf '%s\n' "$title"
+        sed -n '/tests passed/p; /^The following tests FAILED/,/^Errors while/p; /^No tests were found/p' "$log"
+    } >>"$summary"
+}
+
+# build_and_test PRESET TITLE LABEL: a sanitizer pass over the tests with one label.
+build_and_test() {
+    local preset="$1" title="$2" label="$3"
+    say "$title: configuring and building (build/$preset)"
+    configure "$preset" -DSWEPT_BUILD_TESTS=ON -DSWEPT_WERROR="$werror"
+    build "$preset" "swept_tests_$label"
+    if ctest --test-dir "$root/build/$preset" -N -L "^$label\$" | grep -q '^Total Tests: 0$'; then
+        printf '%s\nno test is labelled %s yet\n' "$title" "$label" >>"$summary"
+        return
+    fi
+    run_tests "$preset" "$title" -L "^$label\$"
+}
+
+say "default compiler: configuring and building everything (build/release)"
+configure release -DSWEPT_BUILD_TESTS=ON -DSWEPT_WERROR="$werror"
+build release all
+without_long=(-LE '^long$')
+if [ "$long" = yes ]; then without_long=(); fi
+run_tests release "default compiler, release, f32 and f64" "${without_long[@]}"
+
+if [ "$sanitizers" = yes ]; then
+    export UBSAN_OPTIONS="print_stacktrace=1:${UBSAN_OPTIONS:-}"
+    build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick" quick
+    build_and_test tsan "clang 14, thread sanitizer, tests labelled parallel" parallel
+fi
+
+printf '\n'
+cat "$summary"
+printf 'took %d s; logs are in build/logs\n' $((SECONDS - started))
+[ "$failed" = no ]
