@@ -14,7 +14,11 @@ std::string scalarText(const Json& value) {
         return value.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
     const double number = value.get<double>();
-    return std::isfinite(number) ? shortestNumber(number) : "null";  // JSON has no other word for it
+    if (!std::isfinite(number)) {
+        return "null";  // JSON has no word for it
+    }
+    // "-0" would be read as a whole number, and those have no sign at 0.
+    return number == 0 && std::signbit(number) ? "-0.0" : shortestNumber(number);
 }
 
 std::string keyText(const std::string& key) { return scalarText(Json(key)) + ": "; }

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+#include <swept/samples/json_strict.h>
+#include <swept/samples/scene_names.h>
+
+#include <array>
+#include <limits>
+
+namespace swept {
+namespace {
+
+TEST(StrictJson, KeepsOrderAndValues) {
+    const JsonResult result = parseStrict(R"({"b": [1, -2, 2.5, true, null], "a": {"ä": "\u00e4"}})");
+    ASSERT_FALSE(result.error.has_value());
+    EXPECT_EQ(result.value.begin().key(), "b");
+    EXPECT_EQ(result.value["b"].size(), 5u);
+    EXPECT_EQ(result.value["b"][1].get<int>(), -2);
+    EXPECT_EQ(result.value["b"][2].get<double>(), 2.5);
+    EXPECT_EQ(result.value["a"]["ä"].get<std::string>(), "ä");
+}
+
+TEST(StrictJson, AcceptsAnyValueAndAByteOrderMark) {
+    EXPECT_EQ(parseStrict(" 3 ").value.get<int>(), 3);
+    EXPECT_EQ(parseStrict("\"x\"").value.get<std::string>(), "x");
+    EXPECT_TRUE(parseStrict("\xef\xbb\xbf{}").value.is_object());
+}
+
+TEST(StrictJson, TheSameKeyMayOccurInDifferentObjects) {
+    EXPECT_FALSE(parseStrict(R"([{"a": 1}, {"a": {"a": [{"a": 2}]}}])").error.has_value());
+}
+
+TEST(StrictJson, PlacesOfErrors) {
+    const JsonResult twice = parseStrict(R"([0, {"x": [1, {"y": 1, "y": 2}]}])");
+    ASSERT_TRUE(twice.error.has_value());
+    EXPECT_EQ(twice.error->where, "/1/x/1/y");
+    const JsonResult overflow = parseStrict(R"({"x": [1, [], {}, 2e308]})");
+    ASSERT_TRUE(overflow.error.has_value());
+    EXPECT_EQ(overflow.error->where, "/x/3");
+    const JsonResult inNested = parseStrict(R"([[1], [2, -1e400]])");
+    ASSERT_TRUE(inNested.error.has_value());
+    EXPECT_EQ(inNested.error->where, "/1/1");
+}
+
+TEST(StrictJson, Depth) {
+    EXPECT_FALSE(parseStrict(std::string(64, '[') + std::string(64, ']')).error.has_value());
+    EXPECT_TRUE(parseStrict(std::string(65, '[') + std::string(65, ']')).error.has_value());
+    EXPECT_TRUE(parseStrict(std::string(1'000'000, '[')).error.has_value());
+}
+
+TEST(StrictJson, LargestNumbers) {
+    EXPECT_EQ(parseStrict("1.7976931348623157e308").value.get<double>(), std::numeric_limits<double>::max());
+    EXPECT_EQ(parseStrict("18446744073709551616").value.get<double>(), 0x1p64);  // beyond every integer type
+}
+
+TEST(Place, WritesPointers) {
+    const Place root;
+    const Place list = root.at("a/b");
+    const Place element = list.at(7);
+    EXPECT_EQ(root.pointer(), "");
+    EXPECT_EQ(element.at("c~d").pointer(), "/a~1b/7/c~0d");
+}
+
+TEST(NearestName, AllowsForOneThirdOfTheLetters) {
+    const std::array<std::string_view, 3> names{"friction", "restitution", "mass"};
+    EXPECT_EQ(nearestName("friktion", names), "friction");
+    EXPECT_EQ(nearestName("firction", names), "friction");
+    EXPECT_EQ(nearestName("RESTITUTION", names), "restitution");
+    EXPECT_EQ(nearestName("mas", names), "mass");
+    EXPECT_EQ(nearestName("colour", names), "");
+    EXPECT_EQ(nearestName("", names), "");
+    EXPECT_EQ(nearestName(std::string(100'000, 'x'), names), "");
+}
+
+TEST(Quotes, EscapeAndCutBetweenCharacters) {
+    EXPECT_EQ(inQuotes("a\"b\\c\n"), "\"a\\\"b\\\\c\\u000a\"");
+    std::string umlauts = "x";
+    for (int i = 0; i < 50; ++i) {
+        umlauts += "ä";
+    }
+    EXPECT_EQ(inQuotes(umlauts).substr(58), "ä…\"");  // 59 bytes kept: the 60th is the middle of a character
+}
+
+TEST(ShortestNumber, IsShort) {
+    EXPECT_EQ(shortestNumber(0.1), "0.1");
+    EXPECT_EQ(shortestNumber(-5), "-5");
+    EXPECT_EQ(shortestNumber(std::numeric_limits<double>::quiet_NaN()), "nan");
+    EXPECT_EQ(shortestNumber(-std::numeric_limits<double>::infinity()), "-inf");
+}
+
+}  // namespace
+}  // namespace swept

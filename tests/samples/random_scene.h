@@ -1,0 +1,250 @@
+#pragma once
+
+#include <swept/samples/scene_description.h>
+
+#include <cmath>
+#include <string>
+
+#include "../support/random.h"
+
+namespace swept::test {
+
+/// Valid scenes in which every member of the format takes other values than its default now and then; numbers have all
+/// their digits and magnitudes from 2⁻²⁰ to 2²⁰.
+class SceneMaker {
+public:
+    explicit SceneMaker(std::uint64_t seed) : random_(seed) {}
+
+    SceneDescription make() {
+        SceneDescription scene;
+        if (often()) {
+            scene.name = "scene \"" + std::to_string(random_.integer(0, 99)) + "\"\n\xc3\xa4\\/";
+        }
+        if (often()) {
+            scene.gravity = vector();
+        }
+        if (often()) {
+            scene.view = ViewDescription{vector(), positive()};
+        }
+        scene.settings = settings();
+        const int count = random_.integer(2, 6);
+        for (int i = 0; i < count; ++i) {
+            scene.bodies.push_back(body(i));
+        }
+        const int joints = random_.integer(0, 3);
+        for (int i = 0; i < joints; ++i) {
+            scene.joints.push_back(joint(scene, i));
+        }
+        return scene;
+    }
+
+private:
+    bool often() { return random_.chance(0.5); }
+    double positive() { return std::ldexp(random_.range(0.5, 1), random_.integer(-20, 20)); }
+    double number() { return random_.sign() * positive(); }
+    DVec2 vector() { return {number(), number()}; }
+    std::optional<double> maybe(double value) { return often() ? std::optional<double>(value) : std::nullopt; }
+
+    SceneContinuous continuous() {
+        const SceneContinuous modes[] = {SceneContinuous::off, SceneContinuous::stop, SceneContinuous::subStep};
+        return modes[random_.integer(0, 2)];
+    }
+
+    SettingsDescription settings() {
+        SettingsDescription s;
+        if (often()) {
+            s.dt = positive();
+        }
+        if (often()) {
+            s.profile = SceneProfile::fast;
+        }
+        if (often()) {
+            s.subSteps = random_.integer(1, 1024);
+        }
+        if (often()) {
+            s.relaxPasses = random_.integer(0, 9);
+        }
+        if (often()) {
+            s.continuous = continuous();
+        }
+        if (often()) {
+            s.maxImpacts = random_.integer(1, 1000);
+        }
+        s.maxSpeed = maybe(positive());
+        s.sleep = often();
+        if (often()) {
+            s.broadphase = SceneBroadphase::allPairs;
+        }
+        s.toiTolerance = maybe(positive());
+        s.maxPenetration = maybe(positive());
+        s.maxJointError = maybe(positive());
+        s.maxLostTime = maybe(positive());
+        return s;
+    }
+
+    Geometry geometry(bool chainAllowed) {
+        switch (random_.integer(0, chainAllowed ? 5 : 4)) {
+            case 0:
+                return BoxGeometry{{positive(), positive()}, vector(), number()};
+            case 1:
+                return CircleGeometry{vector(), positive()};
+            case 2:
+                return CapsuleGeometry{{vector(), vector()}, positive()};
+            case 3:
+                return SegmentGeometry{{vector(), vector()}};
+            case 4:
+                return PolygonGeometry{triangle()};
+            default:
+                return ChainGeometry{{vector(), vector(), vector(), vector()}, often()};
+        }
+    }
+
+    // Large enough beside its distance from the origin to be no line.
+    std::vector<DVec2> triangle() {
+        const double size = positive();
+        const DVec2 a{size * random_.range(-1, 0), size * random_.range(-1, 0)};
+        return {a, a + DVec2{size, 0}, a + DVec2{random_.range(0, size), size}};
+    }
+
+    ShapeDescription shape(bool chainAllowed) {
+        ShapeDescription s;
+        s.geometry = geometry(chainAllowed);
+        const bool ownRadius =
+            std::holds_alternative<CircleGeometry>(s.geometry) || std::holds_alternative<CapsuleGeometry>(s.geometry);
+        if (!ownRadius && often()) {
+            s.radius = positive();
+        }
+        if (often()) {
+            s.density = positive();
+        }
+        if (often()) {
+            s.friction = positive();
+        }
+        if (often()) {
+            s.restitution = random_.uniform();
+        }
+        s.sensor = random_.chance(0.2);
+        if (often()) {
+            s.filter.category = static_cast<std::uint32_t>(random_.bits());
+        }
+        if (often()) {
+            s.filter.mask = static_cast<std::uint32_t>(random_.bits());
+        }
+        if (often()) {
+            s.filter.group = static_cast<std::int32_t>(static_cast<std::uint32_t>(random_.bits()));
+        }
+        return s;
+    }
+
+    BodyDescription body(int index) {
+        BodyDescription b;
+        // The first two are a dynamic body and another one, so that joints find partners.
+        b.type = index == 0 ? SceneBodyType::dynamic : static_cast<SceneBodyType>(random_.integer(0, 2));
+        const bool isDynamic = b.type == SceneBodyType::dynamic;
+        if (often()) {
+            b.name = "body, no. " + std::to_string(index);
+        }
+        if (often()) {
+            b.position = vector();
+        }
+        if (often()) {
+            b.angle = number();
+        }
+        if (often()) {
+            b.fixedRotation = isDynamic;
+        }
+        if (b.type != SceneBodyType::fixed) {
+            if (often()) {
+                b.velocity = vector();
+            }
+            if (often() && !b.fixedRotation) {
+                b.angularVelocity = number();
+            }
+        }
+        b.bullet = random_.chance(0.3);
+        if (often()) {
+            b.linearDamping = positive();
+        }
+        if (often()) {
+            b.angularDamping = positive();
+        }
+        if (often()) {
+            b.gravityScale = number();
+        }
+        b.awake = often();
+        if (often()) {
+            b.continuous = continuous();
+        }
+        if (isDynamic) {
+            b.mass = maybe(positive());
+            b.inertia = maybe(positive());
+            ShapeDescription solid;
+            solid.geometry = CircleGeometry{vector(), positive()};
+            b.shapes.push_back(solid);
+        }
+        const int more = random_.integer(0, 3);
+        for (int i = 0; i < more; ++i) {
+            b.shapes.push_back(shape(!isDynamic));
+        }
+        return b;
+    }
+
+    RevoluteDescription revolute() {
+        RevoluteDescription r;
+        r.anchor = vector();
+        r.lower = maybe(-positive());
+        r.upper = maybe(positive());
+        r.maxMotorTorque = maybe(positive());
+        if (r.maxMotorTorque) {
+            r.motorSpeed = maybe(number());
+        }
+        r.hertz = maybe(positive());
+        if (r.hertz) {
+            r.dampingRatio = maybe(positive());
+        }
+        return r;
+    }
+
+    DistanceDescription distance() {
+        DistanceDescription d;
+        d.anchorA = vector();
+        d.anchorB = vector();
+        const double length = positive();
+        d.length = maybe(length);
+        d.minLength = maybe(length * random_.uniform());
+        d.maxLength = maybe(length / random_.range(0.1, 1));
+        d.hertz = maybe(positive());
+        if (d.hertz) {
+            d.dampingRatio = maybe(positive());
+        }
+        return d;
+    }
+
+    JointDescription joint(const SceneDescription& scene, int index) {
+        JointDescription j;
+        if (often()) {
+            j.name = "joint, no. " + std::to_string(index);
+        }
+        const auto nameOf = [&](std::size_t i) {
+            return scene.bodies[i].name.empty() ? "body" + std::to_string(i) : scene.bodies[i].name;
+        };
+        j.bodyA = nameOf(0);
+        j.bodyB = nameOf(static_cast<std::size_t>(random_.integer(1, static_cast<int>(scene.bodies.size()) - 1)));
+        if (often()) {
+            std::swap(j.bodyA, j.bodyB);
+        }
+        j.collideConnected = often();
+        j.breakForce = maybe(positive());
+        j.breakTorque = maybe(positive());
+        if (often()) {
+            j.joint = revolute();
+        } else {
+            j.joint = distance();
+        }
+        return j;
+    }
+
+    Random random_;
+};
+
+}  // namespace swept::test
