@@ -85,8 +85,8 @@ TEST(ToiClosedForm, ThrownBallLandsOnItsParabola) {
     }
 }
 
-TEST(ToiClosedForm, BallUnderTheCeilingTurnsBackInTime) {
-    // Height 0.49, thrown up: the top of the parabola is 0.5·(1/2)² below … exactly at 1/4·4k/4 of the way.
+TEST(ToiClosedForm, DippingBallTurnsBackInTime) {
+    // The bound bends upward here: the centre comes nearest half-way, by a quarter of k, and returns.
     for (const double gap : {0.26, 0.2501, 0.2499, 0.24, 0.1}) {
         Query q{ground(), {}, circle(0.1), {}, settings(0)};
         q.sweepB.c0 = {0, 0.1 + gap};
