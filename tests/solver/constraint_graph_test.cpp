@@ -1,0 +1,184 @@
+#include <gtest/gtest.h>
+#include <swept/solver/constraint_graph.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "../support/random.h"
+
+namespace swept::test {
+namespace {
+
+bool isMovable(const SolverBatch& batch, BodySlot slot) {
+    return batch.inertias[slot].inverseMass > 0 || batch.inertias[slot].inverseInertia > 0;
+}
+
+/// Bodies of all kinds and random constraints between them; the source names the place in the array.
+SolverBatch randomBatch(std::uint64_t seed) {
+    Random random(seed);
+    SolverBatch batch;
+    batch.clear();
+    const int bodies = random.integer(1, 60);
+    for (int i = 0; i < bodies; ++i) {
+        const double kind = random.uniform();
+        BodyInertia inertia{1, 1};
+        if (kind < 0.1) {
+            inertia = {};
+        }
+        if (kind > 0.95) {
+            inertia = {0, 1};
+        }  // turns in place
+        batch.addBody({}, inertia, {});
+    }
+    // A hub takes part in many constraints, so that some families overflow.
+    const double hubShare = random.chance(0.5) ? random.uniform() : 0;
+    const auto fill = [&](auto& constraints) {
+        const int count = random.integer(0, 120);
+        for (int i = 0; i < count; ++i) {
+            auto& constraint = constraints.emplace_back();
+            const int a = random.chance(hubShare) ? 1 : random.integer(0, bodies);
+            const int b = (a + random.integer(1, bodies)) % (bodies + 1);
+            constraint.slotA = static_cast<BodySlot>(random.chance(0.5) ? a : b);
+            constraint.slotB = static_cast<BodySlot>(a + b) - constraint.slotA;
+            constraint.source = static_cast<std::uint32_t>(i);
+        }
+    };
+    fill(batch.contacts);
+    fill(batch.revolutes);
+    fill(batch.distances);
+    return batch;
+}
+
+/// Checks one kind: ranges cover the array in order, sources are a permutation, ascending within a colour.
+template <class Constraint, class RangeOf>
+void checkKind(const std::vector<Constraint>& before, const std::vector<Constraint>& after, RangeOf&& rangeOf,
+               std::uint64_t seed) {
+    ASSERT_EQ(before.size(), after.size()) << "seed " << seed;
+    std::uint32_t expected = 0;
+    std::set<std::uint32_t> sources;
+    for (int colour = 0; colour < kColourCount; ++colour) {
+        const ColourRange range = rangeOf(colour);
+        ASSERT_EQ(range.begin, expected) << "seed " << seed;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Constraint& constraint = after[i];
+            sources.insert(constraint.source);
+            ASSERT_EQ(constraint.slotA, before[constraint.source].slotA) << "seed " << seed;
+            ASSERT_EQ(constraint.slotB, before[constraint.source].slotB) << "seed " << seed;
+            if (i > range.begin) {
+                ASSERT_LT(after[i - 1].source, constraint.source) << "seed " << seed << ": not stable";
+            }
+        }
+        expected = range.end;
+    }
+    ASSERT_EQ(expected, after.size()) << "seed " << seed;
+    ASSERT_EQ(sources.size(), after.size()) << "seed " << seed;
+}
+
+class ColourUse {
+public:
+    explicit ColourUse(const SolverBatch& batch) : batch_(batch) {}
+
+    template <class Constraint>
+    void take(const std::vector<Constraint>& constraints, ColourRange range, int colour, std::uint64_t seed) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const bool bothMove = isMovable(batch_, constraints[i].slotA) && isMovable(batch_, constraints[i].slotB);
+            ASSERT_EQ(bothMove, colour < kFirstFixedColour) << "seed " << seed << ": wrong half of the colours";
+            for (const BodySlot slot : {constraints[i].slotA, constraints[i].slotB}) {
+                if (!isMovable(batch_, slot)) {
+                    continue;
+                }
+                ASSERT_TRUE(taken_.insert(slot).second)
+                    << "seed " << seed << ": body " << slot << " twice in " << colour;
+            }
+        }
+    }
+
+private:
+    const SolverBatch& batch_;
+    std::set<BodySlot> taken_;
+};
+
+TEST(ConstraintGraph, NoColourHasAMovableBodyTwiceAndNothingIsLost) {
+    int overflows = 0;
+    int colours = 0;
+    ConstraintGraph graph;  // one for all, as a world keeps it
+    for (std::uint64_t seed = 0; seed < 3'000; ++seed) {
+        const SolverBatch before = randomBatch(seed);
+        SolverBatch after = before;
+        graph.colour(after);
+        checkKind(
+            before.contacts, after.contacts, [&](int c) { return graph.contacts(c); }, seed);
+        checkKind(
+            before.revolutes, after.revolutes, [&](int c) { return graph.revolutes(c); }, seed);
+        checkKind(
+            before.distances, after.distances, [&](int c) { return graph.distances(c); }, seed);
+        for (const int colour : graph.activeColours()) {
+            ++colours;
+            if (colour == kOverflowColour) {
+                ++overflows;
+                continue;
+            }
+            ColourUse use(after);
+            use.take(after.contacts, graph.contacts(colour), colour, seed);
+            use.take(after.revolutes, graph.revolutes(colour), colour, seed);
+            use.take(after.distances, graph.distances(colour), colour, seed);
+        }
+        ASSERT_TRUE(std::is_sorted(graph.activeColours().begin(), graph.activeColours().end()));
+        if (HasFatalFailure()) {
+            return;
+        }
+    }
+    EXPECT_GT(overflows, 300);
+    EXPECT_GT(colours, 30'000);
+}
+
+TEST(ConstraintGraph, IsTheSameWhateverItColouredBefore) {
+    ConstraintGraph used;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        SolverBatch first = randomBatch(seed);
+        SolverBatch second = first;
+        ConstraintGraph fresh;
+        used.colour(first);
+        fresh.colour(second);
+        ASSERT_EQ(used.activeColours(), fresh.activeColours()) << "seed " << seed;
+        const auto sourcesOf = [](const auto& constraints) {
+            std::vector<std::uint32_t> sources;
+            for (const auto& constraint : constraints) {
+                sources.push_back(constraint.source);
+            }
+            return sources;
+        };
+        ASSERT_EQ(sourcesOf(first.contacts), sourcesOf(second.contacts)) << "seed " << seed;
+        ASSERT_EQ(sourcesOf(first.revolutes), sourcesOf(second.revolutes)) << "seed " << seed;
+        ASSERT_EQ(sourcesOf(first.distances), sourcesOf(second.distances)) << "seed " << seed;
+    }
+}
+
+/// A star: `count` contacts of one movable body with others that may move or not.
+ColourRange overflowOfStar(int count, BodyInertia others) {
+    SolverBatch batch;
+    batch.clear();
+    const BodySlot hub = batch.addBody({}, {1, 1}, {});
+    for (int i = 0; i < count; ++i) {
+        ContactConstraint contact;
+        contact.slotA = batch.addBody({}, others, {});
+        contact.slotB = hub;
+        batch.contacts.push_back(contact);
+    }
+    ConstraintGraph graph;
+    graph.colour(batch);
+    return graph.contacts(kOverflowColour);
+}
+
+TEST(ConstraintGraph, OverflowsWhenABodyHasMoreConstraintsThanThereAreColours) {
+    const auto countOf = [](ColourRange range) { return range.end - range.begin; };
+    EXPECT_EQ(countOf(overflowOfStar(48, {1, 1})), 0U);
+    EXPECT_EQ(countOf(overflowOfStar(49, {1, 1})), 1U);
+    EXPECT_EQ(countOf(overflowOfStar(100, {1, 1})), 52U);
+    EXPECT_EQ(countOf(overflowOfStar(15, {})), 0U);
+    EXPECT_EQ(countOf(overflowOfStar(16, {})), 1U);
+}
+
+}  // namespace
+}  // namespace swept::test

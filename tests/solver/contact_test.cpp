@@ -1,0 +1,241 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solver_scene.h"
+
+namespace swept::test {
+namespace {
+
+constexpr Real kGravity = Real(-10);
+
+/// A box of half size 0.5 and 1 kg over the plane through the origin with normal (sin angle, cos angle) turned.
+struct BoxOnPlane {
+    SolverSettings settings{.dt = real(1.0 / 64), .subSteps = 4, .relaxPasses = 1, .restitutionThreshold = real(0.2)};
+    double slope = 0;  ///< rad
+    Real friction = real(0.5);
+    SceneBody box = bodyAt(0, 0.5, 1, 1.0 / 6);
+    SolverBatch batch;
+    Solver solver;
+    std::array<Real, 2> normalImpulses{};  ///< of the last sub-step
+    std::array<Real, 2> tangentImpulses{};
+
+    Vec2 normal() const { return turned(slope, 0, 1); }
+    Vec2 downhill() const { return turned(slope, -1, 0); }
+    Real h() const { return settings.dt / static_cast<Real>(settings.subSteps); }
+    /// Height of the box's centre over its place on the plane.
+    double height() const { return -std::sin(slope) * box.x + std::cos(slope) * box.y - 0.5; }
+
+    void place(double separation) {
+        box.x = -std::sin(slope) * (0.5 + separation);
+        box.y = std::cos(slope) * (0.5 + separation);
+        box.angle = slope;
+    }
+
+    ContactConstraint contact(BodySlot slot) const {
+        ContactConstraint c;
+        c.slotB = slot;
+        c.normal = normal();
+        c.friction = friction;
+        c.maxPushSpeed = 4;
+        c.softness = softnessOfSubStep(kContactDampingRatio, h());
+        c.count = 2;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Vec2 arm = turned(box.angle, i == 0 ? -0.5 : 0.5, -0.5);
+            const double x = box.x + static_cast<double>(arm.x);
+            const double y = box.y + static_cast<double>(arm.y);
+            c.points[i].anchorB = arm;
+            c.points[i].anchorA = {real(x), real(y)};
+            c.points[i].baseSeparation = real(-std::sin(slope) * x + std::cos(slope) * y);
+            c.points[i].normalImpulse = normalImpulses[i];
+            c.points[i].tangentImpulse = tangentImpulses[i];
+        }
+        return c;
+    }
+
+    void step() {
+        batch.clear();
+        box.drive = driveOf({0, kGravity}, h());
+        const BodySlot slot = add(batch, box);
+        batch.contacts.push_back(contact(slot));
+        solver.solve(batch, settings);
+        for (std::size_t i = 0; i < 2; ++i) {
+            normalImpulses[i] = batch.contacts[0].points[i].normalImpulse;
+            tangentImpulses[i] = batch.contacts[0].points[i].tangentImpulse;
+        }
+        finishStep(box, batch.states[slot]);
+    }
+};
+
+TEST(Contact, RestsOnTheFixedWorld) {
+    BoxOnPlane scene;
+    scene.place(0);
+    double deepest = 0;
+    for (int i = 0; i < 256; ++i) {
+        scene.step();
+        deepest = std::min(deepest, scene.height());
+    }
+    EXPECT_GT(deepest, -0.002);
+    EXPECT_NEAR(scene.height(), 0, 0.001);
+    EXPECT_LT(length(scene.box.state.velocity), real(1e-4));
+    EXPECT_LT(std::fabs(scene.box.state.angularVelocity), real(1e-4));
+    // The sub-step's impulse carries the weight.
+    EXPECT_NEAR(scene.normalImpulses[0] + scene.normalImpulses[1], -kGravity * scene.h(),
+                -kGravity * scene.h() * real(1e-3));
+    EXPECT_EQ(scene.batch.states[kFixedSlot].velocity, Vec2{}) << "the fixed world is never written";
+}
+
+TEST(Contact, ClosesAGapWithoutPenetrating) {
+    BoxOnPlane scene;
+    scene.place(0.05);
+    scene.box.state.velocity = {0, -1};
+    bool touched = false;
+    for (int i = 0; i < 64; ++i) {
+        scene.step();
+        ASSERT_GT(scene.height(), -0.002);
+        touched = touched || scene.normalImpulses[0] > 0;
+    }
+    EXPECT_TRUE(touched);
+    EXPECT_NEAR(scene.height(), 0, 0.001);
+}
+
+TEST(Contact, PushesOutOfAnOverlapWithoutThrowing) {
+    BoxOnPlane scene;
+    scene.place(-0.2);
+    double fastest = 0;
+    for (int i = 0; i < 128; ++i) {
+        scene.step();
+        if (scene.height() > -0.002) {
+            fastest = std::max(fastest, static_cast<double>(scene.box.state.velocity.y));
+        }
+        ASSERT_LT(scene.height(), 0.001) << "step " << i;
+    }
+    EXPECT_LT(fastest, 0.01) << "relaxation takes the speed of the push back";
+    EXPECT_GT(scene.height(), -0.002) << "it has come out";
+}
+
+TEST(Contact, PushesNoFasterThanAllowed) {
+    BoxOnPlane scene;
+    scene.place(-0.4);
+    for (int i = 0; i < 4; ++i) {
+        const double before = scene.height();
+        scene.step();
+        EXPECT_LE(scene.height() - before, 4.0 / 64 * 1.0001);
+        EXPECT_GT(scene.height(), before);
+    }
+}
+
+TEST(Contact, BlockOnAnInclineSlidesAsCoulombSays) {
+    for (const double slope : {0.2, 0.5, 0.7, -0.5}) {
+        for (const double mu : {0.0, 0.1, 0.3, 0.6, 1.0}) {
+            BoxOnPlane scene;
+            scene.slope = slope;
+            scene.friction = real(mu);
+            scene.place(0);
+            for (int i = 0; i < 16; ++i) {
+                scene.step();
+            }  // settles
+            const double start =
+                static_cast<double>(dot(scene.box.state.velocity, scene.downhill())) * (slope < 0 ? -1 : 1);
+            constexpr int kSteps = 64;  // one second
+            for (int i = 0; i < kSteps; ++i) {
+                scene.step();
+            }
+            const double end =
+                static_cast<double>(dot(scene.box.state.velocity, scene.downhill())) * (slope < 0 ? -1 : 1);
+            const double steep = std::fabs(slope);
+            const double drive = 10 * (std::sin(steep) - mu * std::cos(steep));
+            if (std::tan(steep) > mu) {
+                EXPECT_NEAR(end - start, drive, 0.01 * drive + 1e-3) << "slope " << slope << " friction " << mu;
+            } else {
+                EXPECT_NEAR(end, 0, 1e-4) << "slope " << slope << " friction " << mu;
+            }
+            for (std::size_t i = 0; i < 2; ++i) {
+                EXPECT_LE(std::fabs(scene.tangentImpulses[i]), real(mu) * scene.normalImpulses[i]);
+            }
+        }
+    }
+}
+
+TEST(Contact, SticksJustBelowTheFrictionAngleAndSlidesJustAbove) {
+    const double slope = 0.4;
+    for (const double share : {0.98, 1.02}) {
+        BoxOnPlane scene;
+        scene.slope = slope;
+        scene.friction = real(share * std::tan(slope));
+        scene.place(0);
+        for (int i = 0; i < 256; ++i) {
+            scene.step();
+        }
+        const double speed = static_cast<double>(dot(scene.box.state.velocity, scene.downhill()));
+        if (share > 1) {
+            EXPECT_NEAR(speed, 0, 1e-4);
+        } else {
+            EXPECT_NEAR(speed, 4 * 10 * 0.02 * std::sin(slope), 0.1 * 4 * 10 * 0.02 * std::sin(slope));
+        }
+    }
+}
+
+/// A ball dropped on the floor keeps restitution² of its energy at each bounce.
+TEST(Contact, BouncesAtTheSubStepInWhichItMeets) {
+    SolverBatch batch;
+    Solver solver;
+    const SolverSettings settings{.dt = real(1.0 / 64), .subSteps = 16, .restitutionThreshold = real(0.2)};
+    const Real h = settings.dt / 16;
+    SceneBody ball = bodyAt(0, 2.5, 1, 0.125);
+    ball.drive = driveOf({0, kGravity}, h);
+    double highest = 0;
+    bool bounced = false;
+    for (int i = 0; i < 96; ++i) {
+        batch.clear();
+        const BodySlot slot = add(batch, ball);
+        ContactConstraint contact;
+        contact.slotB = slot;
+        contact.normal = {0, 1};
+        contact.restitution = real(0.5);
+        contact.maxPushSpeed = 4;
+        contact.softness = softnessOfSubStep(kContactDampingRatio, h);
+        contact.count = 1;
+        contact.points[0].anchorB = {0, real(-0.5)};
+        contact.points[0].anchorA = {0, real(ball.y - 0.5)};
+        contact.points[0].baseSeparation = real(ball.y - 0.5);
+        batch.contacts.push_back(contact);
+        const SolveReport report = solver.solve(batch, settings);
+        bounced = bounced || report.bounceRounds > 0;
+        if (report.bounceRounds > 0) {
+            EXPECT_NEAR(batch.contacts[0].points[0].bounceApproach, std::sqrt(40), 0.05);
+            EXPECT_NEAR(batch.contacts[0].points[0].totalNormalImpulse, 1.5 * std::sqrt(40), 0.1);
+        }
+        finishStep(ball, batch.states[slot]);
+        if (bounced) {
+            highest = std::max(highest, ball.y - 0.5);
+        }
+        if (bounced && ball.state.velocity.y < 0) {
+            break;
+        }
+    }
+    EXPECT_NEAR(highest, 2 * 0.25, 0.01);
+}
+
+TEST(Contact, SpeedLimitIsAppliedAndReported) {
+    SolverBatch batch;
+    batch.clear();
+    SceneBody fast = bodyAt(0, 0);
+    fast.state.velocity = {30, 40};
+    SceneBody slow = bodyAt(0, 0);
+    slow.state.velocity = {3, 4};
+    const BodySlot fastSlot = add(batch, fast);
+    const BodySlot slowSlot = add(batch, slow);
+    Solver solver;
+    const SolveReport report = solver.solve(batch, {.dt = 1, .subSteps = 4, .maxSpeed = 10});
+    EXPECT_EQ(report.speedsLimited, 1);
+    EXPECT_NEAR(batch.states[fastSlot].velocity.x, 6, 20 * kEpsilon);
+    EXPECT_NEAR(batch.states[fastSlot].velocity.y, 8, 20 * kEpsilon);
+    EXPECT_EQ(batch.states[slowSlot].velocity, (Vec2{3, 4}));
+    EXPECT_EQ(batch.states[slowSlot].deltaPosition, (Vec2{3, 4}));
+}
+
+}  // namespace
+}  // namespace swept::test
