@@ -241,6 +241,7 @@ void clampAtImpact(WorldState& world, std::uint32_t slot, double dt, LostTimeRea
                       .a0 = body.startAngle,
                       .a1 = motion.angle};
     findObstacles(world, slot, sweep, scratch);
+    allowSlack(world, sweep, dt, scratch);
     const FirstImpact first = firstImpact(world, sweep, 0, dt, scratch);
     if (!first.hit) { return; }
     const BodyMotion stopped = motionAt(sweep, first.fraction, body.localCenter);

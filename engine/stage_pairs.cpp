@@ -6,19 +6,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
-    for (const std::uint32_t slot : world.bodies[bodyA].joints) {
-        const Joint& joint = world.joints[slot];
-        const bool connects = joint.bodyA == bodyB || joint.bodyB == bodyB;
-        if (connects && !joint.base.collideConnected) { return true; }
-    }
-    return false;
-}
-
-bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
-    return a.body != b.body && shouldCollide(a.def.filter, b.def.filter) && !jointForbids(world, a.body, b.body);
-}
-
 /// Chain segments and sensors come first, else the lower slot.
 bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Shape& shapeA = world.shapes[a];

@@ -17,8 +17,7 @@ Aabb centerBox(const Sweep& sweep) {
 }
 
 bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
-    return other.body != own.body && !world.bodies[other.body].isDynamic() && !other.def.sensor &&
-           shouldCollide(own.def.filter, other.def.filter);
+    return !world.bodies[other.body].isDynamic() && !other.def.sensor && mayTouch(world, own, other);
 }
 
 /// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
@@ -56,20 +55,38 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
     return toi;
 }
 
-/// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
-DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep) {
+/// Manifold of an obstacle at the start of a sweep; `normal` in world coordinates.
+struct StartContact {
+    bool touches = false;
+    Real deepest = 0;
+    Vec2 normal{};
+};
+
+/// A chain refuses what belongs to a neighbour; for a sweep it still stands in the way, with its own side.
+StartContact contactAtStart(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep,
+                            const Sweep& otherSweep, Real margin) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
-    const BodyMotion pose = motionAt(sweep, 0, toReal(sweep.localCenter));
-    const BodyMotion otherPose = motionAt(otherSweep, 0, toReal(otherSweep.localCenter));
-    const Manifold manifold =
-        obstacleManifold(world, obstacle, otherPose.pose, pose.pose, std::min(own.extent, other.extent));
-    Real deepest = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        deepest = std::min(deepest, manifold.points[i].separation);
+    const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
+    const WorldTransform otherPose = motionAt(otherSweep, 0, toReal(otherSweep.localCenter)).pose;
+    Manifold manifold = obstacleManifold(world, obstacle, otherPose, pose, margin);
+    if (manifold.count == 0 && other.isChainSegment) {
+        manifold = collide(other.polygon, own.polygon, relativeTransform(otherPose, pose), margin);
+        if (dot(manifold.normal, normalOf(other.segment)) < 0) { manifold.normal = normalOf(other.segment); }
     }
-    const double up = targetOf(world, obstacle) - static_cast<double>(deepest);
-    return up * toDouble(rotate(otherPose.pose.rotation, manifold.normal));
+    StartContact contact{manifold.count > 0, margin, rotate(otherPose.rotation, manifold.normal)};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        contact.deepest = std::min(contact.deepest, manifold.points[i].separation);
+    }
+    return contact;
+}
+
+/// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
+DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep) {
+    const Real margin = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
+    const StartContact contact = contactAtStart(world, obstacle, sweep, otherSweep, margin);
+    const double up = targetOf(world, obstacle) - static_cast<double>(std::min(contact.deepest, Real(0)));
+    return up * toDouble(contact.normal);
 }
 
 }  // namespace
@@ -146,6 +163,18 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
     const Transform bInA = relativeTransform(other, own);
     return a.isChainSegment ? collide(a.segment, b.polygon, bInA, margin)
                             : collide(a.polygon, b.polygon, bInA, margin);
+}
+
+void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch) {
+    for (FlightObstacle& obstacle : scratch.obstacles) {
+        const Shape& own = world.shapes[obstacle.own];
+        const Shape& other = world.shapes[obstacle.other];
+        const Sweep otherSweep = obstacleSweep(world, other.body, 0, dt);
+        const Real margin = contactReach(world, own) + contactReach(world, other);
+        const StartContact contact = contactAtStart(world, obstacle, sweep, otherSweep, margin);
+        if (!contact.touches) { continue; }
+        obstacle.lift = static_cast<double>(kSlackRatio * std::min(own.extent, other.extent)) * toDouble(contact.normal);
+    }
 }
 
 FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch) {

@@ -22,6 +22,10 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
 Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& other,
                           const WorldTransform& own, Real margin);
 
+/// Obstacles that a body touches at the start of the step, and that the contact solver therefore holds it off, may be
+/// sunk into by a part of the extent: the solver is soft, and a body that rolls or tips about a contact must not stop there.
+void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch);
+
 struct FirstImpact {
     bool hit = false;
     double fraction = 1;

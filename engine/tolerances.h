@@ -25,6 +25,8 @@ inline constexpr Real kBoxMarginRatio = Real(1) / 8;
 inline constexpr Real kPushRatio = Real(1) / 4;
 /// A flyer that overlaps something by up to this part of the extent is set back to the surface before it flies on.
 inline constexpr Real kShallowRatio = 8 * kTargetRatio;
+/// A fast body that contacts hold (the soft solver) may sink into them by this part of the extent before it is stopped.
+inline constexpr Real kSlackRatio = Real(1) / 8;
 /// A body rests while it moves less than this part of its extent …
 inline constexpr Real kRestRatio = kTargetRatio;
 /// … for so many steps, and for so many times √(extent/|gravity|).

@@ -33,7 +33,20 @@ Aabb boxAfter(const WorldState& world, const Shape& shape, const Aabb& tight) {
     return hullOf(tight, boundsOf(shape.polygon, poseOf(center, angle, body.localCenter)));
 }
 
+bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
+    for (const std::uint32_t slot : world.bodies[bodyA].joints) {
+        const Joint& joint = world.joints[slot];
+        const bool connects = joint.bodyA == bodyB || joint.bodyB == bodyB;
+        if (connects && !joint.base.collideConnected) { return true; }
+    }
+    return false;
+}
+
 }  // namespace
+
+bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
+    return a.body != b.body && shouldCollide(a.def.filter, b.def.filter) && !jointForbids(world, a.body, b.body);
+}
 
 void wake(WorldState& world, std::uint32_t start) {
     if (world.bodies[start].awake || world.bodies[start].def.type == BodyType::fixed) { return; }

@@ -56,6 +56,8 @@ struct WorldState {
 
 // --- bookkeeping shared by the stages (world_bookkeeping.cpp)
 
+/// Whether two shapes may collide at all: bodies, filters, joints.
+bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
 /// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake and static bodies.
 void wake(WorldState& world, std::uint32_t body);
 /// Wakes everything that has a contact or a joint with the body.
