@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "run_program.h"
+#include "small_scenes.h"
+
+namespace swept {
+namespace {
+
+/// Runs with every kind of output asked for, and checks that a refusal is one line on standard error and leaves no file.
+void expectRefusal(std::vector<std::string> arguments, const std::string& reason, const std::string& input = "") {
+    const auto result = runSwept(arguments, input);
+    EXPECT_EQ(result.exitCode, 2) << reason;
+    EXPECT_EQ(result.out, "") << reason;
+    EXPECT_EQ(result.err.substr(0, 7), "swept: ") << result.err;
+    EXPECT_NE(result.err.find(reason), std::string::npos) << "wanted: " << reason << "\ngot: " << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+class CommandError : public testing::Test {
+protected:
+    void expectRunRefused(std::vector<std::string> arguments, const std::string& reason) {
+        arguments.insert(arguments.begin(), "run");
+        for (const char* const output : {"--csv", "--events", "--report"}) {
+            if (std::find(arguments.begin(), arguments.end(), output) != arguments.end()) { continue; }
+            arguments.insert(arguments.end(), {output, out_.path(output + 2)});
+        }
+        if (std::find(arguments.begin(), arguments.end(), "--png") == arguments.end()) {
+            arguments.insert(arguments.end(), {"--png", out_.path("pictures")});
+        }
+        expectRefusal(arguments, reason);
+        EXPECT_TRUE(out_.isEmpty()) << "a refused run must write nothing: " << reason;
+    }
+
+    ScratchDirectory in_;
+    ScratchDirectory out_;
+    std::string scene_ = in_.write("ball.json", kBallScene);
+};
+
+TEST_F(CommandError, DurationAndStepsTogether) {
+    expectRunRefused({scene_, "--duration", "1", "--steps", "2"}, "not both");
+}
+
+TEST_F(CommandError, LengthsThatMakeNoSense) {
+    expectRunRefused({scene_, "--steps=-1"}, "--steps");
+    expectRunRefused({scene_, "--steps", "1.5"}, "--steps");
+    expectRunRefused({scene_, "--duration", "nan"}, "--duration");
+    expectRunRefused({scene_, "--duration", "1e300"}, "--duration");
+    expectRunRefused({scene_, "--duration=-1"}, "--duration");
+    expectRunRefused({scene_, "--duration", "soon"}, "--duration");
+}
+
+TEST_F(CommandError, ScenesThatAreNotThere) {
+    expectRunRefused({"piramid"}, "piramid: no such file, and no built-in scene of that name; did you mean \"pyramid\"?");
+    expectRunRefused({in_.path("missing.json")}, "no such file");
+    expectRunRefused({"--steps", "1"}, "scene");
+}
+
+TEST_F(CommandError, NamesFilePointerAndReason) {
+    const std::string bad = in_.write("bad.json", R"({"bodies": [{"type": "dynamic", "shapes": [{"circle": {"radius": -1}}]}]})");
+    expectRunRefused({bad}, "swept: " + bad + ": /bodies/0/shapes/0/circle/radius: ");
+    const std::string syntax = in_.write("syntax.json", "{\"bodies\": [}");
+    expectRunRefused({syntax}, syntax + ": line 1, column");
+    const std::string unknown = in_.write("unknown.json", R"({"bodys": []})");
+    expectRunRefused({unknown}, unknown + ": /bodys: ");
+}
+
+TEST_F(CommandError, OverridesThatDoNotFit) {
+    expectRunRefused({scene_, "--set", "settings"}, "/pointer=value");
+    expectRunRefused({scene_, "--set", "/settings/dt=-1"}, "/settings/dt");
+    expectRunRefused({scene_, "--set", "/settings/dt={"}, "/settings/dt");
+    expectRunRefused({scene_, "--set", "/nothing/here=1"}, "/nothing");
+    expectRunRefused({scene_, "--set", "/bodies/9/angle=1"}, "/bodies/9");
+}
+
+TEST_F(CommandError, PlacesThatCannotBeWritten) {
+    expectRunRefused({scene_, "--csv", out_.path("missing/a.csv")}, "--csv " + out_.path("missing/a.csv"));
+    expectRunRefused({scene_, "--report", "/proc/no_report.json"}, "--report /proc/no_report.json");
+    expectRunRefused({scene_, "--png", "/proc/no_pictures"}, "--png /proc/no_pictures");
+    expectRunRefused({scene_, "--png", scene_ + "/below"}, "--png");
+    expectRunRefused({scene_, "--csv", scene_}, "would overwrite the input");
+    EXPECT_EQ(in_.read("ball.json"), kBallScene);
+    expectRunRefused({scene_, "--csv", out_.path("same"), "--events", out_.path("same")}, "already the file of --csv");
+}
+
+TEST_F(CommandError, PicturesThatMakeNoSense) {
+    expectRunRefused({scene_, "--size", "1280"}, "--size 1280");
+    expectRunRefused({scene_, "--size", "0x10"}, "--size 0x10");
+    expectRunRefused({scene_, "--size", "1280x720px"}, "--size");
+    expectRunRefused({scene_, "--size", "99999999999x720"}, "--size");
+    expectRunRefused({scene_, "--every", "0"}, "--every");
+    expectRunRefused({scene_, "--sheet", "-1"}, "--sheet");
+    expectRefusal({"run", scene_, "--sheet", "4"}, "--sheet: needs --png");
+    expectRefusal({"run", scene_, "--trails"}, "need --png or --webp");
+}
+
+TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
+    expectRunRefused({scene_, "--precision", "f16"}, "--precision");
+    expectRunRefused({scene_, "--threads", "0"}, "--threads");
+    expectRunRefused({scene_, "--unheard-of"}, "--unheard-of");
+    expectRunRefused({scene_, "second.json"}, "second.json");
+    expectRefusal({}, "no command given");
+    expectRefusal({"fly"}, "fly: no such command");
+    expectRefusal({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
+    expectRefusal({""}, "no such command");
+    expectRefusal({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));
+    expectRefusal({"toi", "--method", "guess"}, "--method guess");
+    expectRefusal({"distance", "--precision", "f16"}, "--precision");
+    expectRefusal({"compare", scene_, "--scale", "0"}, "--scale");
+    expectRefusal({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");
+}
+
+TEST_F(CommandError, CommandsOfLaterDaysAreNotThere) {
+    for (const char* const command : {"tune", "bench", "inspect"}) { expectRefusal({command, scene_}, command); }
+}
+
+}  // namespace
+}  // namespace swept

@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "run_program.h"
+
+namespace swept {
+namespace {
+
+const char* const kBallFallsOnEdge =
+    R"({"id": "one", "a": {"vertices": [[-1, 0], [1, 0]], "radius": 0, "sweep": {"localCenter": [0, 0], "c0": [0, 0], "c1": [0, 0], "a0": 0, "a1": 0}}, "b": {"vertices": [[0, 0]], "radius": 0.5, "sweep": {"localCenter": [0, 0], "c0": [0, 3], "c1": [0, -3], "a0": 0, "a1": 2.5}}, "tMax": 1, "target": 0.01, "tolerance": 0.001})";
+
+TEST(CommandQueries, AnswersFromStandardInput) {
+    const auto result = runSwept({"toi"}, std::string(kBallFallsOnEdge) + "\n\n");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto answer = nlohmann::json::parse(result.out);
+    EXPECT_EQ(answer.at("id"), "one");
+    EXPECT_EQ(answer.at("state"), "hit");
+    EXPECT_NEAR(answer.at("t"), (3 - 0.51) / 6, 0.001);
+}
+
+TEST(CommandQueries, AnswersAFile) {
+    const ScratchDirectory scratch;
+    const std::string file = scratch.write("queries.jsonl", kBallFallsOnEdge);
+    for (const char* const precision : {"f32", "f64"}) {
+        const auto result = runSwept({"distance", file, "--precision", precision});
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_NEAR(nlohmann::json::parse(result.out).at("distance"), 2.5, 1e-6);
+    }
+    const auto cast = runSwept({"toi", file, "--method", "shapeCast"});
+    ASSERT_EQ(cast.exitCode, 0) << cast.err;
+    EXPECT_EQ(nlohmann::json::parse(cast.out).at("state"), "hit");
+}
+
+TEST(CommandQueries, ABadLineIsAnsweredInItsPlace) {
+    const auto result = runSwept({"toi"}, std::string(kBallFallsOnEdge) + "\nnonsense\n" + kBallFallsOnEdge + "\n");
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_NE(result.out.find("\"error\""), std::string::npos);
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 3);
+}
+
+}  // namespace
+}  // namespace swept

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "run_program.h"
+#include "small_scenes.h"
+
+namespace swept {
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) { lines.push_back(line); }
+    return lines;
+}
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+    std::vector<std::string> fields;
+    std::istringstream stream(line);
+    for (std::string field; std::getline(stream, field, ',');) { fields.push_back(field); }
+    return fields;
+}
+
+TEST(CommandRun, WritesTheStateOfEveryBodyAfterEveryStep) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto result = runSwept({"run", scene, "--steps", "3", "--csv", scratch.path("out.csv")});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto lines = linesOf(scratch.read("out.csv"));
+    ASSERT_EQ(lines.size(), 1u + 4u * 2u);
+    EXPECT_EQ(lines[0], "step,time,body,x,y,angle,vx,vy,omega,awake");
+    EXPECT_EQ(lines[1], "0,0,floor,0,-0.5,0,0,0,0,0");
+    EXPECT_EQ(lines[2], "0,0,ball,0,5,0,1,0,0,1");
+    EXPECT_EQ(lines[7], "3,0.046875,floor,0,-0.5,0,0,0,0,0");
+    const auto ball = fieldsOf(lines[8]);
+    ASSERT_EQ(ball.size(), 10u);
+    EXPECT_NEAR(std::stod(ball[3]), 0.046875, 1e-6);
+    EXPECT_NEAR(std::stod(ball[4]), 5 - 4 * 0.046875 * 0.046875, 1e-6) << "free flight is exact";
+    EXPECT_EQ(ball[9], "1");
+}
+
+TEST(CommandRun, RunsTheDurationRoundedToSteps) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    struct Case {
+        const char* duration;
+        std::size_t steps;
+    };
+    for (const Case& c : {Case{"0.1", 6}, Case{"0.11", 7}, Case{"0", 0}, Case{"0.007", 0}, Case{"0.008", 1}}) {
+        const auto result = runSwept({"run", scene, "--duration", c.duration, "--csv", scratch.path("out.csv")});
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_EQ(linesOf(scratch.read("out.csv")).size(), 1 + 2 * (c.steps + 1)) << c.duration;
+    }
+}
+
+TEST(CommandRun, RunsTenSecondsByDefault) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    ASSERT_EQ(runSwept({"run", scene, "--csv", scratch.path("out.csv")}).exitCode, 0);
+    EXPECT_EQ(linesOf(scratch.read("out.csv")).size(), 1u + 2u * 641u);
+}
+
+TEST(CommandRun, TellsOfTheBounce) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto result = runSwept({"run", scene, "--duration", "1.5", "--events", scratch.path("out.jsonl")});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto lines = linesOf(scratch.read("out.jsonl"));
+    ASSERT_FALSE(lines.empty());
+    double last = 0;
+    int hits = 0;
+    for (const std::string& line : lines) {
+        const auto event = nlohmann::json::parse(line);
+        EXPECT_GE(event.at("time"), last) << "sorted by time";
+        last = event.at("time");
+        EXPECT_EQ(event.at("time").get<double>(),
+                  (event.at("step").get<double>() - 1 + event.at("fraction").get<double>()) * 0.015625);
+        hits += event.at("type") == "hit" ? 1 : 0;
+    }
+    const auto first = nlohmann::json::parse(lines[0]);
+    EXPECT_EQ(first.at("a"), "floor");
+    EXPECT_EQ(first.at("b"), "ball");
+    EXPECT_NEAR(first.at("time"), 1.06, 0.02) << "4.5 m at 8 m/s²";
+    EXPECT_GE(hits, 1);
+}
+
+TEST(CommandRun, WritesAReport) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto result =
+        runSwept({"run", scene, "--steps", "10", "--precision", "f64", "--report", scratch.path("out.json")});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto report = nlohmann::json::parse(scratch.read("out.json"));
+    EXPECT_EQ(report.at("scene"), "ball");
+    EXPECT_EQ(report.at("precision"), "f64");
+    EXPECT_EQ(report.at("steps"), 10);
+    EXPECT_EQ(report.at("finite"), true);
+    EXPECT_FALSE(report.at("counters").empty());
+    const double energy = report.at("energy").at("start");
+    EXPECT_NEAR(energy, 3.14159265 * 0.25 * (0.5 + 8 * 5), 1e-3);
+    EXPECT_NEAR(report.at("energy").at("end"), energy, 1e-9 * energy) << "free flight loses nothing";
+    EXPECT_EQ(report.at("settings").at("dt"), 0.015625);
+}
+
+TEST(CommandRun, OverridesMembersBeforeTheyAreChecked) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const std::string csv = scratch.path("out.csv");
+    const auto changed = runSwept({"run", scene, "--steps", "1", "--set", "/settings/dt=0.25", "--set",
+                                   "/bodies/1/velocity=[2, 0]", "--csv", csv});
+    ASSERT_EQ(changed.exitCode, 0) << changed.err;
+    EXPECT_EQ(fieldsOf(linesOf(scratch.read("out.csv"))[4])[1], "0.25");
+    EXPECT_EQ(fieldsOf(linesOf(scratch.read("out.csv"))[4])[3], "0.5");
+    const auto severalAtOnce =
+        runSwept({"run", "--set", "/settings/dt=0.5", "/gravity=[0, 0]", "--steps", "1", scene, "--csv", csv});
+    ASSERT_EQ(severalAtOnce.exitCode, 0) << severalAtOnce.err;
+    EXPECT_EQ(linesOf(scratch.read("out.csv"))[4], "1,0.5,ball,0.5,5,0,1,0,0,1");
+}
+
+TEST(CommandRun, GivesTheSameBytesTwiceAndWithAnyNumberOfThreads) {
+    const ScratchDirectory scratch;
+    for (const char* precision : {"f32", "f64"}) {
+        ASSERT_EQ(runSwept({"run", "falling-shapes", "--duration", "2", "--precision", precision, "--csv",
+                            scratch.path("a"), "--events", scratch.path("ea")})
+                      .exitCode,
+                  0);
+        ASSERT_EQ(runSwept({"run", "falling-shapes", "--duration", "2", "--precision", precision, "--csv",
+                            scratch.path("b"), "--events", scratch.path("eb"), "--threads", "2"})
+                      .exitCode,
+                  0);
+        EXPECT_EQ(scratch.read("a"), scratch.read("b")) << precision;
+        EXPECT_EQ(scratch.read("ea"), scratch.read("eb")) << precision;
+        EXPECT_GT(scratch.read("ea").size(), 1000u) << "something must have happened";
+    }
+}
+
+TEST(CommandRun, SumsUpForAHuman) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto result = runSwept({"run", scene, "--steps", "64", "--csv", scratch.path("out.csv")});
+    EXPECT_NE(result.out.find("64 steps"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("= 1 s"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("deepest penetration"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(scratch.path("out.csv")), std::string::npos) << result.out;
+    EXPECT_EQ(result.err, "") << "no progress where nobody watches";
+}
+
+TEST(CommandRun, AFileWinsOverABuiltinScene) {
+    const ScratchDirectory scratch;
+    // The name of a directory does not stand for a file.
+    const auto result = runSwept({"run", "pyramid", "--steps", "0"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const std::string file = scratch.write("pyramid", kBallScene);
+    const auto fromFile = runSwept({"run", file, "--steps", "0"});
+    EXPECT_EQ(fromFile.out.substr(0, 5), "ball:") << fromFile.out;
+}
+
+}  // namespace
+}  // namespace swept

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/scene_reader.h>
+
+#include "run_program.h"
+
+namespace swept {
+namespace {
+
+TEST(CommandScenes, ListsEveryScene) {
+    const auto result = runSwept({"scenes"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    for (const BuiltinScene& scene : builtinScenes()) {
+        EXPECT_NE(result.out.find(scene.name), std::string::npos) << scene.name;
+        EXPECT_NE(result.out.find(scene.purpose), std::string::npos) << scene.name;
+    }
+    EXPECT_GE(builtinScenes().size(), 10u);
+}
+
+TEST(CommandScenes, PrintsASceneThatReadsBack) {
+    for (const BuiltinScene& scene : builtinScenes()) {
+        const auto result = runSwept({"scenes", "--json", scene.name});
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        const SceneResult read = readScene(result.out, scene.name);
+        ASSERT_TRUE(read.scene) << read.error.text();
+        EXPECT_EQ(writeScene(*read.scene), writeScene(scene.make())) << scene.name;
+    }
+}
+
+TEST(CommandHelp, NamesCommandsAndOptions) {
+    const auto help = runSwept({"--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    for (const char* const word : {"run", "scenes", "toi", "distance", "compare", "--version"}) {
+        EXPECT_NE(help.out.find(word), std::string::npos) << word;
+    }
+    for (const char* const word : {"__box2d", "tune", "bench", "inspect"}) {
+        EXPECT_EQ(help.out.find(word), std::string::npos) << word;
+    }
+    const auto runHelp = runSwept({"run", "--help"});
+    EXPECT_EQ(runHelp.exitCode, 0);
+    for (const char* const word : {"--duration", "--steps", "--set", "--png", "--every", "--size", "--webp", "--sheet", "--trails",
+                                   "--csv", "--events", "--report", "--precision", "--threads", "--contacts",
+                                   "--velocities", "--ghosts"}) {
+        EXPECT_NE(runHelp.out.find(word), std::string::npos) << word;
+    }
+    EXPECT_EQ(runSwept({"--version"}).out.substr(0, 6), "swept ");
+}
+
+}  // namespace
+}  // namespace swept
