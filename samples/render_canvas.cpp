@@ -16,8 +16,8 @@
 #endif
 
 #ifdef SWEPT_LEAK_CHECK
-// OSMesa 22 does not free a small record of the framebuffer of each context; programs checked for leaks would fail by it.
-// The name is that which the sanitizer's runtime looks for.
+// OSMesa 22 does not free a small record of the framebuffer of each context; programs checked for leaks would fail by
+// it. The name is that which the sanitizer's runtime looks for.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
 #endif
@@ -43,7 +43,8 @@ struct RenderCanvas::Target {
     std::vector<std::uint8_t> rgba;
 
     bool makeCurrent() {
-        return OSMesaMakeCurrent(context.get(), rgba.data(), GL_UNSIGNED_BYTE, width * factor, height * factor) == GL_TRUE;
+        return OSMesaMakeCurrent(context.get(), rgba.data(), GL_UNSIGNED_BYTE, width * factor, height * factor) ==
+               GL_TRUE;
     }
 };
 
@@ -72,7 +73,9 @@ std::unique_ptr<RenderCanvas> RenderCanvas::create(int width, int height, int su
 
 Image RenderCanvas::draw(Color background, std::span<const PaintVertex> triangles) {
     Target& target = *target_;
-    if (!target.makeCurrent()) { return {}; }
+    if (!target.makeCurrent()) {
+        return {};
+    }
     constexpr float kByte = 1.0f / 255.0f;
     glViewport(0, 0, target.width * target.factor, target.height * target.factor);
     glDisable(GL_DITHER);

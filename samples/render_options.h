@@ -9,9 +9,9 @@ namespace swept {
 
 /// What a picture of a scene shows. Every part may be switched off; what is off costs nothing.
 struct RenderOptions {
-    int width = 960;   ///< pixels
-    int height = 540;  ///< pixels
-    int superSampling = 3;  ///< samples per pixel and direction
+    int width = 960;                      ///< pixels
+    int height = 540;                     ///< pixels
+    int superSampling = 3;                ///< samples per pixel and direction
     std::optional<ViewDescription> view;  ///< instead of the scene's own, or of one fitted to its bodies
 
     bool grid = true;

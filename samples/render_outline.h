@@ -23,8 +23,8 @@ std::vector<DVec2> convexHull(std::vector<DVec2> points);
 /// Smallest width of a convex shape, radius included.
 double narrowestWidth(const ShapeCore& core);
 
-/// The outline of a convex shape, arcs replaced by chords that deviate by less than a twentieth of a pixel as far as they
-/// are visible; invisible arcs get no points, so a circle of a million pixels costs no more than a small one.
+/// The outline of a convex shape, arcs replaced by chords that deviate by less than a twentieth of a pixel as far as
+/// they are visible; invisible arcs get no points, so a circle of a million pixels costs no more than a small one.
 /// @param core  pixels; one point is a circle, two are a capsule.
 /// @param box   what is visible.
 std::vector<DVec2> roundedOutline(const ShapeCore& core, const PixelBox& box);

@@ -41,9 +41,7 @@ struct PixelBox {
     DVec2 high;
 
     bool contains(DVec2 p) const { return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y; }
-    PixelBox grownBy(double margin) const {
-        return {low - DVec2{margin, margin}, high + DVec2{margin, margin}};
-    }
+    PixelBox grownBy(double margin) const { return {low - DVec2{margin, margin}, high + DVec2{margin, margin}}; }
 };
 
 /// The part of a segment inside a box, as fractions of its length; `from > to` when there is none.
@@ -60,9 +58,9 @@ void cutLeftOf(std::vector<DVec2>& points, DVec2 p, DVec2 direction);
 /// Cuts a convex outline to a box, in place; no coordinate is too large.
 void clipToBox(std::vector<DVec2>& points, const PixelBox& box);
 
-/// Collects a drawing as triangles, in painter's order. Coordinates are pixels in double, y up from the bottom left, and may
-/// be as large as they like: everything is clipped to the picture before it becomes float. Drawings with a coordinate that
-/// is not finite are left out. Strokes overlap themselves at their joins: draw them opaque.
+/// Collects a drawing as triangles, in painter's order. Coordinates are pixels in double, y up from the bottom left,
+/// and may be as large as they like: everything is clipped to the picture before it becomes float. Drawings with a
+/// coordinate that is not finite are left out. Strokes overlap themselves at their joins: draw them opaque.
 class Paint {
 public:
     Paint(int width, int height);

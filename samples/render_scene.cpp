@@ -21,7 +21,9 @@ constexpr double kSegmentThickness = 2.2;
 
 ShapeCore coreInPixels(const PixelPose& pose, const ShapeCore& core, double thinnest = kThinnest) {
     ShapeCore pixels{{}, core.radius * pose.scale()};
-    for (const DVec2 p : core.points) { pixels.points.push_back(pose.toPixels(p)); }
+    for (const DVec2 p : core.points) {
+        pixels.points.push_back(pose.toPixels(p));
+    }
     pixels.radius += std::max(0.0, (thinnest * pose.pen() - narrowestWidth(pixels)) / 2);
     return pixels;
 }
@@ -31,7 +33,9 @@ std::vector<DVec2> springPath(DVec2 p, DVec2 q, double pen) {
     constexpr int kTurns = 12;
     const DVec2 along = q - p;
     const double size = std::hypot(along.x, along.y);
-    if (!(size > 0) || !std::isfinite(size)) { return {p, q}; }
+    if (!(size > 0) || !std::isfinite(size)) {
+        return {p, q};
+    }
     const DVec2 side = std::min(5 * pen, size / 8) / size * DVec2{-along.y, along.x};
     std::vector<DVec2> path{p, p + 0.12 * along};
     for (int i = 0; i < kTurns; ++i) {
@@ -63,10 +67,14 @@ SceneDrawing::SceneDrawing(const SceneDescription& scene) {
         const BodyDescription& body = scene.bodies[i];
         BodyDrawing drawing{bodyName(scene, i), body.type, body.bullet, dynamicBodies, {}};
         dynamicBodies += body.type == SceneBodyType::dynamic ? 1 : 0;
-        for (const ShapeDescription& shape : body.shapes) { drawing.shapes.push_back(shapeDrawing(shape)); }
+        for (const ShapeDescription& shape : body.shapes) {
+            drawing.shapes.push_back(shapeDrawing(shape));
+        }
         bodies_.push_back(std::move(drawing));
     }
-    for (const JointDescription& joint : scene.joints) { addJoint(scene, joint); }
+    for (const JointDescription& joint : scene.joints) {
+        addJoint(scene, joint);
+    }
 }
 
 SceneDrawing::ShapeDrawing SceneDrawing::shapeDrawing(const ShapeDescription& shape) {
@@ -84,12 +92,15 @@ SceneDrawing::ShapeDrawing SceneDrawing::shapeDrawing(const ShapeDescription& sh
 
 void SceneDrawing::addJoint(const SceneDescription& scene, const JointDescription& joint) {
     const auto indexOf = [this](const std::string& name) {
-        const auto found = std::find_if(bodies_.begin(), bodies_.end(), [&name](const BodyDrawing& b) { return b.name == name; });
+        const auto found =
+            std::find_if(bodies_.begin(), bodies_.end(), [&name](const BodyDrawing& b) { return b.name == name; });
         return static_cast<std::size_t>(found - bodies_.begin());
     };
     const std::size_t a = indexOf(joint.bodyA);
     const std::size_t b = indexOf(joint.bodyB);
-    if (a == bodies_.size() || b == bodies_.size()) { return; }
+    if (a == bodies_.size() || b == bodies_.size()) {
+        return;
+    }
     JointDrawing drawing;
     drawing.bodyA = static_cast<int>(a);
     drawing.bodyB = static_cast<int>(b);
@@ -121,9 +132,13 @@ void SceneDrawing::drawBodies(Paint& paint, const PixelView& view, const Frame& 
     const auto eachShape = [&](auto&& wanted, auto&& drawShape) {
         for (std::size_t i = 0; i < count; ++i) {
             const PixelPose pose(view, frame.bodies[i].position, frame.bodies[i].angle);
-            if (!pose.finite()) { continue; }
+            if (!pose.finite()) {
+                continue;
+            }
             for (const ShapeDrawing& shape : bodies_[i].shapes) {
-                if (wanted(bodies_[i], shape)) { drawShape(i, pose, shape); }
+                if (wanted(bodies_[i], shape)) {
+                    drawShape(i, pose, shape);
+                }
             }
         }
     };
@@ -148,10 +163,12 @@ void SceneDrawing::drawConvex(Paint& paint, const PixelPose& pose, const ShapeDr
     const ShapeCore core = coreInPixels(pose, shape.core, segment ? kSegmentThickness : kThinnest);
     const double edge = style::kEdgeWidth * pose.pen();
     paint.fillConvex(roundedOutline(core, paint.box()), look.edge);
-    // The edge lies inside the shape, so that touching shapes touch in the picture; thin shapes keep some of their fill.
+    // The edge lies inside the shape, so that touching shapes touch in the picture; thin shapes keep some of their
+    // fill.
     const double width = narrowestWidth(core);
     if (width > kThinnestWithFill * pose.pen()) {
-        paint.fillConvex(roundedOutline(insetCore(core, std::min(edge, 0.25 * width), paint.box()), paint.box()), look.fill);
+        paint.fillConvex(roundedOutline(insetCore(core, std::min(edge, 0.25 * width), paint.box()), paint.box()),
+                         look.fill);
     }
     if (shape.kind == Kind::circle && core.radius > 3 * edge) {
         const DVec2 tip = pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0});
@@ -162,7 +179,9 @@ void SceneDrawing::drawConvex(Paint& paint, const PixelPose& pose, const ShapeDr
 void SceneDrawing::drawChain(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape,
                              const style::BodyStyle& look) const {
     ShapeCore core{{}, shape.core.radius * pose.scale()};
-    for (const DVec2 p : shape.core.points) { core.points.push_back(pose.toPixels(p)); }
+    for (const DVec2 p : shape.core.points) {
+        core.points.push_back(pose.toPixels(p));
+    }
     shadeSolidSide(paint, core.points, shape.loop, look.edge, pose.pen());
     const double thickness = std::max(kSegmentThickness * pose.pen(), 2 * core.radius);
     const double edge = style::kEdgeWidth * pose.pen();
@@ -176,11 +195,14 @@ void SceneDrawing::drawSensor(Paint& paint, const PixelPose& pose, const ShapeDr
     if (shape.kind != Kind::chain) {
         const ShapeCore core = coreInPixels(pose, shape.core);
         paint.fillConvex(roundedOutline(core, paint.box()), withAlpha(style::kSensor, 32));
-        paint.dashed(roundedOutline(core, paint.box()), true, 1.3 * pose.pen(), 5 * pose.pen(), 3.5 * pose.pen(), style::kSensor);
+        paint.dashed(roundedOutline(core, paint.box()), true, 1.3 * pose.pen(), 5 * pose.pen(), 3.5 * pose.pen(),
+                     style::kSensor);
         return;
     }
     std::vector<DVec2> points;
-    for (const DVec2 p : shape.core.points) { points.push_back(pose.toPixels(p)); }
+    for (const DVec2 p : shape.core.points) {
+        points.push_back(pose.toPixels(p));
+    }
     paint.dashed(points, shape.loop, 1.3 * pose.pen(), 5 * pose.pen(), 3.5 * pose.pen(), style::kSensor);
 }
 
@@ -188,35 +210,48 @@ void SceneDrawing::drawOutline(Paint& paint, const PixelPose& pose, const ShapeD
     const ShapeCore core = coreInPixels(pose, shape.core);
     const bool chain = shape.kind == Kind::chain;
     // A closed stroke of a full circle begins and ends at the same point; a zero-length edge does no harm.
-    paint.polyline(chain ? core.points : roundedOutline(core, paint.box()), !chain || shape.loop, 1.5 * pose.pen(), color);
+    paint.polyline(chain ? core.points : roundedOutline(core, paint.box()), !chain || shape.loop, 1.5 * pose.pen(),
+                   color);
     if (shape.kind == Kind::circle) {
-        paint.line(core.points[0], pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0}), 1.2 * pose.pen(), color);
+        paint.line(core.points[0], pose.toPixels(shape.core.points[0] + DVec2{shape.core.radius, 0}), 1.2 * pose.pen(),
+                   color);
     }
 }
 
 void SceneDrawing::drawOutlines(Paint& paint, const PixelView& view, const Frame& frame, Color color) const {
     for (std::size_t i = 0; i < std::min(bodies_.size(), frame.bodies.size()); ++i) {
         const PixelPose pose(view, frame.bodies[i].position, frame.bodies[i].angle);
-        if (!moves(i) || !pose.finite()) { continue; }
-        for (const ShapeDrawing& shape : bodies_[i].shapes) { drawOutline(paint, pose, shape, color); }
+        if (!moves(i) || !pose.finite()) {
+            continue;
+        }
+        for (const ShapeDrawing& shape : bodies_[i].shapes) {
+            drawOutline(paint, pose, shape, color);
+        }
     }
 }
 
 void SceneDrawing::drawPale(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state,
                             double strength) const {
     const PixelPose pose(view, state.position, state.angle);
-    if (!pose.finite()) { return; }
+    if (!pose.finite()) {
+        return;
+    }
     const style::BodyStyle own = styleOf(body, true);
-    const style::BodyStyle pale{mix(style::kBackground, own.fill, strength), mix(style::kBackground, own.edge, strength)};
+    const style::BodyStyle pale{mix(style::kBackground, own.fill, strength),
+                                mix(style::kBackground, own.edge, strength)};
     for (const ShapeDrawing& shape : bodies_[body].shapes) {
-        if (!shape.sensor && shape.kind != Kind::chain) { drawConvex(paint, pose, shape, pale); }
+        if (!shape.sensor && shape.kind != Kind::chain) {
+            drawConvex(paint, pose, shape, pale);
+        }
     }
 }
 
 void SceneDrawing::drawGhost(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state,
                              Color color) const {
     const PixelPose pose(view, state.position, state.angle);
-    if (!pose.finite()) { return; }
+    if (!pose.finite()) {
+        return;
+    }
     for (const ShapeDrawing& shape : bodies_[body].shapes) {
         const std::vector<DVec2> outline = roundedOutline(coreInPixels(pose, shape.core), paint.box());
         paint.fillConvex(outline, withAlpha(color, 36));
@@ -225,23 +260,33 @@ void SceneDrawing::drawGhost(Paint& paint, const PixelView& view, std::size_t bo
 }
 
 void SceneDrawing::drawJoints(Paint& paint, const PixelView& view, const Frame& frame) const {
-    for (const JointDrawing& joint : joints_) { drawJoint(paint, view, frame, joint); }
+    for (const JointDrawing& joint : joints_) {
+        drawJoint(paint, view, frame, joint);
+    }
 }
 
 void SceneDrawing::drawJoint(Paint& paint, const PixelView& view, const Frame& frame, const JointDrawing& joint) const {
     const auto a = static_cast<std::size_t>(joint.bodyA);
     const auto b = static_cast<std::size_t>(joint.bodyB);
-    if (std::max(a, b) >= frame.bodies.size()) { return; }
+    if (std::max(a, b) >= frame.bodies.size()) {
+        return;
+    }
     const PixelPose poseA(view, frame.bodies[a].position, frame.bodies[a].angle);
     const PixelPose poseB(view, frame.bodies[b].position, frame.bodies[b].angle);
-    if (!poseA.finite() || !poseB.finite()) { return; }
+    if (!poseA.finite() || !poseB.finite()) {
+        return;
+    }
     const DVec2 anchorA = poseA.toPixels(joint.localA);
     const DVec2 anchorB = poseB.toPixels(joint.localB);
     const double pen = view.pen;
     if (joint.revolute) {
         // The arms from body to pin; a static body has none, its origin may be anywhere.
-        if (moves(a)) { paint.line(poseA.origin(), anchorA, 1.1 * pen, style::kJoint); }
-        if (moves(b)) { paint.line(poseB.origin(), anchorB, 1.1 * pen, style::kJoint); }
+        if (moves(a)) {
+            paint.line(poseA.origin(), anchorA, 1.1 * pen, style::kJoint);
+        }
+        if (moves(b)) {
+            paint.line(poseB.origin(), anchorB, 1.1 * pen, style::kJoint);
+        }
         paint.line(anchorA, anchorB, 2 * pen, style::kWarning);  // of no length unless the joint is torn apart
         pin(paint, anchorA, 3 * pen);
         return;
@@ -252,13 +297,17 @@ void SceneDrawing::drawJoint(Paint& paint, const PixelView& view, const Frame& f
     } else {
         paint.polyline(ends, false, 1.3 * pen, style::kJoint);
     }
-    for (const DVec2 end : ends) { pin(paint, end, 2.6 * pen); }
+    for (const DVec2 end : ends) {
+        pin(paint, end, 2.6 * pen);
+    }
 }
 
 void SceneDrawing::drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const {
     for (std::size_t i = 0; i < std::min(bodies_.size(), frame.bodies.size()); ++i) {
         const DVec2 p = view.toPixels(frame.bodies[i].position);
-        if (!isFinite(p) || !paint.box().contains(p)) { continue; }
+        if (!isFinite(p) || !paint.box().contains(p)) {
+            continue;
+        }
         const double half = textWidth(bodies_[i].name, textHeight) / 2;
         paint.fillBox({{p.x - half - 3, p.y - 0.5 * textHeight - 3}, {p.x + half + 3, p.y + 0.5 * textHeight + 3}}, 3,
                       withAlpha(rgb(0xFFFFFF), 165));

@@ -21,9 +21,12 @@ Color paletteColor(std::size_t index) { return kPalette[index % kPalette.size()]
 
 BodyStyle bodyStyle(SceneBodyType type, bool bullet, bool awake, std::size_t index) {
     switch (type) {
-        case SceneBodyType::fixed: return edged(kStatic);
-        case SceneBodyType::kinematic: return edged(kKinematic);
-        case SceneBodyType::dynamic: break;
+        case SceneBodyType::fixed:
+            return edged(kStatic);
+        case SceneBodyType::kinematic:
+            return edged(kKinematic);
+        case SceneBodyType::dynamic:
+            break;
     }
     const Color fill = bullet ? kBullet : paletteColor(index);
     return edged(awake ? fill : mix(fill, kAsleep, 0.72));

@@ -23,7 +23,9 @@ struct WorldBox {
         high = {std::max(high.x, p.x + radius), std::max(high.y, p.y + radius)};
     }
     void add(const WorldBox& other) {
-        if (other.empty()) { return; }
+        if (other.empty()) {
+            return;
+        }
         add(other.low, 0);
         add(other.high, 0);
     }
@@ -62,11 +64,15 @@ PixelPose::PixelPose(const PixelView& view, DVec2 position, double angle)
 ViewDescription fittedView(const SceneDescription& scene, double aspect) {
     WorldBox moving;
     for (const BodyDescription& body : scene.bodies) {
-        if (body.type != SceneBodyType::fixed) { moving.add(boxOf(body)); }
+        if (body.type != SceneBodyType::fixed) {
+            moving.add(boxOf(body));
+        }
     }
     WorldBox all = moving;
     for (const BodyDescription& body : scene.bodies) {
-        if (body.type != SceneBodyType::fixed) { continue; }
+        if (body.type != SceneBodyType::fixed) {
+            continue;
+        }
         const WorldBox box = boxOf(body);
         if (moving.empty() || box.empty() || box.size() <= 25 * moving.size()) {
             all.add(box);
@@ -79,7 +85,9 @@ ViewDescription fittedView(const SceneDescription& scene, double aspect) {
         near.add(moving.high, reach);
         all.add(box.clippedTo(near));
     }
-    if (all.empty()) { return {{0, 0}, 10}; }
+    if (all.empty()) {
+        return {{0, 0}, 10};
+    }
     const double height = kMargin * std::max(all.high.y - all.low.y, (all.high.x - all.low.x) / aspect);
     return {0.5 * (all.low + all.high), height > 0 ? height : 10};
 }
@@ -91,7 +99,7 @@ double penScale(const RenderOptions& options) {
 PixelView pixelView(const SceneDescription& scene, const RenderOptions& options) {
     const double width = options.width;
     const double height = options.height;
-    const ViewDescription view = options.view   ? *options.view
+    const ViewDescription view = options.view ? *options.view
                                  : scene.view ? *scene.view
                                               : fittedView(scene, width / height);
     return {view.center, height / view.height, {width / 2, height / 2}, penScale(options)};

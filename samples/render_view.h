@@ -6,8 +6,8 @@
 
 namespace swept {
 
-/// Takes world coordinates to pixels. Differences to the centre are formed in double, so that a scene far from the origin
-/// looks like one at the origin.
+/// Takes world coordinates to pixels. Differences to the centre are formed in double, so that a scene far from the
+/// origin looks like one at the origin.
 struct PixelView {
     DVec2 center;      ///< world, metres
     double scale = 1;  ///< pixels per metre

@@ -41,11 +41,22 @@ public:
             const char command = rest_.front();
             rest_.remove_prefix(1);
             switch (command) {
-                case 'M': begin(); current().points.push_back(point()); break;
-                case 'L': current().points.push_back(point()); break;
-                case 'A': arc(); break;
-                case 'Z': current().closed = true; open_ = false; break;
-                default: break;  // blanks between commands
+                case 'M':
+                    begin();
+                    current().points.push_back(point());
+                    break;
+                case 'L':
+                    current().points.push_back(point());
+                    break;
+                case 'A':
+                    arc();
+                    break;
+                case 'Z':
+                    current().closed = true;
+                    open_ = false;
+                    break;
+                default:
+                    break;  // blanks between commands
             }
         }
         return std::move(strokes_);
@@ -69,7 +80,9 @@ private:
         return {x, number()};
     }
     void arc() {
-        if (!open_) { begin(); }
+        if (!open_) {
+            begin();
+        }
         const DVec2 center = point();
         const DVec2 radii = point();
         const DVec2 range = point();
@@ -90,11 +103,14 @@ Glyph readGlyph(const GlyphPath& path) { return {path.letter, path.width, PathRe
 const Glyph& glyphOf(char32_t letter) {
     static const std::vector<Glyph> glyphs = [] {
         std::vector<Glyph> all;
-        for (const GlyphPath& path : kGlyphs) { all.push_back(readGlyph(path)); }
+        for (const GlyphPath& path : kGlyphs) {
+            all.push_back(readGlyph(path));
+        }
         return all;
     }();
     static const Glyph missing = readGlyph(kMissingGlyph);
-    const auto found = std::find_if(glyphs.begin(), glyphs.end(), [letter](const Glyph& g) { return g.letter == letter; });
+    const auto found =
+        std::find_if(glyphs.begin(), glyphs.end(), [letter](const Glyph& g) { return g.letter == letter; });
     return found != glyphs.end() ? *found : missing;
 }
 
@@ -118,7 +134,9 @@ std::u32string decode(std::string_view text) {
 
 double textWidth(std::string_view text, double height) {
     double width = 0;
-    for (const char32_t letter : decode(text)) { width += glyphOf(letter).width + kLetterGap; }
+    for (const char32_t letter : decode(text)) {
+        width += glyphOf(letter).width + kLetterGap;
+    }
     return std::max(0.0, width - kLetterGap) * height / kUnitsPerCapital;
 }
 
@@ -131,7 +149,9 @@ void drawText(Paint& paint, std::string_view text, DVec2 base, double height, Co
         const Glyph& glyph = glyphOf(letter);
         for (const Stroke& stroke : glyph.strokes) {
             points.clear();
-            for (const DVec2 p : stroke.points) { points.push_back(DVec2{x, base.y} + scale * p); }
+            for (const DVec2 p : stroke.points) {
+                points.push_back(DVec2{x, base.y} + scale * p);
+            }
             const bool dot = points.size() == 2 && points[0] == points[1];
             paint.polyline(points, stroke.closed, scale * kStrokeWeight * (dot ? kDotWeight : 1), color);
         }
@@ -141,7 +161,8 @@ void drawText(Paint& paint, std::string_view text, DVec2 base, double height, Co
 
 std::string fixedDecimals(double value, int decimals) {
     std::array<char, 64> text{};
-    const auto result = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    const auto result =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
     return result.ec == std::errc{} ? std::string(text.data(), result.ptr) : "?";
 }
 

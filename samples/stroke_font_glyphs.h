@@ -5,8 +5,8 @@
 namespace swept {
 
 /// One letter: its width and its path, in units of a twentieth of a capital letter, y up from the base line.
-/// Path: `M x y` begins a stroke, `L x y` continues it, `A cx cy rx ry from to` continues (or begins) it with an elliptic
-/// arc between two angles in degrees, `Z` closes it, `N` ends it.
+/// Path: `M x y` begins a stroke, `L x y` continues it, `A cx cy rx ry from to` continues (or begins) it with an
+/// elliptic arc between two angles in degrees, `Z` closes it, `N` ends it.
 struct GlyphPath {
     char32_t letter;
     double width;
@@ -107,11 +107,13 @@ inline constexpr std::array<GlyphPath, 100> kGlyphs{{
     {U'x', 9.5, "M 0 0 L 9.5 14 M 0 14 L 9.5 0"},
     {U'y', 10, "M 0 14 L 5 0 M 10 14 L 2.86 -6"},
     {U'z', 9, "M 0 14 L 9 14 L 0 0 L 9 0"},
-    {U'{', 5, "M 5 22 L 4.5 22 A 4.5 19 2.3 3 90 180 L 2.2 12 A 0 12 2.2 3 0 -90 A 0 6 2.2 3 90 0 L 2.2 -1 "
-                "A 4.5 -1 2.3 3 180 270 L 5 -4"},
+    {U'{', 5,
+     "M 5 22 L 4.5 22 A 4.5 19 2.3 3 90 180 L 2.2 12 A 0 12 2.2 3 0 -90 A 0 6 2.2 3 90 0 L 2.2 -1 "
+     "A 4.5 -1 2.3 3 180 270 L 5 -4"},
     {U'|', 0, "M 0 22 L 0 -4"},
-    {U'}', 5, "M 0 22 L 0.5 22 A 0.5 19 2.3 3 90 0 L 2.8 12 A 5 12 2.2 3 180 270 A 5 6 2.2 3 90 180 L 2.8 -1 "
-                "A 0.5 -1 2.3 3 0 -90 L 0 -4"},
+    {U'}', 5,
+     "M 0 22 L 0.5 22 A 0.5 19 2.3 3 90 0 L 2.8 12 A 5 12 2.2 3 180 270 A 5 6 2.2 3 90 180 L 2.8 -1 "
+     "A 0.5 -1 2.3 3 0 -90 L 0 -4"},
     {U'~', 11, "A 2.75 7.5 2.75 2.5 180 40 L 6.3 7 A 8.25 9 2.75 2.5 220 360"},
     {U'\u00B0', 5, "A 2.5 17.3 2.5 2.7 0 360 Z"},
     {U'\u00B5', 9.8, "M 0 14 L 0 -6 M 0 5 A 4.9 5 4.9 5 180 360 M 9.8 14 L 9.8 0"},
