@@ -8,7 +8,8 @@ namespace {
 constexpr std::array<BuiltinScene, 14> kScenes{{
     {"falling-shapes", "every kind of shape falls into a tray and comes to rest", scenes::fallingShapes, 8},
     {"pyramid", "210 boxes stand still on each other, then a heavy ball arrives", scenes::pyramid, 10},
-    {"tall-stack", "20 boxes high: equal boxes, planks, and ever heavier ones", scenes::tallStack, 10},
+    {"tall-stack", "20 boxes stand; so do a ladder of planks and boxes that get heavier upwards", scenes::tallStack,
+     10},
     {"bouncing-balls", "restitution from 0 on the left to 1 on the right, for balls and for tilted boxes",
      scenes::bouncingBalls, 10},
     {"friction-ramp", "five boxes on a slope of 3 in 4: those with too little friction slide", scenes::frictionRamp, 6},

@@ -8,10 +8,10 @@ namespace swept::scenes {
 using namespace build;
 
 SceneDescription bulletCurtain() {
-    SceneDescription scene = build::scene("bullet curtain", {0, 4}, 9.5);
+    SceneDescription scene = build::scene("bullet curtain", {0, 3.9}, 10);
     addFixed(scene, "floor", {0, 0}, {box({8.2, 0.2}, {0, -0.2}), box({8.2, 0.05}, {0, 4})});
     addFixed(scene, "thin wall", {3, 2}, {box({0.005, 1.95})});          // 1 cm
-    addFixed(scene, "line wall", {5, 0}, {segment({0, 4.05}, {0, 8})});  // no thickness at all
+    addFixed(scene, "line wall", {5, 0}, {segment({0, 4.05}, {0, 9})});  // no thickness at all
     for (int row = 0; row < 8; ++row) {
         const double y = 0.6 + 0.9 * (row % 4) + (row < 4 ? 0.0 : 4.05);
         const double speed = 25.0 * static_cast<double>(1 << (2 * (row % 4)));  // 25, 100, 400, 1600 m/s
@@ -26,13 +26,13 @@ SceneDescription bulletCurtain() {
 }
 
 SceneDescription spinningBars() {
-    SceneDescription scene = build::scene("spinning bars", {0, 4.2}, 10);
+    SceneDescription scene = build::scene("spinning bars", {0, 4}, 10.6);
     addFixed(scene, "tray", {0, 0}, {box({7.4, 0.2}, {0, -0.2}), box({0.2, 2}, {-7.2, 2}), box({0.2, 2}, {7.2, 2})});
     std::vector<ShapeDescription> pins;
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 8; ++column) {
             const double shift = row % 2 == 0 ? 0.0 : 0.85;
-            pins.push_back(circle(0.05, {1.7 * (column - 3.5) + shift - 0.425, 1.6 + 1.2 * row}));
+            pins.push_back(circle(0.08, {1.7 * (column - 3.5) + shift - 0.425, 1.6 + 1.2 * row}));
         }
     }
     addFixed(scene, "pins", {0, 0}, std::move(pins));
@@ -49,11 +49,11 @@ SceneDescription spinningBars() {
 }
 
 SceneDescription slenderAndTiny() {
-    SceneDescription scene = build::scene("slender and tiny", {0, 0.21}, 0.52);
+    SceneDescription scene = build::scene("slender and tiny", {0, 0.2}, 0.57);
     addFixed(scene, "table", {0, 0},
              {box({0.45, 0.01}, {0, -0.01}), box({0.005, 0.03}, {-0.445, 0.03}), box({0.005, 0.03}, {0.445, 0.03})});
     addFixed(scene, "shelf", {0, 0}, {segment({-0.3, 0.16}, {-0.05, 0.12}), segment({0.05, 0.12}, {0.3, 0.16})});
-    for (int i = 0; i < 6; ++i) {  // rods 15 cm long and 2 mm thick, upright: they topple
+    for (int i = 0; i < 6; ++i) {  // rods 14 cm long and 2 mm thick, upright: they topple
         addDynamic(scene, "rod" + std::to_string(i), {-0.2 + 0.08 * i, 0.235 + 0.01 * i}, {box({0.001, 0.07})});
         scene.bodies.back().angularVelocity = i % 2 == 0 ? 0.4 : -0.4;
     }

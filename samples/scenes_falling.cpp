@@ -37,7 +37,7 @@ void addTray(SceneDescription& scene, double halfWidth, double wallHeight) {
 }  // namespace
 
 SceneDescription fallingShapes() {
-    SceneDescription scene = build::scene("falling shapes", {0, 4.4}, 10);
+    SceneDescription scene = build::scene("falling shapes", {0, 3.9}, 10);
     addTray(scene, 7, 3.5);
     Dice dice(2);
     for (int row = 0; row < 5; ++row) {
@@ -56,8 +56,8 @@ SceneDescription fallingShapes() {
 SceneDescription pyramid() {
     constexpr int kRows = 20;
     constexpr double kHalf = 0.22;
-    SceneDescription scene = build::scene("pyramid", {0, 4.2}, 10);
-    addFixed(scene, "floor", {0, 0}, {box({30, 0.2}, {0, -0.2})});
+    SceneDescription scene = build::scene("pyramid", {0, 4.1}, 10.6);
+    addFixed(scene, "floor", {0, 0}, {box({70, 0.2}, {0, -0.2})});
     for (int row = 0; row < kRows; ++row) {
         const int count = kRows - row;
         for (int i = 0; i < count; ++i) {
@@ -65,27 +65,27 @@ SceneDescription pyramid() {
             addDynamic(scene, "", {x, (2 * row + 1) * kHalf}, {box({kHalf, kHalf})});
         }
     }
-    BodyDescription& ball = addDynamic(scene, "ball", {-28, 0.8}, {withDensity(circle(0.8), 8)});
-    ball.velocity = {4, 0};  // rolls in after five seconds of standing still
-    ball.angularVelocity = -5;
+    BodyDescription& ball = addDynamic(scene, "ball", {-64, 0.8}, {withDensity(circle(0.8), 20)});
+    ball.velocity = {12, 0};  // rolls in after five seconds of standing still
+    ball.angularVelocity = -15;
     return scene;
 }
 
 SceneDescription tallStack() {
     constexpr int kFloors = 20;
-    SceneDescription scene = build::scene("tall stack", {0, 5}, 11.5);
+    SceneDescription scene = build::scene("tall stack", {0, 4.6}, 12);
     addFixed(scene, "floor", {0, 0}, {box({9, 0.2}, {0, -0.2})});
     for (int i = 0; i < kFloors; ++i) {
         addDynamic(scene, "box" + std::to_string(i), {-5, 0.5 * i + 0.25}, {box({0.25, 0.25})});
     }
-    for (int i = 0; i < kFloors; ++i) {  // crosswise planks: a wide one lies on two short ones
+    for (int i = 0; i < kFloors / 2; ++i) {  // a ladder: each plank lies on two blocks
         const double y = 0.4 * i + 0.1;
         addDynamic(scene, "", {0, y + 0.2}, {box({1.1, 0.1})});
         addDynamic(scene, "", {-0.8, y}, {box({0.2, 0.1})});
         addDynamic(scene, "", {0.8, y}, {box({0.2, 0.1})});
     }
     double density = 1;
-    for (int i = 0; i < 8; ++i) {  // the hard way round: each box twice as dense as the one below
+    for (int i = 0; i < 5; ++i) {  // the hard way round: each box twice as dense as the one below
         addDynamic(scene, "heavy" + std::to_string(i), {5, i + 0.5}, {withDensity(box({0.5, 0.5}), density)});
         density *= 2;
     }
@@ -93,8 +93,8 @@ SceneDescription tallStack() {
 }
 
 SceneDescription bouncingBalls() {
-    SceneDescription scene = build::scene("bouncing balls", {0, 3.8}, 9);
-    addFixed(scene, "floor", {0, 0}, {box({9, 0.2}, {0, -0.2})});
+    SceneDescription scene = build::scene("bouncing balls", {0, 3.5}, 9.5);
+    addFixed(scene, "floor", {0, 0}, {box({9, 0.2}, {0, -0.2}), box({0.2, 2}, {-8, 2}), box({0.2, 2}, {8, 2})});
     for (int i = 0; i <= 8; ++i) {
         const double x = 1.6 * (i - 4);
         const double restitution = i / 8.0;
@@ -103,11 +103,17 @@ SceneDescription bouncingBalls() {
             addDynamic(scene, "die" + std::to_string(i), {x, 3}, {withRestitution(box({0.2, 0.2}), restitution)});
         die.angle = 0.3;  // lands on a corner, and spins off
     }
+    // One negative group: they pass through each other, so that each shows its own restitution and nothing else.
+    for (BodyDescription& body : scene.bodies) {
+        if (body.type == SceneBodyType::dynamic) {
+            body.shapes[0].filter.group = -1;
+        }
+    }
     return scene;
 }
 
 SceneDescription frictionRamp() {
-    SceneDescription scene = build::scene("friction ramp", {0, 3.4}, 8.5);
+    SceneDescription scene = build::scene("friction ramp", {0, 2.9}, 9);
     // A slope of 3 in 4. Friction mixes as √(μ₁μ₂), so a box stays put when its own μ is above 0.75, as the ramp's is.
     const std::vector<DVec2> ramp{{-7, 0}, {1, 0}, {-7, 6}};
     addFixed(scene, "ramp", {0, 0}, {withFriction(polygon(ramp), 0.75)});
@@ -126,7 +132,7 @@ SceneDescription frictionRamp() {
 }
 
 SceneDescription dominoes() {
-    SceneDescription scene = build::scene("dominoes", {0, 2.9}, 8);
+    SceneDescription scene = build::scene("dominoes", {0, 2.4}, 8.6);
     addFixed(scene, "floor", {0, 0}, {box({9, 0.2}, {0, -0.2})});
     addFixed(scene, "shelf", {0, 3}, {box({6, 0.1}, {0, -0.1})});
     for (int i = 0; i < 22; ++i) {
@@ -135,7 +141,7 @@ SceneDescription dominoes() {
     for (int i = 0; i < 20; ++i) {
         addDynamic(scene, "upper" + std::to_string(i), {4 - 0.45 * i, 3.5}, {box({0.06, 0.5})});
     }
-    BodyDescription& left = addDynamic(scene, "left", {-7, 0.3}, {circle(0.3)});
+    BodyDescription& left = addDynamic(scene, "left", {-6.6, 0.3}, {circle(0.3)});
     left.velocity = {3, 0};
     left.angularVelocity = -10;
     BodyDescription& right = addDynamic(scene, "right", {5.6, 3.3}, {circle(0.3)});

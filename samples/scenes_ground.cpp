@@ -15,29 +15,29 @@ double hill(double x, double at, double height, double width) {
 }
 
 double groundHeight(double x) {
-    return 0.05 * x * x + hill(x, -2.5, 0.9, 0.8) + hill(x, 1.2, 0.6, 0.5) + hill(x, 4.5, 1.1, 0.9);
+    return 0.06 * x * x + hill(x, -2.5, 0.35, 0.6) + hill(x, 1.2, 0.5, 0.6) + hill(x, 4.5, 1.1, 0.9);
 }
 
 }  // namespace
 
 SceneDescription terrain() {
-    constexpr double kEdge = 9;
+    constexpr double kEdge = 8.4;
     constexpr int kPieces = 72;
-    SceneDescription scene = build::scene("terrain", {0, 4}, 10.5);
-    std::vector<DVec2> ground{{kEdge, 9}};  // from right to left: the solid side is on the left of the direction
+    SceneDescription scene = build::scene("terrain", {0, 3.2}, 10);
+    std::vector<DVec2> ground{{kEdge, 7}};  // from right to left: the solid side is on the left of the direction
     for (int i = 0; i <= kPieces; ++i) {
         const double x = kEdge - 2 * kEdge * i / kPieces;
         ground.push_back({x, groundHeight(x)});
     }
-    ground.push_back({-kEdge, 9});
+    ground.push_back({-kEdge, 7});
     addFixed(scene, "ground", {0, 0}, {chain(std::move(ground))});
-    for (int i = 0; i < 12; ++i) {
-        const double x = -8 + 0.7 * (i % 4);
-        const double y = groundHeight(-8) + 1 + 1.1 * static_cast<double>(i / 4);
-        const double size = 0.22 + 0.03 * (i % 3);
-        const ShapeDescription kinds[] = {circle(size), capsule({-size, 0}, {size, 0}, 0.7 * size), box({size, size})};
-        BodyDescription& body = addDynamic(scene, "", {x, y}, {kinds[i % 3]});
-        body.velocity = {2, 0};
+    for (int i = 0; i < 9; ++i) {  // a loose row along the slope; they pass through each other, so only the ground acts
+        const double x = -7.6 + 0.85 * i;
+        const double size = 0.24 + 0.03 * (i % 3);
+        const ShapeDescription kinds[] = {withFriction(box({size, size}), 0.05),
+                                          capsule({-size, 0}, {size, 0}, 0.7 * size), circle(size)};
+        BodyDescription& body = addDynamic(scene, "", {x, groundHeight(x) + 1 + 0.1 * i}, {kinds[i % 3]});
+        body.shapes[0].filter.group = -1;
     }
     return scene;
 }
@@ -59,22 +59,21 @@ SceneDescription paddleDrum() {
         }
     }
     addFixed(scene, "drum", {0, 0}, {chain(std::move(rim), true)});
-    addKinematic(scene, "paddle", {0, 0}, {box({2.9, 0.1}), box({0.1, 2.9})}).angularVelocity = 1;
+    addKinematic(scene, "paddle", {0, 0}, {box({3.45, 0.1}), box({0.1, 3.45})}).angularVelocity = 1;
 
     ShapeDescription gate = box({0.9, 0.6});
     gate.sensor = true;
     addFixed(scene, "gate", {0, -3.2}, {gate});
 
     Dice dice(11);
-    for (int i = 0; i < 40; ++i) {
-        // Ten in each of the four chambers, on a grid that keeps clear of the paddle.
-        const double x = 0.45 + 0.42 * (i % 4);
-        const double y = 0.45 + 0.42 * static_cast<double>(i / 4 % 3);
-        const double right = i % 2 == 0 ? 1 : -1;
-        const double upper = i / 20 == 0 ? 1 : -1;
+    for (int i = 0; i < 36; ++i) {
+        // A square of nine in each of the four chambers, clear of the paddle.
+        const int chamber = i / 9;
+        const double x = (chamber % 2 == 0 ? 1 : -1) * (0.5 + 0.5 * (i % 3));
+        const double y = (chamber < 2 ? 1 : -1) * (0.5 + 0.5 * static_cast<double>(i % 9 / 3));
         const double size = dice.range(0.12, 0.19);
         const ShapeDescription shape = i % 5 == 0 ? box({0.8 * size, 0.8 * size}) : circle(size);
-        addDynamic(scene, "", {right * x, upper * y}, {withRestitution(shape, 0.2)});
+        addDynamic(scene, "", {x, y}, {withRestitution(shape, 0.2)});
     }
     return scene;
 }

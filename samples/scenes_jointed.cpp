@@ -61,7 +61,8 @@ private:
 
 SceneDescription newtonsCradle() {
     SceneDescription scene = build::scene("Newton's cradle", {0, 3.4}, 8.5);
-    addFixed(scene, "beam", {0, 6.6}, {box({6.5, 0.15})});
+    addFixed(scene, "beam", {-2.2, 6.6}, {box({3.2, 0.15})});
+    addFixed(scene, "hook", {4, 4.2}, {circle(0.1)});
     constexpr double kRadius = 0.45;
     for (int i = 0; i < 5; ++i) {
         const DVec2 top{-4 + 2.002 * kRadius * i, 6.45};  // a hair apart, so that they collide one after the other
@@ -70,17 +71,21 @@ SceneDescription newtonsCradle() {
         addDynamic(scene, "ball" + std::to_string(i), ball, {withFriction(withRestitution(circle(kRadius), 1), 0)});
         rod(scene, "beam", lastBody(scene), top, ball);
     }
-    const DVec2 top{4, 6.45};
-    addLimb(scene, "upper", top, top + DVec2{1.8, 0}, 0.12);
-    hinge(scene, "beam", "upper", top);
-    addLimb(scene, "lower", top + DVec2{1.8, 0}, top + DVec2{1.8, 1.6}, 0.12);
-    hinge(scene, "upper", "lower", top + DVec2{1.8, 0});
+    const DVec2 hook{4, 4.2};
+    const DVec2 elbow = hook + DVec2{1.8, 0};
+    addLimb(scene, "upper", hook, elbow, 0.12);
+    hinge(scene, "hook", "upper", hook);
+    addLimb(scene, "lower", elbow, elbow + DVec2{0, 1.4}, 0.12);
+    hinge(scene, "upper", "lower", elbow);
+    for (std::size_t i = scene.bodies.size() - 2; i < scene.bodies.size(); ++i) {
+        scene.bodies[i].shapes[0].filter.mask = 0;  // meets nothing: it reaches as far as the last ball swings
+    }
     return scene;
 }
 
 SceneDescription ragdolls() {
-    SceneDescription scene = build::scene("ragdolls", {0, 4}, 10);
-    std::vector<ShapeDescription> stairs{box({9.2, 0.2}, {0, -0.2}), box({0.2, 1.5}, {9, 1.5})};
+    SceneDescription scene = build::scene("ragdolls", {0, 3.6}, 10.4);
+    std::vector<ShapeDescription> stairs{box({9.2, 0.2}, {0, -0.2}), box({0.2, 1.5}, {8.6, 1.5})};
     for (int step = 0; step < 6; ++step) {
         const double height = 0.6 * (step + 1);
         stairs.push_back(box({0.7, height / 2}, {-0.3 - 1.4 * step, height / 2}));
@@ -98,7 +103,7 @@ SceneDescription ragdolls() {
 }
 
 SceneDescription hangingChain() {
-    SceneDescription scene = build::scene("hanging chain", {0, 3.5}, 9);
+    SceneDescription scene = build::scene("hanging chain", {0.1, 3.3}, 10);
     addFixed(scene, "floor", {0, 0}, {box({9, 0.2}, {0, -0.2})});
     addFixed(scene, "hook", {-4, 7}, {circle(0.12)});
     addFixed(scene, "posts", {0, 0}, {box({0.2, 1.5}, {-0.2, 1.5}), box({0.2, 1.5}, {8.2, 1.5})});
