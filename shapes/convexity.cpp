@@ -41,8 +41,13 @@ double sizeOf(std::span<const Vec2> points) {
 
 double heightOver(Vec2 p, Vec2 q, Vec2 r) {
     const DVec2 chord = toDouble(r) - toDouble(p);
-    const double chordLength = length(chord);
-    return chordLength > 0 ? cross(toDouble(q) - toDouble(p), chord) / chordLength : 0;
+    const DVec2 in = toDouble(q) - toDouble(p);
+    const DVec2 out = toDouble(r) - toDouble(q);
+    const double area = cross(in, chord);
+    if (area <= 0) { return 0; }
+    if (dot(in, chord) <= 0) { return length(in); }
+    if (dot(out, chord) <= 0) { return length(out); }
+    return area / length(chord);
 }
 
 StatusCode judgeConvexity(std::span<const Vec2> vertices) {

@@ -10,7 +10,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// its sign in double, and the two normals are the same number in `Real`.
 inline constexpr double kSmallestTurn = 4 * static_cast<double>(kEpsilon);
 
-/// Height of a vertex over the chord of its neighbours, relative to the size of the cloud, below which it counts as a
+/// Distance of a vertex from the chord of its neighbours, relative to the size of the cloud, below which it counts as a
 /// point on the edge. Such a vertex turns by at least its height over the shorter edge, and that edge is at most √2 times
 /// the size, so every polygon with greater heights passes the test of the turn.
 inline constexpr double kSmallestHeight = 2 * kSmallestTurn;
@@ -18,7 +18,8 @@ inline constexpr double kSmallestHeight = 2 * kSmallestTurn;
 /// The larger side of the bounding box; 0 if all points are equal.
 double sizeOf(std::span<const Vec2> points);
 
-/// Height of `q` over the line from p to r, positive when p, q, r turn left; 0 if p == r.
+/// Distance of `q` from the segment from p to r; 0 unless p, q, r turn left. Not the distance from the line: the tip of
+/// a needle may be close to that, and is yet what must stay.
 double heightOver(Vec2 p, Vec2 q, Vec2 r);
 
 /// ok, `notConvex`, or `degenerate` (all points within rounding of one line) for 3 or more finite vertices.

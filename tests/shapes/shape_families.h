@@ -45,8 +45,8 @@ inline std::vector<Point> exactPoints(const Polygon& polygon) {
     return points;
 }
 
-/// Distance from a point to the solid polygon without radius: 0 inside.
-inline long double distanceToCore(const Polygon& polygon, Point point) {
+/// Distance from a point to the polygon without radius; inside, minus the distance to the outline.
+inline long double signedDistanceToCore(const Polygon& polygon, Point point) {
     const std::vector<Point> v = exactPoints(polygon);
     bool inside = v.size() > 2;
     long double nearest = length(point - v[0]);
@@ -58,23 +58,28 @@ inline long double distanceToCore(const Polygon& polygon, Point point) {
         const long double t = size > 0 ? std::clamp(dot(offset, edge) / size, 0.0L, 1.0L) : 0.0L;
         nearest = std::min(nearest, length(offset - t * edge));
     }
-    return inside ? 0 : nearest;
+    return inside ? -nearest : nearest;
+}
+
+/// 0 inside.
+inline long double distanceToCore(const Polygon& polygon, Point point) {
+    return std::max(signedDistanceToCore(polygon, point), 0.0L);
 }
 
 /// 3 to 8 vertices on an ellipse, counter-clockwise, about 1 m, anywhere within `offset` metres of the origin.
 inline Polygon randomPolygon(Random& random, double radius, double offset = 0) {
     for (;;) {
         const int count = random.integer(3, kMaxPolygonVertices);
-        std::array<double, kMaxPolygonVertices> angles{};
+        std::vector<double> angles(static_cast<std::size_t>(count));
         for (double& angle : angles) { angle = random.range(0, 6.283); }
-        std::sort(angles.begin(), angles.begin() + count);
+        std::sort(angles.begin(), angles.end());
         const double flat = random.range(0.05, 1);
         const double tilt = random.range(0, 6.283);
         const Vec2 center = randomVec(random, -offset, offset);
         std::vector<Vec2> vertices;
-        for (int i = 0; i < count; ++i) {
-            const double x = std::cos(angles[static_cast<std::size_t>(i)]);
-            const double y = flat * std::sin(angles[static_cast<std::size_t>(i)]);
+        for (const double angle : angles) {
+            const double x = std::cos(angle);
+            const double y = flat * std::sin(angle);
             vertices.push_back({real(static_cast<double>(center.x) + x * std::cos(tilt) - y * std::sin(tilt)),
                                 real(static_cast<double>(center.y) + x * std::sin(tilt) + y * std::cos(tilt))});
         }
