@@ -40,7 +40,6 @@ void solveLimit(const JointPair& pair, const RevoluteConstraint& joint, Real roo
 
 void solveAngle(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     if (!(joint.angularMass > 0)) { return; }  // nothing to turn; and 0 times the room of a limit at infinity is no number
-    if (!(joint.angularMass > 0)) { return; }  // neither body can turn
     const Real angle = joint.baseAngle + pair.b.deltaAngle - pair.a.deltaAngle;
     // Once per sub-step: solved again in relaxation, with the angle that it has just made, the spring would damp twice.
     if (joint.hasSpring && useBias) {
