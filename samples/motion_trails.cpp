@@ -7,9 +7,9 @@ namespace swept {
 
 namespace {
 
-constexpr double kOldestStrength = 0.12;  // of a colour over the background
-constexpr double kNewestStrength = 0.75;
-constexpr double kNewestStrobe = 0.5;
+constexpr double kOldestStrength = 0.22;  // of a colour over the background
+constexpr double kNewestStrength = 0.9;
+constexpr double kNewestStrobe = 0.55;
 
 }  // namespace
 
@@ -32,7 +32,8 @@ void MotionTrails::draw(Paint& paint, const PixelView& view, const SceneDrawing&
     drawStrobes(paint, view, scene);
     for (std::size_t i = 0; i < std::min(lines_.size(), scene.bodyCount()); ++i) {
         if (scene.moves(i)) {
-            drawLine(paint, view, lines_[i], scene.styleOf(i, true).edge);
+            const style::BodyStyle look = scene.styleOf(i, true);
+            drawLine(paint, view, lines_[i], mix(look.fill, look.edge, 0.4));
         }
     }
 }
