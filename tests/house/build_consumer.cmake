@@ -3,8 +3,24 @@
 #   GENERATOR, COMPILER, LAUNCHER, FLAGS   as in the tree under test
 #   PREFIX, SWEPT_ROOT        where the package and the sources are
 #   CONSUME, PRECISION, ONLY_LAYERS, MISMATCH, MAIN   handed on; see consumer/CMakeLists.txt
+#   PAGE                      a markdown file whose first C++ block is the program
 #   MISMATCH                  the link must fail, for want of names of the other precision
 file(REMOVE_RECURSE ${WORK_DIR})
+
+if(PAGE)
+    file(READ ${PAGE} page)
+    string(FIND "${page}" "```cpp\n" begin)
+    if(begin EQUAL -1)
+        message(FATAL_ERROR "${PAGE} has no C++ block")
+    endif()
+    math(EXPR begin "${begin} + 7")
+    string(SUBSTRING "${page}" ${begin} -1 page)
+    string(FIND "${page}" "```" end)
+    string(SUBSTRING "${page}" 0 ${end} program)
+    set(MAIN ${WORK_DIR}/example.cpp)
+    file(WRITE ${MAIN} "${program}")
+endif()
+
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR} -G ${GENERATOR}
                         -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
                         "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH=${PREFIX}

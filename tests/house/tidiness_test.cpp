@@ -23,7 +23,7 @@ TEST(TopLevel, HoldsWhatTheDesignNames) {
     for (const std::string& entry : found) {
         EXPECT_TRUE(entry.starts_with('.') || allowed.count(entry) != 0) << entry << " does not belong there";
     }
-    for (const char* const needed : {"shapes", "broadphase", "toi", "LICENSE", "CMakeLists.txt"}) {
+    for (const std::string& needed : allowed) {
         EXPECT_EQ(found.count(needed), 1U) << needed << " is missing";
     }
 }
@@ -58,6 +58,27 @@ TEST(Texts, NameNoPlaceOfAParticularMachine) {
             }
         }
     }
+}
+
+TEST(Pages, LinkToWhatIsThere) {
+    const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)");
+    int links = 0;
+    for (const std::string& path : repositoryFiles()) {
+        if (!path.ends_with(".md")) {
+            continue;
+        }
+        const std::string text = readText(sourceRoot() / path);
+        for (auto at = std::sregex_iterator(text.begin(), text.end(), link); at != std::sregex_iterator(); ++at) {
+            const std::string target = (*at)[1];
+            if (target.find("://") != std::string::npos) {
+                continue;
+            }
+            ++links;
+            EXPECT_TRUE(fs::exists(sourceRoot() / fs::path(path).parent_path() / target))
+                << path << " links to " << target;
+        }
+    }
+    EXPECT_GT(links, 5);
 }
 
 TEST(Texts, HaveNoTrailingSpaceAndEndWithANewline) {
