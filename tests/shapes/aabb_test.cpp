@@ -113,6 +113,24 @@ TEST(BoxRayCast, NeverLosesARayThroughTheBox) {
     EXPECT_GT(throughCorners, 10) << "grazing rays decide whether rounding can lose one";
 }
 
+TEST(BoxRayCast, KeepsRaysThatTouchExactlyOneCorner) {
+    // From −e·(a, b) along (a, b), exactly through the corner (k·a, k·b); the differences k·a + e·a need more than 53 bits,
+    // so the two axes round the common fraction k + e differently.
+    Random random(4);
+    for (int i = 0; i < 20'000; ++i) {
+        const int a = random.integer(1, 200);
+        const int b = random.integer(1, 200);
+        const int k = random.integer(1, 200);
+        const double e = std::ldexp(random.integer(1, 1'000'000), -60);
+        const Vec2 corner{real(k * a), real(k * b)};
+        const Aabb box{{corner.x, corner.y - 1}, {corner.x + 1, corner.y}};
+        const Aabb mirrored{{corner.x - 1, corner.y}, {corner.x, corner.y + 1}};
+        const DVec2 direction{static_cast<double>(a), static_cast<double>(b)};
+        ASSERT_TRUE(rayCast(box, -e * direction, direction, 1'000).hit) << "case " << i;
+        ASSERT_TRUE(rayCast(mirrored, -e * direction, direction, 1'000).hit) << "case " << i;
+    }
+}
+
 TEST(BoxRayCast, KnowsTheSimpleCases) {
     const Aabb box{{1, -1}, {3, 1}};
     const RayHit hit = rayCast(box, {0, 0}, {2, 0}, 1);
