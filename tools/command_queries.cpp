@@ -20,34 +20,53 @@ struct QueryArguments {
 using Answerer = std::function<LineAnswer(std::string_view)>;
 
 std::optional<Precision> precisionFrom(const std::string& name) {
-    if (name == "f32") { return Precision::f32; }
-    if (name == "f64") { return Precision::f64; }
+    if (name == "f32") {
+        return Precision::f32;
+    }
+    if (name == "f64") {
+        return Precision::f64;
+    }
     return std::nullopt;
 }
 
 /// Answers the file's lines, or those of standard input.
 int answerAll(const std::string& path, const Answerer& answer) {
     std::ios::sync_with_stdio(false);
-    if (path.empty() || path == "-") { return answerQueries(std::cin, std::cout, answer); }
+    if (path.empty() || path == "-") {
+        return answerQueries(std::cin, std::cout, answer);
+    }
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) { return refuse(path + ": is a directory"); }
+    if (std::filesystem::is_directory(path, ignored)) {
+        return refuse(path + ": is a directory");
+    }
     std::ifstream file(path, std::ios::binary);
-    if (!file) { return refuse(path + ": cannot be read"); }
+    if (!file) {
+        return refuse(path + ": cannot be read");
+    }
     return answerQueries(file, std::cout, answer);
 }
 
 int answerToi(const QueryArguments& arguments) {
     const std::optional<ToiMethod> method = toiMethodFrom(arguments.method);
-    if (!method) { return refuse("--method " + arguments.method + ": must be certified or shapeCast"); }
-    if (!precisionFrom(arguments.precision)) { return refuse("--precision: must be f32 or f64"); }
+    if (!method) {
+        return refuse("--method " + arguments.method + ": must be certified or shapeCast");
+    }
+    if (!precisionFrom(arguments.precision)) {
+        return refuse("--precision: must be f32 or f64");
+    }
     return answerAll(arguments.file, [method](std::string_view line) { return answerToiLine(line, *method); });
 }
 
 int answerDistance(const QueryArguments& arguments) {
-    if (arguments.method != "gjk") { return refuse("--method " + arguments.method + ": must be gjk"); }
+    if (arguments.method != "gjk") {
+        return refuse("--method " + arguments.method + ": must be gjk");
+    }
     const std::optional<Precision> precision = precisionFrom(arguments.precision);
-    if (!precision) { return refuse("--precision: must be f32 or f64"); }
-    return answerAll(arguments.file, [precision](std::string_view line) { return answerDistanceLine(line, *precision); });
+    if (!precision) {
+        return refuse("--precision: must be f32 or f64");
+    }
+    return answerAll(arguments.file,
+                     [precision](std::string_view line) { return answerDistanceLine(line, *precision); });
 }
 
 void addFileOption(CLI::App& command, QueryArguments& arguments) {

@@ -1,5 +1,4 @@
 #include <chrono>
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "commands.h"
 #include "csv_writer.h"
 #include "event_writer.h"
+#include "finite_state.h"
 #include "number_text.h"
 #include "output_files.h"
 #include "picture_output.h"
@@ -31,20 +31,8 @@ struct RunArguments {
 struct RunOutcome {
     std::int64_t steps = 0;
     double wallSeconds = 0;
-    std::string culprit;  ///< the first body whose state is not finite; empty while all are
+    std::optional<std::string> culprit;  ///< the first body whose state is not finite
 };
-
-bool isFinite(const BodyFrame& body) {
-    return swept::isFinite(body.position) && swept::isFinite(body.velocity) && std::isfinite(body.angle) &&
-           std::isfinite(body.angularVelocity);
-}
-
-std::string firstBodyThatIsNotFinite(const Frame& frame, const std::vector<std::string>& names) {
-    for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
-        if (!isFinite(frame.bodies[i])) { return names[i]; }
-    }
-    return "";
-}
 
 /// A run with all that looks at it: steps, hands each state to the writers, and stops at the first that is not finite.
 class ObservedRun {
@@ -53,8 +41,12 @@ public:
         : runner_(runner), loaded_(loaded), names_(std::move(names)) {}
 
     void writeTo(OutputFiles& outputs, const RunArguments& arguments) {
-        if (std::ofstream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_); }
-        if (std::ofstream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
+        if (std::ofstream* const file = outputs.stream(arguments.csv)) {
+            csv_.emplace(*file, names_);
+        }
+        if (std::ofstream* const file = outputs.stream(arguments.events)) {
+            events_.emplace(*file, names_);
+        }
     }
 
     /// @return false, and the reason in `error`, when a picture could not be written.
@@ -63,16 +55,26 @@ public:
         const bool wantsContacts = pictures != nullptr && pictures->wantsContacts();
         for (std::int64_t step = 0;; ++step) {
             runner_.read(frame_, wantsContacts);
-            if (csv_) { csv_->write(frame_); }
+            if (csv_) {
+                csv_->write(frame_);
+            }
             outcome.steps = step;
-            outcome.culprit = firstBodyThatIsNotFinite(frame_, names_);
-            if (!outcome.culprit.empty()) { return true; }
-            if (pictures != nullptr && !pictures->show(frame_, runner_.events(), error)) { return false; }
-            if (step == loaded_.steps) { return true; }
+            if (const auto body = firstNotFinite(frame_)) {
+                outcome.culprit = names_[*body];
+                return true;
+            }
+            if (pictures != nullptr && !pictures->show(frame_, runner_.events(), error)) {
+                return false;
+            }
+            if (step == loaded_.steps) {
+                return true;
+            }
             const auto start = std::chrono::steady_clock::now();
             runner_.step();
             outcome.wallSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            if (events_) { events_->write(runner_.events()); }
+            if (events_) {
+                events_->write(runner_.events());
+            }
             progress.update(step + 1);
         }
     }
@@ -112,25 +114,33 @@ OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
 void printSummary(const LoadedScene& loaded, const RunOutcome& outcome, const RunReport& report) {
     const double time = static_cast<double>(outcome.steps) * loaded.scene.settings.dt;
     const std::string& name = loaded.scene.name.empty() ? loaded.source : loaded.scene.name;
-    std::cout << name << ": " << outcome.steps << " steps of " << roundedText(loaded.scene.settings.dt) << " s = "
-              << roundedText(time) << " s, computed in " << roundedText(outcome.wallSeconds, 3) << " s ("
+    std::cout << name << ": " << outcome.steps << " steps of " << roundedText(loaded.scene.settings.dt)
+              << " s = " << roundedText(time) << " s, computed in " << roundedText(outcome.wallSeconds, 3) << " s ("
               << (loaded.precision == Precision::f64 ? "f64" : "f32") << ")\n";
     std::cout << "deepest penetration " << roundedText(report.deepestPenetration, 3) << " m";
     if (!loaded.scene.joints.empty()) {
         std::cout << ", largest joint error " << roundedText(report.largestJointError, 3) << " m";
     }
     double lost = 0;
-    for (const LostTime& entry : report.lostTime) { lost += entry.seconds; }
-    if (lost > 0) { std::cout << ", lost time " << roundedText(lost, 3) << " s"; }
+    for (const LostTime& entry : report.lostTime) {
+        lost += entry.seconds;
+    }
+    if (lost > 0) {
+        std::cout << ", lost time " << roundedText(lost, 3) << " s";
+    }
     std::cout << '\n';
 }
 
 void printPlace(const char* what, const std::string& path) {
-    if (!path.empty()) { std::cout << what << path << '\n'; }
+    if (!path.empty()) {
+        std::cout << what << path << '\n';
+    }
 }
 
 void warnOfBudget(const char* name, const std::optional<double>& limit, double value) {
-    if (!limit || value <= *limit) { return; }
+    if (!limit || value <= *limit) {
+        return;
+    }
     std::cerr << "swept: warning: " << roundedText(value, 3) << " is above the scene's budget " << name << " = "
               << roundedText(*limit) << '\n';
 }
@@ -141,11 +151,12 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     const RunReport report = runner.report();
     if (std::ofstream* const file = outputs.stream(arguments.report)) {
         const std::string precision = loaded.precision == Precision::f64 ? "f64" : "f32";
-        *file << reportText(loaded.scene, report,
-                            {"swept2d " + versionText(), precision, outcome.steps, outcome.wallSeconds});
+        *file << reportText(loaded.scene, report, {"swept2d " + versionText(), precision, outcome.steps});
     }
     std::string error;
-    if (!outputs.close(error)) { return refuse(error); }
+    if (!outputs.close(error)) {
+        return refuse(error);
+    }
     printSummary(loaded, outcome, report);
     printPlace("states    ", arguments.csv);
     printPlace("events    ", arguments.events);
@@ -153,29 +164,43 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPicturePlaces(arguments.pictures);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration);
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError);
-    if (outcome.culprit.empty() && report.finite) { return kExitDone; }
-    std::cerr << "swept: " << loaded.source << ": the state of body \"" << outcome.culprit << "\" is not finite after step "
-              << outcome.steps << '\n';
+    if (!outcome.culprit) {
+        return kExitDone;
+    }
+    std::cerr << "swept: " << loaded.source << ": the state of body \"" << *outcome.culprit
+              << "\" is not finite after step " << outcome.steps << '\n';
     return kExitNotFinite;
 }
 
 int runScene(const RunArguments& arguments) {
     std::string error;
-    if (arguments.threads < 1) { return refuse("--threads: must be at least 1"); }
+    if (arguments.threads < 1) {
+        return refuse("--threads: must be at least 1");
+    }
     const auto loaded = loadScene(arguments.scene, error);
-    if (!loaded) { return refuse(error); }
+    if (!loaded) {
+        return refuse(error);
+    }
     const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, loaded->steps, error);
-    if (!error.empty()) { return refuse(error); }
+    if (!error.empty()) {
+        return refuse(error);
+    }
     const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
     const auto runner = makeRunner(loaded->scene, {loaded->precision, needsEvents, true}, error);
-    if (!runner) { return refuse(loaded->source + ": " + error); }
+    if (!runner) {
+        return refuse(loaded->source + ": " + error);
+    }
     OutputFiles outputs = placesOf(arguments, *loaded);
-    if (!outputs.open(error)) { return refuse(error); }
+    if (!outputs.open(error)) {
+        return refuse(error);
+    }
     ObservedRun run(*runner, *loaded, bodyNames(loaded->scene));
     run.writeTo(outputs, arguments);
     RunOutcome outcome;
     const bool complete = run.run(pictures.get(), outcome, error);
-    if (!complete || (pictures && !pictures->finish(error))) { return refuse(error); }
+    if (!complete || (pictures && !pictures->finish(error))) {
+        return refuse(error);
+    }
     return finishRun(arguments, *loaded, *runner, outcome, outputs);
 }
 

@@ -15,7 +15,9 @@ namespace {
 
 void listScenes() {
     std::size_t widest = 0;
-    for (const BuiltinScene& scene : builtinScenes()) { widest = std::max(widest, std::string(scene.name).size()); }
+    for (const BuiltinScene& scene : builtinScenes()) {
+        widest = std::max(widest, std::string(scene.name).size());
+    }
     for (const BuiltinScene& scene : builtinScenes()) {
         std::string name = scene.name;
         name.resize(widest, ' ');
@@ -26,7 +28,9 @@ void listScenes() {
 int printScene(const std::string& name) {
     if (const BuiltinScene* const scene = findBuiltinScene(name)) {
         std::string json = writeScene(scene->make());
-        if (json.empty() || json.back() != '\n') { json += '\n'; }
+        if (json.empty() || json.back() != '\n') {
+            json += '\n';
+        }
         std::cout << json;
         return kExitDone;
     }

@@ -7,17 +7,23 @@
 namespace swept {
 
 std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) { return text; }
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
     std::string quoted = "\"";
     for (const char character : text) {
-        if (character == '"') { quoted += '"'; }
+        if (character == '"') {
+            quoted += '"';
+        }
         quoted += character;
     }
     return quoted + '"';
 }
 
 CsvWriter::CsvWriter(std::ostream& out, const std::vector<std::string>& bodyNames) : out_(out) {
-    for (const std::string& name : bodyNames) { fields_.push_back(csvField(name)); }
+    for (const std::string& name : bodyNames) {
+        fields_.push_back(csvField(name));
+    }
     out_ << "step,time,body,x,y,angle,vx,vy,omega,awake\n";
 }
 
@@ -30,8 +36,8 @@ void CsvWriter::write(const Frame& frame) {
         const BodyFrame& body = frame.bodies[i];
         rows_ += start;
         rows_ += fields_[i];
-        for (const double number : {body.position.x, body.position.y, body.angle, body.velocity.x, body.velocity.y,
-                                    body.angularVelocity}) {
+        for (const double number :
+             {body.position.x, body.position.y, body.angle, body.velocity.x, body.velocity.y, body.angularVelocity}) {
             rows_ += ',';
             appendNumber(rows_, number);
         }

@@ -11,8 +11,8 @@ namespace swept {
 /// A field of a CSV record, quoted by RFC 4180 when it has to be (comma, quote, line break).
 std::string csvField(const std::string& text);
 
-/// The state of every body after every step: `step,time,body,x,y,angle,vx,vy,omega,awake`, one row a body, in scene order,
-/// rows end with a line feed. Numbers are the shortest decimals that read back as the same double.
+/// The state of every body after every step: `step,time,body,x,y,angle,vx,vy,omega,awake`, one row a body, in scene
+/// order, rows end with a line feed. Numbers are the shortest decimals that read back as the same double.
 class CsvWriter {
 public:
     /// Writes the header. `out` must outlive the writer.

@@ -30,8 +30,8 @@ struct Deviation {
 /// @param ours, theirs  states of the same step with the scene's bodies.
 Deviation deviationOf(const SceneDescription& scene, const Frame& ours, const Frame& theirs);
 
-/// A tenth of the size of the smallest dynamic body (the longer side of its shapes' bounding box): beyond that a deviation
-/// is seen with the naked eye. Metres; 0 when the scene has no dynamic body with a shape.
+/// A tenth of the size of the smallest dynamic body (the longer side of its shapes' bounding box): beyond that a
+/// deviation is seen with the naked eye. Metres; 0 when the scene has no dynamic body with a shape.
 double visibleDeviation(const SceneDescription& scene);
 
 }  // namespace swept

@@ -29,12 +29,18 @@ void appendMember(std::string& line, const char* key, DVec2 value) {
 
 const char* eventTypeName(SceneEventType type) {
     switch (type) {
-        case SceneEventType::begin: return "begin";
-        case SceneEventType::end: return "end";
-        case SceneEventType::hit: return "hit";
-        case SceneEventType::sensorBegin: return "sensorBegin";
-        case SceneEventType::sensorEnd: return "sensorEnd";
-        case SceneEventType::jointBreak: return "jointBreak";
+        case SceneEventType::begin:
+            return "begin";
+        case SceneEventType::end:
+            return "end";
+        case SceneEventType::hit:
+            return "hit";
+        case SceneEventType::sensorBegin:
+            return "sensorBegin";
+        case SceneEventType::sensorEnd:
+            return "sensorEnd";
+        case SceneEventType::jointBreak:
+            return "jointBreak";
     }
     return "";  // unreachable, but GCC cannot know
 }

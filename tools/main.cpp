@@ -26,7 +26,9 @@ int main(int argc, char** argv) {
     swept::addCompareCommand(app, exitCode);
     swept::addBox2dChildCommand(app, exitCode);
     std::vector<std::string> arguments = swept::expandOverrides({argv + std::min(argc, 1), argv + argc});
-    if (arguments.empty()) { return swept::refuse("no command given (\"swept --help\" lists them)"); }
+    if (arguments.empty()) {
+        return swept::refuse("no command given (\"swept --help\" lists them)");
+    }
     const auto isFirst = [&](const CLI::App* command) { return command->get_name() == arguments[0]; };
     if (!arguments[0].starts_with('-') && std::as_const(app).get_subcommands(isFirst).empty()) {
         return swept::refuse(arguments[0] + ": no such command (\"swept --help\" lists them)");

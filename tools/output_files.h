@@ -19,8 +19,8 @@ public:
     void addDirectory(const std::string& flag, const std::string& path);
     /// @return false, and one line in `error`, when some place cannot be written or two options name the same one.
     bool open(std::string& error);
-    /// The open file of a path given to `addFile`; null for an empty path. Files written by others (pictures) are simply
-    /// not asked for: they stay empty until the other overwrites them.
+    /// The open file of a path given to `addFile`; null for an empty path. Files written by others (pictures) are
+    /// simply not asked for: they stay empty until the other overwrites them.
     std::ofstream* stream(const std::string& path);
     /// Closes all files.
     /// @return false, and one line in `error`, when something could not be written (a full disk).

@@ -61,7 +61,8 @@ public:
 };
 
 /// @param steps  length of the run, for the moments of the contact sheet.
-/// @return null without error when no picture is asked for; null and one line in `error` when the arguments make no sense or
+/// @return null without error when no picture is asked for; null and one line in `error` when the arguments make no
+/// sense or
 ///         the renderer cannot be set up.
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
                                                  std::int64_t steps, std::string& error);

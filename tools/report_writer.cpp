@@ -1,7 +1,9 @@
 #include "report_writer.h"
 
-#include <nlohmann/json.hpp>
 #include <swept/samples/scene_reader.h>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace swept {
 namespace {
@@ -10,11 +12,16 @@ using Json = nlohmann::ordered_json;
 
 const char* nameOf(SceneContinuous mode) {
     switch (mode) {
-        case SceneContinuous::off: return "off";
-        case SceneContinuous::speedLimit: return "speedLimit";
-        case SceneContinuous::speculative: return "speculative";
-        case SceneContinuous::stop: return "stop";
-        case SceneContinuous::subStep: return "subStep";
+        case SceneContinuous::off:
+            return "off";
+        case SceneContinuous::speedLimit:
+            return "speedLimit";
+        case SceneContinuous::speculative:
+            return "speculative";
+        case SceneContinuous::stop:
+            return "stop";
+        case SceneContinuous::subStep:
+            return "subStep";
     }
     return "";  // unreachable, but GCC cannot know
 }
@@ -23,7 +30,18 @@ Json pairOf(DVec2 v) { return Json::array({v.x, v.y}); }
 
 template <class T>
 void setIfGiven(Json& object, const char* key, const std::optional<T>& value) {
-    if (value) { object[key] = *value; }
+    if (value) {
+        object[key] = *value;
+    }
+}
+
+/// A count without a decimal point, as long as it is one and exact.
+Json countOf(double value) {
+    constexpr double kExact = 9007199254740992.0;  // 2^53
+    if (std::trunc(value) == value && std::abs(value) <= kExact) {
+        return static_cast<std::int64_t>(value);
+    }
+    return value;
 }
 
 Json settingsOf(const SettingsDescription& settings) {
@@ -57,7 +75,9 @@ Json lostTimeOf(const SceneDescription& scene, const RunReport& report) {
 }
 
 void addBudget(Json& budgets, const char* name, const std::optional<double>& limit, double value) {
-    if (!limit) { return; }
+    if (!limit) {
+        return;
+    }
     Json entry;
     entry["limit"] = *limit;
     entry["value"] = value;
@@ -67,7 +87,9 @@ void addBudget(Json& budgets, const char* name, const std::optional<double>& lim
 
 Json budgetsOf(const SettingsDescription& settings, const RunReport& report) {
     double longestLoss = 0;
-    for (const LostTime& lost : report.lostTime) { longestLoss = std::max(longestLoss, lost.seconds); }
+    for (const LostTime& lost : report.lostTime) {
+        longestLoss = std::max(longestLoss, lost.seconds);
+    }
     Json budgets = Json::object();
     addBudget(budgets, "maxPenetration", settings.maxPenetration, report.deepestPenetration);
     addBudget(budgets, "maxJointError", settings.maxJointError, report.largestJointError);
@@ -84,10 +106,11 @@ std::string reportText(const SceneDescription& scene, const RunReport& report, c
     json["precision"] = facts.precision;
     json["steps"] = facts.steps;
     json["time"] = static_cast<double>(facts.steps) * scene.settings.dt;
-    json["wallSeconds"] = facts.wallSeconds;
     json["finite"] = report.finite;
     json["counters"] = Json::object();
-    for (const NamedNumber& counter : report.counters) { json["counters"][counter.name] = counter.value; }
+    for (const NamedNumber& counter : report.counters) {
+        json["counters"][counter.name] = countOf(counter.value);
+    }
     json["lostTime"] = lostTimeOf(scene, report);
     json["deepestPenetration"] = report.deepestPenetration;
     json["largestJointError"] = report.largestJointError;

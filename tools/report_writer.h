@@ -13,12 +13,11 @@ struct RunFacts {
     std::string engine;     ///< "swept2d 0.1.0"
     std::string precision;  ///< "f32", "f64"
     std::int64_t steps = 0;
-    double wallSeconds = 0;  ///< spent in the engine's steps
 };
 
 /// The report of a run as one JSON object: what ran, counters, lost time per body with its reason, deepest penetration,
 /// largest joint error, energy and momentum at start and end, budgets and whether they were kept, settings used.
-/// A number that is not finite is `null`. Ends with a line feed.
+/// A number that is not finite is `null`. The same run gives the same bytes: no clock is in it. Ends with a line feed.
 std::string reportText(const SceneDescription& scene, const RunReport& report, const RunFacts& facts);
 
 }  // namespace swept

@@ -14,8 +14,8 @@ namespace swept {
 /// What every command that runs a scene asks for.
 struct SceneArguments {
     std::string scene;
-    std::optional<double> duration;     ///< seconds
-    std::optional<std::int64_t> steps;  ///< excludes `duration`
+    std::optional<double> duration;      ///< seconds
+    std::optional<std::int64_t> steps;   ///< excludes `duration`
     std::vector<std::string> overrides;  ///< "/pointer=value", as typed
     std::string precision = "f32";
 };
@@ -30,8 +30,8 @@ struct LoadedScene {
     Precision precision = Precision::f32;
 };
 
-/// Reads the scene (a file wins over a built-in scene of the same name), applies the overrides, validates, and settles how
-/// many steps to run.
+/// Reads the scene (a file wins over a built-in scene of the same name), applies the overrides, validates, and settles
+/// how many steps to run.
 /// @return nothing, and one line in `error`, when anything is refused.
 std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::string& error);
 
@@ -41,7 +41,8 @@ std::vector<std::string> bodyNames(const SceneDescription& scene);
 /// The built-in scene whose name needs the fewest edits to become `name`; empty when none comes near.
 std::string nearestSceneName(const std::string& name);
 
-/// `--set a b` as `--set a --set b`: further arguments of the form `/pointer=value` that name no file belong to the flag.
+/// `--set a b` as `--set a --set b`: further arguments of the form `/pointer=value` that name no file belong to the
+/// flag.
 std::vector<std::string> expandOverrides(const std::vector<std::string>& arguments);
 
 }  // namespace swept

@@ -36,7 +36,9 @@ std::unique_ptr<Box2dRunner> start(const SceneDescription& scene) {
 }
 
 Frame frameAfter(Box2dRunner& runner, int steps) {
-    for (int i = 0; i < steps; ++i) { runner.step(); }
+    for (int i = 0; i < steps; ++i) {
+        runner.step();
+    }
     Frame frame;
     runner.read(frame, true);
     return frame;
@@ -86,8 +88,8 @@ TEST(Box2dRunner, ReportsEnergyAndMomentumOfTheExactMass) {
     scene.bodies[0].angularVelocity = 4;
     const auto runner = start(scene);
     const RunReport report = runner->report();
-    const double mass = 2;                                  // 2 m × 1 m at 1 kg/m²
-    const double inertia = mass * (2 * 2 + 1 * 1) / 12.0;   // of a rectangle
+    const double mass = 2;                                 // 2 m × 1 m at 1 kg/m²
+    const double inertia = mass * (2 * 2 + 1 * 1) / 12.0;  // of a rectangle
     EXPECT_NEAR(report.startEnergy, 0.5 * mass * 9 + 0.5 * inertia * 16 + mass * 10 * 5, 1e-9);
     EXPECT_NEAR(report.startMomentum.x, mass * 3, 1e-12);
     EXPECT_NEAR(report.startAngularMomentum, -5 * mass * 3 + inertia * 4, 1e-9);
@@ -109,14 +111,19 @@ TEST(Box2dRunner, BodiesRestOnTheirFloorWithinTheSkin) {
     for (const bool isChain : {false, true}) {
         SceneDescription scene;
         ShapeDescription ground = box(5, 0.5);
-        if (isChain) { ground.geometry = ChainGeometry{{{5, 0.5}, {0, 0.5}, {-5, 0.5}}, false}; }
-        scene.bodies = {body(SceneBodyType::fixed, {0, -0.5}, ground), body(SceneBodyType::dynamic, {0.3, 1}, box(0.5, 0.5))};
+        if (isChain) {
+            ground.geometry = ChainGeometry{{{5, 0.5}, {0, 0.5}, {-5, 0.5}}, false};
+        }
+        scene.bodies = {body(SceneBodyType::fixed, {0, -0.5}, ground),
+                        body(SceneBodyType::dynamic, {0.3, 1}, box(0.5, 0.5))};
         const auto runner = start(scene);
         const Frame frame = frameAfter(*runner, 120);
         EXPECT_NEAR(frame.bodies[1].position.y, 0.5, 0.021) << "chain: " << isChain;
         ASSERT_FALSE(frame.contacts.empty());
         double impulse = 0;
-        for (const ContactFrame& contact : frame.contacts) { impulse += contact.impulse; }
+        for (const ContactFrame& contact : frame.contacts) {
+            impulse += contact.impulse;
+        }
         EXPECT_NEAR(impulse, 9.81 / 60, 0.02) << "the weight of 1 kg over a step";
     }
 }
@@ -133,7 +140,8 @@ TEST(Box2dRunner, ChainsAreOpenFromBehind) {
 TEST(Box2dRunner, FiltersWithAllBits) {
     for (const std::uint32_t mask : {0xFFFFFFFFu, ~0x40000000u}) {
         SceneDescription scene;
-        scene.bodies = {body(SceneBodyType::fixed, {0, -0.5}, box(5, 0.5)), body(SceneBodyType::dynamic, {0, 1}, disk(0.5))};
+        scene.bodies = {body(SceneBodyType::fixed, {0, -0.5}, box(5, 0.5)),
+                        body(SceneBodyType::dynamic, {0, 1}, disk(0.5))};
         scene.bodies[0].shapes[0].filter.category = 0x40000000u;
         scene.bodies[1].shapes[0].filter.mask = mask;
         const auto runner = start(scene);
@@ -174,7 +182,8 @@ SceneDescription sceneThatAborts() {
 TEST(Box2dRunner, TellsOfAnAbortAndGoesOn) {
     const auto runner = start(sceneThatAborts());
     ASSERT_TRUE(runner->aborted());
-    EXPECT_NE(runner->aborted()->find("Box2D aborted while the world was built"), std::string::npos) << *runner->aborted();
+    EXPECT_NE(runner->aborted()->find("Box2D aborted while the world was built"), std::string::npos)
+        << *runner->aborted();
     EXPECT_NE(runner->aborted()->find("Assertion"), std::string::npos) << *runner->aborted();
     const Frame frame = frameAfter(*runner, 5);
     EXPECT_EQ(frame.step, 0);

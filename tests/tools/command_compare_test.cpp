@@ -31,7 +31,8 @@ TEST(CommandCompare, TellsHowFarTheEnginesDriftApart) {
 TEST(CommandCompare, AnAbortOfBox2dIsAResult) {
     const ScratchDirectory scratch;
     const std::string scene = scratch.write("abort.json", kSceneThatAbortsBox2d);
-    const auto result = runSwept({"compare", scene, "--steps", "10", "--png", scratch.path("out.png"), "--size", "160x90"});
+    const auto result =
+        runSwept({"compare", scene, "--steps", "10", "--png", scratch.path("out.png"), "--size", "160x90"});
     EXPECT_EQ(result.exitCode, 0) << result.err;
     EXPECT_NE(result.out.find("Box2D aborted while the world was built (Assertion"), std::string::npos) << result.out;
     EXPECT_EQ(scratch.read("out.png").substr(1, 3), "PNG") << "the initial state can still be drawn";

@@ -10,7 +10,8 @@
 namespace swept {
 namespace {
 
-/// Runs with every kind of output asked for, and checks that a refusal is one line on standard error and leaves no file.
+/// Runs with every kind of output asked for, and checks that a refusal is one line on standard error and leaves no
+/// file.
 void expectRefusal(std::vector<std::string> arguments, const std::string& reason, const std::string& input = "") {
     const auto result = runSwept(arguments, input);
     EXPECT_EQ(result.exitCode, 2) << reason;
@@ -25,7 +26,9 @@ protected:
     void expectRunRefused(std::vector<std::string> arguments, const std::string& reason) {
         arguments.insert(arguments.begin(), "run");
         for (const char* const output : {"--csv", "--events", "--report"}) {
-            if (std::find(arguments.begin(), arguments.end(), output) != arguments.end()) { continue; }
+            if (std::find(arguments.begin(), arguments.end(), output) != arguments.end()) {
+                continue;
+            }
             arguments.insert(arguments.end(), {output, out_.path(output + 2)});
         }
         if (std::find(arguments.begin(), arguments.end(), "--png") == arguments.end()) {
@@ -54,13 +57,15 @@ TEST_F(CommandError, LengthsThatMakeNoSense) {
 }
 
 TEST_F(CommandError, ScenesThatAreNotThere) {
-    expectRunRefused({"piramid"}, "piramid: no such file, and no built-in scene of that name; did you mean \"pyramid\"?");
+    expectRunRefused({"piramid"},
+                     "piramid: no such file, and no built-in scene of that name; did you mean \"pyramid\"?");
     expectRunRefused({in_.path("missing.json")}, "no such file");
     expectRunRefused({"--steps", "1"}, "scene");
 }
 
 TEST_F(CommandError, NamesFilePointerAndReason) {
-    const std::string bad = in_.write("bad.json", R"({"bodies": [{"type": "dynamic", "shapes": [{"circle": {"radius": -1}}]}]})");
+    const std::string bad =
+        in_.write("bad.json", R"({"bodies": [{"type": "dynamic", "shapes": [{"circle": {"radius": -1}}]}]})");
     expectRunRefused({bad}, "swept: " + bad + ": /bodies/0/shapes/0/circle/radius: ");
     const std::string syntax = in_.write("syntax.json", "{\"bodies\": [}");
     expectRunRefused({syntax}, syntax + ": line 1, column");
@@ -114,7 +119,9 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
 }
 
 TEST_F(CommandError, CommandsOfLaterDaysAreNotThere) {
-    for (const char* const command : {"tune", "bench", "inspect"}) { expectRefusal({command, scene_}, command); }
+    for (const char* const command : {"tune", "bench", "inspect"}) {
+        expectRefusal({command, scene_}, command);
+    }
 }
 
 }  // namespace

@@ -41,9 +41,9 @@ TEST(CommandHelp, NamesCommandsAndOptions) {
     }
     const auto runHelp = runSwept({"run", "--help"});
     EXPECT_EQ(runHelp.exitCode, 0);
-    for (const char* const word : {"--duration", "--steps", "--set", "--png", "--every", "--size", "--webp", "--sheet", "--trails",
-                                   "--csv", "--events", "--report", "--precision", "--threads", "--contacts",
-                                   "--velocities", "--ghosts"}) {
+    for (const char* const word :
+         {"--duration", "--steps", "--set", "--png", "--every", "--size", "--webp", "--sheet", "--trails", "--csv",
+          "--events", "--report", "--precision", "--threads", "--contacts", "--velocities", "--ghosts"}) {
         EXPECT_NE(runHelp.out.find(word), std::string::npos) << word;
     }
     EXPECT_EQ(runSwept({"--version"}).out.substr(0, 6), "swept ");

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include <swept/tools/report_writer.h>
@@ -35,14 +35,14 @@ RunReport smallReport() {
 }
 
 TEST(ReportWriter, HoldsTheTotalsOfTheRun) {
-    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"swept2d 1.2.3", "f64", 8, 0.25}));
+    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"swept2d 1.2.3", "f64", 8}));
     EXPECT_EQ(json.at("scene"), "small");
     EXPECT_EQ(json.at("engine"), "swept2d 1.2.3");
     EXPECT_EQ(json.at("precision"), "f64");
     EXPECT_EQ(json.at("steps"), 8);
     EXPECT_EQ(json.at("time"), 1.0);
     EXPECT_EQ(json.at("finite"), true);
-    EXPECT_EQ(json.at("counters").at("contacts"), 7);
+    EXPECT_EQ(json.at("counters").at("contacts").dump(), "7");
     ASSERT_EQ(json.at("lostTime").size(), 1u);
     EXPECT_EQ(json.at("lostTime")[0].at("body"), "ball");
     EXPECT_EQ(json.at("lostTime")[0].at("seconds"), 0.5);
@@ -56,7 +56,7 @@ TEST(ReportWriter, HoldsTheTotalsOfTheRun) {
 }
 
 TEST(ReportWriter, NamesTheSettingsUsed) {
-    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"e", "f32", 8, 0}));
+    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"e", "f32", 8}));
     const auto& settings = json.at("settings");
     EXPECT_EQ(settings.at("dt"), 0.125);
     EXPECT_EQ(settings.at("profile"), "accurate");
@@ -68,7 +68,7 @@ TEST(ReportWriter, NamesTheSettingsUsed) {
 }
 
 TEST(ReportWriter, TellsWhichBudgetsWereKept) {
-    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"e", "f32", 8, 0}));
+    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), {"e", "f32", 8}));
     const auto& budgets = json.at("budgets");
     EXPECT_EQ(budgets.at("maxPenetration").at("kept"), false);
     EXPECT_EQ(budgets.at("maxLostTime").at("kept"), true);
@@ -79,7 +79,7 @@ TEST(ReportWriter, StaysValidWhenTheRunDidNot) {
     RunReport report = smallReport();
     report.endEnergy = std::numeric_limits<double>::quiet_NaN();
     report.finite = false;
-    const auto json = nlohmann::json::parse(reportText(smallScene(), report, {"e", "f32", 8, 0}));
+    const auto json = nlohmann::json::parse(reportText(smallScene(), report, {"e", "f32", 8}));
     EXPECT_TRUE(json.at("energy").at("end").is_null());
     EXPECT_EQ(json.at("finite"), false);
 }

@@ -33,7 +33,9 @@ inline ProgramResult runSwept(std::vector<std::string> arguments, const std::str
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
     arguments.insert(arguments.begin(), SWEPT_PROGRAM);
     std::vector<char*> pointers;
-    for (std::string& argument : arguments) { pointers.push_back(argument.data()); }
+    for (std::string& argument : arguments) {
+        pointers.push_back(argument.data());
+    }
     pointers.push_back(nullptr);
     ProgramResult result;
     pid_t process = -1;

@@ -49,8 +49,7 @@ void addWaysOfTheEngine(std::vector<std::string>& sentences) {
          "Polygons, segments and chains carry a skin of 1 cm, so they rest up to 2 cm apart.",
          "No body moves more than 2 m or turns more than a quarter turn in a step.",
          "Sub-steps, relax passes and profiles are ignored: one step with 8 velocity and 3 position iterations.",
-         "Damping is implicit, v / (1 + c dt) a step, not exact.",
-         "Impacts slower than 1 m/s do not bounce.",
+         "Damping is implicit, v / (1 + c dt) a step, not exact.", "Impacts slower than 1 m/s do not bounce.",
          "A free body falls by symplectic Euler, ahead of its parabola by g t dt / 2.",
          "A body that meets something within the step loses the rest of the step.",
          "Bodies of less than 5 mm or with points closer than that may be refused or merged.",
@@ -59,11 +58,15 @@ void addWaysOfTheEngine(std::vector<std::string>& sentences) {
 
 void addWaysWithBodies(const SceneDescription& scene, std::vector<std::string>& sentences) {
     const auto hasOwnMode = [](const BodyDescription& body) { return body.continuous.has_value(); };
-    if (anyBody(scene, hasOwnMode)) { sentences.push_back("The continuous mode of single bodies is ignored."); }
+    if (anyBody(scene, hasOwnMode)) {
+        sentences.push_back("The continuous mode of single bodies is ignored.");
+    }
     if (isOfUnsupportedMode(scene.settings.continuous)) {
         sentences.push_back("The world's continuous mode is replaced by Box2D's own continuous collision.");
     }
-    if (scene.settings.maxSpeed) { sentences.push_back("The setting maxSpeed is ignored."); }
+    if (scene.settings.maxSpeed) {
+        sentences.push_back("The setting maxSpeed is ignored.");
+    }
     if (anyBody(scene, [](const BodyDescription& body) { return !body.awake; })) {
         sentences.push_back("A body that starts asleep starts without velocity.");
     }
@@ -78,15 +81,21 @@ void addWaysWithShapes(const SceneDescription& scene, std::vector<std::string>& 
             "Rounded polygons and chains are polygons with a thicker skin: against other polygons their corners are "
             "sharp, and a radius below 1 cm counts as 1 cm.");
     }
-    if (anyShape(scene, isSegment)) { sentences.push_back("Segments do not collide with segments or chains."); }
+    if (anyShape(scene, isSegment)) {
+        sentences.push_back("Segments do not collide with segments or chains.");
+    }
     if (anyShape(scene, [](const ShapeDescription& shape) { return shape.sensor; })) {
         sentences.push_back("Sensors of static and kinematic bodies detect dynamic bodies only.");
     }
 }
 
 void addWaysWithJoints(const SceneDescription& scene, std::vector<std::string>& sentences) {
-    if (!scene.joints.empty()) { sentences.push_back("Joints are kept by iteration, and limits by a position pass."); }
-    if (hasSpringOnRevolute(scene)) { sentences.push_back("Springs of revolute joints are left out."); }
+    if (!scene.joints.empty()) {
+        sentences.push_back("Joints are kept by iteration, and limits by a position pass.");
+    }
+    if (hasSpringOnRevolute(scene)) {
+        sentences.push_back("Springs of revolute joints are left out.");
+    }
     if (std::any_of(scene.joints.begin(), scene.joints.end(), isBreakable)) {
         sentences.push_back("Joints break by the reaction of the whole step, judged after it.");
     }

@@ -19,8 +19,12 @@ bool readAll(void* target, std::size_t size) {
     auto* bytes = static_cast<char*>(target);
     while (size > 0) {
         const ssize_t count = read(STDIN_FILENO, bytes, size);
-        if (count < 0 && errno == EINTR) { continue; }
-        if (count <= 0) { return false; }
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count <= 0) {
+            return false;
+        }
         bytes += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -31,8 +35,12 @@ bool writeAll(const void* source, std::size_t size) {
     const auto* bytes = static_cast<const char*>(source);
     while (size > 0) {
         const ssize_t count = write(STDOUT_FILENO, bytes, size);
-        if (count < 0 && errno == EINTR) { continue; }
-        if (count <= 0) { return false; }
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count <= 0) {
+            return false;
+        }
         bytes += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -51,11 +59,17 @@ int runBox2dChild() {
     const rlimit noCore{0, 0};  // an abort is a result here, not a crash to be studied
     setrlimit(RLIMIT_CORE, &noCore);
     std::uint64_t size = 0;
-    if (!readAll(&size, sizeof size)) { return 2; }
+    if (!readAll(&size, sizeof size)) {
+        return 2;
+    }
     std::string json(size, '\0');
-    if (!readAll(json.data(), json.size())) { return 2; }
+    if (!readAll(json.data(), json.size())) {
+        return 2;
+    }
     const SceneResult result = readScene(json, "scene");
-    if (!result.scene) { return 2; }
+    if (!result.scene) {
+        return 2;
+    }
     Box2dWorld world(*result.scene);
     std::vector<double> numbers;
     bool goesOn = answer(world, numbers);

@@ -40,7 +40,9 @@ struct JointMaker {
         b2DistanceJointDef definition;
         definition.Initialize(bodyA, bodyB, toBox2d(distance.anchorA), toBox2d(distance.anchorB));
         definition.collideConnected = collideConnected;
-        if (distance.length) { definition.length = static_cast<float>(*distance.length); }
+        if (distance.length) {
+            definition.length = static_cast<float>(*distance.length);
+        }
         const bool isSpring = distance.hertz.has_value();
         const bool isLimited = distance.minLength.has_value() || distance.maxLength.has_value();
         if (isSpring) {
@@ -64,7 +66,9 @@ b2Joint* addJoint(b2World& world, const JointDescription& joint, const std::map<
 double jointErrorOf(b2Joint& joint) {
     const double apart = length(fromBox2d(joint.GetAnchorB()) - fromBox2d(joint.GetAnchorA()));
     const auto* const distance = dynamic_cast<const b2DistanceJoint*>(&joint);
-    if (distance == nullptr) { return apart; }
+    if (distance == nullptr) {
+        return apart;
+    }
     return std::max({0.0, static_cast<double>(distance->GetMinLength()) - apart,
                      apart - static_cast<double>(distance->GetMaxLength())});
 }

@@ -1,12 +1,12 @@
 #include "box2d_runner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include <swept/samples/scene_reader.h>
 
+#include "../finite_state.h"
 #include "box2d_approximations.h"
 #include "box2d_child.h"
 #include "box2d_sample.h"
@@ -28,25 +28,22 @@ Box2dSample initialSample(const SceneDescription& scene) {
     return sample;
 }
 
-bool isFinite(const Frame& frame) {
-    return std::all_of(frame.bodies.begin(), frame.bodies.end(), [](const BodyFrame& body) {
-        return swept::isFinite(body.position) && swept::isFinite(body.velocity) && std::isfinite(body.angle) &&
-               std::isfinite(body.angularVelocity);
-    });
-}
-
 class ChildRunner final : public Box2dRunner {
 public:
     explicit ChildRunner(const SceneDescription& scene)
         : sample_(initialSample(scene)), approximations_(box2dApproximations(scene)) {}
 
     bool start(const SceneDescription& scene, const std::string& executable, std::string& error) {
-        if (!child_.start(executable, kBox2dChildCommand, error)) { return false; }
+        if (!child_.start(executable, kBox2dChildCommand, error)) {
+            return false;
+        }
         const std::string json = writeScene(scene);
         const std::uint64_t size = json.size();
         const bool sent =
             child_.send(&size, sizeof size, kPatience) && child_.send(json.data(), json.size(), kPatience);
-        if (!sent || !receiveSample()) { noteEnd("while the world was built"); }
+        if (!sent || !receiveSample()) {
+            noteEnd("while the world was built");
+        }
         report_.startEnergy = report_.endEnergy;
         report_.startMomentum = report_.endMomentum;
         report_.startAngularMomentum = report_.endAngularMomentum;
@@ -54,10 +51,14 @@ public:
     }
 
     void step() override {
-        if (aborted_) { return; }
+        if (aborted_) {
+            return;
+        }
         const std::int64_t next = sample_.frame.step + 1;
         const char go = 's';
-        if (!child_.send(&go, 1, kPatience) || !receiveSample()) { noteEnd("at step " + std::to_string(next)); }
+        if (!child_.send(&go, 1, kPatience) || !receiveSample()) {
+            noteEnd("at step " + std::to_string(next));
+        }
     }
 
     void read(Frame& frame, bool withContacts) const override {
@@ -66,7 +67,9 @@ public:
         frame.bodies = sample_.frame.bodies;
         frame.impacts.clear();
         frame.contacts.clear();
-        if (withContacts) { frame.contacts = sample_.frame.contacts; }
+        if (withContacts) {
+            frame.contacts = sample_.frame.contacts;
+        }
     }
 
     const std::vector<SceneEvent>& events() const override { return noEvents_; }
@@ -77,11 +80,17 @@ public:
 private:
     bool receiveSample() {
         std::uint64_t count = 0;
-        if (!child_.receive(&count, sizeof count, kPatience)) { return false; }
+        if (!child_.receive(&count, sizeof count, kPatience)) {
+            return false;
+        }
         numbers_.resize(count);
-        if (!child_.receive(numbers_.data(), count * sizeof(double), kPatience)) { return false; }
+        if (!child_.receive(numbers_.data(), count * sizeof(double), kPatience)) {
+            return false;
+        }
         std::optional<Box2dSample> sample = decodeSample(numbers_);
-        if (!sample) { return false; }
+        if (!sample) {
+            return false;
+        }
         sample_ = std::move(*sample);
         addToReport();
         return true;
@@ -93,7 +102,7 @@ private:
         report_.endEnergy = sample_.energy;
         report_.endMomentum = sample_.momentum;
         report_.endAngularMomentum = sample_.angularMomentum;
-        report_.finite = report_.finite && isFinite(sample_.frame);
+        report_.finite = report_.finite && !firstNotFinite(sample_.frame);
         report_.counters = {{"brokenJoints", static_cast<double>(sample_.brokenJoints)}};
     }
 
@@ -102,7 +111,9 @@ private:
     /// "aborted (why)" and "at step 3" make "aborted at step 3 (why)".
     static std::string withMoment(const std::string& ending, const std::string& when) {
         const std::size_t reason = ending.find(" (");
-        if (reason == std::string::npos) { return ending + ' ' + when; }
+        if (reason == std::string::npos) {
+            return ending + ' ' + when;
+        }
         return ending.substr(0, reason) + ' ' + when + ending.substr(reason);
     }
 
@@ -120,7 +131,9 @@ private:
 std::unique_ptr<Box2dRunner> makeBox2dRunner(const SceneDescription& scene, std::string& error,
                                              const std::string& executable) {
     auto runner = std::make_unique<ChildRunner>(scene);
-    if (!runner->start(scene, executable, error)) { return nullptr; }
+    if (!runner->start(scene, executable, error)) {
+        return nullptr;
+    }
     return runner;
 }
 

@@ -17,7 +17,8 @@ public:
 };
 
 /// @param scene       accepted by `validateScene`.
-/// @param executable  a program that calls `runBox2dChild` when its argument is `kBox2dChildCommand`; by default this one.
+/// @param executable  a program that calls `runBox2dChild` when its argument is `kBox2dChildCommand`; by default this
+/// one.
 /// @return null, and a reason in `error`, when no child can be started. An abort while the world is built is told by
 ///         `aborted`, with the bodies at their initial poses.
 std::unique_ptr<Box2dRunner> makeBox2dRunner(const SceneDescription& scene, std::string& error,

@@ -38,7 +38,9 @@ public:
 
     void operator()(const PolygonGeometry& geometry) const {
         std::vector<b2Vec2> points;
-        for (const DVec2 point : geometry.points) { points.push_back(toBox2d(point)); }
+        for (const DVec2 point : geometry.points) {
+            points.push_back(toBox2d(point));
+        }
         b2PolygonShape polygon;
         polygon.Set(points.data(), static_cast<int32>(points.size()));
         addPolygon(polygon, shape_.radius);
@@ -47,7 +49,9 @@ public:
     // Both engines collide on the right-hand side of the chain's direction.
     void operator()(const ChainGeometry& geometry) const {
         std::vector<b2Vec2> points;
-        for (const DVec2 point : geometry.points) { points.push_back(toBox2d(point)); }
+        for (const DVec2 point : geometry.points) {
+            points.push_back(toBox2d(point));
+        }
         const auto count = static_cast<int32>(points.size());
         b2ChainShape chain;
         if (geometry.loop) {
@@ -123,7 +127,9 @@ struct PolygonOf {
     }
     Result<Polygon> operator()(const PolygonGeometry& polygon) const {
         std::vector<Vec2> points;
-        for (const DVec2 point : polygon.points) { points.push_back(toReal(point)); }
+        for (const DVec2 point : polygon.points) {
+            points.push_back(toReal(point));
+        }
         return convexHull(points, radius);
     }
     Result<Polygon> operator()(const ChainGeometry&) const { return Status{StatusCode::wrongBodyType, "chain"}; }
@@ -143,24 +149,34 @@ Box2dMass massOfBody(const BodyDescription& body) {
     std::vector<MassProperties> parts;
     for (const ShapeDescription& shape : body.shapes) {
         const Result<Polygon> polygon = std::visit(PolygonOf{static_cast<Real>(shape.radius)}, shape.geometry);
-        if (polygon.ok()) { parts.push_back(massOf(polygon.value(), static_cast<Real>(shape.density))); }
+        if (polygon.ok()) {
+            parts.push_back(massOf(polygon.value(), static_cast<Real>(shape.density)));
+        }
     }
     const MassProperties whole = combine(parts);
     Box2dMass mass{whole.mass, whole.center, whole.inertia};
     if (body.mass) {
         // The same distribution of mass, heavier or lighter.
-        if (whole.mass > 0) { mass.inertia *= *body.mass / whole.mass; }
+        if (whole.mass > 0) {
+            mass.inertia *= *body.mass / whole.mass;
+        }
         mass.mass = *body.mass;
     }
-    if (body.inertia) { mass.inertia = *body.inertia; }
+    if (body.inertia) {
+        mass.inertia = *body.inertia;
+    }
     return mass;
 }
 
 bool Box2dFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     const FilterDescription& a = noteOf(*fixtureA).shape->filter;
     const FilterDescription& b = noteOf(*fixtureB).shape->filter;
-    if (noteOf(*fixtureA).isSensor && noteOf(*fixtureB).isSensor) { return false; }
-    if (a.group != 0 && a.group == b.group) { return a.group > 0; }
+    if (noteOf(*fixtureA).isSensor && noteOf(*fixtureB).isSensor) {
+        return false;
+    }
+    if (a.group != 0 && a.group == b.group) {
+        return a.group > 0;
+    }
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 

@@ -17,9 +17,12 @@ constexpr int32 kPositionIterations = 3;
 
 b2BodyType typeOf(SceneBodyType type) {
     switch (type) {
-        case SceneBodyType::fixed: return b2_staticBody;
-        case SceneBodyType::kinematic: return b2_kinematicBody;
-        case SceneBodyType::dynamic: return b2_dynamicBody;
+        case SceneBodyType::fixed:
+            return b2_staticBody;
+        case SceneBodyType::kinematic:
+            return b2_kinematicBody;
+        case SceneBodyType::dynamic:
+            return b2_dynamicBody;
     }
     return b2_staticBody;  // unreachable, but GCC cannot know
 }
@@ -68,8 +71,8 @@ struct Box2dWorld::Parts {
     std::deque<Box2dFixtureNote> notes;
     b2World world;
     std::vector<b2Body*> bodies;
-    std::vector<Box2dMass> masses;   // in double, one for each body
-    std::vector<b2Joint*> joints;    // null once broken
+    std::vector<Box2dMass> masses;  // in double, one for each body
+    std::vector<b2Joint*> joints;   // null once broken
     std::int64_t steps = 0;
     std::int64_t brokenJoints = 0;
 };
@@ -78,10 +81,14 @@ void Box2dWorld::Parts::addBodies() {
     for (const BodyDescription& description : scene.bodies) {
         const b2BodyDef definition = definitionOf(description, scene.settings);
         b2Body* const body = world.CreateBody(&definition);
-        for (const ShapeDescription& shape : description.shapes) { addFixtures(*body, shape, notes); }
+        for (const ShapeDescription& shape : description.shapes) {
+            addFixtures(*body, shape, notes);
+        }
         const bool isDynamic = description.type == SceneBodyType::dynamic;
         masses.push_back(isDynamic ? massOfBody(description) : Box2dMass{});
-        if (isDynamic) { setMass(*body, masses.back()); }
+        if (isDynamic) {
+            setMass(*body, masses.back());
+        }
         // After the mass, which would shift it: the velocity is that of the centre of mass. Setting one wakes the body.
         if (description.awake) {
             body->SetLinearVelocity(toBox2d(description.velocity));
@@ -93,13 +100,19 @@ void Box2dWorld::Parts::addBodies() {
 
 void Box2dWorld::Parts::addJoints() {
     std::map<std::string, b2Body*> byName;
-    for (std::size_t i = 0; i < bodies.size(); ++i) { byName[bodyName(scene, i)] = bodies[i]; }
-    for (const JointDescription& joint : scene.joints) { joints.push_back(addJoint(world, joint, byName)); }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        byName[bodyName(scene, i)] = bodies[i];
+    }
+    for (const JointDescription& joint : scene.joints) {
+        joints.push_back(addJoint(world, joint, byName));
+    }
 }
 
 void Box2dWorld::Parts::breakJoints() {
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (joints[i] == nullptr || !breaks(*joints[i], scene.joints[i], scene.settings.dt)) { continue; }
+        if (joints[i] == nullptr || !breaks(*joints[i], scene.joints[i], scene.settings.dt)) {
+            continue;
+        }
         world.DestroyJoint(joints[i]);
         joints[i] = nullptr;
         ++brokenJoints;
@@ -136,7 +149,9 @@ void Box2dWorld::Parts::readContacts(Box2dSample& sample) const {
         b2Fixture* const a = const_cast<b2Contact*>(contact)->GetFixtureA();
         b2Fixture* const b = const_cast<b2Contact*>(contact)->GetFixtureB();
         const b2Manifold* const manifold = contact->GetManifold();
-        if (!contact->IsTouching() || a->IsSensor() || b->IsSensor()) { continue; }
+        if (!contact->IsTouching() || a->IsSensor() || b->IsSensor()) {
+            continue;
+        }
         b2WorldManifold placed;  // with the true radii: Box2D's skin is no penetration
         placed.Initialize(manifold, a->GetBody()->GetTransform(), trueRadius(*a), b->GetBody()->GetTransform(),
                           trueRadius(*b));
@@ -173,7 +188,9 @@ Box2dSample Box2dWorld::sample() const {
     parts_->readBodies(sample);
     parts_->readContacts(sample);
     for (b2Joint* const joint : parts_->joints) {
-        if (joint != nullptr) { sample.jointError = std::max(sample.jointError, jointErrorOf(*joint)); }
+        if (joint != nullptr) {
+            sample.jointError = std::max(sample.jointError, jointErrorOf(*joint));
+        }
     }
     return sample;
 }

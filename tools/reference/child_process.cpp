@@ -19,7 +19,9 @@ namespace swept {
 namespace {
 
 void closeIfOpen(int& descriptor) {
-    if (descriptor >= 0) { close(descriptor); }
+    if (descriptor >= 0) {
+        close(descriptor);
+    }
     descriptor = -1;
 }
 
@@ -31,9 +33,13 @@ std::string textOf(int descriptor) {
     for (ssize_t count = 0; (count = read(descriptor, buffer.data(), buffer.size())) > 0;) {
         text.append(buffer.data(), static_cast<std::size_t>(count));
     }
-    while (!text.empty() && text.back() == '\n') { text.pop_back(); }
+    while (!text.empty() && text.back() == '\n') {
+        text.pop_back();
+    }
     for (char& character : text) {
-        if (character == '\n') { character = ' '; }
+        if (character == '\n') {
+            character = ' ';
+        }
     }
     return text;
 }
@@ -50,7 +56,8 @@ ChildProcess::~ChildProcess() { finish(); }
 
 bool ChildProcess::start(const std::string& executable, const std::string& argument, std::string& error) {
     std::array<int, 2> ends{-1, -1};
-    // Sockets, not pipes: writing to a dead child can then fail without a signal. Close-on-exec keeps other children out.
+    // Sockets, not pipes: writing to a dead child can then fail without a signal. Close-on-exec keeps other children
+    // out.
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         error = std::string("no socket for the child process: ") + std::strerror(errno);
         return false;
@@ -61,14 +68,18 @@ bool ChildProcess::start(const std::string& executable, const std::string& argum
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    if (messages_ >= 0) { posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO); }
+    if (messages_ >= 0) {
+        posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO);
+    }
     std::string name = "swept";
     std::string command = argument;
     std::array<char*, 3> arguments{name.data(), command.data(), nullptr};
     const int failure = posix_spawn(&process_, executable.c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
-    if (failure == 0) { return true; }
+    if (failure == 0) {
+        return true;
+    }
     process_ = -1;
     error = "cannot start " + executable + ": " + std::strerror(failure);
     return false;
@@ -88,10 +99,16 @@ bool ChildProcess::waitFor(short direction, double patience) {
 bool ChildProcess::send(const void* bytes, std::size_t size, double patience) {
     const auto* rest = static_cast<const char*>(bytes);
     while (size > 0) {
-        if (socket_ < 0 || !waitFor(POLLOUT, patience)) { return false; }
+        if (socket_ < 0 || !waitFor(POLLOUT, patience)) {
+            return false;
+        }
         const ssize_t count = ::send(socket_, rest, size, MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (count < 0 && (errno == EINTR || errno == EAGAIN)) { continue; }
-        if (count <= 0) { return false; }
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
+            continue;
+        }
+        if (count <= 0) {
+            return false;
+        }
         rest += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -101,10 +118,16 @@ bool ChildProcess::send(const void* bytes, std::size_t size, double patience) {
 bool ChildProcess::receive(void* bytes, std::size_t size, double patience) {
     auto* rest = static_cast<char*>(bytes);
     while (size > 0) {
-        if (socket_ < 0 || !waitFor(POLLIN, patience)) { return false; }
+        if (socket_ < 0 || !waitFor(POLLIN, patience)) {
+            return false;
+        }
         const ssize_t count = recv(socket_, rest, size, MSG_DONTWAIT);
-        if (count < 0 && (errno == EINTR || errno == EAGAIN)) { continue; }
-        if (count <= 0) { return false; }
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
+            continue;
+        }
+        if (count <= 0) {
+            return false;
+        }
         rest += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -118,8 +141,11 @@ std::string ChildProcess::finish() {
         // A child that broke the talk off is already dying of its own signal; only a silent one has to be stopped.
         int status = 0;
         const bool mayBeStuck = timedOut_;
-        if (mayBeStuck) { kill(process_, SIGKILL); }
-        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {}
+        if (mayBeStuck) {
+            kill(process_, SIGKILL);
+        }
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
         if (mayBeStuck) {
             ending = "gave no answer in time";
         } else if (WIFSIGNALED(status)) {

@@ -8,8 +8,8 @@
 
 namespace swept {
 
-/// A child that we talk to by its standard input and output, and whose messages on standard error are kept. Whatever the
-/// child does, no call here hangs for longer than the patience given, raises a signal, or leaves a process behind.
+/// A child that we talk to by its standard input and output, and whose messages on standard error are kept. Whatever
+/// the child does, no call here hangs for longer than the patience given, raises a signal, or leaves a process behind.
 class ChildProcess {
 public:
     ChildProcess() = default;
