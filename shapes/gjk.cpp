@@ -150,21 +150,33 @@ GjkResult runGjk(const PairView& pair, const SimplexCache* warm) {
 }
 
 GjkResult closestByExhaustion(const PairView& pair) {
-    Candidate best = vertexCandidate(pairAt(pair, 0, 0));
+    GjkResult best;
+    double bestGap = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const Candidate& c) {
+        const double scale = std::sqrt(c.isSegment ? c.edgeSquared : c.distanceSquared);
+        if (!(scale > 0)) { return; }
+        const DVec2 normal = c.isSegment ? segmentNormal(c, 1 / scale) : (1 / scale) * c.p.w;
+        const double distance = c.isSegment ? std::fabs(c.side) / scale : scale;
+        const double gap = distance - dot(normal, supportPair(pair, normal).w);
+        if (!(gap < bestGap) || !(distance > 0)) { return; }
+        bestGap = gap;
+        best = asResult(c);
+        best.outcome = GjkOutcome::apart;
+        best.normal = normal;
+        best.distance = distance;
+    };
     for (int i = 0; i < pair.a.count; ++i) {
         for (int j = 0; j < pair.b.count; ++j) {
             const SupportPair p = pairAt(pair, i, j);
-            best = closer(best, segmentCandidate(pair, p, pairAt(pair, i, pair.b.next(j))));
-            best = closer(best, segmentCandidate(pair, p, pairAt(pair, pair.a.next(i), j)));
+            consider(segmentCandidate(pair, p, pairAt(pair, i, pair.b.next(j))));
+            consider(segmentCandidate(pair, p, pairAt(pair, pair.a.next(i), j)));
         }
     }
-    GjkResult r = asResult(best);
-    r.distance = std::sqrt(best.distanceSquared);
-    r.outcome = r.distance > 0 ? GjkOutcome::apart : GjkOutcome::touching;
-    if (r.outcome == GjkOutcome::apart) {
-        r.normal = best.isSegment ? segmentNormal(best, 1 / std::sqrt(best.edgeSquared)) : unitOf(best.p.w);
+    if (best.count == 0) {
+        best = asResult(vertexCandidate(pairAt(pair, 0, 0)));
+        best.outcome = GjkOutcome::touching;
     }
-    return r;
+    return best;
 }
 
 GjkResult closestFeatures(const PairView& pair, const SimplexCache* warm) {
