@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <swept/samples/builtin_scenes.h>
+
+#include "trace_compare.h"
+
+/// The same scene gives the same bits, run after run and whatever finds the pairs.
+
+namespace swept::test {
+namespace {
+
+constexpr std::int64_t kSteps = 120;
+
+class SceneRepeat : public testing::TestWithParam<Precision> {};
+
+TEST_P(SceneRepeat, GivesTheSameBits) {
+    for (const BuiltinScene& entry : builtinScenes()) {
+        const SceneDescription scene = entry.make();
+        const Trace first = runOf(scene, GetParam(), kSteps).trace;
+        const Trace second = runOf(scene, GetParam(), kSteps).trace;
+        EXPECT_TRUE(first.report.finite) << entry.name;
+        EXPECT_EQ(firstDifference(first, second), "") << entry.name;
+    }
+}
+
+TEST_P(SceneRepeat, DoesNotDependOnTheBroadphase) {
+    for (const BuiltinScene& entry : builtinScenes()) {
+        SceneDescription scene = entry.make();
+        scene.settings.broadphase = SceneBroadphase::bvh;
+        const Trace tree = runOf(scene, GetParam(), kSteps).trace;
+        scene.settings.broadphase = SceneBroadphase::allPairs;
+        const Trace pairs = runOf(scene, GetParam(), kSteps).trace;
+        EXPECT_EQ(firstDifference(tree, pairs), "") << entry.name;
+    }
+}
+
+TEST_P(SceneRepeat, ComparisonSeesTheSmallestChange) {
+    SceneDescription scene = builtinScenes()[0].make();
+    const Trace before = runOf(scene, GetParam(), 60).trace;
+    scene.gravity.y = std::nextafter(scene.gravity.y, 0.0) + (GetParam() == Precision::f32 ? 1e-6 : 0);
+    const Trace after = runOf(scene, GetParam(), 60).trace;
+    EXPECT_NE(firstDifference(before, after), "");
+}
+
+std::string precisionName(const testing::TestParamInfo<Precision>& info) {
+    return info.param == Precision::f32 ? "f32" : "f64";
+}
+INSTANTIATE_TEST_SUITE_P(Precisions, SceneRepeat, testing::Values(Precision::f32, Precision::f64), precisionName);
+
+}  // namespace
+}  // namespace swept::test

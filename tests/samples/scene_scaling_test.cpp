@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/scene_units.h>
+
+#include "settling_scene.h"
+#include "trace_compare.h"
+
+/// Power-of-two invariance: a scene told in other units of length, mass and time gives the same run, bit for bit, up to the
+/// factors. That is the proof that no length, mass or time is built into the library.
+
+namespace swept::test {
+namespace {
+
+constexpr std::int64_t kSteps = 120;
+constexpr std::int64_t kSettlingSteps = 400;  ///< bodies fall asleep, and the piston wakes one of them
+
+struct Tally {
+    int conclusive = 0;
+    int underflown = 0;
+};
+
+/// Runs that lost digits to underflow prove nothing, and are counted.
+void compareScaled(const SceneDescription& scene, const SceneRun& plain, Precision precision, const Units& units,
+                   Tally& tally) {
+    const std::int64_t steps = plain.trace.frames.back().step;
+    const SceneRun other = runOf(scaled(scene, units.length, units.mass, units.time), precision, steps);
+    if (plain.underflow || other.underflow) {
+        ++tally.underflown;
+        return;
+    }
+    ++tally.conclusive;
+    EXPECT_EQ(firstDifference(plain.trace, other.trace, units), "") << scene.name << ", " << text(units);
+}
+
+template <std::size_t N>
+void compareAll(Precision precision, const std::array<Units, N>& all) {
+    Tally tally;
+    for (const BuiltinScene& entry : builtinScenes()) {
+        const SceneDescription scene = entry.make();
+        const SceneRun plain = runOf(scene, precision, kSteps);
+        for (const Units& units : all) { compareScaled(scene, plain, precision, units, tally); }
+    }
+    const SceneDescription settling = settlingScene();
+    const SceneRun plain = runOf(settling, precision, kSettlingSteps);
+    for (const Units& units : all) { compareScaled(settling, plain, precision, units, tally); }
+    testing::Test::RecordProperty("conclusive", tally.conclusive);
+    testing::Test::RecordProperty("underflown", tally.underflown);
+    EXPECT_GT(tally.conclusive, 9 * tally.underflown) << "too many runs underflowed to prove anything";
+}
+
+TEST(SceneScaling, SinglePrecisionHasNoUnits) {
+    compareAll(Precision::f32, std::to_array<Units>({{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10},
+                                                     {0, 0, -10}, {1, 0, 0}, {7, -5, 3}, {-10, -10, 10}}));
+}
+
+TEST(SceneScaling, DoublePrecisionHasNoUnits) {
+    compareAll(Precision::f64, std::to_array<Units>({{100, 0, 0}, {-100, 0, 0}, {0, 100, 0}, {0, -100, 0}, {0, 0, 100},
+                                                     {0, 0, -100}, {0, 0, 1}, {57, -33, 15}, {-100, 100, -100}}));
+}
+
+/// What the settling scene is for really happens in it.
+TEST(SceneScaling, SettlingSceneDoesIt) {
+    const Trace trace = runOf(settlingScene(), Precision::f64, kSettlingSteps).trace;
+    const auto counted = [&trace](std::string_view name) {
+        for (const NamedNumber& counter : trace.report.counters) {
+            if (counter.name == name) { return counter.value; }
+        }
+        return 0.0;
+    };
+    for (const char* name : {"fellAsleep", "wokeUp", "speedsLimited", "impacts", "solvedBodies", "freeBodies"}) {
+        EXPECT_GT(counted(name), 0) << name;
+    }
+    for (const SceneEventType type : {SceneEventType::begin, SceneEventType::hit, SceneEventType::sensorBegin,
+                                      SceneEventType::jointBreak}) {
+        const auto count = std::count_if(trace.events.begin(), trace.events.end(),
+                                         [type](const SceneEvent& event) { return event.type == type; });
+        EXPECT_GT(count, 0) << "type " << static_cast<int>(type);
+    }
+    EXPECT_FALSE(trace.report.lostTime.empty());
+}
+
+TEST(SceneScaling, ComparisonSeesAFactorThatIsForgotten) {
+    const SceneDescription scene = builtinScenes()[0].make();
+    const SceneRun plain = runOf(scene, Precision::f64, 30);
+    SceneDescription forgetful = scaled(scene, 3, 0, 0);
+    forgetful.gravity = scene.gravity;
+    EXPECT_NE(firstDifference(plain.trace, runOf(forgetful, Precision::f64, 30).trace, {3, 0, 0}), "");
+}
+
+}  // namespace
+}  // namespace swept::test
