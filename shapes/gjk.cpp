@@ -182,14 +182,14 @@ GjkResult closestByExhaustion(const PairView& pair) {
 GjkResult closestFeatures(const PairView& pair, const SimplexCache* warm) {
     GjkResult r = runGjk(pair, warm);
     if (r.outcome != GjkOutcome::stalled) { return r; }
-    const int iterations = r.iterations;
     if (coreAxis(pair).separation <= 0) {
         r.outcome = GjkOutcome::touching;
-    } else {
-        r = closestByExhaustion(pair);
+        return r;
     }
-    r.iterations = iterations;
-    return r;
+    GjkResult resolved = closestByExhaustion(pair);
+    resolved.resolution = r.resolution;
+    resolved.iterations = r.iterations;
+    return resolved;
 }
 
 CorePoints witnessOf(const PairView& pair, const GjkResult& r, DVec2 gap) {

@@ -28,19 +28,27 @@ Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slac
     return builderFor(pair, margin, false, face.normal).build(clip(face, incidentOfA(pair, face.normal), slack));
 }
 
+FeatureId vertexPair(const GjkResult& gjk) {
+    return featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b});
+}
+
+Manifold clipAgainst(const PairView& pair, const CoreAxis& axis, double margin) {
+    switch (axis.source) {
+        case AxisSource::faceOfA: return clipAgainstA(pair, axis.face, margin, 0);
+        case AxisSource::faceOfB: return clipAgainstB(pair, axis.face, margin, 0);
+        case AxisSource::direction: break;
+    }
+    return {};
+}
+
 /// Cores that overlap or touch: clip against the face of least penetration.
 Manifold collideOverlapping(const PairView& pair, const CoreAxis& axis, double margin) {
-    Manifold manifold;
-    if (axis.source == AxisSource::faceOfA) {
-        manifold = clipAgainstA(pair, axis.face, margin, 0);
-    } else if (axis.source == AxisSource::faceOfB) {
-        manifold = clipAgainstB(pair, axis.face, margin, 0);
-    }
+    const Manifold manifold = clipAgainst(pair, axis, margin);
     if (manifold.count > 0) { return manifold; }
     // No face along the axis (points, ends of segments), or the preferred face is not under the other shape.
-    const CoreAxis best = coreAxis(pair);
-    return singlePoint(corePoints(pair, best), best.separation, best.normal,
-                       featureId({false, best.supportA}, {false, best.supportB}), pair.a, pair.b, margin);
+    const GjkResult gjk = closestFeatures(pair, nullptr);
+    const CoreSeparation core = coreSeparation(pair, gjk);
+    return singlePoint(core.points, core.separation, core.normal, vertexPair(gjk), pair.a, pair.b, margin);
 }
 
 bool isFaceNormal(DVec2 faceNormal, DVec2 direction) {
@@ -48,22 +56,49 @@ bool isFaceNormal(DVec2 faceNormal, DVec2 direction) {
     return std::fabs(sine) <= kFaceAngle && dot(faceNormal, direction) > 0;
 }
 
+/// The edge on which the simplex lies, else the one that faces the direction most.
+int closestEdge(const Polygon& polygon, int first, int second, DVec2 direction) {
+    if (polygon.count > 2 && first != second) {
+        if (polygon.next(first) == second) { return first; }
+        if (polygon.next(second) == first) { return second; }
+    }
+    return edgeFacing(polygon, direction);
+}
+
+bool isAsDeepAs(const Manifold& manifold, double separation) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        if (static_cast<double>(manifold.points[i].separation) <= separation) { return true; }
+    }
+    return false;
+}
+
 /// Cores that are apart: clip where the closest direction is a face's normal, else one point between the vertices.
 Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin) {
     const double slack = 2 * kFaceAngle * gjk.distance;
-    Manifold manifold;
+    const SupportPair& p = gjk.simplex[0];
+    const SupportPair& q = gjk.simplex[static_cast<std::size_t>(gjk.count - 1)];
+    // Of several nearly parallel faces only the one under the closest point will do: one as deep as the distance, up to
+    // the rounding of `Real`.
+    const double rounding = gjk.resolution * (2 * static_cast<double>(kEpsilon) / kResolution);
+    const double separation =
+        gjk.distance - static_cast<double>(pair.a.radius) - static_cast<double>(pair.b.radius) + 2 * rounding;
     if (pair.a.count > 1) {
-        const int edge = edgeFacing(pair.a, gjk.normal);
-        if (isFaceNormal(pair.normalA(edge), gjk.normal)) { manifold = clipAgainstA(pair, edge, margin, slack); }
+        const int edge = closestEdge(pair.a, p.a, q.a, gjk.normal);
+        if (isFaceNormal(pair.normalA(edge), gjk.normal)) {
+            const Manifold manifold = clipAgainstA(pair, edge, margin, slack);
+            if (isAsDeepAs(manifold, separation)) { return manifold; }
+        }
     }
-    if (manifold.count == 0 && pair.b.count > 1) {
+    if (pair.b.count > 1) {
         const DVec2 direction = pair.toB(-gjk.normal);
-        const int edge = edgeFacing(pair.b, direction);
-        if (isFaceNormal(pair.localNormalB(edge), direction)) { manifold = clipAgainstB(pair, edge, margin, slack); }
+        const int edge = closestEdge(pair.b, p.b, q.b, direction);
+        if (isFaceNormal(pair.localNormalB(edge), direction)) {
+            const Manifold manifold = clipAgainstB(pair, edge, margin, slack);
+            if (isAsDeepAs(manifold, separation)) { return manifold; }
+        }
     }
-    if (manifold.count > 0) { return manifold; }
-    return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
-                       featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}), pair.a, pair.b, margin);
+    return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal, vertexPair(gjk), pair.a,
+                       pair.b, margin);
 }
 
 Manifold collideCores(const PairView& pair, double margin) {

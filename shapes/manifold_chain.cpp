@@ -75,10 +75,11 @@ DVec2 centerOfB(const PairView& pair) {
 
 Manifold clipOnSegment(const PairView& pair, const ChainFace& chain, double margin) {
     const IncidentEdge incident = incidentOfB(pair, chain.face.normal);
-    // At a seam the neighbouring ranges overlap by the seam angle and rounding, so that no circle rolls into a gap.
-    const double height = std::fabs(dot(chain.face.normal, incident.start - chain.face.start));
+    // At a seam the neighbouring ranges overlap by the seam angle and rounding, so that nothing falls into a gap.
+    const double startHeight = std::fabs(dot(chain.face.normal, incident.start - chain.face.start));
+    const double endHeight = std::fabs(dot(chain.face.normal, incident.end - chain.face.start));
     const double rounding = 4 * static_cast<double>(kEpsilon) * (chain.face.length + sumNorm(incident.start));
-    const double slack = incident.isPoint ? kSeamAngle * height + rounding : 0;
+    const double slack = kSeamAngle * (startHeight < endHeight ? startHeight : endHeight) + rounding;
     const ManifoldBuilder builder{static_cast<double>(pair.a.radius), static_cast<double>(pair.b.radius), margin, true,
                                   chain.face.normal};
     return builder.build(clip(chain.face, incident, slack));

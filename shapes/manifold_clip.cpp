@@ -58,40 +58,28 @@ IncidentEdge incidentOfB(const PairView& pair, DVec2 normal) {
 }
 
 ClippedEdge clip(const ReferenceFace& face, const IncidentEdge& edge, double slack) {
-    const double lower = -slack;
-    const double upper = face.length + slack;
     const double startAlong = dot(face.tangent, edge.start - face.start);
     const double endAlong = dot(face.tangent, edge.end - face.start);
     ClippedEdge clipped;
-    if ((startAlong < lower && endAlong < lower) || (startAlong > upper && endAlong > upper)) { return clipped; }
-
     const auto add = [&](double along, double otherAlong, DVec2 vertex, DVec2 other, int vertexIndex) {
         ClippedPoint p;
-        if (along >= lower && along <= upper) {
+        if (along >= -slack && along <= face.length + slack) {
             p.core = vertex;
             p.reference = {true, face.edge};
             p.incident = {false, vertexIndex};
         } else {
-            const double bound = along < lower ? lower : upper;
+            const bool isBefore = along < 0;
+            const double bound = isBefore ? 0 : face.length;
+            if (isBefore ? otherAlong <= bound : otherAlong >= bound) { return; }  // nothing of the edge is left here
             p.core = vertex + ((bound - along) / (otherAlong - along)) * (other - vertex);
-            p.reference = {false, along < lower ? face.startVertex : face.endVertex};
+            p.reference = {false, isBefore ? face.startVertex : face.endVertex};
             p.incident = {true, edge.edge};
         }
         p.separation = dot(face.normal, p.core - face.start);
         clipped.points[static_cast<std::size_t>(clipped.count++)] = p;
     };
     add(startAlong, endAlong, edge.start, edge.end, edge.startVertex);
-    if (edge.isPoint) { return clipped; }
-    add(endAlong, startAlong, edge.end, edge.start, edge.endVertex);
-
-    // Only an overlap that the slack or rounding made is a single point: a steep edge keeps its two.
-    const double overlapLower = std::fmax(std::fmin(startAlong, endAlong), 0.0);
-    const double overlapUpper = std::fmin(std::fmax(startAlong, endAlong), face.length);
-    const bool onlySlack = overlapUpper <= overlapLower && startAlong != endAlong;
-    if (onlySlack) {
-        if (clipped.points[1].separation < clipped.points[0].separation) { clipped.points[0] = clipped.points[1]; }
-        clipped.count = 1;
-    }
+    if (!edge.isPoint) { add(endAlong, startAlong, edge.end, edge.start, edge.endVertex); }
     return clipped;
 }
 

@@ -1,0 +1,295 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include <swept/shapes/distance.h>
+#include <swept/shapes/manifold.h>
+
+#include "pair_families.h"
+
+namespace swept::test {
+namespace {
+
+Real deepest(const Manifold& m) {
+    Real least = m.points[0].separation;
+    return m.count > 1 ? std::min(least, m.points[1].separation) : least;
+}
+
+std::set<FeatureId> idsOf(const Manifold& m) {
+    std::set<FeatureId> ids;
+    for (int i = 0; i < m.count; ++i) { ids.insert(m.points[static_cast<std::size_t>(i)].id); }
+    return ids;
+}
+
+Transform poseAt(double x, double y, double angle) { return {{real(x), real(y)}, rotationFromAngle(angle)}; }
+
+long double longestEdge(const Polygon& p) {
+    long double most = 0;
+    for (int i = 0; i < p.count; ++i) {
+        most = std::max(most, length(exact(p.vertices[static_cast<std::size_t>(p.next(i))]) -
+                                     exact(p.vertices[static_cast<std::size_t>(i)])));
+    }
+    return most;
+}
+
+class ManifoldFamilies : public testing::TestWithParam<PairFamily> {};
+
+TEST_P(ManifoldFamilies, DeepestPointIsAsDeepAsTheDistanceSays) {
+    int touching = 0;
+    int two = 0;
+    for (std::uint64_t seed = 0; seed < 10'000; ++seed) {
+        const PairCase c = makePair(GetParam(), seed);
+        const Distance d = distance(c.a, c.b, c.bInA);
+        const long double size = scaleOf(c, exact(d.coreDistance)) + exact(c.a.radius) + exact(c.b.radius);
+        const long double unit = kEps * size;
+        const Real margin = real(static_cast<double>(0.1L * size));
+        const Manifold m = collide(c.a, c.b, c.bInA, margin);
+        if (exact(d.distance) > exact(margin) + unit) {
+            ASSERT_EQ(m.count, 0) << "seed " << seed << "\n" << c;
+            continue;
+        }
+        if (exact(d.distance) > exact(margin) - unit) { continue; }
+        ASSERT_GE(m.count, 1) << "seed " << seed << "\n" << c;
+        ASSERT_NEAR(static_cast<double>(length(exact(m.normal))), 1, 4 * static_cast<double>(kEps));
+        // Overlapping cores may prefer a face of A by 2⁻¹⁰ of the shorter of two faces.
+        const long double preferred = std::min(longestEdge(c.a), longestEdge(c.b)) / 1024;
+        const long double slack = 16 * unit + (exact(d.coreDistance) > 16 * unit ? 0 : preferred);
+        ASSERT_LE(std::fabs(exact(deepest(m)) - exact(d.distance)), slack)
+            << "seed " << seed << ": " << deepest(m) << " against " << d.distance << "\n" << c;
+        ++touching;
+        two += m.count == 2 ? 1 : 0;
+    }
+    EXPECT_GT(touching, 500);
+    RecordProperty("touching", touching);
+    RecordProperty("twoPoints", two);
+}
+
+TEST_P(ManifoldFamilies, PointsLieHalfWayBetweenTheSurfaces) {
+    int points = 0;
+    for (std::uint64_t seed = 0; seed < 10'000; ++seed) {
+        const PairCase c = makePair(GetParam(), seed);
+        const std::vector<Point> a = exactPoints(c.a);
+        const std::vector<Point> b = placed(c.b, c.bInA);
+        const long double core = coreSeparation(a, b);
+        const long double size = scaleOf(c, core) + exact(c.a.radius) + exact(c.b.radius);
+        const Manifold m = collide(c.a, c.b, c.bInA, real(static_cast<double>(0.1L * size)));
+        // A face normal may stand in for a closest direction that differs from it by √eps (see the contract).
+        const long double slack = 16 * kEps * size + 2 * std::sqrt(kEps) * std::max(core, 0.0L);
+        for (int i = 0; i < m.count; ++i) {
+            const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
+            const Point half = (exact(p.separation) / 2) * exact(m.normal);
+            // From the point, half the separation leads to each surface; the radius more, to each core.
+            const Point onA = exact(p.point) - half - exact(c.a.radius) * exact(m.normal);
+            const Point onB = exact(p.point) + half + exact(c.b.radius) * exact(m.normal);
+            ASSERT_LE(distanceToOutline(a, onA), slack) << "seed " << seed << ", core " << core << "\n" << c;
+            ASSERT_LE(distanceToOutline(b, onB), slack) << "seed " << seed << ", core " << core << "\n" << c;
+            ++points;
+        }
+    }
+    EXPECT_GT(points, 500);
+}
+
+TEST_P(ManifoldFamilies, SwappedShapesGiveTheSamePoints) {
+    if (GetParam() == PairFamily::duplicate || GetParam() == PairFamily::touching ||
+        GetParam() == PairFamily::nearTouching || GetParam() == PairFamily::parallel) {
+        GTEST_SKIP() << "ties and touches have more than one right answer";
+    }
+    int compared = 0;
+    for (std::uint64_t seed = 0; seed < 10'000; ++seed) {
+        const PairCase c = makePair(GetParam(), seed);
+        const Distance d = distance(c.a, c.b, c.bInA);
+        const long double size = scaleOf(c, exact(d.coreDistance)) + exact(c.a.radius) + exact(c.b.radius);
+        if (exact(d.coreDistance) < 0.01L * size) { continue; }  // overlapping: A's face is preferred by contract
+        const Real margin = real(static_cast<double>(size));
+        const Manifold ab = collide(c.a, c.b, c.bInA, margin);
+        const Manifold ba = collide(c.b, c.a, inverse(c.bInA), margin);
+        const Point n = exact(rotate(c.bInA.rotation, ba.normal));
+        ASSERT_LE(length(exact(ab.normal) + n), 4 * std::sqrt(kEps)) << "seed " << seed << "\n" << c;
+        ASSERT_LE(std::fabs(exact(deepest(ab)) - exact(deepest(ba))), 32 * kEps * size) << "seed " << seed << "\n" << c;
+        if (ab.count != 2 || ba.count != 2) { continue; }
+        ++compared;
+        for (const ManifoldPoint& p : ab.points) {
+            long double nearest = std::numeric_limits<long double>::infinity();
+            for (const ManifoldPoint& q : ba.points) {
+                nearest = std::min(nearest, length(exact(p.point) - exact(apply(c.bInA, q.point))));
+            }
+            ASSERT_LE(nearest, 8 * std::sqrt(kEps) * size) << "seed " << seed << "\n" << c;
+        }
+    }
+    if (GetParam() == PairFamily::generic) { EXPECT_GT(compared, 500); }
+}
+
+std::string familyName(const testing::TestParamInfo<PairFamily>& family) {
+    return kPairFamilyNames[static_cast<std::size_t>(family.param)];
+}
+INSTANTIATE_TEST_SUITE_P(All, ManifoldFamilies, testing::ValuesIn(kPairFamilies), familyName);
+
+struct FlatCase {
+    const char* name;
+    Polygon top;       ///< its lower side at y = −bottom
+    double bottom;
+    int points;
+};
+
+std::vector<FlatCase> flatCases() {
+    const std::array<Vec2, 3> triangle = {Vec2{real(-0.5), real(-0.25)}, Vec2{real(0.5), real(-0.25)}, Vec2{0, 1}};
+    return {{"box", makeBox({real(0.5), real(0.5)}).value(), 0.5, 2},
+            {"rounded box", makeBox({real(0.5), real(0.25)}, {}, 0, real(0.25)).value(), 0.5, 2},
+            {"capsule", makeCapsule({real(-0.5), 0}, {real(0.5), 0}, real(0.25)).value(), 0.25, 2},
+            {"segment", makeSegment({real(-0.5), 0}, {real(0.5), 0}).value(), 0, 2},
+            {"circle", makeCircle({}, real(0.5)).value(), 0.5, 1},
+            {"triangle", makePolygon(triangle).value(), 0.25, 2},
+            {"upright capsule", makeCapsule({0, 0}, {0, 1}, real(0.25)).value(), 0.25, 1}};
+}
+
+TEST(Manifold, FacesTouchAlongTheirOverlap) {
+    const Polygon ground = makeBox({2, 1}).value();
+    for (const FlatCase& flat : flatCases()) {
+        for (std::uint64_t seed = 0; seed < 2'000; ++seed) {
+            Random random(seed);
+            // A segment has no thickness: it is on the other side once it is through.
+            const double gap = random.range(flat.bottom > 0 ? -0.01 : 0.001, 0.01);
+            const double x = random.range(-1.4, 1.4);
+            const Transform pose = poseAt(x, 1 + flat.bottom + gap, 0);
+            const Manifold m = collide(ground, flat.top, pose, real(0.02));
+            ASSERT_EQ(m.count, flat.points) << flat.name << ", seed " << seed;
+            EXPECT_EQ(m.normal, (Vec2{0, 1})) << flat.name << ", seed " << seed;
+            for (int i = 0; i < m.count; ++i) {
+                const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
+                EXPECT_NEAR(static_cast<double>(p.separation), gap, 8 * static_cast<double>(kEps));
+                EXPECT_NEAR(static_cast<double>(p.point.y), 1 + gap / 2, 8 * static_cast<double>(kEps));
+            }
+            if (flat.points == 2) {
+                const double width = std::fabs(static_cast<double>(m.points[0].point.x - m.points[1].point.x));
+                EXPECT_NEAR(width, 1, 0.0001) << flat.name << ", seed " << seed;
+                // Ids tell the points apart and survive a small move, also a small turn.
+                EXPECT_EQ(idsOf(m).size(), 2U);
+                const Transform moved = poseAt(x + random.range(-0.01, 0.01), 1 + flat.bottom + gap, random.range(-1e-3, 1e-3));
+                EXPECT_EQ(idsOf(collide(ground, flat.top, moved, real(0.02))), idsOf(m)) << flat.name << ", seed " << seed;
+            }
+        }
+    }
+}
+
+TEST(Manifold, OverhangIsClippedToTheFace) {
+    const Polygon ground = makeBox({1, 1}).value();
+    const Polygon box = makeBox({1, 1}).value();
+    for (const double y : {1.99, 2.01}) {
+        const Manifold m = collide(ground, box, poseAt(1.25, y, 0), real(0.05));
+        ASSERT_EQ(m.count, 2);
+        const auto [left, right] = std::minmax(m.points[0].point.x, m.points[1].point.x);
+        EXPECT_NEAR(static_cast<double>(left), 0.25, 1e-6);
+        EXPECT_NEAR(static_cast<double>(right), 1, 1e-6);
+    }
+}
+
+TEST(Manifold, CornersBesideEachOtherMakeOnePoint) {
+    const Polygon box = makeBox({1, 1}).value();
+    for (const double dx : {2.1, 2.4, 2.0 + 1e-3}) {
+        const Manifold m = collide(box, box, poseAt(dx, 2.2, 0), 1);
+        ASSERT_EQ(m.count, 1) << dx;
+        const double gap = std::hypot(dx - 2, 0.2);
+        EXPECT_NEAR(static_cast<double>(m.points[0].separation), gap, 1e-6);
+        EXPECT_NEAR(static_cast<double>(m.normal.x), (dx - 2) / gap, 1e-5);
+    }
+}
+
+TEST(Manifold, CornersOfEqualBoxesStackOnTwoPoints) {
+    const Polygon box = makeBox({real(0.5), real(0.5)}).value();
+    for (const double gap : {-0.001, 0.0, 0.001}) {
+        const Manifold m = collide(box, box, poseAt(0, 1 + gap, 0), real(0.01));
+        EXPECT_EQ(m.count, 2) << gap;
+        EXPECT_EQ(m.normal, (Vec2{0, 1})) << gap;
+    }
+}
+
+TEST(Manifold, CrossingSegmentsMakeOnePointAtTheShallowEnd) {
+    const Polygon segment = makeSegment({-1, 0}, {1, 0}).value();
+    const Polygon upright = makeSegment({0, real(-0.25)}, {0, 3}).value();
+    const Manifold m = collide(segment, upright, Transform{}, 0);
+    ASSERT_EQ(m.count, 1);
+    EXPECT_EQ(m.normal, (Vec2{0, 1}));
+    EXPECT_EQ(m.points[0].separation, real(-0.25));
+    EXPECT_EQ(m.points[0].point, (Vec2{0, real(-0.125)}));
+}
+
+TEST(Manifold, ParallelSegmentsTouchAlongTheirOverlap) {
+    const Polygon segment = makeSegment({-1, 0}, {1, 0}).value();
+    const Manifold m = collide(segment, segment, poseAt(0.5, 0.125, 0), real(0.25));
+    ASSERT_EQ(m.count, 2);
+    EXPECT_EQ(std::fabs(m.points[0].point.x - m.points[1].point.x), real(1.5));
+    EXPECT_EQ(m.points[0].separation, real(0.125));
+}
+
+TEST(Manifold, ConcentricCirclesHaveANormal) {
+    const Polygon ball = makeCircle({}, 1).value();
+    const Manifold m = collide(ball, ball, Transform{}, 0);
+    ASSERT_EQ(m.count, 1);
+    EXPECT_EQ(m.points[0].separation, -2);
+    EXPECT_EQ(lengthSquared(m.normal), 1);
+}
+
+Polygon scaled(Polygon p, int k) {
+    for (Vec2& v : p.vertices) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k)}; }
+    p.radius = std::ldexp(p.radius, k);
+    return p;
+}
+
+TEST(Manifold, PowersOfTwoScaleThePointsAndNothingElse) {
+    const int most = std::is_same_v<Real, double> ? 100 : 10;
+    for (const PairFamily family : kPairFamilies) {
+        for (std::uint64_t seed = 0; seed < 1'000; ++seed) {
+            const PairCase c = makePair(family, seed);
+            const Real margin = real(0.1);
+            const Manifold m = collide(c.a, c.b, c.bInA, margin);
+            for (const int k : {-most, -7, 1, most}) {
+                const auto up = [k](Real x) { return std::ldexp(x, k); };
+                const Transform pose{{up(c.bInA.translation.x), up(c.bInA.translation.y)}, c.bInA.rotation};
+                const Manifold s = collide(scaled(c.a, k), scaled(c.b, k), pose, up(margin));
+                ASSERT_EQ(s.count, m.count) << "seed " << seed << "\n" << c;
+                ASSERT_EQ(s.normal, m.normal);
+                for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+                    ASSERT_EQ(s.points[i].separation, up(m.points[i].separation));
+                    ASSERT_EQ(s.points[i].point, (Vec2{up(m.points[i].point.x), up(m.points[i].point.y)}));
+                    ASSERT_EQ(s.points[i].id, m.points[i].id);
+                }
+            }
+        }
+    }
+}
+
+TEST(Manifold, GarbageNeverGivesNaN) {
+    const double most = std::is_same_v<Real, double> ? 300 : 30;
+    int touching = 0;
+    for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+        Random random(seed);
+        const auto recipe = [&random, most] {
+            ShapeRecipe r;
+            r.size = std::pow(10.0, random.range(-most, most));
+            r.flatness = tiny(random, 0, 8);
+            r.count = random.integer(1, 4);
+            return r;
+        };
+        PairCase c{cook(random, recipe()), cook(random, recipe()), randomPose(random, std::pow(10.0, random.range(-most, most)))};
+        c.a.radius = random.chance(0.5) ? 0 : real(std::pow(10.0, random.range(-most, most)));
+        const Real margin = real(std::pow(10.0, random.range(-most, most)));
+        const ChainSegment segment{{}, c.a.vertices[0], c.a.vertices[1], c.b.vertices[0], c.a.radius, random.chance(0.5),
+                                   random.chance(0.5)};
+        const bool isSegment = c.a.count > 1;
+        for (const Manifold& m : {collide(c.a, c.b, c.bInA, margin),
+                                  isSegment ? collide(segment, c.b, c.bInA, margin) : Manifold{}}) {
+            ASSERT_TRUE(isFinite(m.normal)) << "seed " << seed << "\n" << c;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+                ASSERT_TRUE(isFinite(m.points[i].point) && isFinite(m.points[i].separation)) << "seed " << seed << "\n" << c;
+                ++touching;
+            }
+            if (m.count > 0) {
+                ASSERT_NEAR(static_cast<double>(length(exact(m.normal))), 1, 4 * static_cast<double>(kEps)) << c;
+            }
+        }
+    }
+    EXPECT_GT(touching, 5'000);
+}
+
+}  // namespace
+}  // namespace swept::test
