@@ -40,20 +40,21 @@ void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
         const Real separation = currentSeparation(contact, point, pair.a, pair.b);
+        const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
+        // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
+        if (!useBias && closing > contact.bounceSpeed) { continue; }
         Real bias = 0;
         Real massScale = 1;
         Real impulseScale = 0;
         if (separation > 0) {
-            // Relaxation starts no contact: what meets in the next sub-step must arrive there with its speed, to bounce.
-            if (!useBias && !(point.normalImpulse > 0)) { continue; }
+            if (!useBias && !(point.normalImpulse > 0)) { continue; }  // relaxation starts no contact
             bias = separation / h;  // apart: may close the gap within this sub-step, no more
         } else if (useBias) {
             bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
             massScale = contact.softness.massScale;
             impulseScale = contact.softness.impulseScale;
         }
-        const Real approach = dot(relativeVelocity(pair, point), contact.normal);
-        const Real change = -point.normalMass * massScale * (approach + bias) - impulseScale * point.normalImpulse;
+        const Real change = point.normalMass * massScale * (closing - bias) - impulseScale * point.normalImpulse;
         const Real total = std::max(point.normalImpulse + change, Real(0));
         applyPair(pair, inertiaA, inertiaB, point, (total - point.normalImpulse) * contact.normal);
         point.normalImpulse = total;

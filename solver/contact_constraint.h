@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "body_state.h"
@@ -30,6 +31,8 @@ struct ContactConstraint {
     Real friction = 0;
     Real restitution = 0;
     Real maxPushSpeed = 0;     ///< fastest push out of an overlap, m/s
+    /// Relaxation leaves faster approaches to the bounce of the next sub-step, m/s; infinity: the contact never bounces.
+    Real bounceSpeed = std::numeric_limits<Real>::infinity();
     Softness softness{};
     std::int32_t count = 0;    ///< points
     std::uint32_t source = 0;  ///< the engine's name for the contact

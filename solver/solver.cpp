@@ -49,14 +49,16 @@ void addUpImpulses(std::vector<ContactConstraint>& contacts) {
 
 }  // namespace
 
-void Solver::prepare(SolverBatch& batch) {
+void Solver::prepare(SolverBatch& batch, Real restitutionThreshold) {
     for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
     for (RevoluteConstraint& joint : batch.revolutes) { prepareRevolute(joint, batch.inertias); }
     for (DistanceConstraint& joint : batch.distances) { prepareDistance(joint); }
     graph_.colour(batch);
     bouncing_.clear();
     for (ContactConstraint& contact : batch.contacts) {
-        if (contact.restitution > 0) { bouncing_.push_back(&contact); }
+        if (!(contact.restitution > 0)) { continue; }
+        contact.bounceSpeed = restitutionThreshold;
+        bouncing_.push_back(&contact);
     }
 }
 
@@ -79,15 +81,17 @@ void Solver::solveColours(SolverBatch& batch, Real h, bool useBias) {
 }
 
 SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings) {
-    prepare(batch);
+    prepare(batch, settings.restitutionThreshold);
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
     const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
     for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
-        report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+        // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice, and
+        // a ball would rise by 2·speed·h with every bounce.
         if (!bouncing_.empty()) {
             report.bounceRounds += resolveImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds);
         }
+        report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
         warmStart(batch);
         solveColours(batch, h, true);
         integratePositions(batch, h);

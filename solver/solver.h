@@ -23,7 +23,7 @@ struct SolveReport {
     int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
 };
 
-/// One sub-stepped solve of a batch, constraints in colour order: per sub-step integrate velocities, bounce, warm start,
+/// One sub-stepped solve of a batch, constraints in colour order: per sub-step bounce, integrate velocities, warm start,
 /// solve with soft constraints, integrate positions, relax. "Small Steps" (Macklin et al. 2019) with soft constraints and
 /// relaxation as in Catto's "Solver2D" (2024); bounces are resolved inside the sub-step in which a contact closes, with
 /// the velocity it has there, instead of once at the end of the step.
@@ -33,7 +33,7 @@ public:
     SolveReport solve(SolverBatch& batch, const SolverSettings& settings);
 
 private:
-    void prepare(SolverBatch& batch);
+    void prepare(SolverBatch& batch, Real restitutionThreshold);
     void warmStart(SolverBatch& batch);
     void solveColours(SolverBatch& batch, Real h, bool useBias);
 
