@@ -221,6 +221,16 @@ void flyThrough(Flight& flight) {
     }
 }
 
+/// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it
+/// moves along it. Kept, that speed would be energy without a height to pay for it.
+void takeBackFall(WorldState& world, std::uint32_t slot, double seconds) {
+    Vec2& velocity = world.motions[slot].velocity;
+    const Vec2 acceleration = accelerationOf(world, world.bodies[slot]);
+    const Real along = dot(velocity, acceleration);
+    if (!(along > 0)) { return; }
+    velocity -= std::min(static_cast<Real>(seconds), along / lengthSquared(acceleration)) * acceleration;
+}
+
 }  // namespace
 
 void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
@@ -249,7 +259,9 @@ void clampAtImpact(WorldState& world, std::uint32_t slot, double dt, LostTimeRea
     motion.angle = stopped.angle;
     motion.pose = stopped.pose;
     ++scratch.impacts;
-    enterLedger(scratch, world.bodies.idOf(slot), (1 - first.fraction) * dt, reason);
+    const double lost = (1 - first.fraction) * dt;
+    takeBackFall(world, slot, lost);
+    enterLedger(scratch, world.bodies.idOf(slot), lost, reason);
     scratch.impactPoses.push_back({.body = world.bodies.idOf(slot),
                                    .position = motion.pose.position,
                                    .angle = motion.angle,

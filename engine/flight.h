@@ -42,7 +42,8 @@ struct FlightScratch {
 void fly(WorldState& world, std::uint32_t body, double dt, FlightScratch& scratch);
 
 /// Sweeps a body from its start pose of this step to its present pose; at an impact with something static or kinematic it
-/// stays there, keeps its velocity, and the rest of the step enters the ledger.
+/// stays there, keeps its velocity (less what it gained by falling in the time it lost), and the rest of the step enters
+/// the ledger.
 void clampAtImpact(WorldState& world, std::uint32_t body, double dt, LostTimeReason reason, FlightScratch& scratch);
 
 }  // namespace swept::inline SWEPT_PRECISION
