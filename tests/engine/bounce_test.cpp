@@ -1,0 +1,145 @@
+#include "world_support.h"
+
+/// Bounces of flying bodies: their times and heights, and the ledger of lost time.
+
+namespace swept::test {
+namespace {
+
+constexpr double kRadius = 0.1;
+
+struct Drop {
+    World world = makeWorld();
+    BodyId ball;
+
+    Drop(double height, double restitution) {
+        addStatic(world, segment(-10, 0, 10, 0), material(0, restitution));
+        ball = addBody(world, dynamicAt({0, kRadius + height}), circle(kRadius), material(0, restitution));
+    }
+    /// Height of the apex of the present flight above the floor's contact level.
+    double apex() const {
+        const double vy = velocityOf(world, ball).y;
+        return world.position(ball).y - kRadius + 0.5 * vy * vy / kGravity;
+    }
+    /// Heights of the flights after bounces 1 … count.
+    std::vector<double> apexes(int count) {
+        std::vector<double> result;
+        double before = 0;
+        for (int i = 0; i < 60'000 && static_cast<int>(result.size()) < count; ++i) {
+            must(world.step(kStep));
+            const double now = velocityOf(world, ball).y;
+            if (before < 0 && now > 0) { result.push_back(apex()); }
+            before = now;
+        }
+        return result;
+    }
+};
+
+TEST(Bounce, ElasticBallKeepsItsHeight) {
+    for (const double height : {0.5, 1.0, 5.0, 20.0, 50.0, 500.0}) {
+        Drop drop(height, 1);
+        const std::vector<double> apexes = drop.apexes(10);
+        ASSERT_EQ(apexes.size(), 10U) << height;
+        double worst = 0;
+        for (const double apex : apexes) { worst = std::max(worst, std::abs(apex / height - 1)); }
+        expectAtMost("apex from " + std::to_string(height) + " m", worst, 0.01);
+    }
+}
+
+TEST(Bounce, HalfElasticBallKeepsAQuarterOfItsHeight) {
+    for (const double height : {2.0, 5.0, 50.0}) {
+        Drop drop(height, 0.5);
+        const std::vector<double> apexes = drop.apexes(2);
+        ASSERT_EQ(apexes.size(), 2U) << height;
+        expectAtMost("bounce 1 from " + std::to_string(height), std::abs(apexes[0] / (height / 4) - 1), 0.01);
+        expectAtMost("bounce 2 from " + std::to_string(height), std::abs(apexes[1] / (height / 16) - 1), 0.02);
+    }
+}
+
+TEST(Bounce, ElasticBallKeepsItsTime) {
+    for (const double height : {1.0, 5.0, 20.0}) {
+        Drop drop(height, 1);
+        const double fall = std::sqrt(2 * height / kGravity);
+        double worst = 0;
+        for (int i = 1; i <= 600; ++i) {
+            must(drop.world.step(kStep));
+            EXPECT_TRUE(drop.world.lostTime().empty());
+            const double t = std::remainder(i * kStep, 2 * fall);  // since the last apex
+            const double y = kRadius + height - 0.5 * kGravity * t * t;
+            worst = std::max(worst, std::abs(drop.world.position(drop.ball).y - y));
+        }
+        // The ball turns at its target, 2⁻¹⁰ of its diameter above the floor: that far early, once a bounce, at full speed.
+        const double bounces = 10 / (2 * fall);
+        expectAtMost("height from " + std::to_string(height) + " m", worst, 3 * bounces * 2 * kRadius / 1024);
+    }
+}
+
+TEST(Bounce, SlowElasticBallKeepsBouncing) {
+    // Slower than a quarter of its diameter per step, the ball is no flyer: the sub-stepped solver bounces it.
+    for (const double height : {0.05, 0.2}) {
+        Drop drop(height, 1);
+        const std::vector<double> apexes = drop.apexes(10);
+        ASSERT_EQ(apexes.size(), 10U) << height;
+        double worst = 0;
+        for (const double apex : apexes) { worst = std::max(worst, std::abs(apex / height - 1)); }
+        expectAtMost("apex from " + std::to_string(height) + " m", worst, 0.05);
+    }
+}
+
+/// A ball between two walls, 9.8 m to and fro, no gravity.
+struct PingPong {
+    World world;
+    BodyId ball;
+    int hits = 0;
+    double lost = 0;      ///< ledger, s
+    double way = 0;       ///< travelled, unfolded at the impacts, m
+    double overlap = 0;   ///< deepest into a wall, m
+
+    PingPong(double speed, ContinuousMode mode) {
+        WorldSettings settings = awakeSettings(0);
+        settings.continuous = mode;
+        world = makeWorld(settings);
+        addStatic(world, segment(-5, -1, -5, 1), material(0, 1));
+        addStatic(world, segment(5, -1, 5, 1), material(0, 1));
+        ball = addBody(world, dynamicAt({0.37, 0}, vec(speed, 0)), circle(kRadius), material(0, 1));
+    }
+    void step() {
+        double x = world.position(ball).x;
+        must(world.step(kStep));
+        for (const ContactEvent& event : world.contactEvents()) { hits += event.type == ContactEventType::hit ? 1 : 0; }
+        for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+        for (const ImpactPose& pose : world.impactPoses()) {
+            way += std::abs(pose.position.x - x);
+            x = pose.position.x;
+        }
+        way += std::abs(world.position(ball).x - x);
+        overlap = std::max(overlap, std::abs(world.position(ball).x) + kRadius - 5);
+    }
+};
+
+TEST(Bounce, BallBetweenWallsHitsOnTime) {
+    for (const double speed : {5.0, 10.0, 100.0, 300.0, 1000.0}) {
+        PingPong scene(speed, ContinuousMode::subStep);
+        for (int i = 0; i < 600; ++i) { scene.step(); }
+        const std::string name = std::to_string(speed) + " m/s: ";
+        const double expected = std::floor((10 * speed - (5 - kRadius - 0.37)) / (10 - 2 * kRadius)) + 1;
+        expectAtMost(name + "hits", std::abs(scene.hits - expected), 0.005 * expected);
+        expectAtMost(name + "lost time", scene.lost, 0);
+        expectAtMost(name + "way", std::abs(scene.way / (10 * speed) - 1), 1e-6);
+        expectAtMost(name + "overlap", scene.overlap, 0);
+        expectAtMost(name + "speed", std::abs(length(velocityOf(scene.world, scene.ball)) / speed - 1), 1e-6);
+    }
+}
+
+TEST(Bounce, StopEntersTheLostTime) {
+    for (const double speed : {10.0, 100.0, 300.0}) {
+        PingPong scene(speed, ContinuousMode::stop);
+        for (int i = 0; i < 600; ++i) { scene.step(); }
+        const std::string name = std::to_string(speed) + " m/s: ";
+        expectAtMost(name + "time unaccounted for", std::abs(scene.way / speed + scene.lost - 10), 0.01);
+        EXPECT_GT(scene.lost, 0.01) << name << "nothing was lost, so nothing was tested";
+        expectAtMost(name + "overlap", scene.overlap, 2 * kRadius / 8);
+    }
+}
+
+}  // namespace
+}  // namespace swept::test

@@ -1,0 +1,97 @@
+#include <array>
+
+#include "../support/random.h"
+#include "world_support.h"
+
+/// Energy never grows where nothing drives: bouncing crowds of balls, boxes and bars in a closed box.
+
+namespace swept::test {
+namespace {
+
+constexpr double kHalf = 5;  ///< of the inner width of the box, m
+
+struct Crowd {
+    World world;
+    std::vector<BodyId> bodies;
+    double gravity;
+
+    Crowd(double pull, double restitution, double friction, double speed, std::uint64_t seed)
+        : world(makeWorld(pull)), gravity(pull) {
+        const ShapeDef surface = material(friction, restitution);
+        const BodyId walls = must(world.createBody(bodyAt(BodyType::fixed, {})));
+        const double outer = kHalf + 0.5;
+        for (const double side : {-outer, outer}) {
+            must(world.addShape(walls, must(makeBox(vec(0.5, outer + 0.5), vec(side, 0))), surface));
+            must(world.addShape(walls, must(makeBox(vec(outer + 0.5, 0.5), vec(0, side))), surface));
+        }
+        Random random(seed);
+        for (int i = 0; i < 25; ++i) {
+            const DVec2 place{1.9 * (i % 5) - 3.8, 1.9 * (i / 5) - 3.8};
+            const double direction = random.range(0, 2 * kPi);
+            BodyDef def = dynamicAt(place, toReal(speed * DVec2{std::cos(direction), std::sin(direction)}),
+                                    random.range(-5, 5));
+            def.angle = random.range(0, 2 * kPi);
+            const std::array<Polygon, 3> kinds{circle(0.4), box(0.4, 0.3), box(0.8, 0.08)};
+            bodies.push_back(addBody(world, def, kinds[static_cast<std::size_t>(i % 3)], surface));
+        }
+    }
+    double energy() const { return energyOf(world, bodies, gravity); }
+};
+
+struct Growth {
+    double kinetic = 0;      ///< at the start, J: what growth is measured in
+    double aboveStart = 0;   ///< largest total energy minus that of the start, J
+    double aboveLowest = 0;  ///< largest total energy minus the lowest before it, J
+    double lost = 0;         ///< total energy at the start minus that at the end, J
+    bool escaped = false;
+};
+
+Growth watch(Crowd crowd) {
+    Growth growth;
+    for (const BodyId body : crowd.bodies) { growth.kinetic += kineticEnergy(crowd.world, body); }
+    const double start = crowd.energy();
+    double lowest = start;
+    for (int i = 0; i < 300; ++i) {
+        must(crowd.world.step(kStep));
+        const double now = crowd.energy();
+        growth.aboveStart = std::max(growth.aboveStart, now - start);
+        growth.aboveLowest = std::max(growth.aboveLowest, now - lowest);
+        lowest = std::min(lowest, now);
+        for (const BodyId body : crowd.bodies) {
+            const DVec2 p = crowd.world.centerOfMass(body);
+            growth.escaped = growth.escaped || std::max(std::abs(p.x), std::abs(p.y)) > kHalf;
+        }
+    }
+    growth.lost = start - crowd.energy();
+    return growth;
+}
+
+/// All kinds of surfaces. `growthLimit` is a part of the kinetic energy at the start.
+void expectNoGrowth(double gravity, double speed, std::uint64_t seed, double growthLimit) {
+    for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
+        for (const double friction : {0.0, 0.3, 1.0}) {
+            const Growth growth = watch(Crowd(gravity, restitution, friction, speed, seed));
+            const std::string name = "seed " + std::to_string(seed) + " e " + std::to_string(restitution) + " mu " +
+                                     std::to_string(friction) + ": ";
+            expectAtMost(name + "above start", growth.aboveStart / growth.kinetic, 1e-4);
+            expectAtMost(name + "above lowest", growth.aboveLowest / growth.kinetic, growthLimit);
+            EXPECT_FALSE(growth.escaped) << name;
+            if (restitution < 1) { EXPECT_GT(growth.lost, 0.1 * growth.kinetic) << name << "too few collisions"; }
+        }
+    }
+}
+
+/// Without gravity what remains is rounding, and the speed that the soft push out of small overlaps leaves behind.
+TEST(Energy, NeverGrowsWithoutGravity) { expectNoGrowth(0, 3, 1, 1e-3); }
+
+/// Under gravity a crowd that has come to rest is also lifted by the push: a body that neighbours hold may sink into the
+/// ground by an eighth of its extent before it is stopped, and m·g times that comes back.
+TEST(Energy, NeverGrowsUnderGravity) {
+    expectNoGrowth(kGravity, 3, 2, 0.02);
+    expectNoGrowth(kGravity, 3, 4, 0.02);
+}
+
+TEST(Energy, NeverGrowsInAFastCrowd) { expectNoGrowth(kGravity, 50, 3, 1e-3); }
+
+}  // namespace
+}  // namespace swept::test

@@ -1,0 +1,107 @@
+#include "world_support.h"
+
+/// Free flight is exact for constant acceleration: closed forms, met to rounding.
+
+namespace swept::test {
+namespace {
+
+constexpr double kEps = static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+/// What rounding the velocity in every step may make of a position: half a unit in the last place of the largest speed,
+/// once a step, all in one direction, over all of the time.
+double roundingOf(double speed, int steps, double seconds) { return 0.5 * kEps * speed * steps * seconds; }
+
+TEST(FreeFlight, ProjectileFliesItsParabola) {
+    World world = makeWorld();
+    const BodyId ball = addBody(world, dynamicAt({1, 2}, vec(7, 11), 3), circle(0.5));
+    run(world, 120);
+    const DVec2 p = world.position(ball);
+    expectAtMost("x", std::abs(p.x - 15), roundingOf(11, 120, 2));
+    expectAtMost("y", std::abs(p.y - (2 + 22 - 20)), roundingOf(11, 120, 2));
+    expectAtMost("angle", std::abs(world.angle(ball) - 6), roundingOf(3, 120, 2));
+    expectAtMost("vy", std::abs(velocityOf(world, ball).y + 9), roundingOf(11, 120, 1));
+}
+
+TEST(FreeFlight, DampedProjectileFollowsTheExponential) {
+    const double c = 0.5;
+    const double spinDamping = 0.25;
+    World world = makeWorld();
+    BodyDef def = dynamicAt({}, vec(7, 11), 3);
+    def.linearDamping = real(c);
+    def.angularDamping = real(spinDamping);
+    const BodyId ball = addBody(world, def, circle(0.5));
+    const double t = 2;
+    run(world, 120);
+    const double decay = std::exp(-c * t);
+    const double fall = -kGravity / c;  // final velocity
+    const double limit = roundingOf(11, 120, 2) + 1e-13;
+    const DVec2 p = world.position(ball);
+    expectAtMost("x", std::abs(p.x - 7 * (1 - decay) / c), limit);
+    expectAtMost("y", std::abs(p.y - (fall * t + (11 - fall) * (1 - decay) / c)), limit);
+    expectAtMost("vy", std::abs(velocityOf(world, ball).y - (fall + (11 - fall) * decay)), limit);
+    expectAtMost("angle", std::abs(world.angle(ball) - 3 * (1 - std::exp(-spinDamping * t)) / spinDamping), limit);
+    expectAtMost("spin", std::abs(spinOf(world, ball) - 3 * std::exp(-spinDamping * t)), limit);
+}
+
+TEST(FreeFlight, FarFromTheOriginNothingIsLost) {
+    const double far = 1e6;
+    World world = makeWorld(0);
+    const BodyId ball = addBody(world, dynamicAt({far, -far}, vec(1, 1)), circle(0.5));
+    run(world, 600);
+    const DVec2 p = world.position(ball);
+    const double limit = 600 * far * std::numeric_limits<double>::epsilon();  // positions are double in both builds
+    expectAtMost("x", std::abs(p.x - far - 10), limit);
+    expectAtMost("y", std::abs(p.y + far - 10), limit);
+}
+
+TEST(FreeFlight, StepSizeDoesNotMatter) {
+    for (const double rate : {15.0, 30.0, 240.0, 960.0}) {
+        World world = makeWorld();
+        const BodyId ball = addBody(world, dynamicAt({}, vec(7, 11)), circle(0.5));
+        const int steps = static_cast<int>(2 * rate);
+        run(world, steps, 1 / rate);
+        expectAtMost("y at " + std::to_string(rate) + " Hz", std::abs(world.position(ball).y - 2),
+                     roundingOf(11, steps, 2));
+    }
+}
+
+TEST(FreeFlight, BodyTurnsAboutItsCentreOfMass) {
+    World world = makeWorld();
+    const BodyId ball = addBody(world, dynamicAt({}, vec(7, 11), 3), circle(0.5, vec(1, 0)));
+    run(world, 120);
+    const DVec2 center = world.centerOfMass(ball);
+    expectAtMost("centre", length(center - DVec2{15, 2}), roundingOf(11, 120, 2));
+    // The frame's rotation is of type Real: a few units in the last place of the arm of 1 m.
+    expectAtMost("origin", length(world.position(ball) - (center - turned({1, 0}, 6.0))),
+                 roundingOf(3, 120, 2) + 4 * kEps);
+}
+
+TEST(FreeFlight, ForceAndTorqueAccelerate) {
+    World world = makeWorld(0);
+    const BodyId body = addBody(world, dynamicAt({}), box(0.5, 0.5));
+    const double mass = world.mass(body);
+    const double inertia = world.inertia(body);
+    for (int i = 0; i < 60; ++i) {
+        must(world.applyForce(body, vec(3, 0), world.centerOfMass(body)));
+        must(world.applyTorque(body, real(0.5)));
+        must(world.step(kStep));
+    }
+    const double limit = roundingOf(3, 60, 1) * 4;
+    expectAtMost("x", std::abs(world.position(body).x - 0.5 * 3 / mass), limit);
+    expectAtMost("angle", std::abs(world.angle(body) - 0.5 * 0.5 / inertia), limit);
+    const double x = world.position(body).x;
+    run(world, 60);  // forces last for one step only
+    expectAtMost("x, coasting", std::abs(world.position(body).x - x - 3 / mass), limit);
+}
+
+TEST(FreeFlight, GravityScaleScales) {
+    World world = makeWorld();
+    BodyDef def = dynamicAt({});
+    def.gravityScale = real(-0.5);
+    const BodyId balloon = addBody(world, def, circle(0.5));
+    run(world, 60);
+    expectAtMost("y", std::abs(world.position(balloon).y - 2.5), roundingOf(5, 60, 1));
+}
+
+}  // namespace
+}  // namespace swept::test

@@ -1,0 +1,122 @@
+#include "world_support.h"
+
+/// Sleep: what rests falls asleep, and wakes when something happens to it. Sensors, too.
+
+namespace swept::test {
+namespace {
+
+struct SleepingStack {
+    World world;
+    BodyId ground;
+    std::vector<BodyId> boxes;
+
+    explicit SleepingStack(bool sleep = true) {
+        WorldSettings settings = awakeSettings();
+        settings.sleep = sleep;
+        world = makeWorld(settings);
+        ground = addStatic(world, box(20, 0.5), material(0.6), {0, -0.5});
+        for (int i = 0; i < 5; ++i) {
+            boxes.push_back(addBody(world, dynamicAt({0, i + 0.5}), box(0.5, 0.5), material(0.6)));
+        }
+    }
+    int awake() const {
+        return static_cast<int>(
+            std::count_if(boxes.begin(), boxes.end(), [&](BodyId body) { return world.isAwake(body); }));
+    }
+};
+
+TEST(Sleep, StackFallsAsleepAndStaysPut) {
+    SleepingStack stack;
+    runFor(stack.world, 5);
+    EXPECT_EQ(stack.awake(), 0);
+    const DVec2 top = stack.world.position(stack.boxes[4]);
+    runFor(stack.world, 5);
+    EXPECT_EQ(stack.awake(), 0);
+    EXPECT_EQ(stack.world.position(stack.boxes[4]), top);
+    EXPECT_EQ(stack.world.counters().solvedBodies, 0U);
+    expectAtMost("sag", std::abs(top.y - 4.5), 0.005);
+}
+
+TEST(Sleep, SleepingOffKeepsAwake) {
+    SleepingStack stack(false);
+    runFor(stack.world, 5);
+    EXPECT_EQ(stack.awake(), 5);
+}
+
+TEST(Sleep, MovingBodyStaysAwake) {
+    World world = makeWorld(WorldSettings{.gravity = vec(0, -kGravity)});
+    addStatic(world, box(100, 0.5), material(0), {0, -0.5});
+    const BodyId sliding = addBody(world, dynamicAt({0, 0.5}, vec(0.1, 0)), box(0.5, 0.5), material(0));
+    runFor(world, 5);
+    EXPECT_TRUE(world.isAwake(sliding));
+    expectAtMost("way", std::abs(world.position(sliding).x - 0.5), 1e-3);
+}
+
+TEST(Sleep, HitWakesTheStack) {
+    SleepingStack stack;
+    runFor(stack.world, 5);
+    ASSERT_EQ(stack.awake(), 0);
+    addBody(stack.world, dynamicAt({-3, 4.5}, vec(10, 1)), circle(0.3), material(0.6));
+    runFor(stack.world, 1);
+    EXPECT_GT(stack.world.position(stack.boxes[4]).x, 0.05);
+    EXPECT_GT(stack.awake(), 0);
+}
+
+TEST(Sleep, LosingItsSupportWakesTheStack) {
+    SleepingStack stack;
+    runFor(stack.world, 5);
+    ASSERT_EQ(stack.awake(), 0);
+    must(stack.world.destroyBody(stack.ground));
+    runFor(stack.world, 1);
+    EXPECT_EQ(stack.awake(), 5);
+    expectAtMost("fall", std::abs(stack.world.position(stack.boxes[4]).y - (4.5 - 5)), 0.1);
+}
+
+TEST(Sleep, LosingABoxWakesThoseAbove) {
+    SleepingStack stack;
+    runFor(stack.world, 5);
+    ASSERT_EQ(stack.awake(), 0);
+    must(stack.world.destroyBody(stack.boxes[1]));
+    runFor(stack.world, 3);
+    expectAtMost("new place", std::abs(stack.world.position(stack.boxes[4]).y - 3.5), 0.01);
+}
+
+TEST(Sleep, ImpulseWakes) {
+    SleepingStack stack;
+    runFor(stack.world, 5);
+    ASSERT_EQ(stack.awake(), 0);
+    must(stack.world.applyImpulse(stack.boxes[4], vec(5, 0), stack.world.position(stack.boxes[4])));
+    runFor(stack.world, 0.5);
+    EXPECT_GT(stack.world.position(stack.boxes[4]).x, 0.1);
+}
+
+TEST(Sensor, ReportsBeginAndEndAndDoesNotCollide) {
+    for (const double speed : {2.0, 10.0}) {
+        World world = makeWorld(0);
+        ShapeDef watch;
+        watch.sensor = true;
+        const BodyId gate = addStatic(world, box(0.5, 2), watch);
+        const BodyId ball = addBody(world, dynamicAt({-3, 0}, vec(speed, 0)), circle(0.25));
+        std::vector<double> begins;
+        std::vector<double> ends;
+        for (int i = 1; i <= static_cast<int>(6 / speed * kRate); ++i) {
+            must(world.step(kStep));
+            for (const ContactEvent& event : world.contactEvents()) {
+                EXPECT_EQ(event.bodyA, gate);
+                EXPECT_EQ(event.bodyB, ball);
+                const double time = (i - 1 + event.fraction) * kStep;
+                if (event.type == ContactEventType::sensorBegin) { begins.push_back(time); }
+                if (event.type == ContactEventType::sensorEnd) { ends.push_back(time); }
+            }
+        }
+        ASSERT_EQ(begins.size(), 1U) << speed;
+        ASSERT_EQ(ends.size(), 1U) << speed;
+        const std::string name = std::to_string(speed) + " m/s: ";
+        expectAtMost(name + "begin", std::abs(begins[0] - 2.25 / speed), 1.01 * kStep);
+        expectAtMost(name + "end", std::abs(ends[0] - 3.75 / speed), 1.01 * kStep);
+        expectAtMost(name + "speed", std::abs(velocityOf(world, ball).x / speed - 1), 0);
+    }
+}
+
+}  // namespace
+}  // namespace swept::test

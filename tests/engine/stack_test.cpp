@@ -1,0 +1,93 @@
+#include "world_support.h"
+
+/// What stands must stand: penetration, drift and sag of piles of unit boxes over 10 s.
+
+namespace swept::test {
+namespace {
+
+struct Pile {
+    World world = makeWorld();
+    std::vector<BodyId> boxes;
+    std::vector<DVec2> places;
+    double overlap = 0;  ///< deepest at the end of any step, m
+    double drift = 0;    ///< farthest sideways at the end, m
+    double sag = 0;      ///< farthest down at the end, m
+    double turn = 0;     ///< largest angle at the end, rad
+
+    Pile() { addStatic(world, box(50, 1), material(0.6), {0, -1}); }
+    void add(DVec2 place, double density = 1) {
+        places.push_back(place);
+        boxes.push_back(addBody(world, dynamicAt(place), box(0.5, 0.5), material(0.6, 0, density)));
+    }
+    void stand(double seconds = 10) {
+        for (int i = 0; i < static_cast<int>(seconds * kRate); ++i) {
+            must(world.step(kStep));
+            overlap = std::max(overlap, deepestOverlap(world));
+        }
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const DVec2 moved = world.position(boxes[i]) - places[i];
+            drift = std::max(drift, std::abs(moved.x));
+            sag = std::max(sag, -moved.y);
+            turn = std::max(turn, std::abs(world.angle(boxes[i])));
+        }
+    }
+    void expect(const std::string& name, double overlapLimit, double driftLimit, double sagLimit) const {
+        expectAtMost(name + "overlap", overlap, overlapLimit);
+        expectAtMost(name + "drift", drift, driftLimit);
+        expectAtMost(name + "sag", sag, sagLimit);
+        expectAtMost(name + "turn", turn, driftLimit);
+    }
+};
+
+TEST(Stack, TwentyBoxesStand) {
+    Pile pile;
+    for (int i = 0; i < 20; ++i) { pile.add({0, i + 0.5}); }
+    pile.stand();
+    pile.expect("", 0.01, 0.002, 0.05);
+}
+
+TEST(Stack, TwentyBoxesDroppedIntoPlaceStand) {
+    Pile pile;
+    for (int i = 0; i < 20; ++i) { pile.add({0.02 * (i % 2), 1.02 * i + 0.52}); }
+    pile.stand();
+    expectAtMost("overlap", pile.overlap, 0.05);
+    expectAtMost("drift", pile.drift, 0.05);
+    expectAtMost("turn", pile.turn, 0.02);
+}
+
+TEST(Stack, PyramidStands) {
+    Pile pile;
+    for (int row = 0; row < 10; ++row) {
+        for (int i = 0; i < 10 - row; ++i) { pile.add({1.05 * (i - 0.5 * (9 - row)), row + 0.5}); }
+    }
+    pile.stand();
+    pile.expect("", 0.01, 0.002, 0.02);
+}
+
+TEST(Stack, HeavyStandsOnLight) {
+    for (const int below : {1, 10}) {
+        Pile pile;
+        for (int i = 0; i < below; ++i) { pile.add({0, i + 0.5}); }
+        pile.add({0, below + 0.5}, 10);
+        pile.stand();
+        pile.expect("10:1 on " + std::to_string(below) + ": ", 0.01, 0.002, 0.01 * below);
+    }
+}
+
+TEST(Stack, StackFarFromTheOriginStands) {
+    World world = makeWorld();
+    const DVec2 far{1e6, -1e6};
+    addStatic(world, box(50, 1), material(0.6), far + DVec2{0, -1});
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 10; ++i) {
+        boxes.push_back(addBody(world, dynamicAt(far + DVec2{0, i + 0.5}), box(0.5, 0.5), material(0.6)));
+    }
+    run(world, 600);
+    const DVec2 top = world.position(boxes.back()) - far - DVec2{0, 9.5};
+    expectAtMost("drift", std::abs(top.x), 0.002);
+    expectAtMost("sag", std::abs(top.y), 0.02);
+    expectAtMost("speed", length(velocityOf(world, boxes.back())), 1e-3);
+}
+
+}  // namespace
+}  // namespace swept::test
