@@ -4,7 +4,8 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// Smallest value of dot(direction, vertex) over a polygon. Where it is attained is asked for the best face only.
-double lowestValue(const Polygon& p, DVec2 direction) {
+/// (Converting the vertices once, ahead of all faces, was slower: they went through memory.)
+[[gnu::always_inline]] inline double lowestAlong(const Polygon& p, DVec2 direction) {
     double lowest = dot(direction, toDouble(p.vertices[0]));
     for (int i = 1; i < p.count; ++i) {
         const double d = dot(direction, toDouble(p.vertices[static_cast<std::size_t>(i)]));
@@ -20,7 +21,6 @@ CoreAxis alongDirection(const PairView& pair, DVec2 direction) {
     axis.supportA = extremeVertex<1>(pair.a, direction);
     axis.supportB = extremeVertex<-1>(pair.b, pair.toB(direction));
     axis.separation = dot(direction, pair.vertexB(axis.supportB) - pair.vertexA(axis.supportA));
-    axis.largest = axis.separation;
     return axis;
 }
 
@@ -34,7 +34,6 @@ CoreAxis asCoreAxis(const FaceAxis& f, bool ofA) {
     CoreAxis axis;
     axis.source = ofA ? AxisSource::faceOfA : AxisSource::faceOfB;
     axis.separation = f.separation;
-    axis.largest = f.separation;
     axis.normal = ofA ? f.normal : -f.normal;
     axis.face = f.face;
     axis.supportA = ofA ? f.face : f.support;
@@ -58,12 +57,6 @@ void tryEnds(const PairView& pair, CoreAxis& best) {
     }
 }
 
-double shorterFace(const PairView& pair, int faceA, int faceB) {
-    const double a = length(pair.edgeA(faceA));
-    const double b = length(pair.edgeB(faceB));
-    return a < b ? a : b;
-}
-
 /// One face measured with its own vertices: the axis, and where the foot of the support vertex falls.
 struct MeasuredFace {
     FaceAxis axis;
@@ -71,33 +64,27 @@ struct MeasuredFace {
     double end = 0;    ///< of the edge, in the same unit
 };
 
-MeasuredFace measureFaceOfA(const PairView& pair, int face) {
-    const DVec2 edge = pair.edgeA(face);
-    const DVec2 normal = edgeNormal(edge, pair.normalA(face));
-    const int support = extremeVertex<-1>(pair.b, pair.toB(normal));
-    const DVec2 toSupport = pair.vertexB(support) - pair.vertexA(face);
-    return {{face, support, dot(normal, toSupport), normal}, dot(edge, toSupport), dot(edge, edge)};
-}
-
-MeasuredFace measureFaceOfB(const PairView& pair, int face) {
-    const DVec2 edge = pair.edgeB(face);
-    const DVec2 normal = edgeNormal(edge, pair.normalB(face));
-    const int support = extremeVertex<-1>(pair.a, normal);
-    const DVec2 toSupport = pair.vertexA(support) - pair.vertexB(face);
-    return {{face, support, dot(normal, toSupport), normal}, dot(edge, toSupport), dot(edge, edge)};
+template <bool ofA>
+MeasuredFace measureFace(const PairView& pair, int face) {
+    const DVec2 edge = ofA ? pair.edgeA(face) : pair.edgeB(face);
+    const DVec2 normal = edgeNormal(edge, ofA ? pair.normalA(face) : pair.normalB(face));
+    const int support = ofA ? extremeVertex<-1>(pair.b, pair.toB(normal)) : extremeVertex<-1>(pair.a, normal);
+    const DVec2 toSupport = ofA ? pair.vertexB(support) - pair.vertexA(face) : pair.vertexA(support) - pair.vertexB(face);
+    return {{face, support, dot(normal, toSupport), normal, false}, dot(edge, toSupport), dot(edge, edge)};
 }
 
 /// The stored normals may choose a face beside the best one where several are almost parallel. Then the foot of the
 /// support vertex falls beyond the end of the face, on the side of the better one.
-FaceAxis settled(const PairView& pair, bool ofA, int face) {
+template <bool ofA>
+FaceAxis settled(const PairView& pair, int face) {
     const Polygon& reference = ofA ? pair.a : pair.b;
-    const auto measure = [&pair, ofA](int i) { return ofA ? measureFaceOfA(pair, i) : measureFaceOfB(pair, i); };
-    MeasuredFace chosen = measure(face);
-    for (int i = 1; i < reference.count; ++i) {
-        if (chosen.along >= 0 && chosen.along <= chosen.end) { break; }
+    MeasuredFace chosen = measureFace<ofA>(pair, face);
+    chosen.axis.isOverFace = chosen.along >= 0 && chosen.along <= chosen.end;
+    for (int i = 1; i < reference.count && !chosen.axis.isOverFace; ++i) {
         const int beside = chosen.along < 0 ? reference.previous(chosen.axis.face) : reference.next(chosen.axis.face);
-        const MeasuredFace other = measure(beside);
+        MeasuredFace other = measureFace<ofA>(pair, beside);
         if (!(other.axis.separation > chosen.axis.separation)) { break; }
+        other.axis.isOverFace = other.along >= 0 && other.along <= other.end;
         chosen = other;
     }
     return chosen.axis;
@@ -110,13 +97,13 @@ FaceAxis bestFaceOfA(const PairView& pair) {
     double bestSeparation = 0;
     for (int i = 0; i < faceCount(pair.a); ++i) {
         const DVec2 n = pair.normalA(i);
-        const double separation = lowestValue(pair.b, pair.toB(n)) + dot(n, pair.translation - pair.vertexA(i));
+        const double separation = lowestAlong(pair.b, pair.toB(n)) + dot(n, pair.translation - pair.vertexA(i));
         if (best < 0 || separation > bestSeparation) {
             best = i;
             bestSeparation = separation;
         }
     }
-    return best < 0 ? FaceAxis{} : settled(pair, true, best);
+    return best < 0 ? FaceAxis{} : settled<true>(pair, best);
 }
 
 FaceAxis bestFaceOfB(const PairView& pair) {
@@ -124,27 +111,31 @@ FaceAxis bestFaceOfB(const PairView& pair) {
     double bestSeparation = 0;
     for (int i = 0; i < faceCount(pair.b); ++i) {
         const DVec2 n = pair.normalB(i);
-        const double separation = lowestValue(pair.a, n) - dot(n, pair.vertexB(i));
+        const double separation = lowestAlong(pair.a, n) - dot(n, pair.vertexB(i));
         if (best < 0 || separation > bestSeparation) {
             best = i;
             bestSeparation = separation;
         }
     }
-    return best < 0 ? FaceAxis{} : settled(pair, false, best);
+    return best < 0 ? FaceAxis{} : settled<false>(pair, best);
 }
 
-CoreAxis coreAxis(const PairView& pair, double preference, double enough) {
+bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB, double preference) {
+    if (faceA.face < 0 || faceB.face < 0) { return faceB.face < 0; }
+    const double lead = faceB.separation - faceA.separation;
+    if (lead <= 0 || !(preference > 0)) { return lead <= 0; }
+    const DVec2 edgeA = pair.edgeA(faceA.face);
+    const DVec2 edgeB = pair.edgeB(faceB.face);
+    const double squaredA = dot(edgeA, edgeA);
+    const double squaredB = dot(edgeB, edgeB);
+    return lead * lead <= preference * preference * (squaredA < squaredB ? squaredA : squaredB);
+}
+
+CoreAxis coreAxis(const PairView& pair, double preference) {
     if (pair.a.count == 1 && pair.b.count == 1) { return betweenPoints(pair); }
     const FaceAxis faceA = bestFaceOfA(pair);
-    if (faceA.face >= 0 && faceA.separation > enough) { return asCoreAxis(faceA, true); }
     const FaceAxis faceB = bestFaceOfB(pair);
-    bool takeA = faceB.face < 0 || (faceA.face >= 0 && faceA.separation >= faceB.separation);
-    const double largest = takeA ? faceA.separation : faceB.separation;
-    if (!takeA && faceA.face >= 0 && preference > 0) {
-        takeA = faceB.separation - faceA.separation <= preference * shorterFace(pair, faceA.face, faceB.face);
-    }
-    CoreAxis best = takeA ? asCoreAxis(faceA, true) : asCoreAxis(faceB, false);
-    best.largest = largest;
+    CoreAxis best = prefersA(pair, faceA, faceB, preference) ? asCoreAxis(faceA, true) : asCoreAxis(faceB, false);
     if (pair.a.count <= 2 && pair.b.count <= 2) { tryEnds(pair, best); }
     return best;
 }

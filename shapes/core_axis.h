@@ -10,6 +10,7 @@ struct FaceAxis {
     int support = 0;        ///< vertex of the other shape that lies lowest over the face
     double separation = 0;  ///< of the cores along the normal, metres; negative when overlapping
     DVec2 normal;           ///< unit, outward from the reference shape, frame of A
+    bool isOverFace = false;  ///< the support vertex projects onto the face; then a positive separation is the distance
 };
 
 /// Best face of A and of B. The axis is chosen with the stored normals; normal and separation are then taken from the
@@ -28,13 +29,13 @@ struct CoreAxis {
     int face = -1;
     int supportA = 0;       ///< extreme vertices along the normal; of the shape that owns the face: its first vertex
     int supportB = 0;
-    double largest = 0;  ///< largest separation over all axes; above `separation` where A's face was preferred
 };
 /// @param preference  a face of A is taken even if a face of B is better by up to this fraction of the shorter of the two
 ///                    faces; 0 gives the minimum translation.
-/// @param enough      a face of A with a separation above this ends the search: the cores are known to be farther apart.
-CoreAxis coreAxis(const PairView& pair, double preference = 0,
-                  double enough = std::numeric_limits<double>::infinity());
+CoreAxis coreAxis(const PairView& pair, double preference = 0);
+
+/// Of the best faces of A and B: whether A's is taken, by the rule above. @pre one of them exists.
+bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB, double preference);
 
 /// Core points that realise an axis: b − a = separation · normal. On both cores when these overlap or touch.
 struct CorePoints {

@@ -32,7 +32,8 @@ struct Distance {
 /// with like, so scaling all lengths by a power of two scales the answer and nothing else.
 /// @param bInA   pose of B in the frame of A.
 /// @param cache  read and updated when not null.
-/// Bounded by `kMaxGjkIterations`; distance error at most 8 eps × (extents + distance) for the given pose.
+/// Bounded by `kMaxGjkIterations`; distance error at most 8 eps × (sizes + distance) for the given pose, where the size of
+/// a shape is the distance of its farthest point from the origin of its frame.
 Distance distance(const Polygon& a, const Polygon& b, const Transform& bInA, SimplexCache* cache = nullptr);
 
 /// Each iteration strictly lowers the distance or stops, over at most 8·8 support pairs; typical runs take 2 to 4.

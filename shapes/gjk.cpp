@@ -113,7 +113,7 @@ GjkResult runGjk(const PairView& pair, const SimplexCache* warm) {
         ++iteration;
         // The normal comes from the edge itself, not from the closest point, which is all rounding near a contact.
         const double scale = std::sqrt(current.isSegment ? current.edgeSquared : current.distanceSquared);
-        const double inverse = 1 / scale;
+        const double inverse = scale > 0 ? 1 / scale : 0;
         distance = current.isSegment ? inverse * std::fabs(current.side) : scale;
         if (!(distance > resolution)) {
             outcome = GjkOutcome::touching;

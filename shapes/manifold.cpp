@@ -32,23 +32,23 @@ FeatureId vertexPair(const GjkResult& gjk) {
     return featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b});
 }
 
-Manifold clipAgainst(const PairView& pair, const CoreAxis& axis, double margin) {
-    switch (axis.source) {
-        case AxisSource::faceOfA: return clipAgainstA(pair, axis.face, margin, 0);
-        case AxisSource::faceOfB: return clipAgainstB(pair, axis.face, margin, 0);
-        case AxisSource::direction: break;
-    }
-    return {};
+/// Cores that overlap or touch, without a face to clip against: points, ends of segments, or a preferred face that is not
+/// under the other shape.
+Manifold collideWithoutFace(const PairView& pair, const GjkResult& gjk, double margin) {
+    const CoreSeparation core = coreSeparation(pair, gjk);
+    return singlePoint(core.points, core.separation, core.normal, vertexPair(gjk), pair.a, pair.b, margin);
 }
 
 /// Cores that overlap or touch: clip against the face of least penetration.
-Manifold collideOverlapping(const PairView& pair, const CoreAxis& axis, double margin) {
-    const Manifold manifold = clipAgainst(pair, axis, margin);
-    if (manifold.count > 0) { return manifold; }
-    // No face along the axis (points, ends of segments), or the preferred face is not under the other shape.
-    const GjkResult gjk = closestFeatures(pair, nullptr);
-    const CoreSeparation core = coreSeparation(pair, gjk);
-    return singlePoint(core.points, core.separation, core.normal, vertexPair(gjk), pair.a, pair.b, margin);
+Manifold collideTouching(const PairView& pair, const GjkResult& gjk, double margin) {
+    const CoreAxis axis = coreAxis(pair, kFacePreference);
+    Manifold manifold;
+    switch (axis.source) {
+        case AxisSource::faceOfA: manifold = clipAgainstA(pair, axis.face, margin, 0); break;
+        case AxisSource::faceOfB: manifold = clipAgainstB(pair, axis.face, margin, 0); break;
+        case AxisSource::direction: break;
+    }
+    return manifold.count > 0 ? manifold : collideWithoutFace(pair, gjk, margin);
 }
 
 bool isFaceNormal(DVec2 faceNormal, DVec2 direction) {
@@ -101,21 +101,32 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
                        pair.b, margin);
 }
 
-Manifold collideCores(const PairView& pair, double margin) {
-    const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
-    // Sharp polygons in contact overlap or nearly do: separating axes answer most of them without GJK.
-    const bool areSharp = pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
-    if (areSharp) {
-        const CoreAxis axis = coreAxis(pair, kFacePreference, reach);
-        if (axis.largest > reach) { return {}; }
-        if (axis.largest <= 0) { return collideOverlapping(pair, axis, margin); }
-    }
+Manifold collideByGjk(const PairView& pair, double margin) {
     const GjkResult gjk = closestFeatures(pair, nullptr);
-    if (gjk.outcome == GjkOutcome::touching) {
-        return collideOverlapping(pair, coreAxis(pair, kFacePreference), margin);
-    }
+    if (gjk.outcome == GjkOutcome::touching) { return collideTouching(pair, gjk, margin); }
+    const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
     if (gjk.distance > reach) { return {}; }
     return collideApart(pair, gjk, margin);
+}
+
+/// Polygons without radius in contact overlap or nearly do: separating axes answer most of them without GJK, which is
+/// left with closest vertices.
+Manifold collideSharp(const PairView& pair, double margin) {
+    const FaceAxis faceA = bestFaceOfA(pair);
+    if (faceA.separation > margin) { return {}; }
+    const FaceAxis faceB = bestFaceOfB(pair);
+    if (faceB.separation > margin) { return {}; }
+    const bool isApart = faceA.separation > 0 || faceB.separation > 0;
+    const bool takeA = prefersA(pair, faceA, faceB, isApart ? 0 : kFacePreference);
+    if (isApart && !(takeA ? faceA : faceB).isOverFace) { return collideByGjk(pair, margin); }
+    const Manifold manifold =
+        takeA ? clipAgainstA(pair, faceA.face, margin, 0) : clipAgainstB(pair, faceB.face, margin, 0);
+    return manifold.count > 0 ? manifold : collideByGjk(pair, margin);
+}
+
+Manifold collideCores(const PairView& pair, double margin) {
+    const bool areSharp = pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
+    return areSharp ? collideSharp(pair, margin) : collideByGjk(pair, margin);
 }
 
 }  // namespace
