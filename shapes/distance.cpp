@@ -7,14 +7,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-void remember(const GjkResult& r, SimplexCache& cache) {
-    cache.count = static_cast<std::uint8_t>(r.count);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(r.count); ++i) {
-        cache.indexA[i] = static_cast<std::uint8_t>(r.simplex[i].a);
-        cache.indexB[i] = static_cast<std::uint8_t>(r.simplex[i].b);
-    }
-}
-
 Distance withRadii(const CoreSeparation& core, int iterations, Real radiusA, Real radiusB) {
     const double rA = static_cast<double>(radiusA);
     const double rB = static_cast<double>(radiusB);

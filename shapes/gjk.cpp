@@ -149,6 +149,14 @@ GjkResult runGjk(const PairView& pair, const SimplexCache* warm) {
     return r;
 }
 
+void remember(const GjkResult& r, SimplexCache& cache) {
+    cache.count = static_cast<std::uint8_t>(r.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(r.count); ++i) {
+        cache.indexA[i] = static_cast<std::uint8_t>(r.simplex[i].a);
+        cache.indexB[i] = static_cast<std::uint8_t>(r.simplex[i].b);
+    }
+}
+
 GjkResult closestByExhaustion(const PairView& pair) {
     GjkResult best;
     double bestGap = std::numeric_limits<double>::infinity();

@@ -39,6 +39,9 @@ struct GjkResult {
 /// @param warm  simplex to start from, may be null; indices that do not fit are ignored.
 GjkResult runGjk(const PairView& pair, const SimplexCache* warm);
 
+/// Keeps the simplex for the next run.
+void remember(const GjkResult& result, SimplexCache& cache);
+
 /// The same answer by trying every vertex of each shape against every edge of the other: the way out of `stalled` for
 /// cores that are apart. Takes the features whose distance is best proved by the support along their normal: near the end
 /// of a face, a vertex gives the same distance in all digits, but half the digits of the normal.

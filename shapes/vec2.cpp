@@ -12,6 +12,13 @@ UnitAndLength normalized(Vec2 a) {
         const double size = swept::length(exact);
         return {toReal({exact.x / size, exact.y / size}), static_cast<Real>(size)};
     } else {
+        // Squares within the range of double need no scaling; the result is the same to the bit.
+        constexpr Real kSafe = Real(0x1p500L);
+        const Real squared = lengthSquared(a);
+        if (squared < kSafe && squared > 1 / kSafe) {
+            const Real size = std::sqrt(squared);
+            return {{a.x / size, a.y / size}, size};
+        }
         int exponent = 0;
         std::frexp(std::fmax(std::fabs(a.x), std::fabs(a.y)), &exponent);
         const Vec2 scaled{std::ldexp(a.x, -exponent), std::ldexp(a.y, -exponent)};  // larger component in [½, 1)

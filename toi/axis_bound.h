@@ -22,10 +22,16 @@ namespace swept::inline SWEPT_PRECISION {
 ///
 /// The best of the three axes that hold the closest direction in the world, in A and in B is taken, and of the pair's
 /// bounding circles about the centres, for which spin does not count at all.
+/// The axis is first held where the closest feature says it is held best (a face normal turns with its body); the others
+/// are looked at when that gains little.
 /// @param pose   where the pair stands now.
 /// @param level  metres, radii included, below the separation of the pose.
 /// @param limit  the answer is sought in [0, limit]; fraction, greater than 0.
 /// @return in [0, limit]; `limit` means that nothing happens up to there. Not an upper bound of anything.
 double safeAdvance(const MovingPair& pair, const PairPose& pose, double level, double limit);
+
+/// The bound by the circles about the centres that hold the bodies, along the line of the centres: no distance is needed.
+/// @param offset, velocity, curvature  of B's centre relative to A's, in any frame.
+double advanceOfCircles(const MovingPair& pair, Vec2 offset, Vec2 velocity, Vec2 curvature, double level, double limit);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -4,6 +4,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "../shapes/distance.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
@@ -18,6 +20,25 @@ double largestCoordinate(const ToiPolygon& polygon, DVec2 center) {
     return largest + length(center);
 }
 
+/// Beyond it, or below its inverse, products of four coordinates leave the range of double.
+constexpr double kLargestProduct = 0x1p200;
+
+Polygon withNormals(const Polygon& polygon) {
+    Polygon result = polygon;
+    if (polygon.count < 2) { return result; }
+    for (int i = 0; i < polygon.count; ++i) {
+        result.normals[static_cast<std::size_t>(i)] = edgeNormal(polygon.vertices[static_cast<std::size_t>(i)],
+                                                                 polygon.vertices[static_cast<std::size_t>(polygon.next(i))]);
+    }
+    return result;
+}
+
+/// A simplex of one vertex of B and an edge of A holds a face of A, and the other way round; two edges are either's.
+AxisOwner ownerOf(const GjkResult& gjk) {
+    if (gjk.count < 2) { return AxisOwner::world; }
+    return gjk.simplex[0].a == gjk.simplex[1].a ? AxisOwner::b : AxisOwner::a;
+}
+
 double largestAngle(const Sweep& sweep) { return std::max(std::fabs(sweep.a0), std::fabs(sweep.a1)); }
 
 }  // namespace
@@ -28,27 +49,60 @@ CenteredPolygon::CenteredPolygon(const ToiPolygon& source, DVec2 center) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(source.count); ++i) {
         const DVec2 r = source.vertices[i] - center;
         polygon.vertices[i] = {r.x, r.y};
-        reach[i] = length(r);
+        reach = std::max(reach, dot(r, r));
     }
-    if (polygon.count < 2) { return; }
-    for (int i = 0; i < polygon.count; ++i) {
-        const Vec2 from = polygon.vertices[static_cast<std::size_t>(i)];
-        const Vec2 to = polygon.vertices[static_cast<std::size_t>(polygon.next(i))];
-        polygon.normals[static_cast<std::size_t>(i)] = normalized(rightPerp(to - from)).unit;
+    reach = (1 + 4 * kEpsilon) * std::sqrt(reach);
+}
+
+MovingPair::MovingPair(const ToiPolygon& polygonA, const Sweep& sweepA, const ToiPolygon& polygonB,
+                       const Sweep& sweepB)
+    : a(polygonA, sweepA.localCenter), b(polygonB, sweepB.localCenter), motion(sweepA, sweepB) {
+    const double largest = std::max({a.reach, b.reach, sumNorm(motion.start), sumNorm(motion.change)});
+    isExtreme_ = !(largest < kLargestProduct && largest > 1 / kLargestProduct);
+}
+
+PairPose MovingPair::emptyPose() const {
+    PairPose pose;
+    pose.turnedB.count = b.polygon.count;
+    pose.turnedB.radius = b.polygon.radius;
+    return pose;
+}
+
+void MovingPair::moveTo(double fraction, PairPose& pose, SimplexCache& cache) const {
+    const auto inA = [&pose](DVec2 world) { return unrotate(pose.rotationA, Vec2{world.x, world.y}); };
+    pose.fraction = fraction;
+    pose.rotationA = motion.rotationA(fraction);
+    pose.bInA.translation = inA(motion.offsetAt(fraction));
+    pose.bInA.rotation = inverse(pose.rotationA) * motion.rotationB(fraction);
+    pose.velocity = inA(motion.velocityAt(fraction));
+    pose.curvature = inA(motion.curvature);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(b.polygon.count); ++i) {
+        pose.turnedB.vertices[i] = rotate(pose.bInA.rotation, b.polygon.vertices[i]);
+    }
+    pose.gjk.outcome = GjkOutcome::touching;
+    if (!isExtreme_) {
+        pose.gjk = closestFeatures(PairView(a.polygon, pose.turnedB, {pose.bInA.translation, {}}), &cache);
+        remember(pose.gjk, cache);
+    }
+    if (pose.gjk.outcome == GjkOutcome::apart) {
+        pose.distance = {pose.gjk.distance - radii(), pose.gjk.distance, {pose.gjk.normal.x, pose.gjk.normal.y}};
+        pose.axisOwner = ownerOf(pose.gjk);
+    } else {
+        const Distance exact = distance(withNormals(a.polygon), withNormals(b.polygon), pose.bInA);
+        pose.distance = {exact.distance, exact.coreDistance, exact.normal};
+        pose.axisOwner = AxisOwner::world;
     }
 }
 
-PairPose MovingPair::poseAt(double fraction, SimplexCache& cache) const {
-    const auto inA = [](Rotation q, DVec2 world) { return unrotate(q, Vec2{world.x, world.y}); };
-    PairPose pose;
-    pose.fraction = fraction;
-    pose.rotationA = motion.rotationA(fraction);
-    pose.bInA.translation = inA(pose.rotationA, motion.offsetAt(fraction));
-    pose.bInA.rotation = inverse(pose.rotationA) * motion.rotationB(fraction);
-    pose.velocity = inA(pose.rotationA, motion.velocityAt(fraction));
-    pose.curvature = inA(pose.rotationA, motion.curvature);
-    pose.distance = distance(a.polygon, b.polygon, pose.bInA, &cache);
-    return pose;
+CorePoints MovingPair::witnessesOf(const PairPose& pose) const {
+    if (pose.gjk.outcome != GjkOutcome::apart) {
+        const Distance exact = distance(withNormals(a.polygon), withNormals(b.polygon), pose.bInA);
+        return {toDouble(exact.pointA), toDouble(exact.pointB)};
+    }
+    const DVec2 normal = pose.gjk.normal;
+    CorePoints points = witnessOf(PairView(a.polygon, pose.turnedB, {pose.bInA.translation, {}}), pose.gjk,
+                                  pose.gjk.distance * normal);
+    return {points.a + a.polygon.radius * normal, points.b + (-b.polygon.radius) * normal};
 }
 
 double roundingSlack(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB) {

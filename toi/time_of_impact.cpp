@@ -16,20 +16,28 @@ DVec2 toWorld(Rotation rotation, Vec2 v) {
     return {world.x, world.y};
 }
 
-Toi answerFrom(const PairPose& pose, const Sweep& sweepA, ToiState state, int iterations) {
+Toi answerFrom(const MovingPair& pair, const PairPose& pose, const Sweep& sweepA, ToiState state, int iterations) {
     const DVec2 origin = centerAt(sweepA, pose.fraction);
+    const CorePoints witnesses = pair.witnessesOf(pose);
     Toi toi;
     toi.state = state;
     toi.fraction = pose.fraction;
-    toi.separation = pose.distance.distance;
+    toi.separation = pose.distance.separation;
     toi.normal = toWorld(pose.rotationA, pose.distance.normal);
-    toi.pointA = origin + toWorld(pose.rotationA, pose.distance.pointA);
-    toi.pointB = origin + toWorld(pose.rotationA, pose.distance.pointB);
+    toi.pointA = origin + toWorld(pose.rotationA, {witnesses.a.x, witnesses.a.y});
+    toi.pointB = origin + toWorld(pose.rotationA, {witnesses.b.x, witnesses.b.y});
     toi.iterations = iterations;
     return toi;
 }
 
-bool coresIntersect(const PairPose& pose) { return pose.distance.coreDistance <= 0; }
+bool coresIntersect(const PairPose& pose) { return pose.distance.coreSeparation <= 0; }
+
+/// Up to here the circles that hold the bodies stay apart: the search begins there.
+double firstFraction(const MovingPair& pair, double level, double tMax) {
+    const auto real = [](DVec2 v) { return Vec2{v.x, v.y}; };
+    return advanceOfCircles(pair, real(pair.motion.start), real(pair.motion.velocityAt(0)),
+                            real(pair.motion.curvature), level, tMax);
+}
 
 Sweep withoutRotation(const Sweep& sweep) {
     Sweep result = sweep;
@@ -42,27 +50,29 @@ Sweep withoutRotation(const Sweep& sweep) {
 Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                  const ToiSettings& settings) {
     const MovingPair pair(a, sweepA, b, sweepB);
-    SimplexCache cache;
-    PairPose pose = pair.poseAt(0, cache);
-    if (coresIntersect(pose)) { return answerFrom(pose, sweepA, ToiState::overlapped, 1); }
-
-    // Steps aim at the target itself; half of the tolerance above it ends the search at once, so that a grazing approach
-    // ends too, and the other half is for rounding.
+    // Steps aim half a tolerance below the target and end half a tolerance above it: the band between is wide enough for
+    // the last step to land in, and what is left on either side is for rounding.
+    const double level = settings.target - 0.5 * settings.tolerance;
     const double closeEnough = settings.target + 0.5 * settings.tolerance;
-    for (int steps = 1; steps <= kMaxSteps; ++steps) {
-        const double separation = pose.distance.distance;
-        if (separation <= settings.target) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
-        const double rest = settings.tMax - pose.fraction;
-        if (!(rest > 0)) { return answerFrom(pose, sweepA, ToiState::separated, steps); }
+    SimplexCache cache;
+    PairPose pose = pair.emptyPose();
+    pair.moveTo(firstFraction(pair, settings.target, settings.tMax), pose, cache);
+    if (coresIntersect(pose) && pose.fraction <= 0) { return answerFrom(pair, pose, sweepA, ToiState::overlapped, 1); }
 
-        const double advance = safeAdvance(pair, pose, settings.target, rest);
+    for (int steps = 1; steps <= kMaxSteps; ++steps) {
+        const double separation = pose.distance.separation;
+        if (separation <= settings.target) { return answerFrom(pair, pose, sweepA, ToiState::hit, steps); }
+        const double rest = settings.tMax - pose.fraction;
+        if (!(rest > 0)) { return answerFrom(pair, pose, sweepA, ToiState::separated, steps); }
+
+        const double advance = safeAdvance(pair, pose, level, rest);
         const bool free = advance >= rest;  // nothing more can happen, even from within the band
-        if (!free && separation <= closeEnough) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
+        if (!free && separation <= closeEnough) { return answerFrom(pair, pose, sweepA, ToiState::hit, steps); }
         const double next = free ? settings.tMax : pose.fraction + advance;
-        if (!(next > pose.fraction)) { return answerFrom(pose, sweepA, ToiState::failed, steps); }
-        pose = pair.poseAt(next, cache);
+        if (!(next > pose.fraction)) { return answerFrom(pair, pose, sweepA, ToiState::failed, steps); }
+        pair.moveTo(next, pose, cache);
     }
-    return answerFrom(pose, sweepA, ToiState::failed, kMaxSteps + 1);
+    return answerFrom(pair, pose, sweepA, ToiState::failed, kMaxSteps + 1);
 }
 
 Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
@@ -75,8 +85,9 @@ Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, con
 Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction) {
     const MovingPair pair(a, sweepA, b, sweepB);
     SimplexCache cache;
-    const PairPose pose = pair.poseAt(fraction, cache);
-    return answerFrom(pose, sweepA, coresIntersect(pose) ? ToiState::overlapped : ToiState::separated, 1);
+    PairPose pose = pair.emptyPose();
+    pair.moveTo(fraction, pose, cache);
+    return answerFrom(pair, pose, sweepA, coresIntersect(pose) ? ToiState::overlapped : ToiState::separated, 1);
 }
 
 }  // namespace swept
