@@ -1,4 +1,7 @@
+#include <cmath>
+
 #include "step.h"
+#include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -6,9 +9,21 @@ namespace {
 /// Bodies per task: one sweep is work enough.
 constexpr std::size_t kFlyerGrain = 4;
 
-bool isHeldAtImpacts(const WorldState& world, const Body& body) {
+/// Whether the solver moved a body as far as only a fast one may: something hit it within the step.
+bool wasFlung(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const auto extent = static_cast<double>(body.extent);
+    const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
+    return body.role == BodyRole::solved && extent > 0 &&
+           length(motion.center - body.startCenter) + turned > static_cast<double>(kFastRatio) * extent;
+}
+
+bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
     const ContinuousMode mode = body.def.continuous.value_or(world.settings.continuous);
-    return body.isDynamic() && body.fast && body.role != BodyRole::flyer && mode != ContinuousMode::off;
+    if (!body.isDynamic() || body.role == BodyRole::flyer || mode == ContinuousMode::off) { return false; }
+    return body.fast || wasFlung(world, slot);
 }
 
 LostTimeReason reasonOf(const WorldState& world, const Body& body) {
@@ -37,7 +52,7 @@ void merge(WorldState& world, FlightScratch& scratch) {
 
 void sweepFastBodies(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
-        if (isHeldAtImpacts(world, world.bodies[slot])) { world.flyers.push_back(slot); }
+        if (isHeldAtImpacts(world, slot)) { world.flyers.push_back(slot); }
     }
     if (world.flyers.empty()) { return; }
     world.counters.sweeps = world.flyers.size();
