@@ -94,6 +94,12 @@ void MovingPair::moveTo(double fraction, PairPose& pose, SimplexCache& cache) co
     }
 }
 
+PairPose MovingPair::poseAt(double fraction, SimplexCache& cache) const {
+    PairPose pose = emptyPose();
+    moveTo(fraction, pose, cache);
+    return pose;
+}
+
 CorePoints MovingPair::witnessesOf(const PairPose& pose) const {
     if (pose.gjk.outcome != GjkOutcome::apart) {
         const Distance exact = distance(withNormals(a.polygon), withNormals(b.polygon), pose.bInA);

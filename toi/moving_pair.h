@@ -52,6 +52,8 @@ struct MovingPair {
     PairPose emptyPose() const;
     /// Pose and distance at a fraction. `cache` carries the simplex from one evaluation to the next.
     void moveTo(double fraction, PairPose& pose, SimplexCache& cache) const;
+    /// The same into a pose of its own: for one-off questions.
+    PairPose poseAt(double fraction, SimplexCache& cache) const;
     /// Points on the rounded surfaces that realise the separation of a pose, frame of A.
     CorePoints witnessesOf(const PairPose& pose) const;
 

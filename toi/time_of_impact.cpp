@@ -85,8 +85,7 @@ Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, con
 Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction) {
     const MovingPair pair(a, sweepA, b, sweepB);
     SimplexCache cache;
-    PairPose pose = pair.emptyPose();
-    pair.moveTo(fraction, pose, cache);
+    const PairPose pose = pair.poseAt(fraction, cache);
     return answerFrom(pair, pose, sweepA, coresIntersect(pose) ? ToiState::overlapped : ToiState::separated, 1);
 }
 
