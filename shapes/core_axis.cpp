@@ -44,7 +44,9 @@ CoreAxis asCoreAxis(const FaceAxis& f, bool ofA) {
 /// Points and segments: where both lie on one line their Minkowski difference has no area, and its ends face along it.
 void tryEnds(const PairView& pair, CoreAxis& best) {
     for (const bool ofA : {true, false}) {
-        if ((ofA ? pair.a.count : pair.b.count) != 2) { continue; }
+        if ((ofA ? pair.a.count : pair.b.count) != 2) {
+            continue;
+        }
         const DVec2 along = ofA ? leftPerp(edgeNormal(pair.edgeA(0), pair.normalA(0)))
                                 : leftPerp(edgeNormal(pair.edgeB(0), pair.normalB(0)));
         for (const DVec2 direction : {along, -along}) {
@@ -52,7 +54,9 @@ void tryEnds(const PairView& pair, CoreAxis& best) {
             // Not by rounding alone: a perpendicular segment has this direction as a face, whose points are right.
             const double size = sumNorm(pair.vertexA(end.supportA)) + sumNorm(pair.vertexB(end.supportB)) +
                                 2 * sumNorm(pair.translation);
-            if (end.separation > best.separation + kResolution * size) { best = end; }
+            if (end.separation > best.separation + kResolution * size) {
+                best = end;
+            }
         }
     }
 }
@@ -69,7 +73,8 @@ MeasuredFace measureFace(const PairView& pair, int face) {
     const DVec2 edge = ofA ? pair.edgeA(face) : pair.edgeB(face);
     const DVec2 normal = edgeNormal(edge, ofA ? pair.normalA(face) : pair.normalB(face));
     const int support = ofA ? extremeVertex<-1>(pair.b, pair.toB(normal)) : extremeVertex<-1>(pair.a, normal);
-    const DVec2 toSupport = ofA ? pair.vertexB(support) - pair.vertexA(face) : pair.vertexA(support) - pair.vertexB(face);
+    const DVec2 toSupport =
+        ofA ? pair.vertexB(support) - pair.vertexA(face) : pair.vertexA(support) - pair.vertexB(face);
     return {{face, support, dot(normal, toSupport), normal, false}, dot(edge, toSupport), dot(edge, edge)};
 }
 
@@ -83,7 +88,9 @@ FaceAxis settled(const PairView& pair, int face) {
     for (int i = 1; i < reference.count && !chosen.axis.isOverFace; ++i) {
         const int beside = chosen.along < 0 ? reference.previous(chosen.axis.face) : reference.next(chosen.axis.face);
         MeasuredFace other = measureFace<ofA>(pair, beside);
-        if (!(other.axis.separation > chosen.axis.separation)) { break; }
+        if (!(other.axis.separation > chosen.axis.separation)) {
+            break;
+        }
         other.axis.isOverFace = other.along >= 0 && other.along <= other.end;
         chosen = other;
     }
@@ -121,9 +128,13 @@ FaceAxis bestFaceOfB(const PairView& pair) {
 }
 
 bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB, double preference) {
-    if (faceA.face < 0 || faceB.face < 0) { return faceB.face < 0; }
+    if (faceA.face < 0 || faceB.face < 0) {
+        return faceB.face < 0;
+    }
     const double lead = faceB.separation - faceA.separation;
-    if (lead <= 0 || !(preference > 0)) { return lead <= 0; }
+    if (lead <= 0 || !(preference > 0)) {
+        return lead <= 0;
+    }
     const DVec2 edgeA = pair.edgeA(faceA.face);
     const DVec2 edgeB = pair.edgeB(faceB.face);
     const double squaredA = dot(edgeA, edgeA);
@@ -132,11 +143,15 @@ bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB
 }
 
 CoreAxis coreAxis(const PairView& pair, double preference) {
-    if (pair.a.count == 1 && pair.b.count == 1) { return betweenPoints(pair); }
+    if (pair.a.count == 1 && pair.b.count == 1) {
+        return betweenPoints(pair);
+    }
     const FaceAxis faceA = bestFaceOfA(pair);
     const FaceAxis faceB = bestFaceOfB(pair);
     CoreAxis best = prefersA(pair, faceA, faceB, preference) ? asCoreAxis(faceA, true) : asCoreAxis(faceB, false);
-    if (pair.a.count <= 2 && pair.b.count <= 2) { tryEnds(pair, best); }
+    if (pair.a.count <= 2 && pair.b.count <= 2) {
+        tryEnds(pair, best);
+    }
     return best;
 }
 

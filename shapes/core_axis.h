@@ -6,10 +6,10 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// The face of one shape along whose normal the other shape's core is farthest away.
 struct FaceAxis {
-    int face = -1;          ///< −1: the reference shape has no faces
-    int support = 0;        ///< vertex of the other shape that lies lowest over the face
-    double separation = 0;  ///< of the cores along the normal, metres; negative when overlapping
-    DVec2 normal;           ///< unit, outward from the reference shape, frame of A
+    int face = -1;            ///< −1: the reference shape has no faces
+    int support = 0;          ///< vertex of the other shape that lies lowest over the face
+    double separation = 0;    ///< of the cores along the normal, metres; negative when overlapping
+    DVec2 normal;             ///< unit, outward from the reference shape, frame of A
     bool isOverFace = false;  ///< the support vertex projects onto the face; then a positive separation is the distance
 };
 
@@ -20,17 +20,18 @@ FaceAxis bestFaceOfB(const PairView& pair);
 
 enum class AxisSource : std::uint8_t { faceOfA, faceOfB, direction };
 
-/// The axis of largest core separation over all faces of the Minkowski difference (and, for cores without area, over the
-/// directions of the segments too).
+/// The axis of largest core separation over all faces of the Minkowski difference (and, for cores without area, over
+/// the directions of the segments too).
 struct CoreAxis {
     AxisSource source = AxisSource::direction;
     double separation = 0;  ///< metres
     DVec2 normal;           ///< unit, from A to B
     int face = -1;
-    int supportA = 0;       ///< extreme vertices along the normal; of the shape that owns the face: its first vertex
+    int supportA = 0;  ///< extreme vertices along the normal; of the shape that owns the face: its first vertex
     int supportB = 0;
 };
-/// @param preference  a face of A is taken even if a face of B is better by up to this fraction of the shorter of the two
+/// @param preference  a face of A is taken even if a face of B is better by up to this fraction of the shorter of the
+/// two
 ///                    faces; 0 gives the minimum translation.
 CoreAxis coreAxis(const PairView& pair, double preference = 0);
 

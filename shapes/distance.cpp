@@ -25,7 +25,9 @@ Distance withRadii(const CoreSeparation& core, int iterations, Real radiusA, Rea
 Distance distance(const Polygon& a, const Polygon& b, const Transform& bInA, SimplexCache* cache) {
     const auto solve = [cache](const PairView& pair, int& iterations) {
         const GjkResult gjk = closestFeatures(pair, cache);
-        if (cache != nullptr) { remember(gjk, *cache); }
+        if (cache != nullptr) {
+            remember(gjk, *cache);
+        }
         iterations = gjk.iterations;
         return coreSeparation(pair, gjk);
     };

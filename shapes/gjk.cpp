@@ -7,15 +7,15 @@ namespace {
 /// arithmetic does.
 #define SWEPT_HOT [[gnu::always_inline]] inline
 
-/// A vertex or a segment of the Minkowski difference and its distance to the origin. Passed by value, so that it lives in
-/// registers.
+/// A vertex or a segment of the Minkowski difference and its distance to the origin. Passed by value, so that it lives
+/// in registers.
 struct Candidate {
     bool isSegment = false;
     SupportPair p;
-    SupportPair q;              ///< only of a segment, like the next three
-    DVec2 edge;                 ///< from p to q
+    SupportPair q;  ///< only of a segment, like the next three
+    DVec2 edge;     ///< from p to q
     double edgeSquared = 0;
-    double side = 0;            ///< cross(edge, p): twice the area of the triangle with the origin
+    double side = 0;  ///< cross(edge, p): twice the area of the triangle with the origin
     double distanceSquared = 0;
 };
 
@@ -29,16 +29,24 @@ SWEPT_HOT Candidate vertexCandidate(SupportPair p) {
 /// The segment from p to q, or its end if that is the closest point.
 SWEPT_HOT Candidate segmentCandidate(const PairView& pair, SupportPair p, SupportPair q) {
     const DVec2 edge = pair.spanB(p.b, q.b) - pair.spanA(p.a, q.a);
-    if (dot(edge, p.w) >= 0) { return vertexCandidate(p); }
-    if (dot(edge, q.w) <= 0) { return vertexCandidate(q); }
+    if (dot(edge, p.w) >= 0) {
+        return vertexCandidate(p);
+    }
+    if (dot(edge, q.w) <= 0) {
+        return vertexCandidate(q);
+    }
     const double edgeSquared = dot(edge, edge);
-    if (!(edgeSquared >= std::numeric_limits<double>::min())) { return vertexCandidate(p); }  // underflow
+    if (!(edgeSquared >= std::numeric_limits<double>::min())) {
+        return vertexCandidate(p);
+    }  // underflow
     const double side = cross(edge, p.w);
     return {true, p, q, edge, edgeSquared, side, side * side / edgeSquared};
 }
 
 SWEPT_HOT Candidate closer(Candidate x, Candidate y) {
-    if (y.distanceSquared < x.distanceSquared) { return y; }
+    if (y.distanceSquared < x.distanceSquared) {
+        return y;
+    }
     return x;
 }
 
@@ -58,14 +66,22 @@ Candidate startCandidate(const PairView& pair, const SimplexCache* warm) {
     int count = 0;
     if (warm != nullptr && warm->count <= 3) {
         for (std::size_t i = 0; i < warm->count; ++i) {
-            if (warm->indexA[i] >= pair.a.count || warm->indexB[i] >= pair.b.count) { continue; }
+            if (warm->indexA[i] >= pair.a.count || warm->indexB[i] >= pair.b.count) {
+                continue;
+            }
             loaded[static_cast<std::size_t>(count++)] = pairAt(pair, warm->indexA[i], warm->indexB[i]);
         }
     }
-    if (count == 0) { return vertexCandidate(supportPair(pair, pair.translation)); }
-    if (count == 1) { return vertexCandidate(loaded[0]); }
+    if (count == 0) {
+        return vertexCandidate(supportPair(pair, pair.translation));
+    }
+    if (count == 1) {
+        return vertexCandidate(loaded[0]);
+    }
     const Candidate first = segmentCandidate(pair, loaded[0], loaded[1]);
-    if (count == 2) { return first; }
+    if (count == 2) {
+        return first;
+    }
     return closer(closer(first, segmentCandidate(pair, loaded[1], loaded[2])),
                   segmentCandidate(pair, loaded[2], loaded[0]));
 }
@@ -134,8 +150,12 @@ GjkResult runGjk(const PairView& pair, const SimplexCache* warm) {
             break;
         }
         Candidate best = segmentCandidate(pair, current.p, next);
-        if (current.isSegment) { best = closer(best, segmentCandidate(pair, next, current.q)); }
-        if (!(best.distanceSquared < current.distanceSquared)) { break; }
+        if (current.isSegment) {
+            best = closer(best, segmentCandidate(pair, next, current.q));
+        }
+        if (!(best.distanceSquared < current.distanceSquared)) {
+            break;
+        }
         current = best;
     }
     GjkResult r = asResult(current);
@@ -145,7 +165,9 @@ GjkResult runGjk(const PairView& pair, const SimplexCache* warm) {
     r.resolution = resolution;
     r.iterations = iteration;
     r.encloses = encloses;
-    if (encloses) { r.simplex[static_cast<std::size_t>(r.count++)] = next; }
+    if (encloses) {
+        r.simplex[static_cast<std::size_t>(r.count++)] = next;
+    }
     return r;
 }
 
@@ -162,11 +184,15 @@ GjkResult closestByExhaustion(const PairView& pair) {
     double bestGap = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Candidate& c) {
         const double scale = std::sqrt(c.isSegment ? c.edgeSquared : c.distanceSquared);
-        if (!(scale > 0)) { return; }
+        if (!(scale > 0)) {
+            return;
+        }
         const DVec2 normal = c.isSegment ? segmentNormal(c, 1 / scale) : (1 / scale) * c.p.w;
         const double distance = c.isSegment ? std::fabs(c.side) / scale : scale;
         const double gap = distance - dot(normal, supportPair(pair, normal).w);
-        if (!(gap < bestGap) || !(distance > 0)) { return; }
+        if (!(gap < bestGap) || !(distance > 0)) {
+            return;
+        }
         bestGap = gap;
         best = asResult(c);
         best.outcome = GjkOutcome::apart;
@@ -189,7 +215,9 @@ GjkResult closestByExhaustion(const PairView& pair) {
 
 GjkResult closestFeatures(const PairView& pair, const SimplexCache* warm) {
     GjkResult r = runGjk(pair, warm);
-    if (r.outcome != GjkOutcome::stalled) { return r; }
+    if (r.outcome != GjkOutcome::stalled) {
+        return r;
+    }
     if (coreAxis(pair).separation <= 0) {
         r.outcome = GjkOutcome::touching;
         return r;

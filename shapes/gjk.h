@@ -21,7 +21,8 @@ enum class GjkOutcome : std::uint8_t {
     stalled,   ///< rounding stopped the progress before the proof; the simplex is only a guess
 };
 
-/// Where a run of GJK on the cores (without radii) ended. The simplex has 1 or 2 pairs when apart, up to 3 when touching.
+/// Where a run of GJK on the cores (without radii) ended. The simplex has 1 or 2 pairs when apart, up to 3 when
+/// touching.
 struct GjkResult {
     GjkOutcome outcome = GjkOutcome::stalled;
     int count = 0;
@@ -33,9 +34,9 @@ struct GjkResult {
     int iterations = 0;
 };
 
-/// Gilbert, Johnson and Keerthi (1988) in the plane. The simplex is a vertex or a segment of the Minkowski difference; a
-/// new support point makes two candidate segments, of which the closer is kept. It ends with a proof: the distance along
-/// the current normal (a lower bound) meets the distance of the simplex (an upper bound) within rounding.
+/// Gilbert, Johnson and Keerthi (1988) in the plane. The simplex is a vertex or a segment of the Minkowski difference;
+/// a new support point makes two candidate segments, of which the closer is kept. It ends with a proof: the distance
+/// along the current normal (a lower bound) meets the distance of the simplex (an upper bound) within rounding.
 /// @param warm  simplex to start from, may be null; indices that do not fit are ignored.
 GjkResult runGjk(const PairView& pair, const SimplexCache* warm);
 
@@ -43,8 +44,8 @@ GjkResult runGjk(const PairView& pair, const SimplexCache* warm);
 void remember(const GjkResult& result, SimplexCache& cache);
 
 /// The same answer by trying every vertex of each shape against every edge of the other: the way out of `stalled` for
-/// cores that are apart. Takes the features whose distance is best proved by the support along their normal: near the end
-/// of a face, a vertex gives the same distance in all digits, but half the digits of the normal.
+/// cores that are apart. Takes the features whose distance is best proved by the support along their normal: near the
+/// end of a face, a vertex gives the same distance in all digits, but half the digits of the normal.
 /// @pre the cores do not overlap.
 GjkResult closestByExhaustion(const PairView& pair);
 

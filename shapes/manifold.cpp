@@ -10,8 +10,8 @@ namespace {
 /// reference does not change sides from step to step.
 constexpr double kFacePreference = 0x1p-10;
 
-/// Sine of the angle below which a closest direction counts as a face normal: up to there, the separation along the face
-/// normal is the distance, up to one rounding of `Real` (the cosine differs from 1 by half its square).
+/// Sine of the angle below which a closest direction counts as a face normal: up to there, the separation along the
+/// face normal is the distance, up to one rounding of `Real` (the cosine differs from 1 by half its square).
 const double kFaceAngle = std::sqrt(static_cast<double>(kEpsilon));
 
 ManifoldBuilder builderFor(const PairView& pair, double margin, bool referenceIsA, DVec2 normal) {
@@ -28,12 +28,10 @@ Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slac
     return builderFor(pair, margin, false, face.normal).build(clip(face, incidentOfA(pair, face.normal), slack));
 }
 
-FeatureId vertexPair(const GjkResult& gjk) {
-    return featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b});
-}
+FeatureId vertexPair(const GjkResult& gjk) { return featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}); }
 
-/// Cores that overlap or touch, without a face to clip against: points, ends of segments, or a preferred face that is not
-/// under the other shape.
+/// Cores that overlap or touch, without a face to clip against: points, ends of segments, or a preferred face that is
+/// not under the other shape.
 Manifold collideWithoutFace(const PairView& pair, const GjkResult& gjk, double margin) {
     const CoreSeparation core = coreSeparation(pair, gjk);
     return singlePoint(core.points, core.separation, core.normal, vertexPair(gjk), pair.a, pair.b, margin);
@@ -44,9 +42,14 @@ Manifold collideTouching(const PairView& pair, const GjkResult& gjk, double marg
     const CoreAxis axis = coreAxis(pair, kFacePreference);
     Manifold manifold;
     switch (axis.source) {
-        case AxisSource::faceOfA: manifold = clipAgainstA(pair, axis.face, margin, 0); break;
-        case AxisSource::faceOfB: manifold = clipAgainstB(pair, axis.face, margin, 0); break;
-        case AxisSource::direction: break;
+        case AxisSource::faceOfA:
+            manifold = clipAgainstA(pair, axis.face, margin, 0);
+            break;
+        case AxisSource::faceOfB:
+            manifold = clipAgainstB(pair, axis.face, margin, 0);
+            break;
+        case AxisSource::direction:
+            break;
     }
     return manifold.count > 0 ? manifold : collideWithoutFace(pair, gjk, margin);
 }
@@ -59,15 +62,21 @@ bool isFaceNormal(DVec2 faceNormal, DVec2 direction) {
 /// The edge on which the simplex lies, else the one that faces the direction most.
 int closestEdge(const Polygon& polygon, int first, int second, DVec2 direction) {
     if (polygon.count > 2 && first != second) {
-        if (polygon.next(first) == second) { return first; }
-        if (polygon.next(second) == first) { return second; }
+        if (polygon.next(first) == second) {
+            return first;
+        }
+        if (polygon.next(second) == first) {
+            return second;
+        }
     }
     return edgeFacing(polygon, direction);
 }
 
 bool isAsDeepAs(const Manifold& manifold, double separation) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        if (static_cast<double>(manifold.points[i].separation) <= separation) { return true; }
+        if (static_cast<double>(manifold.points[i].separation) <= separation) {
+            return true;
+        }
     }
     return false;
 }
@@ -86,7 +95,9 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
         const int edge = closestEdge(pair.a, p.a, q.a, gjk.normal);
         if (isFaceNormal(pair.normalA(edge), gjk.normal)) {
             const Manifold manifold = clipAgainstA(pair, edge, margin, slack);
-            if (isAsDeepAs(manifold, separation)) { return manifold; }
+            if (isAsDeepAs(manifold, separation)) {
+                return manifold;
+            }
         }
     }
     if (pair.b.count > 1) {
@@ -94,18 +105,24 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
         const int edge = closestEdge(pair.b, p.b, q.b, direction);
         if (isFaceNormal(pair.localNormalB(edge), direction)) {
             const Manifold manifold = clipAgainstB(pair, edge, margin, slack);
-            if (isAsDeepAs(manifold, separation)) { return manifold; }
+            if (isAsDeepAs(manifold, separation)) {
+                return manifold;
+            }
         }
     }
-    return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal, vertexPair(gjk), pair.a,
-                       pair.b, margin);
+    return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal, vertexPair(gjk),
+                       pair.a, pair.b, margin);
 }
 
 Manifold collideByGjk(const PairView& pair, double margin) {
     const GjkResult gjk = closestFeatures(pair, nullptr);
-    if (gjk.outcome == GjkOutcome::touching) { return collideTouching(pair, gjk, margin); }
+    if (gjk.outcome == GjkOutcome::touching) {
+        return collideTouching(pair, gjk, margin);
+    }
     const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
-    if (gjk.distance > reach) { return {}; }
+    if (gjk.distance > reach) {
+        return {};
+    }
     return collideApart(pair, gjk, margin);
 }
 
@@ -113,12 +130,18 @@ Manifold collideByGjk(const PairView& pair, double margin) {
 /// left with closest vertices.
 Manifold collideSharp(const PairView& pair, double margin) {
     const FaceAxis faceA = bestFaceOfA(pair);
-    if (faceA.separation > margin) { return {}; }
+    if (faceA.separation > margin) {
+        return {};
+    }
     const FaceAxis faceB = bestFaceOfB(pair);
-    if (faceB.separation > margin) { return {}; }
+    if (faceB.separation > margin) {
+        return {};
+    }
     const bool isApart = faceA.separation > 0 || faceB.separation > 0;
     const bool takeA = prefersA(pair, faceA, faceB, isApart ? 0 : kFacePreference);
-    if (isApart && !(takeA ? faceA : faceB).isOverFace) { return collideByGjk(pair, margin); }
+    if (isApart && !(takeA ? faceA : faceB).isOverFace) {
+        return collideByGjk(pair, margin);
+    }
     const Manifold manifold =
         takeA ? clipAgainstA(pair, faceA.face, margin, 0) : clipAgainstB(pair, faceB.face, margin, 0);
     return manifold.count > 0 ? manifold : collideByGjk(pair, margin);
@@ -133,7 +156,9 @@ Manifold collideCores(const PairView& pair, double margin) {
 
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin) {
     const RescaledPair scaled(a, b, bInA);
-    if (!scaled.isNeeded()) { return collideCores(PairView(a, b, bInA), static_cast<double>(margin)); }
+    if (!scaled.isNeeded()) {
+        return collideCores(PairView(a, b, bInA), static_cast<double>(margin));
+    }
     Polygon scaledA = scaled.a();
     Polygon scaledB = scaled.b();
     scaledA.radius = scaled.scaled(a.radius);

@@ -5,8 +5,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Sine of the angle up to which a corner counts as flat and a direction as the segment's own normal. The separation along
-/// the normal then differs from the distance by 2⁻²¹ of it.
+/// Sine of the angle up to which a corner counts as flat and a direction as the segment's own normal. The separation
+/// along the normal then differs from the distance by 2⁻²¹ of it.
 constexpr double kSeamAngle = 0x1p-10;
 
 /// As in manifold.cpp: the segment's own face wins against a face of B that is better by less.
@@ -21,16 +21,18 @@ struct Corner {
 };
 
 Corner cornerBetween(bool exists, DVec2 firstEdge, DVec2 secondEdge, DVec2 neighbourEdge) {
-    if (!exists || !(dot(neighbourEdge, neighbourEdge) >= std::numeric_limits<double>::min())) { return {}; }
+    if (!exists || !(dot(neighbourEdge, neighbourEdge) >= std::numeric_limits<double>::min())) {
+        return {};
+    }
     const double turn = cross(firstEdge, secondEdge);
     const bool isConvex = turn > kSeamAngle * length(firstEdge) * length(secondEdge);
     return {isConvex ? CornerKind::convex : CornerKind::flatOrConcave, unitOf(rightPerp(neighbourEdge))};
 }
 
 enum class NormalVerdict : std::uint8_t {
-    own,      ///< the segment's own normal, or to be turned to it
-    admitted, ///< between the own normal and what the end leaves open
-    refused,  ///< belongs to the neighbour, or comes from behind
+    own,       ///< the segment's own normal, or to be turned to it
+    admitted,  ///< between the own normal and what the end leaves open
+    refused,   ///< belongs to the neighbour, or comes from behind
 };
 
 /// A segment prepared for one query.
@@ -42,12 +44,17 @@ struct ChainFace {
     /// @param normal  unit, from the segment to B.
     NormalVerdict judge(DVec2 normal) const {
         const double along = dot(normal, face.tangent);
-        if (std::fabs(along) <= kSeamAngle && dot(normal, face.normal) > 0) { return NormalVerdict::own; }
+        if (std::fabs(along) <= kSeamAngle && dot(normal, face.normal) > 0) {
+            return NormalVerdict::own;
+        }
         const Corner& corner = along < 0 ? atStart : atEnd;
         switch (corner.kind) {
-            case CornerKind::open: return dot(normal, face.normal) >= 0 ? NormalVerdict::admitted : NormalVerdict::refused;
-            case CornerKind::flatOrConcave: return NormalVerdict::own;
-            case CornerKind::convex: break;
+            case CornerKind::open:
+                return dot(normal, face.normal) >= 0 ? NormalVerdict::admitted : NormalVerdict::refused;
+            case CornerKind::flatOrConcave:
+                return NormalVerdict::own;
+            case CornerKind::convex:
+                break;
         }
         // The normals lie in the order: neighbour's at the start, own, neighbour's at the end, counter-clockwise.
         const double beyond = cross(normal, corner.neighbourNormal) * (along < 0 ? 1 : -1);
@@ -69,7 +76,9 @@ ChainFace prepare(const PairView& pair, const ChainSegment& s) {
 /// The vertex mean of B's core: inside it, and exactly the centre of boxes, segments and circles.
 DVec2 centerOfB(const PairView& pair) {
     DVec2 sum;
-    for (int i = 0; i < pair.b.count; ++i) { sum += pair.localB(i); }
+    for (int i = 0; i < pair.b.count; ++i) {
+        sum += pair.localB(i);
+    }
     return pair.toA((1.0 / pair.b.count) * sum) + pair.translation;
 }
 
@@ -99,7 +108,9 @@ int bestAdmittedFace(const PairView& pair, const ChainFace& chain, double toBeat
     int best = -1;
     for (int i = 0; i < faceCount(pair.b); ++i) {
         const DVec2 normal = pair.normalB(i);
-        if (chain.judge(-normal) != NormalVerdict::admitted) { continue; }
+        if (chain.judge(-normal) != NormalVerdict::admitted) {
+            continue;
+        }
         const DVec2 start = pair.vertexB(i);
         const double p = dot(normal, pair.vertexA(0) - start);
         const double q = dot(normal, pair.vertexA(1) - start);
@@ -120,16 +131,21 @@ Manifold collideCrossing(const PairView& pair, const ChainFace& chain, double ma
     const int faceB = bestAdmittedFace(pair, chain, own + kFacePreference * chain.face.length);
     if (faceB >= 0) {
         const Manifold manifold = clipOnFaceOfB(pair, faceB, margin);
-        if (manifold.count > 0) { return manifold; }
+        if (manifold.count > 0) {
+            return manifold;
+        }
     }
     return clipOnSegment(pair, chain, margin);
 }
 
 Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkResult& gjk, double margin) {
     switch (chain.judge(gjk.normal)) {
-        case NormalVerdict::own: return clipOnSegment(pair, chain, margin);
-        case NormalVerdict::refused: return {};
-        case NormalVerdict::admitted: break;
+        case NormalVerdict::own:
+            return clipOnSegment(pair, chain, margin);
+        case NormalVerdict::refused:
+            return {};
+        case NormalVerdict::admitted:
+            break;
     }
     if (pair.b.count > 1) {
         const DVec2 direction = pair.toB(-gjk.normal);
@@ -138,7 +154,9 @@ Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkRe
             cross(pair.localNormalB(edge), direction) * cross(pair.localNormalB(edge), direction) <=
                 static_cast<double>(kEpsilon)) {
             const Manifold manifold = clipOnFaceOfB(pair, edge, margin);
-            if (manifold.count > 0) { return manifold; }
+            if (manifold.count > 0) {
+                return manifold;
+            }
         }
     }
     return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
@@ -147,11 +165,17 @@ Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkRe
 
 Manifold collideChain(const ChainSegment& segment, const PairView& pair, double margin) {
     const ChainFace chain = prepare(pair, segment);
-    if (dot(chain.face.normal, centerOfB(pair) - chain.face.start) < 0) { return {}; }
+    if (dot(chain.face.normal, centerOfB(pair) - chain.face.start) < 0) {
+        return {};
+    }
     const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
     const GjkResult gjk = closestFeatures(pair, nullptr);
-    if (gjk.outcome == GjkOutcome::touching) { return collideCrossing(pair, chain, margin); }
-    if (gjk.distance > reach) { return {}; }
+    if (gjk.outcome == GjkOutcome::touching) {
+        return collideCrossing(pair, chain, margin);
+    }
+    if (gjk.distance > reach) {
+        return {};
+    }
     return collideBeside(pair, chain, gjk, margin);
 }
 
@@ -160,9 +184,13 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin) {
     const Polygon core = polygonOf(a);
     const RescaledPair scaled(core, b, bInA, {a.before, a.after});
-    if (!scaled.isNeeded()) { return collideChain(a, PairView(core, b, bInA), static_cast<double>(margin)); }
+    if (!scaled.isNeeded()) {
+        return collideChain(a, PairView(core, b, bInA), static_cast<double>(margin));
+    }
     ChainSegment segment = a;
-    for (Vec2* v : {&segment.before, &segment.p, &segment.q, &segment.after}) { *v = scaled.scaled(*v); }
+    for (Vec2* v : {&segment.before, &segment.p, &segment.q, &segment.after}) {
+        *v = scaled.scaled(*v);
+    }
     Polygon scaledA = scaled.a();
     Polygon scaledB = scaled.b();
     scaledA.radius = scaled.scaled(a.radius);

@@ -44,14 +44,18 @@ int edgeFacing(const Polygon& polygon, DVec2 direction) {
 }
 
 IncidentEdge incidentOfA(const PairView& pair, DVec2 normal) {
-    if (pair.a.count == 1) { return {pair.vertexA(0), pair.vertexA(0), 0, 0, 0, true}; }
+    if (pair.a.count == 1) {
+        return {pair.vertexA(0), pair.vertexA(0), 0, 0, 0, true};
+    }
     const int edge = edgeFacing(pair.a, -normal);
     const int next = pair.a.next(edge);
     return {pair.vertexA(edge), pair.vertexA(next), edge, edge, next, false};
 }
 
 IncidentEdge incidentOfB(const PairView& pair, DVec2 normal) {
-    if (pair.b.count == 1) { return {pair.vertexB(0), pair.vertexB(0), 0, 0, 0, true}; }
+    if (pair.b.count == 1) {
+        return {pair.vertexB(0), pair.vertexB(0), 0, 0, 0, true};
+    }
     const int edge = edgeFacing(pair.b, pair.toB(-normal));
     const int next = pair.b.next(edge);
     return {pair.vertexB(edge), pair.vertexB(next), edge, edge, next, false};
@@ -70,7 +74,9 @@ ClippedEdge clip(const ReferenceFace& face, const IncidentEdge& edge, double sla
         } else {
             const bool isBefore = along < 0;
             const double bound = isBefore ? 0 : face.length;
-            if (isBefore ? otherAlong <= bound : otherAlong >= bound) { return; }  // nothing of the edge is left here
+            if (isBefore ? otherAlong <= bound : otherAlong >= bound) {
+                return;
+            }  // nothing of the edge is left here
             p.core = vertex + ((bound - along) / (otherAlong - along)) * (other - vertex);
             p.reference = {false, isBefore ? face.startVertex : face.endVertex};
             p.incident = {true, edge.edge};
@@ -79,7 +85,9 @@ ClippedEdge clip(const ReferenceFace& face, const IncidentEdge& edge, double sla
         clipped.points[static_cast<std::size_t>(clipped.count++)] = p;
     };
     add(startAlong, endAlong, edge.start, edge.end, edge.startVertex);
-    if (!edge.isPoint) { add(endAlong, startAlong, edge.end, edge.start, edge.endVertex); }
+    if (!edge.isPoint) {
+        add(endAlong, startAlong, edge.end, edge.start, edge.endVertex);
+    }
     return clipped;
 }
 
@@ -91,7 +99,9 @@ Manifold ManifoldBuilder::build(const ClippedEdge& clipped) const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& p = clipped.points[i];
         const double separation = p.separation - referenceRadius - incidentRadius;
-        if (separation > margin) { continue; }
+        if (separation > margin) {
+            continue;
+        }
         const double toMiddle = 0.5 * (referenceRadius - incidentRadius - p.separation);
         ManifoldPoint& out = manifold.points[static_cast<std::size_t>(manifold.count++)];
         out.point = clampedReal(p.core + toMiddle * referenceNormal);
@@ -107,7 +117,9 @@ Manifold singlePoint(const CorePoints& core, double coreSeparation, DVec2 normal
     const double radiusB = static_cast<double>(b.radius);
     Manifold manifold;
     manifold.normal = clampedReal(normal);
-    if (coreSeparation - radiusA - radiusB > margin) { return manifold; }
+    if (coreSeparation - radiusA - radiusB > margin) {
+        return manifold;
+    }
     manifold.count = 1;
     manifold.points[0].point = clampedReal(core.a + (0.5 * (coreSeparation + radiusA - radiusB)) * normal);
     manifold.points[0].separation = clampedReal(coreSeparation - radiusA - radiusB);

@@ -60,8 +60,8 @@ struct ClippedEdge {
     int count = 0;
 };
 
-/// The part of the incident edge that lies over the reference face. A vertex that sticks out by at most `slack` ≥ 0 metres
-/// still counts as over it.
+/// The part of the incident edge that lies over the reference face. A vertex that sticks out by at most `slack` ≥ 0
+/// metres still counts as over it.
 ClippedEdge clip(const ReferenceFace& face, const IncidentEdge& edge, double slack);
 
 /// Adds the points whose separation, radii included, is at most `margin`.

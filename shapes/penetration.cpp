@@ -6,20 +6,24 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// A point of the incident shape that lies over the reference face [start, start + edge] and as low as `support`. That is
-/// `support` itself, unless its edge is parallel to the face and it sticks out at the side.
+/// A point of the incident shape that lies over the reference face [start, start + edge] and as low as `support`. That
+/// is `support` itself, unless its edge is parallel to the face and it sticks out at the side.
 template <class VertexAt>
 DVec2 overFace(DVec2 start, DVec2 edge, DVec2 normal, const Polygon& incident, int support, const VertexAt& vertexAt) {
     const DVec2 v = vertexAt(support);
     const double along = dot(edge, v - start);
     const double end = dot(edge, edge);
-    if (incident.count < 2 || (along >= 0 && along <= end)) { return v; }
+    if (incident.count < 2 || (along >= 0 && along <= end)) {
+        return v;
+    }
     const DVec2 next = vertexAt(incident.next(support));
     const DVec2 previous = vertexAt(incident.previous(support));
     const DVec2 span = (dot(normal, next - v) < dot(normal, previous - v) ? next : previous) - v;
     const double slope = dot(edge, span);
     const double wanted = (along < 0 ? 0 : end) - along;
-    if (!(wanted * slope > 0)) { return v; }
+    if (!(wanted * slope > 0)) {
+        return v;
+    }
     const double fraction = wanted / slope;
     return v + (fraction < 1 ? fraction : 1) * span;
 }
@@ -35,11 +39,12 @@ CorePoints corePoints(const PairView& pair, const CoreAxis& axis) {
             return {b - gap, b};
         }
         case AxisSource::faceOfB: {
-            const DVec2 a = overFace(pair.vertexB(axis.face), pair.edgeB(axis.face), -axis.normal, pair.a, axis.supportA,
-                                     [&pair](int i) { return pair.vertexA(i); });
+            const DVec2 a = overFace(pair.vertexB(axis.face), pair.edgeB(axis.face), -axis.normal, pair.a,
+                                     axis.supportA, [&pair](int i) { return pair.vertexA(i); });
             return {a, a + gap};
         }
-        case AxisSource::direction: break;
+        case AxisSource::direction:
+            break;
     }
     const DVec2 a = pair.vertexA(axis.supportA);
     return {a, a + gap};

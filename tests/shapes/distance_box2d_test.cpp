@@ -67,8 +67,11 @@ TEST(AgainstBox2d, DistancesAndNormalsAgree) {
         b2Distance(&out, &cache, &input);
         const Distance d = distance(c.a, c.b, c.bInA);
         ASSERT_NEAR(std::max(static_cast<double>(d.distance), 0.0), static_cast<double>(out.distance), 1e-5)
-            << "seed " << seed << "\n" << c;
-        if (out.distance < 0.01F) { continue; }
+            << "seed " << seed << "\n"
+            << c;
+        if (out.distance < 0.01F) {
+            continue;
+        }
         ++apart;
         const b2Vec2 gap = (1 / out.distance) * (out.pointB - out.pointA);
         ASSERT_NEAR(static_cast<double>(d.normal.x), static_cast<double>(gap.x), 1e-3) << "seed " << seed << "\n" << c;
@@ -87,7 +90,9 @@ TEST(AgainstBox2d, ManifoldsOfOverlappingPolygonsAgree) {
         const long double sideA = faceSeparation(pointsA, pointsB);
         const long double sideB = faceSeparation(pointsB, pointsA);
         // Near ties both engines prefer A's face, each within its own tolerance; deep ones have many near ties.
-        if (std::max(sideA, sideB) > -1e-4L || std::fabs(sideA - sideB) < 0.01L || std::max(sideA, sideB) < -0.5L) { continue; }
+        if (std::max(sideA, sideB) > -1e-4L || std::fabs(sideA - sideB) < 0.01L || std::max(sideA, sideB) < -0.5L) {
+            continue;
+        }
         const b2PolygonShape a = toBox2d(c.a);
         const b2PolygonShape b = toBox2d(c.b);
         b2Transform identity;
@@ -101,7 +106,8 @@ TEST(AgainstBox2d, ManifoldsOfOverlappingPolygonsAgree) {
         if (std::hypot(static_cast<double>(ours.normal.x) - static_cast<double>(world.normal.x),
                        static_cast<double>(ours.normal.y) - static_cast<double>(world.normal.y)) > 1e-3) {
             // Two faces of one shape may be equally good.
-            ASSERT_NEAR(static_cast<double>(ours.points[0].separation), static_cast<double>(std::max(sideA, sideB)), 1.0);
+            ASSERT_NEAR(static_cast<double>(ours.points[0].separation), static_cast<double>(std::max(sideA, sideB)),
+                        1.0);
             const Distance d = distance(c.a, c.b, c.bInA);
             ASSERT_NEAR(static_cast<double>(d.distance), static_cast<double>(std::max(sideA, sideB)), 1e-5);
             continue;
@@ -118,15 +124,20 @@ TEST(AgainstBox2d, ManifoldsOfOverlappingPolygonsAgree) {
             deepest = std::min(deepest, ours.points[i].separation);
             isDecided = isDecided && ours.points[i].separation < real(-1e-4);
         }
-        ASSERT_NEAR(static_cast<double>(deepest), static_cast<double>(theirDeepest), 1e-4) << "seed " << seed << "\n" << c;
-        if (!isDecided) { continue; }
+        ASSERT_NEAR(static_cast<double>(deepest), static_cast<double>(theirDeepest), 1e-4) << "seed " << seed << "\n"
+                                                                                           << c;
+        if (!isDecided) {
+            continue;
+        }
         ASSERT_EQ(ours.count, theirs.pointCount) << "seed " << seed << "\n" << c;
         two += ours.count == 2 ? 1 : 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(ours.count); ++i) {
             double nearest = 1e9;
             for (int k = 0; k < theirs.pointCount; ++k) {
-                nearest = std::min(nearest, std::hypot(static_cast<double>(ours.points[i].point.x) - static_cast<double>(world.points[k].x),
-                                                       static_cast<double>(ours.points[i].point.y) - static_cast<double>(world.points[k].y)));
+                nearest = std::min(
+                    nearest,
+                    std::hypot(static_cast<double>(ours.points[i].point.x) - static_cast<double>(world.points[k].x),
+                               static_cast<double>(ours.points[i].point.y) - static_cast<double>(world.points[k].y)));
             }
             ASSERT_LE(nearest, 1e-3) << "seed " << seed << "\n" << c;
         }

@@ -29,8 +29,8 @@ TEST_P(DistanceFamilies, AgreesWithBruteForce) {
         const long double radii = exact(c.a.radius) + exact(c.b.radius);
         const Distance d = distance(c.a, c.b, c.bInA);
         const long double unit = kEps * (scaleOf(c, core) + radii);
-        const long double error = std::max(std::fabs(exact(d.coreDistance) - core),
-                                           std::fabs(exact(d.distance) - (core - radii))) / unit;
+        const long double error =
+            std::max(std::fabs(exact(d.coreDistance) - core), std::fabs(exact(d.distance) - (core - radii))) / unit;
         ASSERT_LE(error, kErrorBound) << "seed " << seed << ", exact " << core << "\n" << c;
         ASSERT_NEAR(static_cast<double>(length(exact(d.normal))), 1, 4 * static_cast<double>(kEps)) << c;
         ASSERT_GE(d.iterations, 1);
@@ -54,7 +54,9 @@ TEST_P(DistanceFamilies, AgreesWithBruteForce) {
     RecordProperty("mostIterations", mostIterations);
     EXPECT_GT(apart, kCases / 8) << "too few pairs apart";
     const bool mayOverlap = GetParam() != PairFamily::farApart && GetParam() != PairFamily::circles;
-    if (mayOverlap) { EXPECT_GT(overlapping, kCases / 50) << "too few overlaps"; }
+    if (mayOverlap) {
+        EXPECT_GT(overlapping, kCases / 50) << "too few overlaps";
+    }
 }
 
 TEST_P(DistanceFamilies, NormalSeparatesAsMuchAsTheDistance) {
@@ -66,10 +68,15 @@ TEST_P(DistanceFamilies, NormalSeparatesAsMuchAsTheDistance) {
         const Point n = exact(d.normal);
         long double highest = -std::numeric_limits<long double>::infinity();
         long double lowest = std::numeric_limits<long double>::infinity();
-        for (const Point p : a) { highest = std::max(highest, dot(n, p)); }
-        for (const Point p : b) { lowest = std::min(lowest, dot(n, p)); }
+        for (const Point p : a) {
+            highest = std::max(highest, dot(n, p));
+        }
+        for (const Point p : b) {
+            lowest = std::min(lowest, dot(n, p));
+        }
         const long double unit = kEps * scaleOf(c, exact(d.coreDistance));
-        ASSERT_LE(std::fabs(lowest - highest - exact(d.coreDistance)) / unit, kErrorBound) << "seed " << seed << "\n" << c;
+        ASSERT_LE(std::fabs(lowest - highest - exact(d.coreDistance)) / unit, kErrorBound) << "seed " << seed << "\n"
+                                                                                           << c;
     }
 }
 
@@ -83,7 +90,9 @@ TEST_P(DistanceFamilies, WarmStartGivesTheSameAnswer) {
         ASSERT_LE(cache.count, 3);
         const long double unit = kEps * (scaleOf(c, exact(first.coreDistance)) + exact(c.a.radius) + exact(c.b.radius));
         const Distance again = distance(c.a, c.b, c.bInA, &cache);
-        ASSERT_LE(std::fabs(exact(again.distance) - exact(first.distance)) / unit, kErrorBound) << "seed " << seed << "\n" << c;
+        ASSERT_LE(std::fabs(exact(again.distance) - exact(first.distance)) / unit, kErrorBound)
+            << "seed " << seed << "\n"
+            << c;
         shorter += again.iterations < first.iterations ? 1 : 0;
         // A cache of another pose, and one that does not even fit, are hints and no more.
         Random random(seed);
@@ -97,12 +106,16 @@ TEST_P(DistanceFamilies, WarmStartGivesTheSameAnswer) {
         cache.count = static_cast<std::uint8_t>(random.integer(0, 255));
         const Distance wild = distance(c.a, c.b, c.bInA, &cache);
         for (const Distance& d : {moved, wild}) {
-            ASSERT_LE(std::fabs(exact(d.distance) - exact(cold.distance)) / unit, 2 * kErrorBound) << "seed " << seed << "\n" << c;
+            ASSERT_LE(std::fabs(exact(d.distance) - exact(cold.distance)) / unit, 2 * kErrorBound)
+                << "seed " << seed << "\n"
+                << c;
         }
     }
     const bool isOnePair = GetParam() == PairFamily::tinyAndHuge || GetParam() == PairFamily::farApart ||
                            GetParam() == PairFamily::circles;
-    if (!isOnePair) { EXPECT_GT(shorter, kCases / 20) << "the cache saves nothing"; }
+    if (!isOnePair) {
+        EXPECT_GT(shorter, kCases / 20) << "the cache saves nothing";
+    }
 }
 
 std::string familyName(const testing::TestParamInfo<PairFamily>& family) {
@@ -117,8 +130,11 @@ TEST(Distance, SwappedShapesGiveTheSameDistance) {
             const Distance ab = distance(c.a, c.b, c.bInA);
             const Distance ba = distance(c.b, c.a, inverse(c.bInA));
             // The inverse pose is itself rounded, and a rounded rotation is not quite of unit length.
-            const long double unit = kEps * (scaleOf(c, exact(ab.coreDistance)) + exact(c.a.radius) + exact(c.b.radius));
-            ASSERT_LE(std::fabs(exact(ab.distance) - exact(ba.distance)) / unit, 2 * kErrorBound) << "seed " << seed << "\n" << c;
+            const long double unit =
+                kEps * (scaleOf(c, exact(ab.coreDistance)) + exact(c.a.radius) + exact(c.b.radius));
+            ASSERT_LE(std::fabs(exact(ab.distance) - exact(ba.distance)) / unit, 2 * kErrorBound)
+                << "seed " << seed << "\n"
+                << c;
         }
     }
 }
@@ -140,19 +156,23 @@ TEST(Distance, MirroredShapesGiveTheSameDistance) {
     for (const PairFamily family : kPairFamilies) {
         for (std::uint64_t seed = 0; seed < 2'000; ++seed) {
             const PairCase c = makePair(family, seed);
-            const PairCase m{mirrored(c.a), mirrored(c.b),
+            const PairCase m{mirrored(c.a),
+                             mirrored(c.b),
                              {{-c.bInA.translation.x, c.bInA.translation.y}, inverse(c.bInA.rotation)}};
             ASSERT_TRUE(c.a.count == 1 || validate(m.a).ok());
             const Distance d = distance(c.a, c.b, c.bInA);
             const Distance e = distance(m.a, m.b, m.bInA);
             const long double unit = kEps * (scaleOf(c, exact(d.coreDistance)) + exact(c.a.radius) + exact(c.b.radius));
-            ASSERT_LE(std::fabs(exact(d.distance) - exact(e.distance)) / unit, kErrorBound) << "seed " << seed << "\n" << c;
+            ASSERT_LE(std::fabs(exact(d.distance) - exact(e.distance)) / unit, kErrorBound) << "seed " << seed << "\n"
+                                                                                            << c;
         }
     }
 }
 
 Polygon scaled(Polygon p, int k) {
-    for (Vec2& v : p.vertices) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k)}; }
+    for (Vec2& v : p.vertices) {
+        v = {std::ldexp(v.x, k), std::ldexp(v.y, k)};
+    }
     p.radius = std::ldexp(p.radius, k);
     return p;
 }
@@ -193,7 +213,9 @@ TEST(Distance, ExhaustionAgreesAndResolvesWhatRoundingStops) {
             const GjkResult gjk = runGjk(pair, nullptr);
             stalled += gjk.outcome == GjkOutcome::stalled ? 1 : 0;
             ASSERT_NE(closestFeatures(pair, nullptr).outcome, GjkOutcome::stalled);
-            if (gjk.outcome != GjkOutcome::apart) { continue; }
+            if (gjk.outcome != GjkOutcome::apart) {
+                continue;
+            }
             ++apart;
             const GjkResult all = closestByExhaustion(pair);
             ASSERT_LE(std::fabs(gjk.distance - all.distance), 4 * gjk.resolution) << "seed " << seed << "\n" << c;
@@ -244,15 +266,20 @@ TEST(Distance, GarbageNeverGivesNaN) {
             r.count = random.integer(1, 4);
             return r;
         };
-        PairCase c{cook(random, recipe()), cook(random, recipe()), randomPose(random, std::pow(10.0, random.range(-most, most)))};
+        PairCase c{cook(random, recipe()), cook(random, recipe()),
+                   randomPose(random, std::pow(10.0, random.range(-most, most)))};
         c.a.radius = random.chance(0.5) ? 0 : real(std::pow(10.0, random.range(-most, most)));
         const Distance d = distance(c.a, c.b, c.bInA);
         ASSERT_TRUE(isFinite(d.distance) && isFinite(d.coreDistance)) << "seed " << seed << "\n" << c;
         ASSERT_TRUE(isFinite(d.pointA) && isFinite(d.pointB)) << "seed " << seed << "\n" << c;
-        ASSERT_NEAR(static_cast<double>(length(exact(d.normal))), 1, 4 * static_cast<double>(kEps)) << "seed " << seed << "\n" << c;
+        ASSERT_NEAR(static_cast<double>(length(exact(d.normal))), 1, 4 * static_cast<double>(kEps))
+            << "seed " << seed << "\n"
+            << c;
         const Penetration p = penetration(c.a, c.b, c.bInA);
         ASSERT_TRUE(isFinite(p.separation) && isFinite(p.pointA) && isFinite(p.pointB)) << "seed " << seed << "\n" << c;
-        ASSERT_NEAR(static_cast<double>(length(exact(p.normal))), 1, 4 * static_cast<double>(kEps)) << "seed " << seed << "\n" << c;
+        ASSERT_NEAR(static_cast<double>(length(exact(p.normal))), 1, 4 * static_cast<double>(kEps))
+            << "seed " << seed << "\n"
+            << c;
     }
 }
 

@@ -16,7 +16,8 @@ struct Slider {
 };
 
 std::vector<Slider> sliders() {
-    const std::array<Vec2, 3> triangle = {Vec2{real(-0.25), real(-0.25)}, Vec2{real(0.25), real(-0.25)}, Vec2{0, real(0.5)}};
+    const std::array<Vec2, 3> triangle = {Vec2{real(-0.25), real(-0.25)}, Vec2{real(0.25), real(-0.25)},
+                                          Vec2{0, real(0.5)}};
     const Polygon box = makeBox({real(0.25), real(0.25)}).value();
     const Polygon capsule = makeCapsule({real(-0.25), 0}, {real(0.25), 0}, real(0.1)).value();
     const Polygon segment = makeSegment({real(-0.25), 0}, {real(0.25), 0}).value();
@@ -41,7 +42,9 @@ std::vector<Slider> sliders() {
 double reachBelow(const Slider& s) {
     double lowest = 0;
     const Rotation q = rotationFromAngle(s.angle);
-    for (const Vec2 v : s.shape.points()) { lowest = std::min(lowest, static_cast<double>(rotate(q, v).y)); }
+    for (const Vec2 v : s.shape.points()) {
+        lowest = std::min(lowest, static_cast<double>(rotate(q, v).y));
+    }
     return static_cast<double>(s.shape.radius) - lowest;
 }
 
@@ -66,16 +69,19 @@ TEST(ChainManifold, NothingCatchesOnFlatSeams) {
                 Real deepest = std::numeric_limits<Real>::max();
                 for (int i = 0; i < chainSegmentCount(static_cast<int>(ground.size()), false); ++i) {
                     const Manifold m = collide(chainSegment(ground, false, 0, i), s.shape, pose, real(0.01));
-                    if (m.count > 0) { ASSERT_EQ(m.normal, (Vec2{0, 1})) << s.name << " at " << step << ", height " << height; }
+                    if (m.count > 0) {
+                        ASSERT_EQ(m.normal, (Vec2{0, 1})) << s.name << " at " << step << ", height " << height;
+                    }
                     for (std::size_t k = 0; k < static_cast<std::size_t>(m.count); ++k) {
                         ++points;
                         deepest = std::min(deepest, m.points[k].separation);
-                        ASSERT_NEAR(static_cast<double>(m.points[k].point.y), static_cast<double>(m.points[k].separation) / 2,
-                                    16 * static_cast<double>(kEps));
+                        ASSERT_NEAR(static_cast<double>(m.points[k].point.y),
+                                    static_cast<double>(m.points[k].separation) / 2, 16 * static_cast<double>(kEps));
                     }
                 }
                 ASSERT_GE(points, 1) << s.name << " at " << step << ", height " << height;
-                ASSERT_NEAR(static_cast<double>(deepest), height, 16 * static_cast<double>(kEps)) << s.name << " at " << step;
+                ASSERT_NEAR(static_cast<double>(deepest), height, 16 * static_cast<double>(kEps))
+                    << s.name << " at " << step;
             }
         }
     }
@@ -95,7 +101,9 @@ TEST(ChainManifold, NothingCatchesOnSlopes) {
                     const ChainSegment segment = chainSegment(ground, false, 0, i);
                     const Manifold m = collide(segment, s.shape, pose, real(0.01));
                     points += m.count;
-                    if (m.count == 0) { continue; }
+                    if (m.count == 0) {
+                        continue;
+                    }
                     ASSERT_LE(length(m.normal - normalOf(segment)), 2 * kEpsilon) << s.name << " at " << step;
                 }
                 ASSERT_GE(points, 1) << s.name << " at " << step;
@@ -138,15 +146,19 @@ TEST(ChainManifold, NormalsAtAConvexCornerStayBetweenTheFaces) {
                 const ChainSegment segment = chainSegment(hill, false, 0, i);
                 const Manifold m = collide(segment, s.shape, pose, real(0.001));
                 points += m.count;
-                if (m.count == 0) { continue; }
+                if (m.count == 0) {
+                    continue;
+                }
                 // Never outside the range between the normals of the neighbours.
                 const Vec2 before = segment.hasBefore ? normalOf(chainSegment(hill, false, 0, i - 1)) : Vec2{1, 0};
-                const Vec2 after = segment.hasAfter ? normalOf(chainSegment(hill, false, 0, i + 1)) : Vec2{-1, real(-0.5)};
+                const Vec2 after =
+                    segment.hasAfter ? normalOf(chainSegment(hill, false, 0, i + 1)) : Vec2{-1, real(-0.5)};
                 ASSERT_LE(static_cast<double>(cross(m.normal, before)), 1.001 / 1024) << s.name << " at " << step;
                 ASSERT_GE(static_cast<double>(cross(m.normal, after)), -1.001 / 1024) << s.name << " at " << step;
                 atCorner += length(m.normal - normalOf(segment)) > real(0.01) ? 1 : 0;
             }
-            ASSERT_GE(points, 1) << s.name << " at step " << step << ", x " << pose.translation.x << " y " << pose.translation.y;
+            ASSERT_GE(points, 1) << s.name << " at step " << step << ", x " << pose.translation.x << " y "
+                                 << pose.translation.y;
         }
         EXPECT_GT(atCorner, 20) << s.name << " never met a corner";
     }
@@ -178,7 +190,9 @@ TEST(ChainManifold, OnlyTheRightHandSideCollides) {
     for (const Slider& s : sliders()) {
         for (const double y : {-0.02, -0.1, -0.3, -1.0}) {
             double center = 0;  // the vertex mean, for shapes that are not symmetric
-            for (const Vec2 v : s.shape.points()) { center += static_cast<double>(rotate(rotationFromAngle(s.angle), v).y) / s.shape.count; }
+            for (const Vec2 v : s.shape.points()) {
+                center += static_cast<double>(rotate(rotationFromAngle(s.angle), v).y) / s.shape.count;
+            }
             EXPECT_EQ(collide(segment, s.shape, poseAt(0, y - center, s.angle), 2).count, 0) << s.name << " at " << y;
             EXPECT_GE(collide(segment, s.shape, poseAt(0, -y - center, s.angle), 2).count, 1) << s.name << " at " << -y;
         }
