@@ -2,25 +2,22 @@
 
 #include <algorithm>
 
-#include "toi_answer.h"
+#include "method_pair.h"
 
 namespace swept {
 namespace {
 
-double farthestVertex(const CenteredPolygon& body) {
-    return *std::max_element(body.reach.begin(), body.reach.begin() + body.polygon.count);
-}
-
 /// Greatest speed by which turning brings the bodies together, whatever the direction. Metres per unit of fraction.
-double turningApproach(const MovingPair& pair) {
-    return std::fabs(pair.motion.spinA) * farthestVertex(pair.a) + std::fabs(pair.motion.spinB) * farthestVertex(pair.b);
+double turningApproach(const MethodPair& pair) {
+    return std::fabs(pair.motion.spinA) * pair.a.farthest() + std::fabs(pair.motion.spinB) * pair.b.farthest();
 }
 
-/// Greatest approach speed of the centres along the closest direction, from the pose on for `rest`. Their velocity is
+/// Greatest approach speed of the centres along the closest direction, from the pose on to `tMax`. Their velocity is
 /// linear in the fraction, so it is greatest at an end.
-double centersApproach(const PairPose& pose, double rest) {
-    const double now = -dot(pose.distance.normal, pose.velocity);
-    const double end = now - 2 * rest * dot(pose.distance.normal, pose.curvature);
+double centersApproach(const MethodPair& pair, const MethodPose& pose, double tMax) {
+    const DVec2 normal = toDouble(rotate(pose.rotationA, pose.distance.normal));
+    const double now = -dot(normal, pair.motion.velocityAt(pose.fraction));
+    const double end = -dot(normal, pair.motion.velocityAt(tMax));
     return std::max(now, end);
 }
 
@@ -28,26 +25,36 @@ double centersApproach(const PairPose& pose, double rest) {
 
 Toi conservativeAdvancement(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                             const ToiSettings& settings) {
-    const MovingPair pair(a, sweepA, b, sweepB);
+    const MethodPair pair(a, sweepA, b, sweepB);
     SimplexCache cache;
-    PairPose pose = pair.poseAt(0, cache);
-    if (const auto atStart = answerAtStart(pose, sweepA, settings)) { return *atStart; }
+    MethodPose pose = pair.poseAt(0, cache);
+    if (const auto atStart = answerAtStart(pose, sweepA, settings)) {
+        return *atStart;
+    }
 
     const double turning = turningApproach(pair);
     // Half of the tolerance ends the search, the other half is for rounding, as in `timeOfImpact`.
     const double closeEnough = settings.target + 0.5 * settings.tolerance;
     for (int steps = 1; steps <= kMaxAdvancementSteps; ++steps) {
         const double separation = pose.distance.distance;
-        if (separation <= settings.target) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
+        if (separation <= settings.target) {
+            return answerFrom(pose, sweepA, ToiState::hit, steps);
+        }
         const double rest = settings.tMax - pose.fraction;
-        if (!(rest > 0)) { return answerFrom(pose, sweepA, ToiState::separated, steps); }
+        if (!(rest > 0)) {
+            return answerFrom(pose, sweepA, ToiState::separated, steps);
+        }
 
         const double gap = separation - settings.target;
-        const double speed = turning + centersApproach(pose, rest);
+        const double speed = turning + centersApproach(pair, pose, settings.tMax);
         const bool free = speed * rest <= gap;  // nothing more can happen, even from within the band
-        if (!free && separation <= closeEnough) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
+        if (!free && separation <= closeEnough) {
+            return answerFrom(pose, sweepA, ToiState::hit, steps);
+        }
         const double next = free ? settings.tMax : std::min(pose.fraction + gap / speed, settings.tMax);
-        if (!(next > pose.fraction)) { return answerFrom(pose, sweepA, ToiState::failed, steps); }
+        if (!(next > pose.fraction)) {
+            return answerFrom(pose, sweepA, ToiState::failed, steps);
+        }
         pose = pair.poseAt(next, cache);
     }
     return answerFrom(pose, sweepA, ToiState::failed, kMaxAdvancementSteps + 1);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "../shapes/ray_cast.h"
-#include "toi_answer.h"
+#include "method_pair.h"
 
 namespace swept {
 namespace {
@@ -11,18 +11,22 @@ namespace {
 /// Mean of the vertices, from the centre of mass.
 Vec2 middleOf(const Polygon& polygon) {
     Vec2 sum;
-    for (const Vec2 vertex : polygon.points()) { sum += vertex; }
+    for (const Vec2 vertex : polygon.points()) {
+        sum += vertex;
+    }
     return (1.0 / polygon.count) * sum;
 }
 
 /// What part of the path the other body's middle covers before it runs into the shape; 2 when it does not.
 /// @param path  of the middle, world axes, metres.
-double castAgainst(const CenteredPolygon& shape, Rotation rotation, double radius, Vec2 from, Vec2 path) {
+double castAgainst(const MethodBody& shape, Rotation rotation, double radius, Vec2 from, Vec2 path) {
     Polygon grown = shape.polygon;
     grown.radius = radius;
     const Vec2 origin = unrotate(rotation, from);
     const Vec2 direction = unrotate(rotation, path);
-    if (direction == Vec2{}) { return containsPoint(grown, origin) ? 0 : 2; }
+    if (direction == Vec2{}) {
+        return containsPoint(grown, origin) ? 0 : 2;
+    }
     const RayCastHit hit = rayCast(grown, origin, direction, 1);
     return hit.hit ? hit.fraction : 2;
 }
@@ -31,7 +35,7 @@ double castAgainst(const CenteredPolygon& shape, Rotation rotation, double radiu
 
 Toi rayCastToi(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                const ToiSettings& settings) {
-    const MovingPair pair(a, sweepA, b, sweepB);
+    const MethodPair pair(a, sweepA, b, sweepB);
     const Rotation rotationA = pair.motion.rotationA(0);
     const Rotation rotationB = pair.motion.rotationB(0);
     const DVec2 chord = pair.motion.offsetAt(settings.tMax) - pair.motion.start;
@@ -47,7 +51,7 @@ Toi rayCastToi(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, co
     const bool hit = part <= 1;
 
     SimplexCache cache;
-    const PairPose pose = pair.poseAt(hit ? part * settings.tMax : settings.tMax, cache);
+    const MethodPose pose = pair.poseAt(hit ? part * settings.tMax : settings.tMax, cache);
     return answerFrom(pose, sweepA, hit ? ToiState::hit : ToiState::separated, 2);
 }
 

@@ -1,12 +1,12 @@
 #include "speculative.h"
 
-#include "toi_answer.h"
+#include "method_pair.h"
 
 namespace swept {
 namespace {
 
 /// Rate at which the closest points of the start approach along their normal, metres per unit of fraction.
-double approachOf(const MovingPair& pair, const PairPose& start, double tMax) {
+double approachOf(const MethodPair& pair, const MethodPose& start, double tMax) {
     // (offset(tMax) − offset(0)) / tMax
     const DVec2 mean = pair.motion.change + (tMax - 1) * pair.motion.curvature;
     const Vec2 centers = unrotate(start.rotationA, Vec2{mean.x, mean.y});
@@ -19,10 +19,12 @@ double approachOf(const MovingPair& pair, const PairPose& start, double tMax) {
 
 Toi speculativeContact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                        const ToiSettings& settings) {
-    const MovingPair pair(a, sweepA, b, sweepB);
+    const MethodPair pair(a, sweepA, b, sweepB);
     SimplexCache cache;
-    const PairPose start = pair.poseAt(0, cache);
-    if (const auto atStart = answerAtStart(start, sweepA, settings)) { return *atStart; }
+    const MethodPose start = pair.poseAt(0, cache);
+    if (const auto atStart = answerAtStart(start, sweepA, settings)) {
+        return *atStart;
+    }
 
     const double gap = start.distance.distance - settings.target;
     const double approach = approachOf(pair, start, settings.tMax);
