@@ -49,6 +49,7 @@ inline constexpr Range kPositive{0, kNone, true};
 inline constexpr Range kZeroToOne{0, 1, false};
 inline constexpr Range kAtLeastOne{1, kNone, false};
 inline constexpr Range kSubStepRange{1, 1024, false};
+inline constexpr Range kRelaxPassRange{0, 64, false};
 }  // namespace bounds
 
 /// One member of an object of the format.
@@ -183,7 +184,7 @@ inline constexpr auto kFields<SettingsDescription> =
     std::make_tuple(field("dt", &SettingsDescription::dt, units::kTime, bounds::kPositive),
                     field("profile", &SettingsDescription::profile),
                     field("subSteps", &SettingsDescription::subSteps, units::kNumber, bounds::kSubStepRange),
-                    field("relaxPasses", &SettingsDescription::relaxPasses, units::kNumber, bounds::kNotNegative),
+                    field("relaxPasses", &SettingsDescription::relaxPasses, units::kNumber, bounds::kRelaxPassRange),
                     field("continuous", &SettingsDescription::continuous),
                     field("maxImpacts", &SettingsDescription::maxImpacts, units::kNumber, bounds::kAtLeastOne),
                     field("maxSpeed", &SettingsDescription::maxSpeed, units::kSpeed, bounds::kPositive),

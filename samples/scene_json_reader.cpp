@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -239,15 +240,16 @@ private:
     template <class Integer>
     bool readWhole(const Json& value, const Place& place, Integer& number) {
         using Limits = std::numeric_limits<Integer>;
-        const std::string expected =
-            "a whole number from " + std::to_string(Limits::min()) + " to " + std::to_string(Limits::max());
         if (!value.is_number()) {
-            return wrongType(value, place, expected);
+            return wrongType(value, place, "a whole number");
         }
         const double wide = value.get<double>();  // exact for everything in range
-        const bool inRange = wide >= static_cast<double>(Limits::min()) && wide <= static_cast<double>(Limits::max());
-        if (!inRange || wide != static_cast<double>(static_cast<Integer>(wide))) {
-            return fail(place, "must be " + expected + ", not " + shortestNumber(wide));
+        if (std::trunc(wide) != wide) {
+            return fail(place, "must be a whole number, not " + shortestNumber(wide));
+        }
+        if (wide < static_cast<double>(Limits::min()) || wide > static_cast<double>(Limits::max())) {
+            return fail(place, "must be a whole number from " + std::to_string(Limits::min()) + " to " +
+                                   std::to_string(Limits::max()) + ", not " + shortestNumber(wide));
         }
         number = static_cast<Integer>(wide);
         return true;

@@ -88,7 +88,8 @@ std::string_view nearestName(std::string_view word, std::span<const std::string_
         return {};
     }
     std::string_view nearest;
-    std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
+    // Not every letter may be wrong: "z" was not meant to be "x".
+    std::size_t best = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
     for (const std::string_view name : names) {
         const std::size_t distance = editDistance(word, name);
         if (distance < best) {

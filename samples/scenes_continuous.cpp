@@ -8,19 +8,21 @@ namespace swept::scenes {
 using namespace build;
 
 SceneDescription bulletCurtain() {
+    constexpr int kRows = 9;
     SceneDescription scene = build::scene("bullet curtain", {0, 3.9}, 10);
     addFixed(scene, "floor", {0, 0}, {box({8.2, 0.2}, {0, -0.2}), box({8.2, 0.05}, {0, 4})});
-    addFixed(scene, "thin wall", {3, 2}, {box({0.005, 1.95})});          // 1 cm
-    addFixed(scene, "line wall", {5, 0}, {segment({0, 4.05}, {0, 9})});  // no thickness at all
-    for (int row = 0; row < 8; ++row) {
-        const double y = 0.6 + 0.9 * (row % 4) + (row < 4 ? 0.0 : 4.05);
-        const double speed = 25.0 * static_cast<double>(1 << (2 * (row % 4)));  // 25, 100, 400, 1600 m/s
-        for (int i = 0; i < 5; ++i) {
-            const ShapeDescription kinds[] = {circle(0.06), box({0.09, 0.04}), capsule({-0.08, 0}, {0.08, 0}, 0.03)};
-            BodyDescription& bullet = addDynamic(scene, "", {-7.5 + 0.5 * i, y}, {withDensity(kinds[i % 3], 5)});
-            bullet.velocity = {speed, 0};
-            bullet.bullet = true;
-        }
+    addFixed(scene, "thin wall", {3, 2}, {box({0.005, 1.95})});            // 1 cm
+    addFixed(scene, "line wall", {5, 0}, {segment({0, 4.05}, {0, 8.4})});  // no thickness at all
+    // Two closed rooms: who rebounds has further walls to respect.
+    addFixed(scene, "shell", {-8, 0}, {segment({0, 0}, {0, 8.4}), segment({0, 8.4}, {13, 8.4})});
+    for (int i = 0; i < 2 * kRows; ++i) {
+        const int row = i % kRows;
+        const double y = 0.4 + 0.38 * row + (i < kRows ? 0.0 : 4.2);
+        const ShapeDescription kinds[] = {circle(0.1), box({0.16, 0.07}), capsule({-0.13, 0}, {0.13, 0}, 0.05)};
+        const ShapeDescription shape = withRestitution(withDensity(kinds[row % 3], 5), 0.4);
+        BodyDescription& bullet = addDynamic(scene, "", {-7.5, y}, {shape});
+        bullet.velocity = {25.0 * static_cast<double>(1 << (row % 7)), 0};  // 25, 50, … 1600 m/s
+        bullet.bullet = true;
     }
     return scene;
 }

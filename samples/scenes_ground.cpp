@@ -15,7 +15,7 @@ double hill(double x, double at, double height, double width) {
 }
 
 double groundHeight(double x) {
-    return 0.06 * x * x + hill(x, -2.5, 0.35, 0.6) + hill(x, 1.2, 0.5, 0.6) + hill(x, 4.5, 1.1, 0.9);
+    return 0.08 * x * x + hill(x, -2.5, 0.35, 0.6) + hill(x, 1.2, 0.5, 0.6) + hill(x, 4.5, 1.1, 0.9);
 }
 
 }  // namespace
@@ -31,13 +31,12 @@ SceneDescription terrain() {
     }
     ground.push_back({-kEdge, 7});
     addFixed(scene, "ground", {0, 0}, {chain(std::move(ground))});
-    for (int i = 0; i < 9; ++i) {  // a loose row along the slope; they pass through each other, so only the ground acts
-        const double x = -7.6 + 0.85 * i;
+    for (int i = 0; i < 9; ++i) {  // a loose row down the slope; what rolls runs away from what slides
+        const double x = -7.7 + 0.85 * i;
         const double size = 0.24 + 0.03 * (i % 3);
-        const ShapeDescription kinds[] = {withFriction(box({size, size}), 0.05),
-                                          capsule({-size, 0}, {size, 0}, 0.7 * size), circle(size)};
-        BodyDescription& body = addDynamic(scene, "", {x, groundHeight(x) + 1 + 0.1 * i}, {kinds[i % 3]});
-        body.shapes[0].filter.group = -1;
+        const ShapeDescription kinds[] = {withFriction(box({size, size}), 0.02), circle(size),
+                                          withFriction(capsule({-size, 0}, {size, 0}, 0.7 * size), 0.02)};
+        addDynamic(scene, "", {x, groundHeight(x) + 0.8}, {kinds[i % 3]}).velocity = {2.5 + 0.25 * i, -1};
     }
     return scene;
 }

@@ -60,9 +60,9 @@ private:
 }  // namespace
 
 SceneDescription newtonsCradle() {
-    SceneDescription scene = build::scene("Newton's cradle", {0, 3.4}, 8.5);
+    SceneDescription scene = build::scene("Newton's cradle", {0.2, 3.5}, 9);
     addFixed(scene, "beam", {-2.2, 6.6}, {box({3.2, 0.15})});
-    addFixed(scene, "hook", {4, 4.2}, {circle(0.1)});
+    addFixed(scene, "hook", {5.4, 4.2}, {circle(0.1)});
     constexpr double kRadius = 0.45;
     for (int i = 0; i < 5; ++i) {
         const DVec2 top{-4 + 2.002 * kRadius * i, 6.45};  // a hair apart, so that they collide one after the other
@@ -71,15 +71,12 @@ SceneDescription newtonsCradle() {
         addDynamic(scene, "ball" + std::to_string(i), ball, {withFriction(withRestitution(circle(kRadius), 1), 0)});
         rod(scene, "beam", lastBody(scene), top, ball);
     }
-    const DVec2 hook{4, 4.2};
-    const DVec2 elbow = hook + DVec2{1.8, 0};
+    const DVec2 hook{5.4, 4.2};  // out of reach of the last ball
+    const DVec2 elbow = hook + DVec2{1.4, 0};
     addLimb(scene, "upper", hook, elbow, 0.12);
     hinge(scene, "hook", "upper", hook);
-    addLimb(scene, "lower", elbow, elbow + DVec2{0, 1.4}, 0.12);
+    addLimb(scene, "lower", elbow, elbow + DVec2{0, 1.1}, 0.12);
     hinge(scene, "upper", "lower", elbow);
-    for (std::size_t i = scene.bodies.size() - 2; i < scene.bodies.size(); ++i) {
-        scene.bodies[i].shapes[0].filter.mask = 0;  // meets nothing: it reaches as far as the last ball swings
-    }
     return scene;
 }
 

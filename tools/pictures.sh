@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Draws the pictures of the pages anew, into samples/pictures/.
+#   tools/pictures.sh [SWEPT]
+# SWEPT is the command to use, build/release/bin/swept if left out.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+swept="${1:-$root/build/release/bin/swept}"
+[ -x "$swept" ] || fail "$swept is not there: build it with tools/demo.sh, or name another"
+pictures="$root/samples/pictures"
+scratch="$(mktemp -d)"
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$pictures"
+
+# picture SCENE STEP OPTION...: the state after so many steps as SCENE.png.
+picture() {
+    local scene="$1" step="$2"
+    shift 2
+    say "$scene.png"
+    quietly "picture-$scene" "$swept" run "$scene" --steps "$step" --every "$step" --png "$scratch/$scene" \
+        --size 960x540 "$@" || fail "the scene $scene failed"
+    mv "$scratch/$scene/$(printf 'frame_%06d.png' "$step")" "$pictures/$scene.png"
+}
+
+picture bullet-curtain 30 --trails
+picture falling-shapes 54
+picture ragdolls 75
+picture newtons-cradle 120 --trails
+picture terrain 120 --trails
+
+say "dominoes.webp"
+quietly picture-dominoes "$swept" run dominoes --duration 6 --every 4 --webp "$pictures/dominoes.webp" --size 640x360 ||
+    fail "the scene dominoes failed"
