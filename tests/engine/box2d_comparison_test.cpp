@@ -28,7 +28,9 @@ double slidInBox2d(double speed, double friction) {
     fixture.density = 1;
     b2Body* body = world.CreateBody(&def);
     body->CreateFixture(&fixture);
-    for (int i = 0; i < 300; ++i) { world.Step(static_cast<float>(kStep), 8, 3); }
+    for (int i = 0; i < 300; ++i) {
+        world.Step(static_cast<float>(kStep), 8, 3);
+    }
     return static_cast<double>(body->GetPosition().x);
 }
 
@@ -48,7 +50,8 @@ TEST(Box2dComparison, BoxSlidesAsFar) {
             const double exact = speed * speed / (2 * friction * kGravity);
             const std::string name = std::to_string(speed) + " m/s, mu " + std::to_string(friction);
             expectAtMost(name, std::abs(ours - theirs) / exact, 0.06);  // Box2D loses half a step of way
-            EXPECT_LE(std::abs(ours - exact), std::abs(theirs - exact)) << name << ": Box2D is nearer to the closed form";
+            EXPECT_LE(std::abs(ours - exact), std::abs(theirs - exact))
+                << name << ": Box2D is nearer to the closed form";
         }
     }
 }

@@ -47,7 +47,8 @@ TEST(Collision, ObliqueBallsPartAtRightAngles) {
         const DVec2 v2 = (3 * normal.x) * normal;
         const DVec2 v1 = DVec2{3, 0} - v2;
         const std::string name = "offset " + std::to_string(offset) + ": ";
-        // The normal is that of the start of the step, in which the ball moves by up to 0.05 of the distance of the centres.
+        // The normal is that of the start of the step, in which the ball moves by up to 0.05 of the distance of the
+        // centres.
         expectAtMost(name + "first", length(velocityOf(balls.world, first) - v1) / 3, 0.06);
         expectAtMost(name + "second", length(velocityOf(balls.world, second) - v2) / 3, 0.06);
         expectAtMost(name + "right angle",
@@ -67,37 +68,42 @@ TEST(Collision, OpenClusterKeepsItsMomenta) {
     }
     const double speed = 3;  // typical
     double mass = 0;
-    for (const BodyId body : all) { mass += world.mass(body); }
+    for (const BodyId body : all) {
+        mass += world.mass(body);
+    }
     const DVec2 momentum = momentumOf(world, all);
     const double spin = angularMomentumOf(world, all);
     run(world, 300);
     expectAtMost("momentum", length(momentumOf(world, all) - momentum) / (mass * speed), 1e-5);
-    expectAtMost("angular momentum", std::abs(angularMomentumOf(world, all) - spin) / (mass * speed * 4), 2e-2);
+    expectAtMost("angular momentum", std::abs(angularMomentumOf(world, all) - spin) / (mass * speed * 4), 2e-3);
 }
 
 TEST(Collision, RowOfTouchingBallsPassesTheImpactOn) {
     for (const double speed : {1.0, 5.0, 8.0}) {
         Balls balls;
         balls.add({-1.4, 0}, {speed, 0});
-        for (int i = 0; i < 4; ++i) { balls.add({static_cast<double>(i), 0}, {0, 0}); }
+        for (int i = 0; i < 4; ++i) {
+            balls.add({static_cast<double>(i), 0}, {0, 0});
+        }
         runFor(balls.world, 1.2 / speed);
         const std::string name = std::to_string(speed) + " m/s: ";
         expectAtMost(name + "last", 1 - velocityOf(balls.world, balls.all[4]).x / speed, 0.01);
         for (std::size_t i = 0; i < 4; ++i) {
-            expectAtMost(name + "ball " + std::to_string(i), length(velocityOf(balls.world, balls.all[i])) / speed, 0.01);
+            expectAtMost(name + "ball " + std::to_string(i), length(velocityOf(balls.world, balls.all[i])) / speed,
+                         0.01);
         }
     }
 }
 
 /// Largest speed of the last of five balls that hang side by side on rods of 2 m, divided by the speed that the first
 /// one, let go at 45°, has at its lowest point.
-double cradleRatio(double gap, int firsts) {
+double cradleRatio(double gap) {
     const double rod = 2;
     Balls balls(kGravity);
     const BodyId ceiling = must(balls.world.createBody(bodyAt(BodyType::fixed, {})));
     for (int i = 0; i < 5; ++i) {
         const DVec2 pivot{i * (2 * kRadius + gap), rod};
-        const double turn = i < firsts ? -kPi / 4 : 0;
+        const double turn = i == 0 ? -kPi / 4 : 0;
         DistanceJointDef joint;
         joint.base.bodyA = ceiling;
         joint.base.bodyB = balls.add(pivot + turned({0, -rod}, turn), {});
@@ -114,8 +120,8 @@ double cradleRatio(double gap, int firsts) {
 }
 
 TEST(Collision, CradleOnRodsSwings) {
-    expectAtMost("touching", std::abs(cradleRatio(0, 1) - 1), 0.01);
-    expectAtMost("gaps of 1 cm", std::abs(cradleRatio(0.01, 1) - 1), 0.02);
+    expectAtMost("touching", std::abs(cradleRatio(0) - 1), 1e-3);
+    expectAtMost("gaps of 1 cm", std::abs(cradleRatio(0.01) - 1), 5e-3);
 }
 
 }  // namespace

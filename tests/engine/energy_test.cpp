@@ -28,8 +28,8 @@ struct Crowd {
         for (int i = 0; i < 25; ++i) {
             const DVec2 place{1.9 * (i % 5) - 3.8, 1.9 * (i / 5) - 3.8};
             const double direction = random.range(0, 2 * kPi);
-            BodyDef def = dynamicAt(place, toReal(speed * DVec2{std::cos(direction), std::sin(direction)}),
-                                    random.range(-5, 5));
+            BodyDef def =
+                dynamicAt(place, toReal(speed * DVec2{std::cos(direction), std::sin(direction)}), random.range(-5, 5));
             def.angle = random.range(0, 2 * kPi);
             const std::array<Polygon, 3> kinds{circle(0.4), box(0.4, 0.3), box(0.8, 0.08)};
             bodies.push_back(addBody(world, def, kinds[static_cast<std::size_t>(i % 3)], surface));
@@ -48,7 +48,9 @@ struct Growth {
 
 Growth watch(Crowd crowd) {
     Growth growth;
-    for (const BodyId body : crowd.bodies) { growth.kinetic += kineticEnergy(crowd.world, body); }
+    for (const BodyId body : crowd.bodies) {
+        growth.kinetic += kineticEnergy(crowd.world, body);
+    }
     const double start = crowd.energy();
     double lowest = start;
     for (int i = 0; i < 300; ++i) {
@@ -66,32 +68,41 @@ Growth watch(Crowd crowd) {
     return growth;
 }
 
-/// All kinds of surfaces. `growthLimit` is a part of the kinetic energy at the start.
-void expectNoGrowth(double gravity, double speed, std::uint64_t seed, double growthLimit) {
+/// All kinds of surfaces. Limits are parts of the kinetic energy at the start.
+void expectNoGrowth(double gravity, double speed, std::uint64_t seed, double worstLimit, double meanLimit) {
+    double sum = 0;
+    int count = 0;
+    const std::string prefix = "seed " + std::to_string(seed) + " ";
     for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
         for (const double friction : {0.0, 0.3, 1.0}) {
             const Growth growth = watch(Crowd(gravity, restitution, friction, speed, seed));
-            const std::string name = "seed " + std::to_string(seed) + " e " + std::to_string(restitution) + " mu " +
-                                     std::to_string(friction) + ": ";
-            expectAtMost(name + "above start", growth.aboveStart / growth.kinetic, 1e-4);
-            expectAtMost(name + "above lowest", growth.aboveLowest / growth.kinetic, growthLimit);
+            const std::string name =
+                prefix + "e " + std::to_string(restitution) + " mu " + std::to_string(friction) + ": ";
+            expectAtMost(name + "above start", growth.aboveStart / growth.kinetic, 1e-5);
+            expectAtMost(name + "above lowest", growth.aboveLowest / growth.kinetic, worstLimit);
             EXPECT_FALSE(growth.escaped) << name;
-            if (restitution < 1) { EXPECT_GT(growth.lost, 0.1 * growth.kinetic) << name << "too few collisions"; }
+            if (restitution < 1) {
+                EXPECT_GT(growth.lost, 0.1 * growth.kinetic) << name << "too few collisions";
+            }
+            sum += growth.aboveLowest / growth.kinetic;
+            ++count;
         }
     }
+    expectAtMost(prefix + "mean above lowest", sum / count, meanLimit);
 }
 
 /// Without gravity what remains is rounding, and the speed that the soft push out of small overlaps leaves behind.
-TEST(Energy, NeverGrowsWithoutGravity) { expectNoGrowth(0, 3, 1, 1e-3); }
+TEST(Energy, NeverGrowsWithoutGravity) { expectNoGrowth(0, 3, 1, 2e-3, 5e-4); }
 
-/// Under gravity a crowd that has come to rest is also lifted by the push: a body that neighbours hold may sink into the
-/// ground by an eighth of its extent before it is stopped, and m·g times that comes back.
+/// Under gravity never above the start either. Within the run it may come back a little: the push lifts what sank, by
+/// m·g times up to an eighth of the extent; and where a body strikes a row of others that the ground holds, all of them
+/// overlap, and what the push gives each of them adds up (rarely, but then up to a tenth).
 TEST(Energy, NeverGrowsUnderGravity) {
-    expectNoGrowth(kGravity, 3, 2, 0.02);
-    expectNoGrowth(kGravity, 3, 4, 0.02);
+    expectNoGrowth(kGravity, 3, 2, 0.2, 0.02);
+    expectNoGrowth(kGravity, 3, 4, 0.2, 0.02);
 }
 
-TEST(Energy, NeverGrowsInAFastCrowd) { expectNoGrowth(kGravity, 50, 3, 1e-3); }
+TEST(Energy, NeverGrowsInAFastCrowd) { expectNoGrowth(kGravity, 50, 3, 1e-3, 2e-4); }
 
 }  // namespace
 }  // namespace swept::test

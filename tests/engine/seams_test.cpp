@@ -9,15 +9,17 @@ constexpr int kSeams = 200;
 constexpr double kSpan = 0.5;
 
 struct Ride {
-    double lost = 0;   ///< part of the speed
-    double hop = 0;    ///< largest distance from the level it rides at, m
-    double turn = 0;   ///< largest angle, rad
+    double lost = 0;  ///< part of the speed
+    double hop = 0;   ///< largest distance from the level it rides at, m
+    double turn = 0;  ///< largest angle, rad
 };
 
 Ride ride(const Polygon& polygon, double height, double speed) {
     World world = makeWorld();
     std::vector<Vec2> points;  // ground is listed from right to left
-    for (int i = kSeams + 10; i >= -10; --i) { points.push_back(vec(i * kSpan, 0)); }
+    for (int i = kSeams + 10; i >= -10; --i) {
+        points.push_back(vec(i * kSpan, 0));
+    }
     const BodyId ground = must(world.createBody(bodyAt(BodyType::fixed, {})));
     must(world.addChain(ground, points, false, material(0)));
     const BodyId body = addBody(world, dynamicAt({0, height}, vec(speed, 0)), polygon, material(0));
@@ -27,7 +29,9 @@ Ride ride(const Polygon& polygon, double height, double speed) {
         result.hop = std::max(result.hop, std::abs(world.position(body).y - height));
         result.turn = std::max(result.turn, std::abs(world.angle(body)));
         result.lost = std::max(result.lost, 1 - velocityOf(world, body).x / speed);
-        if (result.lost > 0.5) { break; }
+        if (result.lost > 0.5) {
+            break;
+        }
     }
     return result;
 }
@@ -37,8 +41,8 @@ void expectSmooth(const std::string& name, const Polygon& polygon, double height
         const Ride result = ride(polygon, height, speed);
         const std::string at = name + " at " + std::to_string(speed) + " m/s: ";
         expectAtMost(at + "speed lost", result.lost, 1e-3);
-        expectAtMost(at + "hop", result.hop, 0.005);
-        expectAtMost(at + "turn", result.turn, 0.005);
+        expectAtMost(at + "hop", result.hop, 0.002);
+        expectAtMost(at + "turn", result.turn, 0.002);
     }
 }
 

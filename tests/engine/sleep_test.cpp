@@ -105,8 +105,12 @@ TEST(Sensor, ReportsBeginAndEndAndDoesNotCollide) {
                 EXPECT_EQ(event.bodyA, gate);
                 EXPECT_EQ(event.bodyB, ball);
                 const double time = (i - 1 + event.fraction) * kStep;
-                if (event.type == ContactEventType::sensorBegin) { begins.push_back(time); }
-                if (event.type == ContactEventType::sensorEnd) { ends.push_back(time); }
+                if (event.type == ContactEventType::sensorBegin) {
+                    begins.push_back(time);
+                }
+                if (event.type == ContactEventType::sensorEnd) {
+                    ends.push_back(time);
+                }
             }
         }
         ASSERT_EQ(begins.size(), 1U) << speed;

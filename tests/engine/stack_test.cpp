@@ -41,36 +41,44 @@ struct Pile {
 
 TEST(Stack, TwentyBoxesStand) {
     Pile pile;
-    for (int i = 0; i < 20; ++i) { pile.add({0, i + 0.5}); }
+    for (int i = 0; i < 20; ++i) {
+        pile.add({0, i + 0.5});
+    }
     pile.stand();
-    pile.expect("", 0.01, 0.002, 0.05);
+    pile.expect("", 0.002, 0.005, 0.01);
 }
 
 TEST(Stack, TwentyBoxesDroppedIntoPlaceStand) {
     Pile pile;
-    for (int i = 0; i < 20; ++i) { pile.add({0.02 * (i % 2), 1.02 * i + 0.52}); }
+    for (int i = 0; i < 20; ++i) {
+        pile.add({0.02 * (i % 2), 1.02 * i + 0.52});
+    }
     pile.stand();
-    expectAtMost("overlap", pile.overlap, 0.05);
-    expectAtMost("drift", pile.drift, 0.05);
-    expectAtMost("turn", pile.turn, 0.02);
+    expectAtMost("overlap", pile.overlap, 0.005);
+    expectAtMost("drift", pile.drift, 0.02);
+    expectAtMost("turn", pile.turn, 0.002);
 }
 
 TEST(Stack, PyramidStands) {
     Pile pile;
     for (int row = 0; row < 10; ++row) {
-        for (int i = 0; i < 10 - row; ++i) { pile.add({1.05 * (i - 0.5 * (9 - row)), row + 0.5}); }
+        for (int i = 0; i < 10 - row; ++i) {
+            pile.add({1.05 * (i - 0.5 * (9 - row)), row + 0.5});
+        }
     }
     pile.stand();
-    pile.expect("", 0.01, 0.002, 0.02);
+    pile.expect("", 0.001, 0.001, 0.002);
 }
 
 TEST(Stack, HeavyStandsOnLight) {
     for (const int below : {1, 10}) {
         Pile pile;
-        for (int i = 0; i < below; ++i) { pile.add({0, i + 0.5}); }
+        for (int i = 0; i < below; ++i) {
+            pile.add({0, i + 0.5});
+        }
         pile.add({0, below + 0.5}, 10);
         pile.stand();
-        pile.expect("10:1 on " + std::to_string(below) + ": ", 0.01, 0.002, 0.01 * below);
+        pile.expect("10:1 on " + std::to_string(below) + ": ", 0.002, 0.002, 0.001 * below);
     }
 }
 
@@ -85,7 +93,7 @@ TEST(Stack, StackFarFromTheOriginStands) {
     run(world, 600);
     const DVec2 top = world.position(boxes.back()) - far - DVec2{0, 9.5};
     expectAtMost("drift", std::abs(top.x), 0.002);
-    expectAtMost("sag", std::abs(top.y), 0.02);
+    expectAtMost("sag", std::abs(top.y), 0.005);
     expectAtMost("speed", length(velocityOf(world, boxes.back())), 1e-3);
 }
 

@@ -100,7 +100,9 @@ inline Polygon capsule(double halfLength, double radius) {
 }
 
 inline void run(World& world, int steps, double dt = kStep) {
-    for (int i = 0; i < steps; ++i) { must(world.step(dt)); }
+    for (int i = 0; i < steps; ++i) {
+        must(world.step(dt));
+    }
 }
 inline void runFor(World& world, double seconds, double dt = kStep) {
     run(world, static_cast<int>(std::lround(seconds / dt)), dt);
@@ -125,7 +127,9 @@ inline double energyOf(const World& world, std::span<const BodyId> bodies, doubl
 }
 inline DVec2 momentumOf(const World& world, std::span<const BodyId> bodies) {
     DVec2 sum;
-    for (const BodyId body : bodies) { sum += world.mass(body) * velocityOf(world, body); }
+    for (const BodyId body : bodies) {
+        sum += world.mass(body) * velocityOf(world, body);
+    }
     return sum;
 }
 /// About the origin of the world.
@@ -141,9 +145,8 @@ inline double angularMomentumOf(const World& world, std::span<const BodyId> bodi
 /// Depth of the deepest contact point there is, metres; 0 when nothing overlaps.
 inline double deepestOverlap(const World& world) {
     double deepest = 0;
-    world.visitContacts([&](const ContactView& contact) {
-        deepest = std::max(deepest, -static_cast<double>(contact.separation));
-    });
+    world.visitContacts(
+        [&](const ContactView& contact) { deepest = std::max(deepest, -static_cast<double>(contact.separation)); });
     return deepest;
 }
 
