@@ -16,10 +16,11 @@ constexpr double kGoodStep = 1.0 / 64;
 /// Projections of one body's vertices on the axis, relative to the body's centre, and how fast they change when the body
 /// turns by one radian against the axis. The same for every rate at which the axis may turn.
 struct Projections {
-    std::array<double, 8> values{};
-    std::array<double, 8> turns{};
-    int count = 0;
-    double reach = 0;  ///< of the body: bounds the second derivative per squared radian
+    // Without initial values: the first `count` are written at once.
+    std::array<double, kMaxPolygonVertices> values;
+    std::array<double, kMaxPolygonVertices> turns;
+    int count;
+    double reach;  ///< of the body: bounds the second derivative per squared radian
 
     /// Index of the lowest projection after `angle` radians, to first order.
     int lowestAfter(double angle) const {

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "../shapes/distance.h"
+#include "../shapes/gjk_run.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -79,9 +80,11 @@ void MovingPair::moveTo(double fraction, PairPose& pose, SimplexCache& cache) co
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.polygon.count); ++i) {
         pose.turnedB.vertices[i] = rotate(pose.bInA.rotation, b.polygon.vertices[i]);
     }
-    pose.gjk.outcome = GjkOutcome::touching;
+    pose.gjk.outcome = GjkOutcome::stalled;
+    pose.gjk.iterations = 0;
+    pose.gjk.encloses = false;
     if (!isExtreme_) {
-        pose.gjk = closestFeatures(PairView(a.polygon, pose.turnedB, {pose.bInA.translation, {}}), &cache);
+        gjk::run(PairView(a.polygon, pose.turnedB, {pose.bInA.translation, {}}), &cache, pose.gjk);
         remember(pose.gjk, cache);
     }
     if (pose.gjk.outcome == GjkOutcome::apart) {
