@@ -38,7 +38,7 @@ struct BodyDef {
     bool fixedRotation = false;
     bool bullet = false;       ///< reserved for sweeps against dynamic bodies
     bool awake = true;
-    std::optional<ContinuousMode> continuous;  ///< empty: the world's
+    std::optional<ContinuousMode> continuous{};  ///< empty: the world's
     std::uint64_t userData = 0;
 };
 

@@ -26,7 +26,8 @@ struct StepCounters {
     std::uint64_t impacts = 0;         ///< resolved at their own time
     std::uint64_t speedsLimited = 0;   ///< by `maxSpeed`
     std::uint64_t fellAsleep = 0;
-    std::uint64_t wokeUp = 0;
+    std::uint64_t wokeUp = 0;          ///< in the step, and by calls since the one before
+    std::uint64_t putBack = 0;         ///< bodies whose state overflowed: at rest where they were before the step
     std::uint64_t proxiesMoved = 0;    ///< boxes handed to the broadphase anew
 };
 

@@ -13,8 +13,8 @@ struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};
     bool collideConnected = false;
-    std::optional<Real> breakForce;   ///< N; the joint breaks when its reaction over a step is larger
-    std::optional<Real> breakTorque;  ///< N·m
+    std::optional<Real> breakForce{};   ///< N; the joint breaks when its reaction over a step is larger
+    std::optional<Real> breakTorque{};  ///< N·m
     std::uint64_t userData = 0;
 };
 
@@ -33,11 +33,11 @@ struct AngularMotor {
 
 /// A hinge. An empty limit, motor or spring does not exist.
 struct RevoluteJointDef {
-    JointDef base;
+    JointDef base{};
     DVec2 anchor{};
-    std::optional<AngleLimits> limits;
-    std::optional<AngularMotor> motor;
-    std::optional<Spring> spring;  ///< towards the initial relative angle
+    std::optional<AngleLimits> limits{};
+    std::optional<AngularMotor> motor{};
+    std::optional<Spring> spring{};  ///< towards the initial relative angle
 };
 
 struct LengthLimits {
@@ -47,12 +47,12 @@ struct LengthLimits {
 
 /// Rod (neither spring nor limits), rope (limits), spring (spring), or spring within limits.
 struct DistanceJointDef {
-    JointDef base;
+    JointDef base{};
     DVec2 anchorA{};
     DVec2 anchorB{};
-    std::optional<Real> length;  ///< empty: the initial distance of the anchors; greater than 0
-    std::optional<LengthLimits> limits;
-    std::optional<Spring> spring;
+    std::optional<Real> length{};  ///< empty: the initial distance of the anchors; greater than 0
+    std::optional<LengthLimits> limits{};
+    std::optional<Spring> spring{};
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -29,7 +29,7 @@ struct ShapeDef {
     Real friction = Real(0.6);  ///< at least 0
     Real restitution = 0;  ///< 0 … 1
     bool sensor = false;   ///< reports overlaps with kinematic and dynamic shapes, never collides
-    Filter filter;
+    Filter filter{};
     std::uint64_t userData = 0;
 };
 

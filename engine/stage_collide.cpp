@@ -106,12 +106,23 @@ void noticeTouching(WorldState& world, Contact& contact) {
     if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
 }
 
+/// A joint pulls: what is awake and moves wakes what hangs on it.
+void wakeAcrossJoints(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
+        if (!world.joints.isAlive(i)) { continue; }
+        const Joint& joint = world.joints[i];
+        if (disturbs(world, joint.bodyA)) { wake(world, joint.bodyB); }
+        if (disturbs(world, joint.bodyB)) { wake(world, joint.bodyA); }
+    }
+}
+
 }  // namespace
 
 void collideContacts(WorldState& world) {
     world.tasks->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
     });
+    wakeAcrossJoints(world);
     bool anyApart = false;
     for (Contact& contact : world.contacts) {
         noticeTouching(world, contact);

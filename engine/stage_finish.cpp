@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 #include "constraint_builder.h"
@@ -81,9 +82,72 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
     ++world.counters.fellAsleep;
 }
 
+bool isBegin(const ContactEvent& e) {
+    return e.type == ContactEventType::begin || e.type == ContactEventType::sensorBegin;
+}
+
+/// Ends first: what a call between the steps ended may begin again in the step.
 auto eventKey(const ContactEvent& e) {
-    return std::make_tuple(e.fraction, e.shapeA.index, e.shapeB.index, e.type, e.approachSpeed, e.impulse, e.point.x,
-                           e.point.y);
+    return std::make_tuple(e.fraction, e.shapeA.index, e.shapeB.index, isBegin(e), e.type, e.approachSpeed, e.impulse,
+                           e.point.x, e.point.y, e.shapeA.generation, e.shapeB.generation);
+}
+
+bool isChainOrGone(const WorldState& world, ShapeId id) {
+    const Shape* shape = world.shapes.find(id);
+    return shape == nullptr || shape->isChainSegment;
+}
+
+void listChainTouches(WorldState& world) {
+    world.chainTouches.clear();
+    for (const Contact& contact : world.contacts) {
+        const Shape& a = world.shapes[contact.shapeA];
+        const Shape& b = world.shapes[contact.shapeB];
+        if (!contact.touching || (!a.isChainSegment && !b.isChainSegment)) { continue; }
+        world.chainTouches.push_back({a.head, b.head});
+    }
+    std::sort(world.chainTouches.begin(), world.chainTouches.end());
+}
+
+/// Segments by which a pair touches now.
+std::ptrdiff_t touchesNow(const WorldState& world, ShapeId a, ShapeId b) {
+    if (!world.shapes.isValid(a) || !world.shapes.isValid(b)) { return 0; }
+    const auto [first, last] =
+        std::equal_range(world.chainTouches.begin(), world.chainTouches.end(), ChainTouch{a.index, b.index});
+    return last - first;
+}
+
+/// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last.
+void mergeChainEvents(WorldState& world) {
+    const auto startsOrEnds = [](const ContactEvent& e) { return e.type != ContactEventType::hit; };
+    const auto concernsChain = [&](const ContactEvent& e) {
+        return startsOrEnds(e) && (isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB));
+    };
+    if (std::none_of(world.contactEvents.begin(), world.contactEvents.end(), concernsChain)) { return; }
+    listChainTouches(world);
+    const auto pairKey = [](const ContactEvent& e) {
+        return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation);
+    };
+    const auto begin = world.contactEvents.begin();
+    const auto chains = std::partition(begin, world.contactEvents.end(), std::not_fn(concernsChain));
+    std::sort(chains, world.contactEvents.end(), [&](const ContactEvent& a, const ContactEvent& b) {
+        return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
+    });
+    auto keep = chains;
+    for (auto group = chains; group != world.contactEvents.end();) {
+        const auto last = std::find_if(group, world.contactEvents.end(),
+                                       [&](const ContactEvent& e) { return pairKey(e) != pairKey(*group); });
+        const auto begins = std::count_if(group, last, isBegin);
+        const auto ends = (last - group) - begins;
+        const auto now = touchesNow(world, group->shapeA, group->shapeB);
+        const auto before = now - begins + ends;
+        const bool changed = (now > 0) != (before > 0);
+        if (changed) {
+            const bool began = now > 0;
+            *keep++ = *std::find_if(group, last, [&](const ContactEvent& e) { return isBegin(e) == began; });
+        }
+        group = last;
+    }
+    world.contactEvents.erase(keep, world.contactEvents.end());
 }
 
 }  // namespace
@@ -131,6 +195,7 @@ void putToSleep(WorldState& world, double dt) {
 }
 
 void sortEvents(WorldState& world) {
+    mergeChainEvents(world);
     std::sort(world.contactEvents.begin(), world.contactEvents.end(),
               [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); });
     std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {

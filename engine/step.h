@@ -20,6 +20,9 @@ void solveTiedBodies(WorldState& world, Real dt);
 void moveKinematicBodies(WorldState& world, double dt);
 /// Flyers, and fast bodies held at their impacts (stage_continuous.cpp).
 void sweepFastBodies(WorldState& world, double dt);
+/// A body whose state is no number any more, or one too large to compute with (`kLargestNumber`), stays where it was at the
+/// start of the step, at rest, and is counted (stage_guard.cpp). Only inputs at the ends of what can be written do that.
+void putBackOverflown(WorldState& world);
 /// Boxes, breaking joints, sleep, order of events (stage_finish.cpp).
 void moveProxies(WorldState& world);
 void breakJoints(WorldState& world);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "number_range.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -30,8 +31,19 @@ private:
     Clock::time_point last_;
 };
 
+/// Enumerators that were made from numbers may be none.
+Status checkKinds(const WorldSettings& settings) {
+    if (settings.profile > Profile::fast) { return {StatusCode::outOfRange, "profile"}; }
+    if (settings.continuous > ContinuousMode::subStep) { return {StatusCode::outOfRange, "continuous"}; }
+    if (settings.broadphase > BroadphaseKind::bvh) { return {StatusCode::outOfRange, "broadphase"}; }
+    return Status::success();
+}
+
 Status check(const WorldSettings& settings) {
-    if (!isFinite(settings.gravity)) { return {StatusCode::notFinite, "gravity"}; }
+    const Status kinds = checkKinds(settings);
+    if (!kinds.ok()) { return kinds; }
+    const Status gravity = checkNumber(settings.gravity, "gravity");
+    if (!gravity.ok()) { return gravity; }
     if (settings.subSteps < 0 || settings.subSteps > kMaxSubSteps) { return {StatusCode::outOfRange, "subSteps"}; }
     if (settings.relaxPasses < -1 || settings.relaxPasses > kMaxRelaxPasses) {
         return {StatusCode::outOfRange, "relaxPasses"};
@@ -65,9 +77,11 @@ void advance(WorldState& world, double dt) {
     clock.stop(world.stageTimes.islands);
     moveFreeBodies(world, dt);
     solveTiedBodies(world, step);
+    putBackOverflown(world);
     clock.stop(world.stageTimes.solve);
     sweepFastBodies(world, dt);
     moveKinematicBodies(world, dt);
+    putBackOverflown(world);
     clock.stop(world.stageTimes.continuous);
     clearForces(world);
     breakJoints(world);
@@ -102,17 +116,22 @@ void World::setTaskSystem(TaskSystem* tasks) { state_->tasks = tasks != nullptr 
 
 Status World::step(double dt) {
     WorldState& world = *state_;
-    if (!std::isfinite(dt)) { return {StatusCode::notFinite, "dt"}; }
-    if (!(static_cast<Real>(dt) > 0)) { return {StatusCode::notPositive, "dt"}; }
+    const Status number = checkNumber(dt, "dt");
+    if (!number.ok()) { return number; }
+    if (!(dt > 0)) { return {StatusCode::notPositive, "dt"}; }
+    if (!isInRange(1 / dt)) { return {StatusCode::outOfRange, "dt"}; }
     if (world.masslessBodies > 0) { return {StatusCode::missingMass, "body"}; }
-    const std::uint64_t wokenBefore = world.counters.wokeUp;
+    const std::uint64_t wokenBetween = world.counters.wokeUp - world.wokenBySteps;
     world.counters = {};
-    world.counters.wokeUp = wokenBefore;
-    world.contactEvents.clear();
+    world.counters.wokeUp = wokenBetween;
+    const auto reported = static_cast<std::ptrdiff_t>(world.eventsOfStep);
+    world.contactEvents.erase(world.contactEvents.begin(), world.contactEvents.begin() + reported);
     world.jointBreaks.clear();
     world.lostTime.clear();
     world.impactPoses.clear();
     advance(world, dt);
+    world.wokenBySteps = world.counters.wokeUp;
+    world.eventsOfStep = world.contactEvents.size();
     return Status::success();
 }
 

@@ -108,7 +108,8 @@ public:
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
 
     // --- what the last step did
-    /// Sorted by fraction, then by the shapes' ids, then by type.
+    /// Sorted by fraction, then by the shapes' ids, ends before begins. What calls since the step before ended (bodies and
+    /// shapes destroyed or teleported) is among them, at fraction 0; ids may name what is gone. A chain is one shape here.
     std::span<const ContactEvent> contactEvents() const;
     std::span<const JointBreakEvent> jointBreaks() const;
     std::span<const LostTimeEntry> lostTime() const;

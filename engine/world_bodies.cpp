@@ -1,27 +1,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "number_range.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-Status checkFinite(const BodyDef& def) {
-    if (!isFinite(def.position)) { return {StatusCode::notFinite, "position"}; }
-    if (!std::isfinite(def.angle)) { return {StatusCode::notFinite, "angle"}; }
-    if (!isFinite(def.velocity)) { return {StatusCode::notFinite, "velocity"}; }
-    if (!isFinite(def.angularVelocity)) { return {StatusCode::notFinite, "angularVelocity"}; }
-    if (!isFinite(def.linearDamping)) { return {StatusCode::notFinite, "linearDamping"}; }
-    if (!isFinite(def.angularDamping)) { return {StatusCode::notFinite, "angularDamping"}; }
-    if (!isFinite(def.gravityScale)) { return {StatusCode::notFinite, "gravityScale"}; }
-    if (!isFinite(def.mass)) { return {StatusCode::notFinite, "mass"}; }
-    if (!isFinite(def.inertia)) { return {StatusCode::notFinite, "inertia"}; }
+Status checkNumbers(const BodyDef& def) {
+    const auto number = [](Real x, const char* field) { return checkNumber(static_cast<double>(x), field); };
+    for (const Status& status :
+         {checkNumber(def.position, "position"), checkNumber(def.angle, "angle"), checkNumber(def.velocity, "velocity"),
+          number(def.angularVelocity, "angularVelocity"), number(def.linearDamping, "linearDamping"),
+          number(def.angularDamping, "angularDamping"), number(def.gravityScale, "gravityScale"),
+          number(def.mass, "mass"), number(def.inertia, "inertia")}) {
+        if (!status.ok()) { return status; }
+    }
     return Status::success();
 }
 
 Status check(const BodyDef& def) {
-    const Status finite = checkFinite(def);
-    if (!finite.ok()) { return finite; }
+    // Enumerators that were made from numbers may be none.
+    if (def.type > BodyType::dynamic) { return {StatusCode::outOfRange, "type"}; }
+    if (def.continuous.value_or(ContinuousMode::off) > ContinuousMode::subStep) {
+        return {StatusCode::outOfRange, "continuous"};
+    }
+    const Status numbers = checkNumbers(def);
+    if (!numbers.ok()) { return numbers; }
     if (def.linearDamping < 0) { return {StatusCode::negative, "linearDamping"}; }
     if (def.angularDamping < 0) { return {StatusCode::negative, "angularDamping"}; }
     if (def.mass < 0) { return {StatusCode::negative, "mass"}; }
@@ -125,8 +130,9 @@ std::uint64_t World::userData(BodyId id) const {
 Status World::setPose(BodyId id, DVec2 position, double angle) {
     WorldState& world = *state_;
     if (!world.bodies.isValid(id)) { return {StatusCode::staleId, "body"}; }
-    if (!isFinite(position)) { return {StatusCode::notFinite, "position"}; }
-    if (!std::isfinite(angle)) { return {StatusCode::notFinite, "angle"}; }
+    for (const Status& status : {checkNumber(position, "position"), checkNumber(angle, "angle")}) {
+        if (!status.ok()) { return status; }
+    }
     dropContacts(world, id.index);
     wake(world, id.index);
     BodyMotion& motion = world.motions[id.index];
@@ -142,8 +148,9 @@ Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
     const Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (body->def.type == BodyType::fixed) { return {StatusCode::wrongBodyType, "body"}; }
-    if (!isFinite(velocity)) { return {StatusCode::notFinite, "velocity"}; }
-    if (!isFinite(angularVelocity)) { return {StatusCode::notFinite, "angularVelocity"}; }
+    for (const Status& status : {checkNumber(velocity, "velocity"), checkNumber(static_cast<double>(angularVelocity), "angularVelocity")}) {
+        if (!status.ok()) { return status; }
+    }
     wake(world, id.index);
     world.motions[id.index].velocity = velocity;
     world.motions[id.index].angularVelocity = angularVelocity;
@@ -155,8 +162,9 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
     Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    if (!isFinite(force)) { return {StatusCode::notFinite, "force"}; }
-    if (!isFinite(point)) { return {StatusCode::notFinite, "point"}; }
+    for (const Status& status : {checkNumber(force, "force"), checkNumber(point, "point")}) {
+        if (!status.ok()) { return status; }
+    }
     wake(world, id.index);
     body->force += force;
     body->torque += cross(toReal(point - world.motions[id.index].center), force);
@@ -168,7 +176,8 @@ Status World::applyTorque(BodyId id, Real torque) {
     Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    if (!isFinite(torque)) { return {StatusCode::notFinite, "torque"}; }
+    const Status number = checkNumber(static_cast<double>(torque), "torque");
+    if (!number.ok()) { return number; }
     wake(world, id.index);
     body->torque += torque;
     return Status::success();
@@ -179,12 +188,18 @@ Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
     const Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    if (!isFinite(impulse)) { return {StatusCode::notFinite, "impulse"}; }
-    if (!isFinite(point)) { return {StatusCode::notFinite, "point"}; }
-    wake(world, id.index);
+    for (const Status& status : {checkNumber(impulse, "impulse"), checkNumber(point, "point")}) {
+        if (!status.ok()) { return status; }
+    }
     BodyMotion& motion = world.motions[id.index];
-    motion.velocity += body->inverseMass * impulse;
-    motion.angularVelocity += body->inverseInertia * cross(toReal(point - motion.center), impulse);
+    const Vec2 velocity = motion.velocity + body->inverseMass * impulse;
+    const Real spin =
+        motion.angularVelocity + body->inverseInertia * cross(toReal(point - motion.center), impulse);
+    const bool good = isInRange(velocity) && isInRange(static_cast<double>(spin));
+    if (!good) { return {StatusCode::outOfRange, "impulse"}; }
+    wake(world, id.index);
+    motion.velocity = velocity;
+    motion.angularVelocity = spin;
     return Status::success();
 }
 
@@ -200,6 +215,8 @@ Status World::setAwake(BodyId id, bool awake) {
         body->role = BodyRole::idle;
         body->slot = kFixedSlot;
         body->nextAsleep = id.index;
+        body->force = {};  // for the next step, which it does not take part in
+        body->torque = 0;
         world.motions[id.index].velocity = {};
         world.motions[id.index].angularVelocity = 0;
         std::erase(world.awake, id.index);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "constraint_builder.h"
+#include "number_range.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -91,7 +92,8 @@ Result<JointId> World::createJoint(const RevoluteJointDef& def) {
     for (const Status& status : {check(world, def.base), check(def.limits, def.motor), check(def.spring)}) {
         if (!status.ok()) { return status; }
     }
-    if (!isFinite(def.anchor)) { return Status{StatusCode::notFinite, "anchor"}; }
+    const Status anchor = checkNumber(def.anchor, "anchor");
+    if (!anchor.ok()) { return anchor; }
     Joint joint = jointOf(world, JointKind::revolute, def.base, def.anchor, def.anchor);
     joint.revolute = def;
     return insert(world, std::move(joint));
@@ -99,8 +101,9 @@ Result<JointId> World::createJoint(const RevoluteJointDef& def) {
 
 Result<JointId> World::createJoint(const DistanceJointDef& def) {
     WorldState& world = *state_;
-    if (!isFinite(def.anchorA)) { return Status{StatusCode::notFinite, "anchorA"}; }
-    if (!isFinite(def.anchorB)) { return Status{StatusCode::notFinite, "anchorB"}; }
+    for (const Status& status : {checkNumber(def.anchorA, "anchorA"), checkNumber(def.anchorB, "anchorB")}) {
+        if (!status.ok()) { return status; }
+    }
     const Real length = def.length.value_or(static_cast<Real>(swept::length(def.anchorB - def.anchorA)));
     for (const Status& status : {check(world, def.base), check(def.limits, length), check(def.spring)}) {
         if (!status.ok()) { return status; }

@@ -34,6 +34,20 @@ CastHit rayAgainst(const WorldState& world, const Shape& shape, DVec2 origin, Ve
     return hit;
 }
 
+/// A chain has one id, however many of its segments a query meets.
+class ChainsSeen {
+public:
+    bool isNew(const Shape& shape) {
+        if (!shape.isChainSegment) { return true; }
+        if (std::find(heads_.begin(), heads_.end(), shape.head) != heads_.end()) { return false; }
+        heads_.push_back(shape.head);
+        return true;
+    }
+
+private:
+    std::vector<std::uint32_t> heads_;  // asks for memory only where there are chains, and outside of steps
+};
+
 bool isGood(DVec2 origin, Vec2 translation) {
     return isFinite(origin) && isFinite(translation) && translation != Vec2{};
 }
@@ -122,12 +136,11 @@ CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec
 void World::queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<bool(ShapeId)> visit) const {
     const WorldState& world = *state_;
     if (!swept::isValid(box)) { return; }
-    std::uint32_t lastHead = kNoIndex;  // segments of a chain often come in a row
+    ChainsSeen seen;
     world.broadphase->query(box, [&](ProxyId proxy) {
         const Shape& shape = shapeOf(world, proxy);
         const bool overlapping = overlaps(box, boundsOf(shape.polygon, world.motions[shape.body].pose));
-        if (!overlapping || !sees(filter, shape) || shape.head == lastHead) { return true; }
-        lastHead = shape.head;
+        if (!overlapping || !sees(filter, shape) || !seen.isNew(shape)) { return true; }
         return visit(world.shapes.idOf(shape.head));
     });
 }
@@ -136,12 +149,11 @@ void World::overlapShape(const Polygon& polygon, const WorldTransform& pose, con
                          FunctionRef<bool(ShapeId)> visit) const {
     const WorldState& world = *state_;
     if (!validate(polygon).ok() || !isFinite(pose.position)) { return; }
-    std::uint32_t lastHead = kNoIndex;
+    ChainsSeen seen;
     world.broadphase->query(boundsOf(polygon, pose), [&](ProxyId proxy) {
         const Shape& shape = shapeOf(world, proxy);
-        if (!sees(filter, shape) || shape.head == lastHead) { return true; }
-        if (distanceTo(world, shape, polygon, pose).distance > 0) { return true; }
-        lastHead = shape.head;
+        if (!sees(filter, shape) || distanceTo(world, shape, polygon, pose).distance > 0) { return true; }
+        if (!seen.isNew(shape)) { return true; }
         return visit(world.shapes.idOf(shape.head));
     });
 }

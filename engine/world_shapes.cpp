@@ -1,19 +1,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "number_range.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 Status check(const ShapeDef& def) {
-    if (!isFinite(def.density)) { return {StatusCode::notFinite, "density"}; }
+    for (const Status& status : {checkNumber(static_cast<double>(def.density), "density"),
+                                 checkNumber(static_cast<double>(def.friction), "friction")}) {
+        if (!status.ok()) { return status; }
+    }
     if (def.density < 0) { return {StatusCode::negative, "density"}; }
-    if (!isFinite(def.friction)) { return {StatusCode::notFinite, "friction"}; }
     if (def.friction < 0) { return {StatusCode::negative, "friction"}; }
     if (!isFinite(def.restitution)) { return {StatusCode::notFinite, "restitution"}; }
     if (def.restitution < 0 || def.restitution > 1) { return {StatusCode::outOfRange, "restitution"}; }
     return Status::success();
+}
+
+Status checkSize(std::span<const Vec2> points, Real radius, const char* field) {
+    for (const Vec2 point : points) {
+        const Status status = checkNumber(point, field);
+        if (!status.ok()) { return status; }
+    }
+    return checkNumber(static_cast<double>(radius), "radius");
 }
 
 ProxyKind kindOf(const Shape& shape, BodyType type) {
@@ -75,6 +86,8 @@ Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const Shape
     if (!world.bodies.isValid(body)) { return Status{StatusCode::staleId, "body"}; }
     const Status geometry = validate(polygon);
     if (!geometry.ok()) { return geometry; }
+    const Status size = checkSize(polygon.points(), polygon.radius, "vertices");
+    if (!size.ok()) { return size; }
     const Status surface = check(def);
     if (!surface.ok()) { return surface; }
     Shape shape;
@@ -92,6 +105,8 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
     if (world.bodies[body.index].isDynamic()) { return Status{StatusCode::wrongBodyType, "body"}; }
     const Status geometry = validateChain(points, loop, radius);
     if (!geometry.ok()) { return geometry; }
+    const Status size = checkSize(points, radius, "points");
+    if (!size.ok()) { return size; }
     const Status surface = check(def);
     if (!surface.ok()) { return surface; }
     ShapeId head;

@@ -16,6 +16,13 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// A touching pair of which one is a chain, under the ids that the user knows.
+struct ChainTouch {
+    std::uint32_t shapeA = 0;  ///< slots
+    std::uint32_t shapeB = 0;
+    auto operator<=>(const ChainTouch&) const = default;
+};
+
 /// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`.
 struct WorldState {
     WorldSettings settings;
@@ -45,13 +52,15 @@ struct WorldState {
     std::vector<FlightScratch> flightScratch;  ///< one per worker
 
     std::vector<ContactEvent> contactEvents;
+    std::size_t eventsOfStep = 0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
+    std::vector<ChainTouch> chainTouches;  ///< scratch: pairs with a chain that touch, one entry per segment
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
     StepCounters counters;
     StageTimes stageTimes;
     double lastDt = 0;  ///< of the last step, s; predicts how far boxes must reach
-    bool stepping = false;
+    std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 
 // --- bookkeeping shared by the stages (world_bookkeeping.cpp)

@@ -32,6 +32,7 @@ inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::
     {"speedsLimited", &StepCounters::speedsLimited},
     {"fellAsleep", &StepCounters::fellAsleep},
     {"wokeUp", &StepCounters::wokeUp},
+    {"putBack", &StepCounters::putBack},
     {"proxiesMoved", &StepCounters::proxiesMoved},
 });
 static_assert(sizeof(StepCounters) == kCounterNames.size() * sizeof(std::uint64_t), "a counter has no name");

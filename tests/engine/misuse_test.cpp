@@ -1,4 +1,5 @@
 #include <array>
+#include <set>
 
 #include <swept/shapes/hull.h>
 
@@ -31,7 +32,7 @@ public:
 
     void act() {
         const int choice = random_.integer(0, 29);
-        if (choice < 5) { return note(makeBody()); }
+        if (choice < 4) { return note(makeBody()); }
         if (choice < 8) { return note(makeShape()); }
         if (choice < 9) { return note(makeChain()); }
         if (choice < 11) { return note(makeJoint()); }
@@ -61,9 +62,11 @@ public:
         return true;
     }
     std::uint32_t livingBodies() const {
-        std::uint32_t count = 0;
-        for (const BodyId id : known_.bodies) { count += world_.isValid(id) ? 1 : 0; }
-        return count;
+        std::set<std::uint32_t> slots;  // an invented id may be that of a body made later
+        for (const BodyId id : known_.bodies) {
+            if (world_.isValid(id)) { slots.insert(id.index); }
+        }
+        return static_cast<std::uint32_t>(slots.size());
     }
 
 private:
@@ -201,7 +204,7 @@ private:
     }
     Status destroySomething() {
         // Not too crowded: most of the time goes into calls, not into steps.
-        if (world_.bodyCount() > 12 || random_.chance(0.2)) { return world_.destroyBody(any(known_.bodies)); }
+        if (world_.bodyCount() > 10 || random_.chance(0.2)) { return world_.destroyBody(any(known_.bodies)); }
         if (random_.chance(0.5)) { return world_.destroyShape(any(known_.shapes)); }
         return world_.destroyJoint(any(known_.joints));
     }

@@ -1,0 +1,272 @@
+#include <optional>
+
+#include <swept/shapes/chain.h>
+#include <swept/shapes/distance.h>
+#include <swept/shapes/ray_cast.h>
+
+#include "../support/random.h"
+#include "world_support.h"
+
+/// Queries against a walk over all shapes, in random worlds.
+
+namespace swept::test {
+namespace {
+
+/// The test's own list of what it put into the world.
+struct Item {
+    ShapeId id;
+    BodyId body;
+    std::vector<Polygon> parts;  ///< one, or the segments of a chain
+    ShapeDef def;
+};
+
+bool sees(const QueryFilter& query, const ShapeDef& def) {
+    if (def.sensor && !query.sensors) { return false; }
+    return (def.filter.category & query.mask) != 0 && (query.category & def.filter.mask) != 0;
+}
+
+Polygon anyPolygon(Random& random) {
+    switch (random.integer(0, 3)) {
+        case 0: return circle(random.range(0.1, 1));
+        case 1: return capsule(random.range(0.1, 1), random.range(0.05, 0.5));
+        case 2: return must(makeBox(vec(random.range(0.1, 1), random.range(0.1, 1)), {}, random.range(0, 3), real(0.05)));
+        default: return segment(random.range(-1, 0), random.range(-1, 1), random.range(0.1, 1), random.range(-1, 1));
+    }
+}
+
+struct Scenery {
+    World world = makeWorld();
+    std::vector<Item> items;
+    Random random;
+    DVec2 origin;
+
+    Scenery(std::uint64_t seed, DVec2 where) : random(seed), origin(where) {
+        for (int i = 0; i < 30; ++i) { addOne(); }
+        addChain();
+        // Ids of what is gone must not come up again.
+        for (int i = 0; i < 5; ++i) {
+            const auto last = items.end() - 2 - i;
+            must(i % 2 == 0 ? world.destroyShape(last->id) : world.destroyBody(last->body));
+            items.erase(last);
+        }
+        must(world.step(kStep));
+    }
+
+    DVec2 place(double size) { return origin + DVec2{random.range(-size, size), random.range(-size, size)}; }
+
+    void addOne() {
+        BodyDef def = bodyAt(static_cast<BodyType>(random.integer(0, 2)), place(8), random.range(-4, 4));
+        Item item;
+        item.body = must(world.createBody(def));
+        item.parts = {anyPolygon(random)};
+        item.def.sensor = random.chance(0.15);
+        item.def.filter = {1u << random.integer(0, 2), random.chance(0.8) ? 0xFFFFFFFFu : 1u, 0};
+        item.id = must(world.addShape(item.body, item.parts[0], item.def));
+        // A segment alone has no mass.
+        if (def.type == BodyType::dynamic) { must(world.addShape(item.body, circle(0.01), item.def)); }
+        if (def.type == BodyType::dynamic) { item.parts.push_back(circle(0.01)); }
+        items.push_back(item);
+    }
+    void addChain() {
+        Item item;
+        item.body = must(world.createBody(bodyAt(BodyType::fixed, origin, 0.1)));
+        std::vector<Vec2> points;
+        for (int i = 0; i < 8; ++i) { points.push_back(vec(6 - 1.7 * i, random.range(-1, 1))); }
+        item.id = must(world.addChain(item.body, points, false, item.def, real(0.02)));
+        for (int i = 0; i + 1 < static_cast<int>(points.size()); ++i) {
+            item.parts.push_back(polygonOf(chainSegment(points, false, real(0.02), i)));
+        }
+        items.push_back(item);
+    }
+
+    QueryFilter filter() {
+        return {1u << random.integer(0, 2), random.chance(0.7) ? 0xFFFFFFFFu : 3u, random.chance(0.5)};
+    }
+    WorldTransform pose(const Item& item) const {
+        return {world.position(item.body), rotationFromAngle(world.angle(item.body))};
+    }
+
+    /// Bodies with two shapes: the small one in the middle has an id of its own, its body tells.
+    bool isOf(const Item& item, ShapeId id) const { return world.bodyOf(id) == item.body; }
+
+    std::optional<Real> rayFraction(const QueryFilter& query, DVec2 from, Vec2 along) const {
+        std::optional<Real> best;
+        for (const Item& item : items) {
+            if (!sees(query, item.def)) { continue; }
+            for (const Polygon& part : item.parts) {
+                const WorldTransform frame = pose(item);
+                const RayCastHit hit =
+                    rayCast(part, applyInverse(frame, from), unrotate(frame.rotation, along), 1);
+                if (hit.hit && (!best || hit.fraction < *best)) { best = hit.fraction; }
+            }
+        }
+        return best;
+    }
+    Real distanceTo(const Item& item, const Polygon& polygon, const WorldTransform& where) const {
+        Real smallest = std::numeric_limits<Real>::infinity();
+        for (const Polygon& part : item.parts) {
+            smallest = std::min(smallest, distance(part, polygon, relativeTransform(pose(item), where)).distance);
+        }
+        return smallest;
+    }
+    /// Smallest distance over all that the query sees.
+    Real clearance(const QueryFilter& query, const Polygon& polygon, const WorldTransform& where) const {
+        Real smallest = std::numeric_limits<Real>::infinity();
+        for (const Item& item : items) {
+            if (sees(query, item.def)) { smallest = std::min(smallest, distanceTo(item, polygon, where)); }
+        }
+        return smallest;
+    }
+};
+
+/// Near the origin, and where a float could not tell the shapes apart.
+std::vector<DVec2> origins() { return {{0, 0}, {1e5, -3e5}}; }
+
+TEST(Queries, RaysAgreeWithAWalkOverAllShapes) {
+    int hits = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        for (const DVec2 origin : origins()) {
+            Scenery s(seed, origin);
+            for (int i = 0; i < 100; ++i) {
+                const QueryFilter query = s.filter();
+                const DVec2 from = s.place(10);
+                const Vec2 along = toReal(s.place(10) - from);
+                const CastHit hit = s.world.castRay(from, along, query);
+                const std::optional<Real> wanted = s.rayFraction(query, from, along);
+                ASSERT_EQ(hit.hit, wanted.has_value()) << "seed " << seed << " ray " << i;
+                if (!hit.hit) { continue; }
+                ++hits;
+                ASSERT_NEAR(static_cast<double>(hit.fraction), static_cast<double>(*wanted), 16 * static_cast<double>(kEpsilon))
+                    << "seed " << seed << " ray " << i;
+                ASSERT_TRUE(s.world.isValid(hit.shape));
+                ASSERT_EQ(s.world.bodyOf(hit.shape), hit.body);
+                const DVec2 point = from + static_cast<double>(hit.fraction) * toDouble(along);
+                ASSERT_LT(length(hit.point - point), 1e-4) << "seed " << seed << " ray " << i;
+            }
+        }
+    }
+    EXPECT_GT(hits, 1'000);
+}
+
+TEST(Queries, OverlapsAgreeWithAWalkOverAllShapes) {
+    int found = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        for (const DVec2 origin : origins()) {
+            Scenery s(seed, origin);
+            for (int i = 0; i < 50; ++i) {
+                const QueryFilter query = s.filter();
+                const Polygon polygon = anyPolygon(s.random);
+                const WorldTransform where{s.place(8), rotationFromAngle(s.random.range(-4, 4))};
+                std::vector<ShapeId> seen;
+                s.world.overlapShape(polygon, where, query, [&](ShapeId id) {
+                    seen.push_back(id);
+                    return true;
+                });
+                for (const Item& item : s.items) {
+                    const auto count =
+                        std::count_if(seen.begin(), seen.end(), [&](ShapeId id) { return s.isOf(item, id); });
+                    const Real gap = s.distanceTo(item, polygon, where);
+                    if (std::fabs(gap) < real(1e-5)) { continue; }  // may go either way
+                    const bool wanted = sees(query, item.def) && gap <= 0;
+                    ASSERT_EQ(count > 0, wanted) << "seed " << seed << " query " << i << " gap " << gap;
+                    found += wanted ? 1 : 0;
+                }
+                std::sort(seen.begin(), seen.end(), [](ShapeId a, ShapeId b) { return a.index < b.index; });
+                ASSERT_EQ(std::adjacent_find(seen.begin(), seen.end()), seen.end()) << "visited twice";
+            }
+        }
+    }
+    EXPECT_GT(found, 300);
+}
+
+TEST(Queries, BoxesSeeEachShapeOnce) {
+    int found = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Scenery s(seed, {});
+        for (int i = 0; i < 50; ++i) {
+            const QueryFilter query = s.filter();
+            const Vec2 lower = toReal(s.place(8));
+            const Aabb area{lower, lower + vec(s.random.range(0, 5), s.random.range(0, 5))};
+            std::vector<ShapeId> seen;
+            s.world.queryBox(area, query, [&](ShapeId id) {
+                seen.push_back(id);
+                return true;
+            });
+            for (const Item& item : s.items) {
+                bool wanted = false;
+                for (const Polygon& part : item.parts) {
+                    wanted = wanted || overlaps(area, boundsOf(part, s.pose(item)));
+                }
+                wanted = wanted && sees(query, item.def);
+                const bool got = std::any_of(seen.begin(), seen.end(), [&](ShapeId id) { return s.isOf(item, id); });
+                ASSERT_EQ(got, wanted) << "seed " << seed << " query " << i;
+                found += wanted ? 1 : 0;
+            }
+            std::sort(seen.begin(), seen.end(), [](ShapeId a, ShapeId b) { return a.index < b.index; });
+            ASSERT_EQ(std::adjacent_find(seen.begin(), seen.end()), seen.end()) << "visited twice";
+        }
+    }
+    EXPECT_GT(found, 300);
+}
+
+/// A cast that reports a hit stands within the target there, and was clear at every sampled moment before; one that
+/// reports none was clear all the way.
+TEST(Queries, CastShapesStopAtTheFirstThing) {
+    int hits = 0;
+    int misses = 0;
+    int early = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        for (const DVec2 origin : origins()) {
+            Scenery s(seed, origin);
+            for (int i = 0; i < 40; ++i) {
+                const QueryFilter query = s.filter();
+                const Polygon polygon = anyPolygon(s.random);
+                const WorldTransform from{s.place(10), rotationFromAngle(s.random.range(-4, 4))};
+                const Vec2 along = toReal(s.place(10) - from.position);
+                const CastHit hit = s.world.castShape(polygon, from, along, query);
+                const auto at = [&](double t) {
+                    return WorldTransform{from.position + t * toDouble(along), from.rotation};
+                };
+                const double end = hit.hit ? static_cast<double>(hit.fraction) : 1;
+                const Real allowed = real(2e-5);
+                for (int k = 0; k < 64 && end > 0; ++k) {
+                    const double t = end * k / 64;
+                    ASSERT_GT(s.clearance(query, polygon, at(t)), -allowed)
+                        << "seed " << seed << " cast " << i << " passes something at " << t << " of " << end;
+                }
+                (hit.hit ? hits : misses) += 1;
+                if (!hit.hit) { continue; }
+                ASSERT_TRUE(s.world.isValid(hit.shape));
+                ASSERT_EQ(s.world.bodyOf(hit.shape), hit.body);
+                early += s.clearance(query, polygon, at(end)) < real(2e-3) ? 0 : 1;
+            }
+        }
+    }
+    EXPECT_GT(hits, 200);
+    EXPECT_GT(misses, 50);
+    // Slow grazing of slender shapes may use up the budget of the cast, which then stops too early, on the safe side.
+    EXPECT_LE(100 * early, hits) << early << " of " << hits;
+}
+
+TEST(Queries, VisitorsMayStop) {
+    Scenery s(3, {});
+    int calls = 0;
+    s.world.queryBox({vec(-20, -20), vec(20, 20)}, {.sensors = true}, [&](ShapeId) { return ++calls < 3; });
+    EXPECT_EQ(calls, 3);
+}
+
+TEST(Queries, RayVisitorsSeeAllThatIsOnTheRay) {
+    World world = makeWorld();
+    for (int i = 0; i < 5; ++i) { addStatic(world, circle(0.25), {}, {2.0 * i, 0}); }
+    std::vector<double> fractions;
+    world.castRayAll({-1, 0}, vec(20, 0), {}, [&](const CastHit& hit) {
+        fractions.push_back(static_cast<double>(hit.fraction));
+        return Real(1);
+    });
+    std::sort(fractions.begin(), fractions.end());
+    ASSERT_EQ(fractions.size(), 5u);
+    for (std::size_t i = 0; i < 5; ++i) { EXPECT_NEAR(fractions[i], (0.75 + 2.0 * static_cast<double>(i)) / 20, 1e-6); }
+}
+
+}  // namespace
+}  // namespace swept::test
