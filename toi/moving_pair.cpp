@@ -66,15 +66,18 @@ PairPose MovingPair::emptyPose() const {
     PairPose pose;
     pose.turnedB.count = b.polygon.count;
     pose.turnedB.radius = b.polygon.radius;
+    pose.rotationA = motion.rotationA(0);
+    pose.rotationB = motion.rotationB(0);
     return pose;
 }
 
 void MovingPair::moveTo(double fraction, PairPose& pose, SimplexCache& cache) const {
     const auto inA = [&pose](DVec2 world) { return unrotate(pose.rotationA, Vec2{world.x, world.y}); };
     pose.fraction = fraction;
-    pose.rotationA = motion.rotationA(fraction);
+    if (motion.spinA != 0) { pose.rotationA = motion.rotationA(fraction); }
+    if (motion.spinB != 0) { pose.rotationB = motion.rotationB(fraction); }
     pose.bInA.translation = inA(motion.offsetAt(fraction));
-    pose.bInA.rotation = inverse(pose.rotationA) * motion.rotationB(fraction);
+    pose.bInA.rotation = inverse(pose.rotationA) * pose.rotationB;
     pose.velocity = inA(motion.velocityAt(fraction));
     pose.curvature = inA(motion.curvature);
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.polygon.count); ++i) {

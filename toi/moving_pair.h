@@ -29,6 +29,7 @@ struct Closest {
 struct PairPose {
     double fraction = 0;
     Rotation rotationA;  ///< frame of A to world
+    Rotation rotationB;
     Transform bInA;
     Polygon turnedB;  ///< vertices of B turned into the frame of A, about B's centre
     Vec2 velocity;    ///< of B's centre relative to A's, metres per unit of fraction
