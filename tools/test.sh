@@ -35,8 +35,8 @@ run_tests() {
     ctest --test-dir "$root/build/$preset" --parallel "$(nproc)" --output-on-failure --no-tests=error "$@" \
         >"$log" 2>&1 || failed=yes
     # From the first failure on, with the failed test's output; never the list of what passed.
-    grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+: .* Passed )' "$log" |
-        sed -n '/\*\*\*/,$p' | head -n 120 || true
+    grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+: .*( Passed |\*\*\*Skipped ))' "$log" |
+        sed -n '/\*\*\*/,/tests passed/p' | head -n 120 || true
     {
         printf '%s\n' "$title"
         sed -n '/tests passed/p; /^The following tests FAILED/,/^Errors while/p; /^No tests were found/p' "$log"
