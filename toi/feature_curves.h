@@ -32,8 +32,8 @@ inline FeatureFrame swapped(const FeatureFrame& f) {
 
 /// Height of a vertex of the other body above an edge of the owner, minus the level. With d the difference of the
 /// centres, n the edge's normal and r the vertex,
-///     n(t)·d(t) + n(t)·r(t) − const  =  (α + β·t + γ·t²)-terms times cos, sin of ω_owner·t  +  |r|·cos((ω_other −
-///     ω_owner)·t + ψ) + δ
+///     n(t)·d(t) + n(t)·r(t) − const
+///         = Σ (αᵢ + βᵢ·t + γᵢ·t²)·cos(ω_owner·t + φᵢ) + |r|·cos((ω_other − ω_owner)·t + ψ) + δ,   i = x, y,
 /// whose second derivative is within ω_owner²·|d| + 2·|ω_owner|·|v| + 2·|k| + (ω_other − ω_owner)²·|r|.
 class VertexEdgeCurve {
 public:

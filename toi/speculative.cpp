@@ -1,5 +1,7 @@
 #include "speculative.h"
 
+#include <algorithm>
+
 #include "method_pair.h"
 
 namespace swept {
@@ -29,7 +31,7 @@ Toi speculativeContact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygo
     const double gap = start.distance.distance - settings.target;
     const double approach = approachOf(pair, start, settings.tMax);
     const bool stops = approach * settings.tMax > gap;
-    const double fraction = stops ? gap / approach : settings.tMax;
+    const double fraction = stops ? std::min(gap / approach, settings.tMax) : settings.tMax;
     return answerFrom(pair.poseAt(fraction, cache), sweepA, stops ? ToiState::hit : ToiState::separated, 2);
 }
 

@@ -46,10 +46,25 @@ int answerAll(const std::string& path, const Answerer& answer) {
     return answerQueries(file, std::cout, answer);
 }
 
+std::string methodNames() {
+    std::string names;
+    for (const ToiMethodInfo& info : kToiMethods) { names += (names.empty() ? "" : ", ") + std::string(info.name); }
+    return names;
+}
+
+/// One line a method.
+std::string methodHelp() {
+    std::string help = "How [certified]:";
+    for (const ToiMethodInfo& info : kToiMethods) {
+        help += "\n" + std::string(info.name) + ": " + std::string(info.description);
+    }
+    return help;
+}
+
 int answerToi(const QueryArguments& arguments) {
     const std::optional<ToiMethod> method = toiMethodFrom(arguments.method);
     if (!method) {
-        return refuse("--method " + arguments.method + ": must be certified or shapeCast");
+        return refuse("--method " + arguments.method + ": must be one of " + methodNames());
     }
     if (!precisionFrom(arguments.precision)) {
         return refuse("--precision: must be f32 or f64");
@@ -80,7 +95,7 @@ void addQueryCommands(CLI::App& app, int& exitCode) {
     CLI::App* const toi = app.add_subcommand("toi", "Answer time-of-impact queries, one JSON line each");
     const auto toiArguments = std::make_shared<QueryArguments>();
     addFileOption(*toi, *toiArguments);
-    toi->add_option("--method", toiArguments->method, "certified or shapeCast [certified]")->type_name("NAME");
+    toi->add_option("--method", toiArguments->method, methodHelp())->type_name("NAME");
     toi->add_option("--precision", toiArguments->precision, "f32 or f64; the time of impact is in double in both [f64]")
         ->type_name("P");
     toi->callback([toiArguments, &exitCode] { exitCode = answerToi(*toiArguments); });

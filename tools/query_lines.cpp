@@ -73,20 +73,13 @@ ToiSettings settingsOf(const QueryLine& query) {
 
 }  // namespace
 
-std::optional<ToiMethod> toiMethodFrom(std::string_view name) {
-    if (name == "certified") { return ToiMethod::certified; }
-    if (name == "shapeCast") { return ToiMethod::shapeCast; }
-    return {};
-}
-
 LineAnswer answerToiLine(std::string_view line, ToiMethod method) {
     QueryLine query;
     if (const auto error = readQueryLine(line, query)) { return refusal(query.id, *error); }
     const ToiSettings settings = settingsOf(query);
     const Status status = validateToi(query.a, query.sweepA, query.b, query.sweepB, settings);
     if (!status.ok()) { return refusal(query.id, status); }
-    const auto function = method == ToiMethod::shapeCast ? shapeCast : timeOfImpact;
-    const Toi toi = function(query.a, query.sweepA, query.b, query.sweepB, settings);
+    const Toi toi = timeOfImpactBy(method, query.a, query.sweepA, query.b, query.sweepB, settings);
     LineWriter answer(query.id);
     answer.add("state", std::string(nameOf(toi.state)));
     answer.add("t", toi.fraction);

@@ -1,21 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "../samples/runner.h"
+#include "../toi/toi_method.h"
 
 /// The core of `swept toi` and `swept distance`: one JSON line in, one JSON line out.
 
 namespace swept {
-
-/// Ways of finding the time of impact, by their names on the command line: "certified", "shapeCast".
-enum class ToiMethod : std::uint8_t { certified, shapeCast };
-std::optional<ToiMethod> toiMethodFrom(std::string_view name);
 
 struct LineAnswer {
     std::string text;  ///< one JSON object without a line break

@@ -143,6 +143,20 @@ TEST(QueryLines, CastsWithoutRotation) {
     EXPECT_EQ(answerOf(answerToiLine(line.dump(), ToiMethod::shapeCast))["state"], "separated");
 }
 
+TEST(QueryLines, AnswersByEveryMethod) {
+    for (const ToiMethodInfo& info : kToiMethods) {
+        const std::optional<ToiMethod> method = toiMethodFrom(info.name);
+        ASSERT_TRUE(method) << info.name;
+        const LineAnswer answer = answerToiLine(example().dump(), *method);
+        EXPECT_TRUE(answer.good) << info.name;
+        // The ball falls through: all but the last look see it at its surface, on the way.
+        const Json json = answerOf(answer);
+        const bool tunnels = *method == ToiMethod::discrete;
+        EXPECT_EQ(json["state"], tunnels ? "separated" : "hit") << info.name;
+        EXPECT_NEAR(json["t"].get<double>(), tunnels ? 1 : (3 - 0.51) / 6, 0.001 / 6) << info.name;
+    }
+}
+
 TEST(QueryLines, MeasuresDistanceInBothPrecisions) {
     Json line = example();
     line["a"]["sweep"]["c0"] = {1e6 + 0.1, 0};
