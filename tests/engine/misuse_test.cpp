@@ -126,7 +126,8 @@ private:
 
     Polygon good() {
         if (random_.chance(0.5)) { return must(makeCircle({}, real(random_.range(0.1, 1)))); }
-        return must(makeBox(vec(random_.range(0.1, 1), random_.range(0.1, 1))));
+        const double half = random_.range(0.1, 1);
+        return must(makeBox(vec(half, random_.range(0.1, 1))));
     }
     Polygon polygon() {
         if (random_.chance(0.5)) { return good(); }

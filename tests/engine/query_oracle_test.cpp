@@ -25,12 +25,17 @@ bool sees(const QueryFilter& query, const ShapeDef& def) {
     return (def.filter.category & query.mask) != 0 && (query.category & def.filter.mask) != 0;
 }
 
+/// Numbers are drawn one by one: the order of arguments is up to the compiler.
 Polygon anyPolygon(Random& random) {
-    switch (random.integer(0, 3)) {
-        case 0: return circle(random.range(0.1, 1));
-        case 1: return capsule(random.range(0.1, 1), random.range(0.05, 0.5));
-        case 2: return must(makeBox(vec(random.range(0.1, 1), random.range(0.1, 1)), {}, random.range(0, 3), real(0.05)));
-        default: return segment(random.range(-1, 0), random.range(-1, 1), random.range(0.1, 1), random.range(-1, 1));
+    const int kind = random.integer(0, 3);
+    const double a = random.range(0.1, 1);
+    const double b = random.range(0.1, 1);
+    const double c = random.range(-1, 1);
+    switch (kind) {
+        case 0: return circle(a);
+        case 1: return capsule(a, b / 2);
+        case 2: return must(makeBox(vec(a, b), {}, 3 * c, real(0.05)));
+        default: return segment(-a, c, b, -c);
     }
 }
 
@@ -46,7 +51,8 @@ struct Scenery {
         // Ids of what is gone must not come up again.
         for (int i = 0; i < 5; ++i) {
             const auto last = items.end() - 2 - i;
-            must(i % 2 == 0 ? world.destroyShape(last->id) : world.destroyBody(last->body));
+            const bool hasMore = last->parts.size() > 1;
+            must(i % 2 == 0 && !hasMore ? world.destroyShape(last->id) : world.destroyBody(last->body));
             items.erase(last);
         }
         must(world.step(kStep));
@@ -55,7 +61,9 @@ struct Scenery {
     DVec2 place(double size) { return origin + DVec2{random.range(-size, size), random.range(-size, size)}; }
 
     void addOne() {
-        BodyDef def = bodyAt(static_cast<BodyType>(random.integer(0, 2)), place(8), random.range(-4, 4));
+        const DVec2 where = place(8);
+        BodyDef def = bodyAt(static_cast<BodyType>(random.integer(0, 2)), where);
+        def.angle = random.range(-4, 4);
         Item item;
         item.body = must(world.createBody(def));
         item.parts = {anyPolygon(random)};
@@ -186,7 +194,8 @@ TEST(Queries, BoxesSeeEachShapeOnce) {
         for (int i = 0; i < 50; ++i) {
             const QueryFilter query = s.filter();
             const Vec2 lower = toReal(s.place(8));
-            const Aabb area{lower, lower + vec(s.random.range(0, 5), s.random.range(0, 5))};
+            const Vec2 size = toReal(s.place(2.5)) + vec(2.5, 2.5);
+            const Aabb area{lower, lower + size};
             std::vector<ShapeId> seen;
             s.world.queryBox(area, query, [&](ShapeId id) {
                 seen.push_back(id);
@@ -214,7 +223,6 @@ TEST(Queries, BoxesSeeEachShapeOnce) {
 TEST(Queries, CastShapesStopAtTheFirstThing) {
     int hits = 0;
     int misses = 0;
-    int early = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         for (const DVec2 origin : origins()) {
             Scenery s(seed, origin);
@@ -238,14 +246,13 @@ TEST(Queries, CastShapesStopAtTheFirstThing) {
                 if (!hit.hit) { continue; }
                 ASSERT_TRUE(s.world.isValid(hit.shape));
                 ASSERT_EQ(s.world.bodyOf(hit.shape), hit.body);
-                early += s.clearance(query, polygon, at(end)) < real(2e-3) ? 0 : 1;
+                const Real gap = s.clearance(query, polygon, at(end));
+                ASSERT_LT(gap, real(2e-3)) << "seed " << seed << " cast " << i;
             }
         }
     }
     EXPECT_GT(hits, 200);
     EXPECT_GT(misses, 50);
-    // Slow grazing of slender shapes may use up the budget of the cast, which then stops too early, on the safe side.
-    EXPECT_LE(100 * early, hits) << early << " of " << hits;
 }
 
 TEST(Queries, VisitorsMayStop) {
