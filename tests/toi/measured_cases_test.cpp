@@ -1,62 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "oracle.h"
+#include "measured_cases.h"
 
-/// 300 queries of 15 families with certified brackets of the truth (data/toi_cases.jsonl, data/toi_truth.jsonl), among
-/// them those on which root finding along one axis loses hits. A truth row brackets the first time at which the
-/// separation falls to a level: 0 (`contact`), or `target` (`atTarget`). Rows with status "graze" are undecidable.
+/// The measured cases, among them those on which root finding along one axis loses hits.
 
 namespace swept::test {
 namespace {
 
 using Json = nlohmann::json;
-
-struct MeasuredCase {
-    Query query;
-    Json truth;
-    std::string id;
-    std::string family;
-};
-
-DVec2 vectorFrom(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
-
-void readBody(const Json& json, ToiPolygon& polygon, Sweep& sweep) {
-    for (const Json& vertex : json.at("vertices")) {
-        polygon.vertices[static_cast<std::size_t>(polygon.count++)] = vectorFrom(vertex);
-    }
-    polygon.radius = json.at("radius").get<double>();
-    const Json& s = json.at("sweep");
-    sweep.localCenter = vectorFrom(s.at("localCenter"));
-    sweep.c0 = vectorFrom(s.at("c0"));
-    sweep.c1 = vectorFrom(s.at("c1"));
-    sweep.a0 = s.at("a0").get<double>();
-    sweep.a1 = s.at("a1").get<double>();
-}
-
-std::vector<MeasuredCase> readCases() {
-    std::ifstream cases(SWEPT_TOI_DATA "/toi_cases.jsonl");
-    std::ifstream truths(SWEPT_TOI_DATA "/toi_truth.jsonl");
-    std::vector<MeasuredCase> result;
-    std::string line;
-    std::string truthLine;
-    while (std::getline(cases, line) && std::getline(truths, truthLine)) {
-        const Json json = Json::parse(line);
-        MeasuredCase measured;
-        readBody(json.at("a"), measured.query.a, measured.query.sweepA);
-        readBody(json.at("b"), measured.query.b, measured.query.sweepB);
-        measured.truth = Json::parse(truthLine);
-        measured.id = json.at("id").get<std::string>();
-        measured.family = json.at("family").get<std::string>();
-        result.push_back(std::move(measured));
-    }
-    return result;
-}
 
 Toi askAt(const MeasuredCase& measured, double target, double tolerance) {
     Query query = measured.query;
@@ -106,7 +61,7 @@ int judge(const MeasuredCase& measured, const Json& first, double level, double 
 class MeasuredCases : public ::testing::TestWithParam<double> {};
 
 TEST_P(MeasuredCases, AreAnsweredRight) {
-    const std::vector<MeasuredCase> cases = readCases();
+    const std::vector<MeasuredCase> cases = readMeasuredCases();
     ASSERT_EQ(cases.size(), 300U);
     std::map<std::string, int> scored;
     int mostIterations = 0;
@@ -133,7 +88,7 @@ TEST_P(MeasuredCases, AreAnsweredRight) {
 INSTANTIATE_TEST_SUITE_P(Tolerances, MeasuredCases, ::testing::Values(1e-2, 1e-4, 1e-6));
 
 TEST(MeasuredCasesAsIs, AtTheirTargetTheHitIsWithinTheBand) {
-    for (const MeasuredCase& measured : readCases()) {
+    for (const MeasuredCase& measured : readMeasuredCases()) {
         Query query = measured.query;
         query.settings.target = measured.truth.at("target").get<double>();
         query.settings.tolerance = 0.00125;
