@@ -37,7 +37,10 @@ public:
 
     /// Nothing also when the budget ran out: look there before trusting it.
     std::optional<double> earliest(double from, double to) {
-        return earliestBetween(sample(from), sample(to), kMaxHalvings);
+        const CurveSample start = sample(from);
+        // At the level already, on either side of it by rounding: what leads away from here may have no other root.
+        if (std::fabs(start.value) <= curve_.resolution() && !isOutside(start) && curve_.accepts(from)) { return from; }
+        return earliestBetween(start, sample(to), kMaxHalvings);
     }
 
 private:

@@ -96,6 +96,19 @@ TEST(ToiMethodLaws, BruteForceStopsAtTheRootItself) {
     EXPECT_GT(exact, 0.99 * hits);
 }
 
+TEST(ToiMethodLaws, BruteForceSeesWhatStartsARoundingAboveTheTarget) {
+    int hits = 0;
+    overAllFamilies([&](Query q) {
+        const double start = separationAt(q.a, q.sweepA, q.b, q.sweepB, 0).separation;
+        if (!(start > 0)) { return; }
+        q.settings.target = std::nextafter(start, 0);
+        const Toi toi = by(ToiMethod::bruteForce, q);
+        ASSERT_TRUE(judge(q, toi, ToiMethod::certified).isRight());
+        hits += toi.state == ToiState::hit ? 1 : 0;
+    });
+    EXPECT_GT(hits, 800);
+}
+
 TEST(ToiMethodLaws, ShapeCastIsRightWithoutRotation) {
     int hits = 0;
     overAllFamilies([&](const Query& q) {
