@@ -1,12 +1,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "commands.h"
 #include "query_lines.h"
+#include "toi_families.h"
 
 namespace swept {
 namespace {
@@ -15,6 +17,12 @@ struct QueryArguments {
     std::string file;
     std::string method = "certified";
     std::string precision = "f64";
+};
+
+struct GenerateArguments {
+    std::string family;
+    int count = 100;
+    std::uint64_t seed = 1;
 };
 
 using Answerer = std::function<LineAnswer(std::string_view)>;
@@ -84,6 +92,43 @@ int answerDistance(const QueryArguments& arguments) {
                      [precision](std::string_view line) { return answerDistanceLine(line, *precision); });
 }
 
+std::string familyNames() {
+    std::string names;
+    for (const ToiFamily family : kToiFamilies) {
+        names += (names.empty() ? "" : ", ") + std::string(nameOf(family));
+    }
+    return names;
+}
+
+int generateToi(const GenerateArguments& arguments) {
+    const std::optional<ToiFamily> family = toiFamilyFrom(arguments.family);
+    if (!family) {
+        return refuse("--generate " + arguments.family + ": must be one of " + familyNames());
+    }
+    const std::string start = arguments.family + '-' + std::to_string(arguments.seed) + '-';
+    for (int index = 0; index < arguments.count && std::cout; ++index) {
+        const ToiQuery query = makeToiCase(*family, arguments.seed, static_cast<std::uint64_t>(index));
+        std::cout << queryLine(query, start + std::to_string(index), arguments.family) << '\n';
+    }
+    return kExitDone;
+}
+
+/// Options that print queries instead of answering them. @return the one that asks for it
+CLI::Option* addGenerateOptions(CLI::App& toi, GenerateArguments& arguments) {
+    CLI::Option* const generate =
+        toi.add_option("--generate", arguments.family, "Print queries of a family: " + familyNames())
+            ->type_name("FAMILY");
+    toi.add_option("--count", arguments.count, "How many [100]")
+        ->type_name("N")
+        ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+        ->needs(generate);
+    toi.add_option("--seed", arguments.seed, "The same seed gives the same queries [1]")
+        ->type_name("S")
+        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+        ->needs(generate);
+    return generate;
+}
+
 void addFileOption(CLI::App& command, QueryArguments& arguments) {
     command.add_option("file", arguments.file, "Queries, one JSON object a line; standard input if left out")
         ->type_name("FILE");
@@ -98,7 +143,14 @@ void addQueryCommands(CLI::App& app, int& exitCode) {
     toi->add_option("--method", toiArguments->method, methodHelp())->type_name("NAME");
     toi->add_option("--precision", toiArguments->precision, "f32 or f64; the time of impact is in double in both [f64]")
         ->type_name("P");
-    toi->callback([toiArguments, &exitCode] { exitCode = answerToi(*toiArguments); });
+    const auto generateArguments = std::make_shared<GenerateArguments>();
+    CLI::Option* const generate = addGenerateOptions(*toi, *generateArguments);
+    for (const char* const answering : {"file", "--method", "--precision"}) {
+        generate->excludes(toi->get_option(answering));
+    }
+    toi->callback([toiArguments, generateArguments, generate, &exitCode] {
+        exitCode = generate->count() > 0 ? generateToi(*generateArguments) : answerToi(*toiArguments);
+    });
 
     CLI::App* const distance = app.add_subcommand("distance", "Answer distance queries (poses at fraction 0)");
     const auto distanceArguments = std::make_shared<QueryArguments>();

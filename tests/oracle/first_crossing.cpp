@@ -54,9 +54,11 @@ Crossing firstCrossing(const MovingPair& pair, double level, double from, double
         }
         const bool last = span >= result.hi - result.lo;
         const double end = last ? result.hi : result.lo + span;
-        if (!(end > result.lo)) {
+        // As fine as doubles are, or as is asked for: to creep on by roundings would take the whole budget.
+        const double finest = result.state == CrossingState::found ? 0.25 * settings.resolution : 0;
+        if (!(end - result.lo > finest)) {
             break;
-        }  // as fine as doubles are
+        }
         const double middle = result.lo + 0.5 * (end - result.lo);
         const PlainSeparation guess = pair.guess(middle);
         ++result.pieces;

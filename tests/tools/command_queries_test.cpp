@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "run_program.h"
 
@@ -39,6 +40,33 @@ TEST(CommandQueries, ABadLineIsAnsweredInItsPlace) {
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_NE(result.out.find("\"error\""), std::string::npos);
     EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 3);
+}
+
+TEST(CommandQueries, GeneratesQueriesThatItCanAnswer) {
+    const std::vector<std::string> generate = {"toi", "--generate", "ca_worst", "--count", "20", "--seed", "7"};
+    const auto queries = runSwept(generate);
+    ASSERT_EQ(queries.exitCode, 0) << queries.err;
+    EXPECT_EQ(std::count(queries.out.begin(), queries.out.end(), '\n'), 20);
+    const auto first = nlohmann::json::parse(queries.out.substr(0, queries.out.find('\n')));
+    EXPECT_EQ(first.at("id"), "ca_worst-7-0");
+    EXPECT_EQ(first.at("family"), "ca_worst");
+    EXPECT_EQ(runSwept(generate).out, queries.out) << "the same seed, the same queries";
+    EXPECT_NE(runSwept({"toi", "--generate", "ca_worst", "--count", "20"}).out, queries.out);
+
+    const auto answers = runSwept({"toi"}, queries.out);
+    ASSERT_EQ(answers.exitCode, 0) << answers.err;
+    const auto answer = nlohmann::json::parse(answers.out.substr(0, answers.out.find('\n')));
+    EXPECT_EQ(answer.at("id"), "ca_worst-7-0");
+    EXPECT_EQ(answer.at("tolerance"), first.at("tolerance")) << "every digit survives";
+}
+
+TEST(CommandQueries, GeneratesOnlyWhatItKnows) {
+    const auto unknown = runSwept({"toi", "--generate", "nonsense"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.err.find("ca_worst"), std::string::npos) << "the families are named";
+    EXPECT_EQ(runSwept({"toi", "--generate", "generic", "--method", "certified"}).exitCode, 2);
+    EXPECT_EQ(runSwept({"toi", "--generate", "generic", "--count", "-1"}).exitCode, 2);
+    EXPECT_EQ(runSwept({"toi", "--count", "5"}).exitCode, 2);
 }
 
 }  // namespace
