@@ -27,7 +27,7 @@ void fillCommon(Constraint& constraint, const WorldState& world, const Joint& jo
     constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
     constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
     constraint.centerOffset = centerOffset(world, joint);
-    constraint.softness = softnessOfSubStep(kJointDampingRatio, h);
+    constraint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h);
     constraint.source = source;
 }
 

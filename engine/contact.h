@@ -30,4 +30,12 @@ struct Contact {
     bool isSolid() const { return !sensor && manifold.count > 0; }
 };
 
+/// @pre there is a point
+inline Real deepestSeparation(const Manifold& manifold) {
+    const Real first = manifold.points[0].separation;
+    if (manifold.count < 2) { return first; }
+    const Real second = manifold.points[1].separation;
+    return second < first ? second : first;
+}
+
 }  // namespace swept::inline SWEPT_PRECISION

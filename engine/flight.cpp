@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "constraint_builder.h"
+#include "ghosts.h"
 #include "sweep_obstacles.h"
 #include "tolerances.h"
 
@@ -138,6 +139,33 @@ void report(Flight& flight, const ContactConstraint& constraint) {
          .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
 }
 
+/// Drops the constraints that another one's normal shows to be ghosts (ghosts.h).
+void dropGhosts(Flight& flight) {
+    const auto isHidden = [&flight](const ContactConstraint& hidden, const ContactConstraint& stands) {
+        if (&hidden == &stands || dot(hidden.normal, stands.normal) > kSameNormal) { return false; }
+        const FlightObstacle& obstacle = flight.scratch.obstacles[hidden.source];
+        const Shape& other = flight.world.shapes[obstacle.other];
+        const Sweep otherSweep = obstacleSweep(flight.world, other.body, flight.elapsed, flight.dt);
+        const WorldTransform pose = motionAt(otherSweep, 0, flight.world.bodies[other.body].localCenter).pose;
+        const auto slop = static_cast<Real>(targetOf(flight.world, obstacle));
+        return separationAlong(other.polygon, pose, flight.world.shapes[obstacle.own].polygon, flight.motion.pose,
+                               stands.normal) >= -slop;
+    };
+    std::vector<ContactConstraint>& all = flight.scratch.constraints;
+    for (const int count : {1, 2}) {
+        for (std::size_t i = 0; i < all.size();) {
+            const bool ghost = all[i].count == count && std::any_of(all.begin(), all.end(), [&](const auto& stands) {
+                                   return isHidden(all[i], stands);
+                               });
+            if (ghost) {
+                all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+            } else {
+                ++i;
+            }
+        }
+    }
+}
+
 /// All contacts of this moment together: approaching velocities are reflected, slow ones stopped.
 void resolveHere(Flight& flight) {
     FlightScratch& scratch = flight.scratch;
@@ -149,6 +177,7 @@ void resolveHere(Flight& flight) {
     for (std::size_t i = 0; i < scratch.obstacles.size(); ++i) {
         addConstraint(flight, scratch.obstacles[i], static_cast<std::uint32_t>(i));
     }
+    dropGhosts(flight);
     if (scratch.constraints.empty()) { return; }
     scratch.states[kFlyerSlot].velocity = flight.motion.velocity;
     scratch.states[kFlyerSlot].angularVelocity = flight.motion.angularVelocity;

@@ -23,6 +23,7 @@ struct FlightObstacle {
 struct FlightScratch {
     std::vector<FlightObstacle> obstacles;
     std::vector<std::uint32_t> found;
+    std::vector<Vec2> normals;
     std::vector<BodyState> states;
     std::vector<BodyInertia> inertias;
     std::vector<ContactConstraint> constraints;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "../shapes/distance.h"
+#include "ghosts.h"
 #include "step.h"
 #include "tolerances.h"
 
@@ -14,16 +15,34 @@ bool isMoving(const WorldState& world, const Contact& contact) {
     return world.bodies[contact.bodyA].awake || world.bodies[contact.bodyB].awake;
 }
 
+/// The old point that a new one continues: of the same features, else the nearest within a part of the extent (clipping
+/// may name a point after either of two vertices that stand at the same place).
+int predecessorOf(const ManifoldPoint& point, const Contact& before) {
+    const auto& old = before.manifold.points;
+    const int count = before.manifold.count;
+    for (int i = 0; i < count; ++i) {
+        if (old[static_cast<std::size_t>(i)].id == point.id) { return i; }
+    }
+    int nearest = -1;
+    Real least = square(kSamePlaceRatio * before.extent);
+    for (int i = 0; i < count; ++i) {
+        const Real away = lengthSquared(old[static_cast<std::size_t>(i)].point - point.point);
+        if (away < least) {
+            nearest = i;
+            least = away;
+        }
+    }
+    return nearest;
+}
+
 void carryImpulses(const Contact& before, Contact& now) {
     now.normalImpulse = {};
     now.tangentImpulse = {};
     for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
-        for (std::size_t j = 0; j < static_cast<std::size_t>(before.manifold.count); ++j) {
-            if (before.manifold.points[j].id != now.manifold.points[i].id) { continue; }
-            now.normalImpulse[i] = before.normalImpulse[j];
-            now.tangentImpulse[i] = before.tangentImpulse[j];
-            break;
-        }
+        const int old = predecessorOf(now.manifold.points[i], before);
+        if (old < 0) { continue; }
+        now.normalImpulse[i] = before.normalImpulse[static_cast<std::size_t>(old)];
+        now.tangentImpulse[i] = before.tangentImpulse[static_cast<std::size_t>(old)];
     }
 }
 
@@ -50,12 +69,6 @@ void updateContact(const WorldState& world, Contact& contact) {
     contact.manifold = manifoldOf(a, b, bInA, contactReach(world, a) + contactReach(world, b));
     carryImpulses(before, contact);
     contact.totalImpulse = {};
-}
-
-Real deepestSeparation(const Manifold& manifold) {
-    Real deepest = manifold.points[0].separation;
-    if (manifold.count == 2) { deepest = std::min(deepest, manifold.points[1].separation); }
-    return deepest;
 }
 
 bool isTouching(const Contact& contact) {
@@ -122,6 +135,7 @@ void collideContacts(WorldState& world) {
     world.tasks->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
     });
+    dropGhosts(world);
     wakeAcrossJoints(world);
     bool anyApart = false;
     for (Contact& contact : world.contacts) {

@@ -79,7 +79,7 @@ Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& bat
 }
 
 void addContacts(WorldState& world, Real dt, Real h) {
-    const Softness softness = softnessOfSubStep(kContactDampingRatio, h);
+    const Softness softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, h);
     for (std::size_t i = 0; i < world.contacts.size(); ++i) {
         Contact& contact = world.contacts[i];
         if (!isSolved(world, contact)) { continue; }

@@ -8,7 +8,7 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Pairs of boxes that began to overlap become contacts (stage_pairs.cpp).
 void findPairs(WorldState& world);
-/// Manifolds of all contacts with something awake; begin and end of touching; wakes what is touched (stage_collide.cpp).
+/// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is touched (stage_collide.cpp).
 void collideContacts(WorldState& world);
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
 void assignRoles(WorldState& world, Real dt);

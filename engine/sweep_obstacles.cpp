@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ghosts.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -79,6 +80,11 @@ StartContact contactAtStart(const WorldState& world, const FlightObstacle& obsta
         contact.deepest = std::min(contact.deepest, manifold.points[i].separation);
     }
     return contact;
+}
+
+/// How far a body may sink into what the solver holds it off, metres.
+double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
+    return targetOf(world, obstacle) * static_cast<double>(kSlackRatio / kTargetRatio);
 }
 
 /// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
@@ -166,6 +172,7 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
 }
 
 void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch) {
+    scratch.normals.clear();
     for (FlightObstacle& obstacle : scratch.obstacles) {
         const Shape& own = world.shapes[obstacle.own];
         const Shape& other = world.shapes[obstacle.other];
@@ -173,7 +180,21 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
         const Real margin = contactReach(world, own) + contactReach(world, other);
         const StartContact contact = contactAtStart(world, obstacle, sweep, otherSweep, margin);
         if (!contact.touches) { continue; }
-        obstacle.lift = static_cast<double>(kSlackRatio * std::min(own.extent, other.extent)) * toDouble(contact.normal);
+        obstacle.lift = slackOf(world, obstacle) * toDouble(contact.normal);
+        scratch.normals.push_back(contact.normal);
+    }
+    // Ground flush with what the body stands on: the same slack along the same normal, or its side would stop the body.
+    const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
+    for (FlightObstacle& obstacle : scratch.obstacles) {
+        if (obstacle.lift != DVec2{}) { continue; }
+        const Shape& other = world.shapes[obstacle.other];
+        for (const Vec2 normal : scratch.normals) {
+            const Real clear = separationAlong(other.polygon, world.motions[other.body].pose,
+                                               world.shapes[obstacle.own].polygon, pose, normal);
+            if (static_cast<double>(clear) < -targetOf(world, obstacle)) { continue; }
+            obstacle.lift = slackOf(world, obstacle) * toDouble(normal);
+            break;
+        }
     }
 }
 

@@ -13,6 +13,8 @@ inline constexpr Real kToleranceRatio = kTargetRatio / 4;
 /// Contacts begin below 2 and end above 4 targets: resting jitter and the TOI's own band lie below the first.
 inline constexpr Real kBeginRatio = 2 * kTargetRatio;
 inline constexpr Real kEndRatio = 4 * kTargetRatio;
+/// A contact point this part of the extent away from an old one, of other features, takes over its impulses.
+inline constexpr Real kSamePlaceRatio = Real(1) / 32;
 /// A body is fast when some point of it may move more than this part of its extent in the step.
 inline constexpr Real kFastRatio = Real(1) / 4;
 /// Contact points are made ahead of time up to the motion of a step, but no farther than this part of the extent (what

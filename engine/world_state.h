@@ -41,6 +41,8 @@ struct WorldState {
     std::vector<ProxyPair> newPairs;
 
     std::vector<Contact> contacts;
+    std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
+    std::vector<std::uint32_t> nextGroundContact;   ///< by contact
     PairTable pairs;  ///< of shape slots that have a contact
 
     SolverBatch batch;

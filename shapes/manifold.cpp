@@ -14,6 +14,9 @@ constexpr double kFacePreference = 0x1p-10;
 /// face normal is the distance, up to one rounding of `Real` (the cosine differs from 1 by half its square).
 const double kFaceAngle = std::sqrt(static_cast<double>(kEpsilon));
 
+/// Cosine of the angle (about 1/8) up to which an edge lies across the line between two closest vertices.
+constexpr double kFlatCosine = 1 - 0x1p-7;
+
 ManifoldBuilder builderFor(const PairView& pair, double margin, bool referenceIsA, DVec2 normal) {
     return {static_cast<double>(pair.a.radius), static_cast<double>(pair.b.radius), margin, referenceIsA, normal};
 }
@@ -81,6 +84,46 @@ bool isAsDeepAs(const Manifold& manifold, double separation) {
     return false;
 }
 
+/// The end of an edge that is not `vertex`; the edge is that of the polygon whose normal is closest to `direction`.
+struct EdgeEnd {
+    bool isFlat = false;  ///< the edge lies across the direction within `kFlatCosine`, and begins or ends at the vertex
+    int vertex = 0;
+};
+
+EdgeEnd otherEnd(const Polygon& polygon, DVec2 direction, int vertex) {
+    const int edge = edgeFacing(polygon, direction);
+    const int next = polygon.next(edge);
+    const bool isFlat = dot(toDouble(polygon.normals[static_cast<std::size_t>(edge)]), direction) >= kFlatCosine;
+    return {isFlat && (edge == vertex || next == vertex), edge == vertex ? next : edge};
+}
+
+/// Two vertices are closest, but edges that lie nearly across the normal begin there and run side by side: where the
+/// shorter one ends is a second point. Without it a rounded box that hangs over another by a hair would rest on one point.
+void addSecondPoint(const PairView& pair, const GjkResult& gjk, double margin, Manifold& manifold) {
+    const int vertexA = gjk.simplex[0].a;
+    const int vertexB = gjk.simplex[0].b;
+    const EdgeEnd endA = otherEnd(pair.a, gjk.normal, vertexA);
+    const EdgeEnd endB = otherEnd(pair.b, pair.toB(-gjk.normal), vertexB);
+    if (!endA.isFlat || !endB.isFlat) { return; }
+    const DVec2 edgeA = pair.spanA(vertexA, endA.vertex);
+    const DVec2 edgeB = pair.spanB(vertexB, endB.vertex);
+    const DVec2 tangent = leftPerp(gjk.normal);
+    const double alongA = dot(tangent, edgeA);
+    const double alongB = dot(tangent, edgeB);
+    if (!(alongA * alongB > 0)) { return; }
+    const bool endsA = std::fabs(alongA) <= std::fabs(alongB);
+    const DVec2 onA = pair.vertexA(vertexA) + (endsA ? 1 : alongB / alongA) * edgeA;
+    const DVec2 onB = pair.vertexB(vertexB) + (endsA ? alongA / alongB : 1) * edgeB;
+    const double gap = dot(gjk.normal, onB - onA);
+    const double radiusA = static_cast<double>(pair.a.radius);
+    const double radiusB = static_cast<double>(pair.b.radius);
+    if (gap - radiusA - radiusB > margin) { return; }
+    ManifoldPoint& point = manifold.points[static_cast<std::size_t>(manifold.count++)];
+    point.point = clampedReal(onA + (0.5 * (gap + radiusA - radiusB)) * gjk.normal);
+    point.separation = clampedReal(gap - radiusA - radiusB);
+    point.id = featureId({false, endsA ? endA.vertex : vertexA}, {false, endsA ? vertexB : endB.vertex});
+}
+
 /// Cores that are apart: clip where the closest direction is a face's normal, else one point between the vertices.
 Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin) {
     const double slack = 2 * kFaceAngle * gjk.distance;
@@ -110,8 +153,11 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
             }
         }
     }
-    return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal, vertexPair(gjk),
-                       pair.a, pair.b, margin);
+    Manifold manifold = singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
+                                    vertexPair(gjk), pair.a, pair.b, margin);
+    const bool areVertices = gjk.count == 1 && pair.a.count > 1 && pair.b.count > 1;
+    if (areVertices && manifold.count == 1) { addSecondPoint(pair, gjk, margin, manifold); }
+    return manifold;
 }
 
 Manifold collideByGjk(const PairView& pair, double margin) {

@@ -182,7 +182,7 @@ private:
         contact.friction = number(0, 1);
         contact.restitution = random_.chance(0.4) ? Real(0) : number(0, 1);
         contact.maxPushSpeed = 4;
-        contact.softness = softnessOfSubStep(kContactDampingRatio, h_);
+        contact.softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, h_);
         contact.count = random_.integer(1, 2);
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
             ContactConstraintPoint& point = contact.points[i];
@@ -209,7 +209,7 @@ private:
         joint.maxMotorImpulse = number(0, 0.1);
         joint.hasSpring = random_.chance(0.5);
         joint.spring = softnessOf(number(1, 20), number(0, 1), h_);
-        joint.softness = softnessOfSubStep(kJointDampingRatio, h_);
+        joint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h_);
         joint.linearImpulse = vector(0.1);
         batch.revolutes.push_back(joint);
     }
@@ -226,7 +226,7 @@ private:
         joint.hasLimits = random_.chance(0.5);
         joint.minLength = number(0, 2);
         joint.maxLength = number(2, 4);
-        joint.softness = softnessOfSubStep(kJointDampingRatio, h_);
+        joint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h_);
         batch.distances.push_back(joint);
     }
 

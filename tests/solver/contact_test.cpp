@@ -40,7 +40,7 @@ struct BoxOnPlane {
         c.normal = normal();
         c.friction = friction;
         c.maxPushSpeed = 4;
-        c.softness = softnessOfSubStep(kContactDampingRatio, h());
+        c.softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, h());
         c.count = 2;
         for (std::size_t i = 0; i < 2; ++i) {
             const Vec2 arm = turned(box.angle, i == 0 ? -0.5 : 0.5, -0.5);
@@ -196,7 +196,7 @@ TEST(Contact, BouncesAtTheSubStepInWhichItMeets) {
         contact.normal = {0, 1};
         contact.restitution = real(0.5);
         contact.maxPushSpeed = 4;
-        contact.softness = softnessOfSubStep(kContactDampingRatio, h);
+        contact.softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, h);
         contact.count = 1;
         contact.points[0].anchorB = {0, real(-0.5)};
         contact.points[0].anchorA = {0, real(ball.y - 0.5)};

@@ -37,7 +37,7 @@ struct JointScene {
         RevoluteConstraint joint;
         joint.slotA = a;
         joint.slotB = b;
-        joint.softness = softnessOfSubStep(kJointDampingRatio, h());
+        joint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h());
         revolutes.push_back(joint);
         revoluteAnchors.push_back(anchors);
         return revolutes.back();
@@ -46,7 +46,7 @@ struct JointScene {
         DistanceConstraint joint;
         joint.slotA = a;
         joint.slotB = b;
-        joint.softness = softnessOfSubStep(kJointDampingRatio, h());
+        joint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h());
         distances.push_back(joint);
         distanceAnchors.push_back(anchors);
         return distances.back();

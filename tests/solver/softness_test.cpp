@@ -41,11 +41,11 @@ TEST(Softness, OneImpulseIsOneImplicitStepOfTheSpringForAnyWarmStart) {
 
 TEST(Softness, RigidStopsTheSpeedAndIgnoresTheError) { EXPECT_EQ(scalarChange(4, 3, 100, 7, kRigid), -12); }
 
-TEST(Softness, OfTheSubStepIsAQuarterOfItsRate) {
+TEST(Softness, OfTheSubStepFollowsItsRate) {
     for (const Real h : {real(1.0 / 240), real(1.0 / 960), real(0.25)}) {
-        const double omega = 2 * std::acos(-1.0) / (4 * static_cast<double>(h));
+        const double omega = 2 * std::acos(-1.0) * static_cast<double>(kContactCycles) / static_cast<double>(h);
         const Softness direct = softnessOf(real(omega), kContactDampingRatio, h);
-        const Softness named = softnessOfSubStep(kContactDampingRatio, h);
+        const Softness named = softnessOfSubStep(kContactCycles, kContactDampingRatio, h);
         EXPECT_NEAR(named.biasRate, direct.biasRate, 4 * kEpsilon * direct.biasRate);
         EXPECT_NEAR(named.massScale, direct.massScale, 4 * kEpsilon);
         EXPECT_NEAR(named.impulseScale, direct.impulseScale, 4 * kEpsilon);
