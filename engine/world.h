@@ -23,7 +23,8 @@ struct WorldState;
 /// A world of rigid bodies, advanced in fixed steps.
 ///
 /// Every call that takes input checks it first and changes nothing when it refuses (see `Status`). Getters of a stale id
-/// return a default value (zeros, false). One thread at a time; queries may run at the same time as each other.
+/// return a default value (zeros, false). One thread at a time; queries may run at the same time as each other. What a query
+/// or `visitContacts` calls back must not change the world. A world that was moved from may only be assigned to or destroyed.
 /// The same calls give the same bits on every machine, compiler and number of threads.
 class World {
 public:
@@ -86,8 +87,8 @@ public:
     bool isValid(JointId id) const;
     /// How far the joint is from holding at the present poses: gap of the anchors, or violation of rod or limits. Metres.
     Real jointError(JointId id) const;
-    Vec2 jointForce(JointId id) const;   ///< on B, mean over the last step, N
-    Real jointTorque(JointId id) const;  ///< on B, mean over the last step, N·m
+    Vec2 jointForce(JointId id) const;   ///< on B, in the last sub-step, N
+    Real jointTorque(JointId id) const;  ///< on B, in the last sub-step, N·m
     std::uint32_t jointCount() const;
 
     // --- queries, at the present poses

@@ -21,9 +21,8 @@ enum class StatusCode : std::uint8_t {
     tooFewVertices,   ///< fewer points than the geometry needs
     tooManyVertices,  ///< more than `kMaxPolygonVertices` vertices on the hull
     wrongBodyType,    ///< the call does not fit the body's type (a chain on a dynamic body, a velocity on a static one)
-    missingMass,      ///< a dynamic body would have no mass, or no inertia though it may rotate
+    missingMass,      ///< a dynamic body has no mass
     sameBody,         ///< a joint needs two different bodies
-    locked,           ///< the world is inside `step` (call from a callback)
     outOfMemory,      ///< an id space is used up
 };
 
@@ -52,7 +51,6 @@ constexpr const char* describe(StatusCode code) {
         case StatusCode::wrongBodyType: return "does not fit the body type";
         case StatusCode::missingMass: return "leaves a dynamic body without mass";
         case StatusCode::sameBody: return "must be two different bodies";
-        case StatusCode::locked: return "cannot be used inside a step";
         case StatusCode::outOfMemory: return "has no ids left";
     }
     return "";  // unreachable, but GCC cannot know
