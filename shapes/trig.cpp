@@ -47,6 +47,19 @@ constexpr double polynomial(const std::array<double, N>& coefficients, double z)
     return sum;
 }
 
+/// The same for at most 8 coefficients by Estrin's scheme: pairs, then pairs of pairs. A few more products than Horner's
+/// rule, but a third of its chain of roundings and of waiting for each other.
+template <std::size_t N>
+constexpr double polynomialInPairs(const std::array<double, N>& c, double z) {
+    static_assert(N == 7 || N == 8);
+    const double z2 = z * z;
+    const double z4 = z2 * z2;
+    const double low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z);
+    const double top = N == 8 ? c[6] + c[N - 1] * z : c[6];
+    const double high = (c[4] + c[5] * z) + z2 * top;
+    return low + z4 * high;
+}
+
 constexpr double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }  // exact up to 22!
 
 // Taylor's polynomials; on [−π/4, π/4] the first terms left out, x¹⁹/19! and x¹⁸/18!, are below 2⁻⁵⁸.
@@ -59,9 +72,9 @@ constexpr std::array<double, 7> kCosine = {1 / factorial(4),   -1 / factorial(6)
 SinCos sinCosOfReduced(TwoParts x) {
     const double z = x.high * x.high;
     const double half = 0.5 * z;
-    const double sine = x.high + (x.high * z * polynomial(kSine, z) + x.low * (1 - half));
+    const double sine = x.high + (x.high * z * polynomialInPairs(kSine, z) + x.low * (1 - half));
     const double top = 1 - half;
-    const double cosine = top + (((1 - top) - half) + (z * z * polynomial(kCosine, z) - x.high * x.low));
+    const double cosine = top + (((1 - top) - half) + (z * z * polynomialInPairs(kCosine, z) - x.high * x.low));
     return {sine, cosine};
 }
 

@@ -84,15 +84,18 @@ double firstRootOfEnvelope(const AxisProblem& problem, double relativeA, double 
     // the pair that is lowest at the end and go back to its root, until nothing is below 0 at the end. Each pair has its
     // turn at most once.
     double s = window;
+    int i = problem.a.lowestAfter(relativeA * s);
+    int j = problem.b.lowestAfter(relativeB * s);
     for (int turn = 0; turn < problem.a.count * problem.b.count; ++turn) {
-        const int i = problem.a.lowestAfter(relativeA * s);
-        const int j = problem.b.lowestAfter(relativeB * s);
         const Parabola lowest{centers.value + (problem.a.value(i) + problem.b.value(j)),
                               centers.rate + (relativeA * problem.a.turn(i) + relativeB * problem.b.turn(j)),
                               centers.bend};
         const double root = firstRoot(lowest, s);
         if (!(root < s)) { break; }
         s = root;
+        // A body that turns with the axis keeps its lowest vertex.
+        if (relativeA != 0) { i = problem.a.lowestAfter(relativeA * s); }
+        if (relativeB != 0) { j = problem.b.lowestAfter(relativeB * s); }
     }
     return s;
 }
