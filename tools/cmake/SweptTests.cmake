@@ -12,6 +12,8 @@ function(swept_add_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${TEST_SOURCES})
     swept_warnings(${name})
+    # What is tested is optimised fully; the tests themselves take longer to compile so than to run.
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main)
     foreach(label IN LISTS TEST_LABELS)
         if(TARGET swept_tests_${label})
