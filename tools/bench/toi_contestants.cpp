@@ -1,0 +1,63 @@
+#include "../../toi/toi_method.h"
+#include "box2d_toi.h"
+#include "engine_query.h"
+#include "toi_contestant.h"
+#ifdef SWEPT_BENCH_BOX2D3
+#include "box2d3_toi.h"
+#endif
+
+namespace swept::bench {
+namespace {
+
+class OurMethod final : public ToiContestant {
+public:
+    explicit OurMethod(ToiMethod method) : method_(method) {}
+
+    std::string name() const override { return std::string(nameOf(method_)); }
+    std::optional<ToiQuery> understood(const ToiQuery& query) const override { return query; }
+    void load(std::span<const ToiQuery> queries) override { queries_.assign(queries.begin(), queries.end()); }
+
+    void answerAll(std::span<Toi> answers) override {
+        for (std::size_t i = 0; i < queries_.size(); ++i) {
+            const ToiQuery& q = queries_[i];
+            answers[i] = timeOfImpactBy(method_, q.a, q.sweepA, q.b, q.sweepB, q.settings);
+        }
+    }
+
+private:
+    ToiMethod method_;
+    std::vector<ToiQuery> queries_;
+};
+
+/// The default method on exactly what Box2D is asked: numbers, target and tolerance of its contract.
+class CertifiedLikeBox2d final : public ToiContestant {
+public:
+    std::string name() const override { return "certified as Box2D"; }
+
+    std::optional<ToiQuery> understood(const ToiQuery& query) const override {
+        const std::optional<ToiQuery> q = engineQuery(query, {});
+        return q && validateToi(q->a, q->sweepA, q->b, q->sweepB, q->settings).ok() ? q : std::nullopt;
+    }
+    void load(std::span<const ToiQuery> queries) override { method_.load(queries); }
+    void answerAll(std::span<Toi> answers) override { method_.answerAll(answers); }
+
+private:
+    OurMethod method_{ToiMethod::certified};
+};
+
+}  // namespace
+
+ToiContestants allToiContestants() {
+    ToiContestants all;
+    for (const ToiMethodInfo& info : kToiMethods) {
+        all.push_back(std::make_unique<OurMethod>(info.method));
+    }
+    all.push_back(makeBox2dToi());
+    all.push_back(std::make_unique<CertifiedLikeBox2d>());
+#ifdef SWEPT_BENCH_BOX2D3
+    all.push_back(makeBox2d3Toi());
+#endif
+    return all;
+}
+
+}  // namespace swept::bench

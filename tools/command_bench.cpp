@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "bench/machine.h"
+#include "bench/toi_bench.h"
+#include "bench/toi_bench_plots.h"
+#include "bench/toi_bench_table.h"
+#include "bench/toi_certify.h"
+#include "commands.h"
+#include "output_files.h"
+#include "progress.h"
+
+namespace swept {
+namespace {
+
+struct BenchArguments {
+    bench::ToiBenchSettings settings;
+    std::string csv;
+    std::string plots;
+    std::int64_t certify = 0;
+};
+
+void printSettings(const std::string& what, std::int64_t count, const char* of, std::uint64_t seed) {
+    std::cout << bench::machineText() << '\n' << what << ": " << count << of << ", seed " << seed << '\n' << std::flush;
+}
+
+int certify(const BenchArguments& arguments) {
+    const std::uint64_t seed = arguments.settings.seed;
+    printSettings("certify", arguments.certify, " queries of all families in turn", seed);
+    bench::CertifyResult result;
+    {
+        Progress progress("certify", arguments.certify);
+        const auto update = [&progress](std::int64_t done) { progress.update(done); };
+        result = bench::certifyToi(arguments.certify, seed, update);
+    }
+    for (int i = 0; i < static_cast<int>(result.counts.size()); ++i) {
+        const auto verdict = static_cast<ToiVerdict>(i);
+        std::cout << nameOf(verdict) << ": " << result.countOf(verdict) << '\n';
+    }
+    for (const bench::CertifyViolation& violation : result.violations) {
+        std::cout << "violation: " << nameOf(violation.family) << '-' << seed << '-' << violation.index << ' '
+                  << nameOf(violation.verdict) << '\n';
+    }
+    return result.wrong() == 0 ? kExitDone : kExitNotFinite;
+}
+
+/// What the plots need beside the rows, and the plots. @return false when something failed, said in `error`
+bool plot(const BenchArguments& arguments, const bench::ToiContestants& contestants,
+          const std::vector<bench::ToiBenchRow>& rows, std::string& error) {
+    std::vector<bench::TurnPoint> turns;
+    {
+        Progress progress("turns", static_cast<std::int64_t>(contestants.size()) * 10);
+        turns = bench::benchTurns(contestants, arguments.settings, [&](int done, int) { progress.update(done); });
+    }
+    const std::string told = bench::plotToiBench(arguments.plots, rows, turns, error);
+    if (!error.empty()) {
+        return false;
+    }
+    std::cout << told << '\n';
+    return true;
+}
+
+int measure(const BenchArguments& arguments) {
+    OutputFiles files;
+    files.addFile("--csv", arguments.csv);
+    if (!arguments.plots.empty()) {
+        files.addDirectory("--plots", arguments.plots);
+    }
+    std::string error;
+    if (!files.open(error)) {
+        return refuse(error);
+    }
+    printSettings("bench toi", arguments.settings.count, " queries a family", arguments.settings.seed);
+    const bench::ToiContestants contestants = bench::allToiContestants();
+    std::vector<bench::ToiBenchRow> rows;
+    {
+        Progress progress("bench", static_cast<std::int64_t>(contestants.size() * kToiFamilies.size()));
+        rows = bench::benchToi(contestants, arguments.settings, [&](int done, int) { progress.update(done); });
+    }
+    bench::writeToiTable(std::cout, rows);
+    std::cout << std::flush;
+    if (std::ostream* const csv = files.stream(arguments.csv)) {
+        bench::writeToiCsv(*csv, rows, arguments.settings);
+    }
+    if (!files.close(error)) {
+        return refuse(error);
+    }
+    if (!arguments.plots.empty() && !plot(arguments, contestants, rows, error)) {
+        return refuse(error);
+    }
+    return kExitDone;
+}
+
+void addToiOptions(CLI::App& toi, BenchArguments& arguments) {
+    CLI::Option* const count = toi.add_option("--count", arguments.settings.count, "Queries a family [2000]")
+                                   ->type_name("N")
+                                   ->check(CLI::Range(1, 10'000'000));
+    toi.add_option("--seed", arguments.settings.seed, "The same seed gives the same queries [1]")
+        ->type_name("S")
+        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+    CLI::Option* const csv =
+        toi.add_option("--csv", arguments.csv, "Write the table, a record for each method and family")
+            ->type_name("FILE");
+    CLI::Option* const plots =
+        toi.add_option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
+            ->type_name("DIR");
+    toi.add_option("--certify", arguments.certify,
+                   "Instead: have N answers of the default method judged; exit code 1 if one of them is wrong")
+        ->type_name("N")
+        ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()))
+        ->excludes(count)
+        ->excludes(csv)
+        ->excludes(plots);
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app, int& exitCode) {
+    CLI::App* const all = app.add_subcommand("bench", "Measure what is claimed");
+    all->require_subcommand(1);
+    CLI::App* const toi = all->add_subcommand("toi", "Every time-of-impact method on every family of queries");
+    const auto arguments = std::make_shared<BenchArguments>();
+    addToiOptions(*toi, *arguments);
+    toi->callback([arguments, &exitCode] {
+        exitCode = arguments->certify > 0 ? certify(*arguments) : measure(*arguments);
+    });
+}
+
+}  // namespace swept
