@@ -139,25 +139,29 @@ void report(Flight& flight, const ContactConstraint& constraint) {
          .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
 }
 
+GroundContact groundContactOf(const Flight& flight, const ContactConstraint& constraint) {
+    const FlightObstacle& obstacle = flight.scratch.obstacles[constraint.source];
+    const Shape& other = flight.world.shapes[obstacle.other];
+    const Sweep otherSweep = obstacleSweep(flight.world, other.body, flight.elapsed, flight.dt);
+    return {.ground = other.polygon,
+            .own = flight.world.shapes[obstacle.own].polygon,
+            .groundPose = motionAt(otherSweep, 0, flight.world.bodies[other.body].localCenter).pose,
+            .ownPose = flight.motion.pose,
+            .normal = constraint.normal,
+            .count = constraint.count,
+            .slop = static_cast<Real>(targetOf(flight.world, obstacle))};
+}
+
 /// Drops the constraints that another one's normal shows to be ghosts (ghosts.h).
 void dropGhosts(Flight& flight) {
-    const auto isHidden = [&flight](const ContactConstraint& hidden, const ContactConstraint& stands) {
-        if (&hidden == &stands || dot(hidden.normal, stands.normal) > kSameNormal) { return false; }
-        const FlightObstacle& obstacle = flight.scratch.obstacles[hidden.source];
-        const Shape& other = flight.world.shapes[obstacle.other];
-        const Sweep otherSweep = obstacleSweep(flight.world, other.body, flight.elapsed, flight.dt);
-        const WorldTransform pose = motionAt(otherSweep, 0, flight.world.bodies[other.body].localCenter).pose;
-        const auto slop = static_cast<Real>(targetOf(flight.world, obstacle));
-        return separationAlong(other.polygon, pose, flight.world.shapes[obstacle.own].polygon, flight.motion.pose,
-                               stands.normal) >= -slop;
-    };
     std::vector<ContactConstraint>& all = flight.scratch.constraints;
-    for (const int count : {1, 2}) {
+    for (int rank = 0; rank < kGhostRanks && all.size() > 1; ++rank) {
         for (std::size_t i = 0; i < all.size();) {
-            const bool ghost = all[i].count == count && std::any_of(all.begin(), all.end(), [&](const auto& stands) {
-                                   return isHidden(all[i], stands);
-                               });
-            if (ghost) {
+            const GroundContact contact = groundContactOf(flight, all[i]);
+            const auto hidesIt = [&](const ContactConstraint& stands) {
+                return &stands != &all[i] && hides(groundContactOf(flight, stands), contact);
+            };
+            if (ghostRank(contact) == rank && std::any_of(all.begin(), all.end(), hidesIt)) {
                 all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
             } else {
                 ++i;

@@ -1,19 +1,11 @@
 #include "ghosts.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-/// A contact of a dynamic body with something that does not yield, seen from the ground.
-struct GroundContact {
-    const Shape& ground;
-    const Shape& own;
-    Vec2 normal;  ///< world, from the ground to the body
-    bool touches;
-};
 
 bool isGroundContact(const WorldState& world, const Contact& contact) {
     if (!contact.isSolid() || !contact.updated || contact.apart) { return false; }
@@ -21,32 +13,65 @@ bool isGroundContact(const WorldState& world, const Contact& contact) {
 }
 
 GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
+    const bool groundIsA = !world.bodies[contact.bodyA].isDynamic();
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
-    const Real deepest = deepestSeparation(contact.manifold);
-    const bool touches = deepest <= kBeginRatio * contact.extent;
-    const Shape& a = world.shapes[contact.shapeA];
-    const Shape& b = world.shapes[contact.shapeB];
-    if (world.bodies[contact.bodyA].isDynamic()) { return {b, a, -normal, touches}; }
-    return {a, b, normal, touches};
+    const Shape& ground = world.shapes[groundIsA ? contact.shapeA : contact.shapeB];
+    const Shape& own = world.shapes[groundIsA ? contact.shapeB : contact.shapeA];
+    return {.ground = ground.polygon,
+            .own = own.polygon,
+            .groundPose = world.motions[ground.body].pose,
+            .ownPose = world.motions[own.body].pose,
+            .normal = groundIsA ? normal : -normal,
+            .count = contact.manifold.count,
+            .slop = kTargetRatio * contact.extent};
 }
 
-bool hides(const WorldState& world, const GroundContact& stands, const GroundContact& other) {
-    if (!stands.touches || dot(stands.normal, other.normal) > kSameNormal) { return false; }
-    const Real slop = kTargetRatio * std::min(other.ground.extent, other.own.extent);
-    return separationAlong(other.ground.polygon, world.motions[other.ground.body].pose, other.own.polygon,
-                           world.motions[other.own.body].pose, stands.normal) >= -slop;
-}
-
-/// @return whether the contact is hidden by another one of the same body
-bool isGhost(const WorldState& world, std::uint32_t index, std::uint32_t first) {
-    const GroundContact contact = groundContactOf(world, world.contacts[index]);
-    for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-        if (i != index && world.contacts[i].isSolid() && hides(world, groundContactOf(world, world.contacts[i]), contact)) { return true; }
+bool isFaceContact(const GroundContact& contact) {
+    if (contact.count > 1) { return true; }
+    const Vec2 local = unrotate(contact.groundPose.rotation, contact.normal);
+    const auto edges = static_cast<std::size_t>(contact.ground.count > 1 ? contact.ground.count : 0);
+    for (std::size_t i = 0; i < edges; ++i) {
+        const Vec2 face = contact.ground.normals[i];
+        if (dot(face, local) > 0 && std::fabs(cross(face, local)) <= kFaceSine) { return true; }
     }
     return false;
 }
 
+/// @return whether the contact is hidden by another one of the same body
+bool isGhost(const WorldState& world, std::uint32_t index, const GroundContact& contact, std::uint32_t first) {
+    for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
+        const Contact& stands = world.contacts[i];
+        if (i == index || !stands.isSolid()) { continue; }
+        if (deepestSeparation(stands.manifold) > kEndRatio * stands.extent) { continue; }
+        if (hides(groundContactOf(world, stands), contact)) { return true; }
+    }
+    return false;
+}
+
+void dropGhostsOf(WorldState& world, std::uint32_t first) {
+    // What was dropped hides nothing, so one of each pair stays.
+    for (int rank = 0; rank < kGhostRanks; ++rank) {
+        for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
+            Contact& contact = world.contacts[i];
+            if (!contact.isSolid()) { continue; }
+            const GroundContact seen = groundContactOf(world, contact);
+            if (ghostRank(seen) == rank && isGhost(world, i, seen, first)) { contact.manifold.count = 0; }
+        }
+    }
+}
+
 }  // namespace
+
+int ghostRank(const GroundContact& contact) {
+    return (isFaceContact(contact) ? 2 : 0) + (contact.count > 1 ? 1 : 0);
+}
+
+bool hides(const GroundContact& stands, const GroundContact& other) {
+    const bool yields = isFaceContact(stands) && !isFaceContact(other);
+    const bool areOne = dot(stands.normal, other.normal) > kSameNormal;
+    if (!yields && (areOne || isFaceContact(other) != isFaceContact(stands))) { return false; }
+    return separationAlong(other.ground, other.groundPose, other.own, other.ownPose, stands.normal) >= -other.slop;
+}
 
 Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygon& b, const WorldTransform& poseB,
                      Vec2 direction) {
@@ -74,13 +99,7 @@ void dropGhosts(WorldState& world) {
     for (const std::uint32_t slot : world.awake) {
         const std::uint32_t first = world.firstGroundContact[slot];
         if (first == kNoIndex || world.nextGroundContact[first] == kNoIndex) { continue; }
-        // Single points first: corners yield to faces. What was dropped hides nothing, so one of each pair stays.
-        for (const int count : {1, 2}) {
-            for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-                Contact& contact = world.contacts[i];
-                if (contact.manifold.count == count && isGhost(world, i, first)) { contact.manifold.count = 0; }
-            }
-        }
+        dropGhostsOf(world, first);
     }
 }
 

@@ -181,12 +181,13 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
         const StartContact contact = contactAtStart(world, obstacle, sweep, otherSweep, margin);
         if (!contact.touches) { continue; }
         obstacle.lift = slackOf(world, obstacle) * toDouble(contact.normal);
-        scratch.normals.push_back(contact.normal);
+        if (contact.deepest <= kEndRatio * std::min(own.extent, other.extent)) {
+            scratch.normals.push_back(contact.normal);
+        }
     }
     // Ground flush with what the body stands on: the same slack along the same normal, or its side would stop the body.
     const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
     for (FlightObstacle& obstacle : scratch.obstacles) {
-        if (obstacle.lift != DVec2{}) { continue; }
         const Shape& other = world.shapes[obstacle.other];
         for (const Vec2 normal : scratch.normals) {
             const Real clear = separationAlong(other.polygon, world.motions[other.body].pose,
