@@ -97,5 +97,70 @@ TEST(Stack, StackFarFromTheOriginStands) {
     expectAtMost("speed", length(velocityOf(world, boxes.back())), 1e-3);
 }
 
+/// What a column of equal bodies, each as high as `height`, does in 20 s with sleep.
+struct Column {
+    double asleep = 20;  ///< when all of them slept for the first time, s
+    double overlap = 0;  ///< deepest, m
+    double drift = 0;    ///< farthest sideways, m
+    double sag = 0;      ///< farthest down, m
+    double turn = 0;     ///< largest angle, rad
+};
+
+Column columnOf(const Polygon& polygon, double height, int count, double shift) {
+    WorldSettings settings = awakeSettings();
+    settings.sleep = true;
+    World world = makeWorld(settings);
+    addStatic(world, box(20, 1), material(0.6), {0, -1});
+    std::vector<BodyId> bodies;
+    std::vector<DVec2> places;
+    for (int i = 0; i < count; ++i) {
+        places.push_back({shift * (i % 2), height * (i + 0.5)});
+        bodies.push_back(addBody(world, dynamicAt(places.back()), polygon, material(0.6)));
+    }
+    const auto sleeps = [&world](BodyId body) { return !world.isAwake(body); };
+    Column column;
+    for (int i = 0; i < static_cast<int>(20 * kRate); ++i) {
+        must(world.step(kStep));
+        column.overlap = std::max(column.overlap, deepestOverlap(world));
+        if (std::all_of(bodies.begin(), bodies.end(), sleeps)) { column.asleep = std::min(column.asleep, i * kStep); }
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const DVec2 moved = world.position(bodies[i]) - places[i];
+        column.drift = std::max(column.drift, std::abs(moved.x));
+        column.sag = std::max(column.sag, -moved.y);
+        column.turn = std::max(column.turn, std::abs(world.angle(bodies[i])));
+    }
+    return column;
+}
+
+/// Limits of the overlap and the sag as parts of the height of one body.
+void expectRest(const std::string& name, const Polygon& polygon, double height, int count, double shift) {
+    const Column column = columnOf(polygon, height, count, shift);
+    const std::string of = name + " x " + std::to_string(count) + ", shift " + std::to_string(shift) + ": ";
+    expectAtMost(of + "asleep", column.asleep, 4);
+    expectAtMost(of + "overlap", column.overlap, height * 0.001 * count);
+    expectAtMost(of + "drift", column.drift, 0.001);
+    expectAtMost(of + "sag", column.sag, height * 0.01 * count);
+    expectAtMost(of + "turn", column.turn, 2e-4);
+}
+
+/// Both ends of a plank push on each other through its turning, the more the wider it is.
+TEST(Stack, PlanksComeToRest) {
+    for (const double shift : {0.0, 0.01}) {
+        expectRest("planks", box(1.85, 0.05), 0.1, 10, shift);
+        expectRest("planks", box(1.85, 0.05), 0.1, 20, shift);
+    }
+}
+
+/// Rounded shapes that stand exactly on each other, or hang over by a hair, have closest vertices and still two points.
+TEST(Stack, RoundedBoxesAndCapsulesStand) {
+    const Polygon rounded = must(makeBox(vec(0.2, 0.2), {}, 0, real(0.05)));
+    for (const double shift : {0.0, 1e-7, 1e-4, 0.01}) {
+        expectRest("rounded boxes", rounded, 0.5, 3, shift);
+        expectRest("rounded boxes", rounded, 0.5, 15, shift);
+        expectRest("capsules", capsule(0.5, 0.1), 0.2, 3, shift);
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

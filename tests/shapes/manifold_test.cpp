@@ -220,6 +220,71 @@ TEST(Manifold, CornersOfEqualBoxesStackOnTwoPoints) {
     }
 }
 
+/// A shape above another, both with flat sides 1 m wide, the upper one shifted, turned and raised a little. Of the ids,
+/// high bits name edges: without any, both points lie between vertices.
+/// @param side  lower side of the core of `upper`, below its origin, m.
+void expectTwoPoints(const Polygon& lower, const Polygon& upper, double height, double side, const char* name) {
+    int vertices = 0;
+    for (std::uint64_t seed = 0; seed < 5'000; ++seed) {
+        Random random(seed);
+        const double hair = random.sign() * std::pow(10.0, random.range(-9, -2.5));
+        // The corner that hangs over is closest to a corner when it turns down by more than hair/gap.
+        const double turn = std::min(std::fabs(hair) * std::pow(10.0, random.range(0, 2)), 0.02);
+        const double angle = random.chance(0.25) ? 0 : random.sign() * turn;
+        const double gap = random.range(-0.01, 0.01);
+        const Transform pose = poseAt(hair - side * std::sin(angle), height + gap, angle);
+        const Manifold m = collide(lower, upper, pose, real(0.05));
+        ASSERT_EQ(m.count, 2) << name << ", seed " << seed << ": hair " << hair << " angle " << angle;
+        const Distance d = distance(lower, upper, pose);
+        ASSERT_NEAR(static_cast<double>(deepest(m)), static_cast<double>(d.distance), 16 * static_cast<double>(kEps))
+            << name << ", seed " << seed;
+        vertices += (m.points[0].id & 0x8080) == 0 && (m.points[1].id & 0x8080) == 0 ? 1 : 0;
+        EXPECT_EQ(idsOf(m).size(), 2U) << name << ", seed " << seed;
+        EXPECT_NEAR(static_cast<double>(std::fabs(m.points[0].point.x - m.points[1].point.x)), 1, 0.02)
+            << name << ", seed " << seed;
+    }
+    EXPECT_GT(vertices, 100) << name << ": too few closest vertices";
+}
+
+TEST(Manifold, RoundedShapesThatHangOverByAHairKeepTwoPoints) {
+    const Polygon box = makeBox({real(0.5), real(0.5)}, {}, 0, real(0.125)).value();
+    const Polygon capsule = makeCapsule({real(-0.5), 0}, {real(0.5), 0}, real(0.25)).value();
+    expectTwoPoints(box, box, 1.25, 0.5, "rounded boxes");
+    expectTwoPoints(capsule, capsule, 0.5, 0, "capsules");
+    expectTwoPoints(box, capsule, 0.875, 0, "capsule on rounded box");
+    expectTwoPoints(capsule, box, 0.875, 0.5, "rounded box on capsule");
+}
+
+TEST(Manifold, WhatHasNoSecondEdgeAboveMakesOnePoint) {
+    const Polygon box = makeBox({real(0.5), real(0.5)}, {}, 0, real(0.125)).value();
+    const Polygon capsule = makeCapsule({real(-0.5), 0}, {real(0.5), 0}, real(0.125)).value();
+    const Polygon upright = makeCapsule({0, 0}, {0, 1}, real(0.25)).value();
+    const Polygon ball = makeCircle({}, real(0.25)).value();
+    for (std::uint64_t seed = 0; seed < 2'000; ++seed) {
+        Random random(seed);
+        const double end = random.sign() * (0.5 + random.sign() * std::pow(10.0, random.range(-17, -1)));
+        const double gap = random.range(-0.01, 0.01);
+        for (const Polygon& lower : {box, capsule}) {
+            const double top = lower.count > 2 ? 0.625 : 0.125;
+            for (const Polygon& upper : {upright, ball}) {
+                const Transform pose = poseAt(end, top + 0.25 + gap, 0);
+                const Manifold m = collide(lower, upper, pose, real(0.05));
+                ASSERT_EQ(m.count, 1) << "seed " << seed;
+                const Distance d = distance(lower, upper, pose);
+                ASSERT_NEAR(static_cast<double>(m.points[0].separation), static_cast<double>(d.distance),
+                            16 * static_cast<double>(kEps))
+                    << "seed " << seed;
+            }
+            // Side by side, the edges run away from each other: only the ends are near.
+            const Transform beside = poseAt(end + std::copysign(0.5, end) + std::copysign(0.001, end), 2 * top, 0);
+            if (std::fabs(end) > 0.5) {
+                const Manifold m = collide(lower, lower, beside, 1);
+                ASSERT_EQ(m.count, 1) << "seed " << seed;
+            }
+        }
+    }
+}
+
 TEST(Manifold, CrossingSegmentsMakeOnePointAtTheShallowEnd) {
     const Polygon segment = makeSegment({-1, 0}, {1, 0}).value();
     const Polygon upright = makeSegment({0, real(-0.25)}, {0, 3}).value();
