@@ -136,7 +136,7 @@ void writeTurnsData(std::ostream& out, std::span<const TurnPoint> turns, const s
     for (const std::string& method : methods) {
         out << '"' << method << "\"\n";
         for (const TurnPoint& point : turns) {
-            if (point.method == method) {
+            if (point.method == method && point.tally.queries > 0) {
                 out << roundedText(point.turn) << ' '
                     << roundedText(percent(point.tally.deep(), point.tally.queries), 6) << '\n';
             }

@@ -1,9 +1,8 @@
 #include "../../toi/toi_method.h"
 #include "box2d_toi.h"
-#include "engine_query.h"
 #include "toi_contestant.h"
 #ifdef SWEPT_BENCH_BOX2D3
-#include "box2d3_toi.h"
+#include "box2d3/box2d3_toi.h"
 #endif
 
 namespace swept::bench {
@@ -29,19 +28,24 @@ private:
     std::vector<ToiQuery> queries_;
 };
 
-/// The default method on exactly what Box2D is asked: numbers, target and tolerance of its contract.
-class CertifiedLikeBox2d final : public ToiContestant {
+/// The default method on exactly what an engine is asked: its numbers, its target and tolerance.
+class CertifiedAs final : public ToiContestant {
 public:
-    std::string name() const override { return "certified as Box2D"; }
+    CertifiedAs(std::unique_ptr<ToiContestant> engine, std::string name)
+        : engine_(std::move(engine)), name_(std::move(name)) {}
+
+    std::string name() const override { return name_; }
 
     std::optional<ToiQuery> understood(const ToiQuery& query) const override {
-        const std::optional<ToiQuery> q = engineQuery(query, {});
+        const std::optional<ToiQuery> q = engine_->understood(query);
         return q && validateToi(q->a, q->sweepA, q->b, q->sweepB, q->settings).ok() ? q : std::nullopt;
     }
     void load(std::span<const ToiQuery> queries) override { method_.load(queries); }
     void answerAll(std::span<Toi> answers) override { method_.answerAll(answers); }
 
 private:
+    std::unique_ptr<ToiContestant> engine_;
+    std::string name_;
     OurMethod method_{ToiMethod::certified};
 };
 
@@ -53,9 +57,10 @@ ToiContestants allToiContestants() {
         all.push_back(std::make_unique<OurMethod>(info.method));
     }
     all.push_back(makeBox2dToi());
-    all.push_back(std::make_unique<CertifiedLikeBox2d>());
+    all.push_back(std::make_unique<CertifiedAs>(makeBox2dToi(), "certified as Box2D"));
 #ifdef SWEPT_BENCH_BOX2D3
     all.push_back(makeBox2d3Toi());
+    all.push_back(std::make_unique<CertifiedAs>(makeBox2d3Toi(), "certified as Box2D 3"));
 #endif
     return all;
 }
