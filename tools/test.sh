@@ -2,7 +2,7 @@
 # Builds everything and runs the tests: first with the default compiler, both precisions; then with clang 14 and the
 # address and undefined behaviour sanitizers the tests labelled quick; then with thread sanitizer those labelled parallel.
 #   tools/test.sh [--long] [--werror] [--no-sanitizers]
-# --long adds the tests labelled long. --werror (also: CI=true in the environment) makes warnings errors.
+# --long adds the tests labelled long, and the layers' suites in f64 to the sanitizers. --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 long=no
@@ -66,6 +66,9 @@ run_tests release "default compiler, release, f32 and f64" "${without_long[@]}"
 if [ "$sanitizers" = yes ]; then
     export UBSAN_OPTIONS="print_stacktrace=1:${UBSAN_OPTIONS:-}"
     build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick" quick
+    if [ "$long" = yes ]; then
+        build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick_f64" quick_f64
+    fi
     build_and_test tsan "clang 14, thread sanitizer, tests labelled parallel" parallel
 fi
 

@@ -2,12 +2,13 @@
 include(GoogleTest)
 
 # All suites with one label, to be built without the rest.
-foreach(label quick parallel)
+foreach(label quick quick_f64 parallel)
     add_custom_target(swept_tests_${label})
 endforeach()
 
 # swept_add_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
-# One executable, discovered by ctest. Labels: quick (also run with sanitizers), parallel (also run with thread sanitizer).
+# One executable, discovered by ctest. Labels: quick (also run with sanitizers), quick_f64 (the same in the long run only),
+# parallel (also run with thread sanitizer), long (in the long run only).
 function(swept_add_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${TEST_SOURCES})
@@ -32,7 +33,8 @@ endforeach()
 endfunction()
 
 # swept_add_layer_test(NAME SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
-# The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64.
+# The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64. What is quick in
+# f32 is labelled quick_f64 in f64: sanitizers see the same sources twice only in the long run.
 function(swept_add_layer_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
     foreach(precision f32 f64)
@@ -40,6 +42,10 @@ function(swept_add_layer_test name)
         foreach(layer IN LISTS TEST_LAYERS)
             list(APPEND libraries swept_${layer}_${precision})
         endforeach()
-        swept_add_test(${name}_${precision} SOURCES ${TEST_SOURCES} LIBRARIES ${libraries} LABELS ${TEST_LABELS})
+        set(labels ${TEST_LABELS})
+        if(precision STREQUAL f64)
+            list(TRANSFORM labels REPLACE "^quick$" "quick_f64")
+        endif()
+        swept_add_test(${name}_${precision} SOURCES ${TEST_SOURCES} LIBRARIES ${libraries} LABELS ${labels})
     endforeach()
 endfunction()
