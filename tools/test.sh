@@ -2,7 +2,8 @@
 # Builds everything and runs the tests: first with the default compiler, both precisions; then with clang 14 and the
 # address and undefined behaviour sanitizers the tests labelled quick; then with thread sanitizer those labelled parallel.
 #   tools/test.sh [--long] [--werror] [--no-sanitizers]
-# --long adds the tests labelled long, and the layers' suites in f64 to the sanitizers. --werror (also: CI=true in the environment) makes warnings errors.
+# --long adds the tests labelled long, and the layers' suites in f64 to the sanitizers.
+# --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 long=no
@@ -14,7 +15,7 @@ for argument in "$@"; do
         --long) long=yes ;;
         --werror) werror=ON ;;
         --no-sanitizers) sanitizers=no ;;
-        -h | --help) sed -n '2,5s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '2,6s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) fail "unknown argument $argument (see --help)" ;;
     esac
 done
