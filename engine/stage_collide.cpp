@@ -15,22 +15,32 @@ bool isMoving(const WorldState& world, const Contact& contact) {
     return world.bodies[contact.bodyA].awake || world.bodies[contact.bodyB].awake;
 }
 
-/// The old point that a new one continues: of the same features, else the nearest within a part of the extent (clipping
-/// may name a point after either of two vertices that stand at the same place).
-int predecessorOf(const ManifoldPoint& point, const Contact& before) {
-    const auto& old = before.manifold.points;
-    const int count = before.manifold.count;
-    for (int i = 0; i < count; ++i) {
-        if (old[static_cast<std::size_t>(i)].id == point.id) { return i; }
+int pointWithId(const Manifold& manifold, FeatureId id) {
+    for (int i = 0; i < manifold.count; ++i) {
+        if (manifold.points[static_cast<std::size_t>(i)].id == id) { return i; }
     }
+    return -1;
+}
+
+/// The old point that a new one continues: of the same features, else the nearest within a part of the extent (clipping
+/// may name a point after either of two vertices that stand at the same place). One that another new point has by name,
+/// or that lies nearer to the other one, is not free: two points must not take over the same impulse.
+int predecessorOf(const Manifold& now, std::size_t index, const Contact& before) {
+    const ManifoldPoint& point = now.points[index];
+    const int same = pointWithId(before.manifold, point.id);
+    if (same >= 0) { return same; }
     int nearest = -1;
     Real least = square(kSamePlaceRatio * before.extent);
-    for (int i = 0; i < count; ++i) {
-        const Real away = lengthSquared(old[static_cast<std::size_t>(i)].point - point.point);
-        if (away < least) {
-            nearest = i;
-            least = away;
+    for (int i = 0; i < before.manifold.count; ++i) {
+        const ManifoldPoint& old = before.manifold.points[static_cast<std::size_t>(i)];
+        const Real away = lengthSquared(old.point - point.point);
+        if (!(away < least) || pointWithId(now, old.id) >= 0) { continue; }
+        if (now.count > 1) {
+            const Real fromOther = lengthSquared(old.point - now.points[1 - index].point);
+            if (fromOther < away || (fromOther == away && index > 0)) { continue; }
         }
+        nearest = i;
+        least = away;
     }
     return nearest;
 }
@@ -39,7 +49,7 @@ void carryImpulses(const Contact& before, Contact& now) {
     now.normalImpulse = {};
     now.tangentImpulse = {};
     for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
-        const int old = predecessorOf(now.manifold.points[i], before);
+        const int old = predecessorOf(now.manifold, i, before);
         if (old < 0) { continue; }
         now.normalImpulse[i] = before.normalImpulse[static_cast<std::size_t>(old)];
         now.tangentImpulse[i] = before.tangentImpulse[static_cast<std::size_t>(old)];
