@@ -34,7 +34,8 @@ int certify(const BenchArguments& arguments) {
     {
         Progress progress("certify", arguments.certify);
         const auto update = [&progress](std::int64_t done) { progress.update(done); };
-        result = bench::certifyToi(arguments.certify, seed, update);
+        const auto answerer = [](const ToiQuery& q) { return timeOfImpact(q.a, q.sweepA, q.b, q.sweepB, q.settings); };
+        result = bench::certifyToi(answerer, arguments.certify, seed, update);
     }
     for (int i = 0; i < static_cast<int>(result.counts.size()); ++i) {
         const auto verdict = static_cast<ToiVerdict>(i);

@@ -10,7 +10,12 @@ constexpr double kMargin = 1.02;          // a judge who counts in double should
 constexpr double kSmallest = 1e-6;        // metres; far below every slop, and far above what the engines are made for
 constexpr double kLargest = 1e6;
 
-double rounded(double x) { return static_cast<double>(static_cast<float>(x)); }
+/// Through memory: the vectoriser of GCC 12 takes a conversion to float and back for none (test EngineQuery).
+double rounded(double x) {
+    const volatile float nearest = static_cast<float>(x);
+    return static_cast<double>(nearest);
+}
+
 DVec2 rounded(DVec2 v) { return {rounded(v.x), rounded(v.y)}; }
 
 ToiPolygon rounded(ToiPolygon polygon) {

@@ -15,15 +15,15 @@ std::int64_t CertifyResult::wrong() const {
     return all - countOf(ToiVerdict::right) - countOf(ToiVerdict::undecided);
 }
 
-CertifyResult certifyToi(std::int64_t count, std::uint64_t seed, const std::function<void(std::int64_t)>& progress) {
+CertifyResult certifyToi(const ToiAnswerer& answerer, std::int64_t count, std::uint64_t seed,
+                         const std::function<void(std::int64_t)>& progress) {
     CertifyResult result;
     const auto families = static_cast<std::int64_t>(kToiFamilies.size());
     for (std::int64_t i = 0; i < count; ++i) {
         const ToiFamily family = kToiFamilies[static_cast<std::size_t>(i % families)];
         const auto index = static_cast<std::uint64_t>(i / families);
-        const ToiQuery q = makeToiCase(family, seed, index);
-        const Toi answer = timeOfImpact(q.a, q.sweepA, q.b, q.sweepB, q.settings);
-        const ToiVerdict verdict = judgeToi(q, answer).verdict;
+        const ToiQuery query = makeToiCase(family, seed, index);
+        const ToiVerdict verdict = judgeToi(query, answerer(query)).verdict;
         ++result.counts[static_cast<std::size_t>(verdict)];
         const bool isWrong = verdict != ToiVerdict::right && verdict != ToiVerdict::undecided;
         if (isWrong && result.violations.size() < kMostViolations) {

@@ -10,7 +10,7 @@
 
 namespace swept::bench {
 
-/// An answer of the default method that was not proved right, and where it comes from.
+/// An answer that was not proved right, and where it comes from.
 struct CertifyViolation {
     ToiFamily family = ToiFamily::generic;
     std::uint64_t index = 0;
@@ -25,8 +25,11 @@ struct CertifyResult {
     std::int64_t wrong() const;
 };
 
-/// Judges the default method, its reported separation, normal and witness points included, on `count` queries of all
+using ToiAnswerer = std::function<Toi(const ToiQuery&)>;
+
+/// Has the answers judged, the reported separation, normal and witness points included, on `count` queries of all
 /// families in turn: query i is number i / 20 of family i % 20.
-CertifyResult certifyToi(std::int64_t count, std::uint64_t seed, const std::function<void(std::int64_t)>& progress);
+CertifyResult certifyToi(const ToiAnswerer& answerer, std::int64_t count, std::uint64_t seed,
+                         const std::function<void(std::int64_t)>& progress);
 
 }  // namespace swept::bench
