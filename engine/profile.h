@@ -7,7 +7,10 @@ namespace swept::inline SWEPT_PRECISION {
 /// What a profile means where the settings leave it open.
 inline constexpr int kAccurateSubSteps = 16;
 inline constexpr int kFastSubSteps = 4;
-inline constexpr int kRelaxPasses = 1;
+/// Two passes: with one, redundant points (a box against a wall of flush pieces) keep up to a quarter of the speed with which
+/// the soft push parted them.
+inline constexpr int kAccurateRelaxPasses = 2;
+inline constexpr int kFastRelaxPasses = 1;
 
 constexpr int subStepsOf(const WorldSettings& settings) {
     if (settings.subSteps > 0) { return settings.subSteps; }
@@ -15,7 +18,8 @@ constexpr int subStepsOf(const WorldSettings& settings) {
 }
 
 constexpr int relaxPassesOf(const WorldSettings& settings) {
-    return settings.relaxPasses >= 0 ? settings.relaxPasses : kRelaxPasses;
+    if (settings.relaxPasses >= 0) { return settings.relaxPasses; }
+    return settings.profile == Profile::accurate ? kAccurateRelaxPasses : kFastRelaxPasses;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

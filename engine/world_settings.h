@@ -10,8 +10,8 @@ namespace swept {
 
 /// How much work a step does where the settings do not say it themselves.
 enum class Profile : std::uint8_t {
-    accurate,  ///< 16 sub-steps
-    fast,      ///< 4 sub-steps
+    accurate,  ///< 16 sub-steps with 2 relaxation passes each
+    fast,      ///< 4 sub-steps with 1 relaxation pass each
 };
 
 }  // namespace swept

@@ -141,7 +141,9 @@ void expectRest(const std::string& name, const Polygon& polygon, double height, 
     expectAtMost(of + "overlap", column.overlap, height * 0.001 * count);
     expectAtMost(of + "drift", column.drift, 0.001);
     expectAtMost(of + "sag", column.sag, height * 0.01 * count);
-    expectAtMost(of + "turn", column.turn, 2e-4);
+    // A plank that sinks by a hundredth of its height at one end only has turned by so much: the stack of ten, each 1 cm
+    // farther out, comes to rest with a third of it.
+    expectAtMost(of + "turn", column.turn, 5.4e-4);
 }
 
 /// Both ends of a plank push on each other through its turning, the more the wider it is.
