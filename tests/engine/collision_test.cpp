@@ -1,6 +1,6 @@
 #include "world_support.h"
 
-/// Elastic collisions of free balls and rows of balls against closed forms, momentum and energy.
+/// Collisions of free balls, rows of balls and a box at a wall against closed forms, momentum and energy.
 
 namespace swept::test {
 namespace {
@@ -122,6 +122,23 @@ double cradleRatio(double gap) {
 TEST(Collision, CradleOnRodsSwings) {
     expectAtMost("touching", std::abs(cradleRatio(0) - 1), 1e-3);
     expectAtMost("gaps of 1 cm", std::abs(cradleRatio(0.01) - 1), 5e-3);
+}
+
+/// Four redundant points: with one relaxation pass half of these starts left the wall with up to a quarter of the speed.
+TEST(Collision, PlasticBoxStaysAtAWallOfFlushPieces) {
+    constexpr double kSpeed = 4;
+    for (int start = 0; start < 20; ++start) {
+        World world = makeWorld(0);
+        for (int piece = -2; piece < 6; ++piece) {
+            addStatic(world, box(0.1, 0.25), material(0), {4, 0.25 + 0.5 * piece});
+        }
+        const DVec2 from{0.1 + 0.013 * start, 0.5};
+        const BodyId body = addBody(world, dynamicAt(from, vec(kSpeed, 0)), box(0.5, 0.5), material(0));
+        runFor(world, 2);
+        const std::string name = "start " + std::to_string(start) + ": ";
+        expectAtMost(name + "rebound", -velocityOf(world, body).x / kSpeed, 0.02);
+        expectAtMost(name + "place", std::abs(world.position(body).x - 3.4), 0.1);
+    }
 }
 
 }  // namespace
