@@ -6,15 +6,38 @@ foreach(label quick quick_f64 parallel)
     add_custom_target(swept_tests_${label})
 endforeach()
 
+# Reading gtest is half of what a small suite takes to compile, so it is read once for all of them. The target has the suites'
+# compiler options and nothing of its own to compile.
+function(swept_add_test_prelude)
+    set(nothing ${CMAKE_CURRENT_BINARY_DIR}/prelude.cpp)
+    file(CONFIGURE OUTPUT ${nothing} CONTENT "// Compiled for its precompiled header only.\n")
+    add_library(swept_test_prelude OBJECT ${nothing})
+    swept_configure_test(swept_test_prelude)
+    target_compile_features(swept_test_prelude PUBLIC cxx_std_20)
+    target_compile_options(swept_test_prelude PRIVATE -ffp-contract=off)
+    target_link_libraries(swept_test_prelude PRIVATE GTest::gtest)
+    target_precompile_headers(swept_test_prelude PRIVATE <gtest/gtest.h> <algorithm> <array> <cmath> <limits> <map> <random>
+                                                         <set> <sstream> <string> <vector>)
+endfunction()
+
+# What all test executables are compiled with.
+function(swept_configure_test target)
+    swept_warnings(${target})
+    # What is tested is optimised fully; the tests themselves take longer to compile so than to run.
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+    endif()
+endfunction()
+
 # swept_add_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
 # One executable, discovered by ctest. Labels: quick (also run with sanitizers), quick_f64 (the same in the long run only),
 # parallel (also run with thread sanitizer), long (in the long run only).
 function(swept_add_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${TEST_SOURCES})
-    swept_warnings(${name})
-    # What is tested is optimised fully; the tests themselves take longer to compile so than to run.
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    swept_configure_test(${name})
+    target_precompile_headers(${name} REUSE_FROM swept_test_prelude)
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main)
     foreach(label IN LISTS TEST_LABELS)
         if(TARGET swept_tests_${label})
