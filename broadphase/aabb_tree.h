@@ -53,6 +53,7 @@ public:
     const TreeNode& node(NodeIndex index) const { return nodes_[index]; }
     /// All nodes, free ones included.
     std::span<const TreeNode> nodes() const { return nodes_; }
+    std::size_t memoryBytes() const { return nodes_.capacity() * sizeof(TreeNode); }
 
 private:
     NodeIndex allocate();

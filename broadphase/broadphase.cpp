@@ -9,6 +9,11 @@ std::unique_ptr<Broadphase> makeBroadphase(BroadphaseKind kind) {
     switch (kind) {
         case BroadphaseKind::allPairs:
             return std::make_unique<AllPairs>();
+        case BroadphaseKind::sortAndSweep:
+        case BroadphaseKind::quadtree:
+        case BroadphaseKind::grid:
+        case BroadphaseKind::wideBvh:
+        case BroadphaseKind::automatic:
         case BroadphaseKind::bvh:
             return std::make_unique<Bvh>();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -35,17 +36,29 @@ struct ProxyPair {
     constexpr auto operator<=>(const ProxyPair&) const = default;
 };
 
-enum class BroadphaseKind : std::uint8_t { allPairs, bvh };
+/// The implementations. They give the same answers; README.md of this folder shows what each costs where.
+enum class BroadphaseKind : std::uint8_t {
+    automatic,     ///< what the measurements favour
+    allPairs,      ///< every box against every box that moved
+    sortAndSweep,  ///< boxes sorted along the axis on which they spread most
+    quadtree,      ///< loose quadtree: a square of the world per box, by size and place
+    grid,          ///< cells of one size
+    bvh,           ///< binary tree of boxes, updated box by box
+    wideBvh        ///< tree of eight boxes per node, refitted and rebuilt as a whole
+};
+inline constexpr int kBroadphaseKindCount = 7;
 
 /// Counts since construction; never reset, so a caller takes differences.
 struct BroadphaseCounters {
     std::uint64_t boxTests = 0;  ///< box against box, in pair finding and in queries
     std::uint64_t pairsReported = 0;
     std::uint64_t reinserted = 0;  ///< calls of `move`
+    std::uint64_t rebuilt = 0;     ///< times that the whole structure was built anew
 };
 
 /// Who might touch? Holds one box per proxy. The caller grows the boxes; touching boxes overlap.
-/// Every implementation reports the same pairs in the same order, whatever its history: only its cost differs.
+/// Every implementation reports the same pairs in the same order, whatever happened between two calls of `pairs`: only
+/// its cost differs.
 /// Not thread-safe, except that `query`, `ray` and `sweep` may run at the same time as each other.
 class Broadphase {
 public:
@@ -61,10 +74,12 @@ public:
     /// Valid until the next call that changes something.
     virtual const Aabb& box(ProxyId id) const = 0;
 
-    /// Writes every pair of overlapping boxes of kinds that can meet, of which at least one was inserted or moved since
-    /// the last call: each pair once, in ascending order. Clears the moved marks. `out` is cleared first and keeps its
+    /// Writes every new pair: boxes of kinds that can meet, which overlap now and did not at the last call, or of which
+    /// one was inserted or renewed since. Each pair once, in ascending order. `out` is cleared first and keeps its
     /// capacity.
     virtual void pairs(std::vector<ProxyPair>& out) = 0;
+    /// The next call of `pairs` reports all pairs of this proxy, as if it had just been inserted. Error: `staleId`.
+    virtual Status renewPairs(ProxyId id) = 0;
 
     /// Calls `visit` for each proxy whose box overlaps; a visitor that returns false ends the query. Order is
     /// unspecified.
@@ -79,6 +94,8 @@ public:
                        FunctionRef<Real(ProxyId, Real)> visit) const = 0;
 
     virtual BroadphaseCounters counters() const = 0;
+    /// Memory held for proxies, in bytes, reserves and scratch space included.
+    virtual std::size_t memoryBytes() const = 0;
 };
 
 std::unique_ptr<Broadphase> makeBroadphase(BroadphaseKind kind);

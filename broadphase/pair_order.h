@@ -12,6 +12,9 @@ class PairOrder {
 public:
     /// @param slotCount  above every slot in `pairs`.
     void sort(std::vector<ProxyPair>& pairs, std::uint32_t slotCount);
+    std::size_t memoryBytes() const {
+        return starts_.capacity() * sizeof(std::uint32_t) + sorted_.capacity() * sizeof(ProxyPair);
+    }
 
 private:
     std::vector<std::uint32_t> starts_;

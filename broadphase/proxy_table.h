@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,24 +16,31 @@ constexpr std::uint8_t kindBit(ProxyKind kind) { return static_cast<std::uint8_t
 constexpr std::uint8_t meetingKinds(ProxyKind kind) {
     unsigned mask = 0;
     for (int other = 0; other < kProxyKindCount; ++other) {
-        if (canMeet(kind, static_cast<ProxyKind>(other))) {
-            mask |= 1U << static_cast<unsigned>(other);
-        }
+        if (canMeet(kind, static_cast<ProxyKind>(other))) { mask |= 1U << static_cast<unsigned>(other); }
     }
     return static_cast<std::uint8_t>(mask);
 }
 
+/// Overlaps nothing, itself included; the hull of it and another box is the other box.
+inline constexpr Aabb kNoBox = {
+    {std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()},
+    {-std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()}};
+
 /// The one check of boxes that come from outside.
 Status checkBox(const Aabb& box);
 
-/// What every implementation keeps about its proxies: which slots are taken, of which kind, and which of them moved.
+/// What every implementation keeps about its proxies: which slots are taken, of which kind, their boxes now and when
+/// pairs were found last, and which of them moved since.
 /// Removing and marking never allocate; adding does so only when there were never so many slots before.
 class ProxyTable {
 public:
     /// Takes the lowest free slot and marks it as moved. Error: `outOfMemory` when all 2³² − 1 slots are taken.
-    Result<ProxyId> add(ProxyKind kind);
+    Result<ProxyId> add(const Aabb& box, ProxyKind kind);
     /// Frees a slot that is taken.
     void release(ProxyId id);
+    void move(ProxyId id, const Aabb& box);
+    /// Takes back that pairs of the proxy were reported, and marks it as moved.
+    void renew(ProxyId id);
 
     bool holds(ProxyId id) const {
         const auto slot = static_cast<std::uint32_t>(id);
@@ -40,26 +48,45 @@ public:
     }
     /// One more than the highest slot that was ever taken.
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(kindBits_.size()); }
+    std::uint32_t takenCount() const { return slotCount() - static_cast<std::uint32_t>(free_.size()); }
 
     /// `kindBit` of a slot below `slotCount()`; 0 when the slot is free.
     std::uint8_t bitAt(std::uint32_t slot) const { return kindBits_[slot]; }
     ProxyKind kindOf(ProxyId id) const;
+    /// `kNoBox` when the slot is free.
+    const Aabb& boxAt(std::uint32_t slot) const { return boxes_[slot]; }
+    std::span<const Aabb> boxes() const { return boxes_; }
+    /// The box when pairs were found last; `kNoBox` for what was inserted or renewed since. Two proxies whose known
+    /// boxes overlap have been reported already: no set of pairs is needed to know that.
+    const Aabb& knownBoxAt(std::uint32_t slot) const { return known_[slot]; }
 
     /// A free slot has not moved.
     bool hasMoved(std::uint32_t slot) const { return listed_[slot] != 0 && kindBits_[slot] != 0; }
-    void markMoved(ProxyId id);
-    /// Slots inserted or moved since the last `clearMoved`, ascending, each once; slots that are free again are left
-    /// out.
+    /// Slots inserted, moved or renewed since the last `finishPairs`, ascending, each once; slots that are free again
+    /// are left out.
     std::span<const std::uint32_t> sortedMoved();
     /// The same in no particular order, and with slots that are free again.
     std::span<const std::uint32_t> listedMoved() const { return moved_; }
-    void clearMoved();
+    /// From here on all boxes are known, and nothing has moved.
+    void finishPairs();
+
+    std::size_t memoryBytes() const;
 
 private:
+    void markMoved(std::uint32_t slot);
+
     std::vector<std::uint8_t> kindBits_;  // one per slot, 0: free
     std::vector<std::uint8_t> listed_;    // one per slot, 1: stands in moved_, also when the slot was freed since
+    std::vector<Aabb> boxes_;             // one per slot
+    std::vector<Aabb> known_;             // one per slot
     std::vector<std::uint32_t> moved_;
     std::vector<std::uint32_t> free_;  // a heap with the lowest slot at the front
 };
+
+/// Room that a vector holds, in bytes.
+template <class T>
+std::size_t bytesOf(const std::vector<T>& items) {
+    return items.capacity() * sizeof(T);
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "aabb_tree.h"
-#include "box_sweep.h"
+#include "table_broadphase.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -57,50 +57,31 @@ std::uint64_t walkOverlaps(const AabbTree& tree, const Aabb& box, bool& goOn, co
     return tests;
 }
 
-/// Calls `limit = visit(slot, limit)` for each leaf that the sweep meets by `limit`, near subtrees first, until the
-/// limit is 0. Returns the number of box tests.
-template <class Visit>
-std::uint64_t walkSweep(const AabbTree& tree, const BoxSweep& sweep, Real& limit, const Visit& visit) {
+/// Shows each leaf that the sweep meets, near subtrees first, until the visit is over.
+inline void walkSweep(const AabbTree& tree, SweepVisit& visit) {
     struct Entry {
         NodeIndex index;
         double touch;
     };
-    if (tree.root() == kNoNode) {
-        return 0;
-    }
-    std::uint64_t tests = 1;
+    if (tree.root() == kNoNode) { return; }
     WalkStack<Entry, kOneTreeStack> stack;
-    const auto touchOf = [&](NodeIndex i) { return sweep.firstTouch(tree.node(i).box, static_cast<double>(limit)); };
-    if (const double touch = touchOf(tree.root()); touch != BoxSweep::kNever) {
-        stack.push({tree.root(), touch});
-    }
+    const auto entryOf = [&](NodeIndex i) { return Entry{i, visit.touch(tree.node(i).box)}; };
+    if (const Entry root = entryOf(tree.root()); root.touch != BoxSweep::kNever) { stack.push(root); }
     while (!stack.empty()) {
         const Entry entry = stack.pop();
-        if (entry.touch > static_cast<double>(limit)) {
-            continue;
-        }  // the limit has become smaller since
+        if (entry.touch > visit.limit()) { continue; }  // the limit has become smaller since
         const TreeNode& node = tree.node(entry.index);
         if (node.isLeaf()) {
-            limit = visit(node.slot(), limit);
-            if (!(limit > 0)) {
-                return tests;
-            }
+            visit.show(node.slot());
+            if (visit.isOver()) { return; }
             continue;
         }
-        tests += 2;
-        Entry near = {node.child[0], touchOf(node.child[0])};
-        Entry far = {node.child[1], touchOf(node.child[1])};
-        if (far.touch < near.touch) {
-            std::swap(near, far);
-        }
-        if (far.touch != BoxSweep::kNever) {
-            stack.push(far);
-        }
-        if (near.touch != BoxSweep::kNever) {
-            stack.push(near);
-        }
+        Entry near = entryOf(node.child[0]);
+        Entry far = entryOf(node.child[1]);
+        if (far.touch < near.touch) { std::swap(near, far); }
+        if (far.touch != BoxSweep::kNever) { stack.push(far); }
+        if (near.touch != BoxSweep::kNever) { stack.push(near); }
     }
-    return tests;
 }
 
 /// Calls `report(slot, slot)` for each pair of overlapping leaves, one below `a`, the other below `b` (nodes of two

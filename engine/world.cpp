@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "modes.h"
 #include "number_range.h"
 #include "step.h"
 
@@ -35,7 +36,7 @@ private:
 Status checkKinds(const WorldSettings& settings) {
     if (settings.profile > Profile::fast) { return {StatusCode::outOfRange, "profile"}; }
     if (settings.continuous > ContinuousMode::subStep) { return {StatusCode::outOfRange, "continuous"}; }
-    if (settings.broadphase > BroadphaseKind::bvh) { return {StatusCode::outOfRange, "broadphase"}; }
+    if (static_cast<int>(settings.broadphase) >= kBroadphaseKindCount) { return {StatusCode::outOfRange, "broadphase"}; }
     return Status::success();
 }
 
@@ -68,6 +69,11 @@ void advance(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
     world.lastDt = dt;
     StageClock clock(world.settings.measureStageTimes);
+    const bool watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
+    if (watched) {
+        limitSpeeds(world, dt);
+        reachAhead(world);
+    }
     findPairs(world);
     clock.stop(world.stageTimes.pairs);
     collideContacts(world);
@@ -78,6 +84,7 @@ void advance(WorldState& world, double dt) {
     moveFreeBodies(world, dt);
     solveTiedBodies(world, step);
     putBackOverflown(world);
+    if (watched) { limitWays(world, dt); }
     clock.stop(world.stageTimes.solve);
     sweepFastBodies(world, dt);
     moveKinematicBodies(world, dt);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "../shapes/mass.h"
+#include "modes.h"
 #include "tolerances.h"
 #include "world_state.h"
 
@@ -135,7 +136,9 @@ Real contactReach(const WorldState& world, const Shape& shape) {
     const Body& body = world.bodies[shape.body];
     if (body.def.type == BodyType::fixed) { return 0; }
     const Real motion = motionBound(world, shape.body, static_cast<Real>(world.lastDt));
-    return std::clamp(motion, kMinReachRatio * shape.extent, kMaxReachRatio * shape.extent);
+    const Real least = kMinReachRatio * shape.extent;
+    if (modeOf(world, body) == ContinuousMode::speculative) { return std::max(motion, least); }
+    return std::clamp(motion, least, kMaxReachRatio * shape.extent);
 }
 
 Aabb neededBox(const WorldState& world, const Shape& shape) {
@@ -159,6 +162,7 @@ void updateProxies(WorldState& world, std::uint32_t body, bool always) {
         const Shape& shape = world.shapes[slot];
         if (!always && contains(world.broadphase->box(shape.proxy), neededBox(world, shape))) { continue; }
         const Status moved = world.broadphase->move(shape.proxy, fatBox(world, shape));
+        if (always) { (void)world.broadphase->renewPairs(shape.proxy); }  // the shape owns it: never stale
         world.counters.proxiesMoved += moved.ok() ? 1 : 0;
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "../solver/island_finder.h"
@@ -34,6 +35,8 @@ struct WorldState {
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
     std::vector<std::uint32_t> awake;  ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
+    std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
 
     std::unique_ptr<Broadphase> broadphase = makeBroadphase(BroadphaseKind::bvh);
@@ -80,13 +83,15 @@ void updatePose(WorldState& world, std::uint32_t body);
 /// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
 Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
-/// Hands boxes that grew too small to the broadphase. @param always  also those that still fit (teleports).
+/// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are
+/// found anew (teleports).
 void updateProxies(WorldState& world, std::uint32_t body, bool always);
 /// Removes contacts for which `doomed` is true; reports the end of those that touched.
 void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed);
 /// Removes a joint, wakes its bodies, and lets them collide again.
 void removeJoint(WorldState& world, JointId id);
-/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its extent.
+/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its extent
+/// (all of it in mode `speculative`).
 Real contactReach(const WorldState& world, const Shape& shape);
 /// Length of the longest path that a point of the body can take within dt, metres.
 Real motionBound(const WorldState& world, std::uint32_t body, Real dt);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <string>
@@ -26,7 +27,7 @@ public:
     struct Proxy {
         Aabb box;
         ProxyKind kind = ProxyKind::fixed;
-        bool moved = false;
+        std::optional<Aabb> known = std::nullopt;  ///< the box when pairs were asked for last
     };
 
     std::uint32_t insert(const Aabb& box, ProxyKind kind) {
@@ -34,29 +35,25 @@ public:
         while (proxies_.count(slot) != 0) {
             ++slot;
         }
-        proxies_[slot] = {box, kind, true};
+        proxies_[slot] = {box, kind};
         return slot;
     }
     void move(std::uint32_t slot, const Aabb& box) {
         proxies_[slot].box = box;
-        proxies_[slot].moved = true;
     }
+    void renew(std::uint32_t slot) { proxies_[slot].known.reset(); }
     void remove(std::uint32_t slot) { proxies_.erase(slot); }
     std::vector<ProxyPair> pairs() {
         std::vector<ProxyPair> found;
         for (const auto& [a, proxyA] : proxies_) {
             for (const auto& [b, proxyB] : proxies_) {
-                if (a >= b || (!proxyA.moved && !proxyB.moved)) {
-                    continue;
-                }
-                if (!mayMeet(proxyA.kind, proxyB.kind) || !touching(proxyA.box, proxyB.box)) {
-                    continue;
-                }
+                if (a >= b || !mayMeet(proxyA.kind, proxyB.kind) || !touching(proxyA.box, proxyB.box)) { continue; }
+                if (proxyA.known && proxyB.known && touching(*proxyA.known, *proxyB.known)) { continue; }
                 found.push_back({static_cast<ProxyId>(a), static_cast<ProxyId>(b)});
             }
         }
         for (auto& [slot, proxy] : proxies_) {
-            proxy.moved = false;
+            proxy.known = proxy.box;
         }
         return found;
     }

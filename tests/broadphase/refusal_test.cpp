@@ -46,6 +46,7 @@ TEST_P(Refusal, OfStaleIds) {
     for (const ProxyId each : stale) {
         EXPECT_EQ(broadphase_->move(each, {{0, 0}, {1, 1}}).code, StatusCode::staleId);
         EXPECT_EQ(broadphase_->remove(each).code, StatusCode::staleId);
+        EXPECT_EQ(broadphase_->renewPairs(each).code, StatusCode::staleId);
     }
 }
 

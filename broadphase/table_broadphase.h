@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+
+#include "box_sweep.h"
+#include "pair_order.h"
+#include "proxy_table.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Where an implementation puts the overlapping pairs that it finds; only new ones get through.
+class PairSink {
+public:
+    PairSink(const ProxyTable& table, std::vector<ProxyPair>& out) : table_(table), out_(out) {}
+
+    /// Two overlapping boxes of kinds that can meet, of which one has moved; each pair may be given once only.
+    void add(std::uint32_t a, std::uint32_t b) {
+        if (overlaps(table_.knownBoxAt(a), table_.knownBoxAt(b))) { return; }
+        out_.push_back({static_cast<ProxyId>(std::min(a, b)), static_cast<ProxyId>(std::max(a, b))});
+    }
+    /// The same for a pair that is new.
+    void addNew(std::uint32_t a, std::uint32_t b) {
+        out_.push_back({static_cast<ProxyId>(std::min(a, b)), static_cast<ProxyId>(std::max(a, b))});
+    }
+
+private:
+    const ProxyTable& table_;
+    std::vector<ProxyPair>& out_;
+};
+
+/// What a ray or sweep brings along through a structure: the limit that visitors shorten, and the count of box tests.
+class SweepVisit {
+public:
+    SweepVisit(const BoxSweep& sweep, Real limit, FunctionRef<Real(ProxyId, Real)> visit)
+        : sweep_(sweep), limit_(limit), visit_(visit) {}
+
+    /// Fraction at which the sweep touches a box; `BoxSweep::kNever` when not by the limit.
+    double touch(const Aabb& box) {
+        ++tests_;
+        return sweep_.firstTouch(box, static_cast<double>(limit_));
+    }
+    bool meets(const Aabb& box) { return touch(box) != BoxSweep::kNever; }
+    /// Shows a proxy that is met to the visitor.
+    void show(std::uint32_t slot) { limit_ = std::min(limit_, visit_(static_cast<ProxyId>(slot), limit_)); }
+    bool isOver() const { return !(limit_ > 0); }
+    double limit() const { return static_cast<double>(limit_); }
+    std::uint64_t tests() const { return tests_; }
+
+private:
+    const BoxSweep& sweep_;
+    Real limit_;
+    FunctionRef<Real(ProxyId, Real)> visit_;
+    std::uint64_t tests_ = 0;
+};
+
+/// The part that all implementations share: checks, slots, boxes, marks, order of the pairs, counters. What is left to
+/// each is its structure and the walks through it.
+class TableBroadphase : public Broadphase {
+public:
+    Result<ProxyId> insert(const Aabb& box, ProxyKind kind) final;
+    Status move(ProxyId id, const Aabb& box) final;
+    Status remove(ProxyId id) final;
+    Status renewPairs(ProxyId id) final;
+    const Aabb& box(ProxyId id) const final;
+    void pairs(std::vector<ProxyPair>& out) final;
+    void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
+    void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const final;
+    void sweep(const Aabb& box, DVec2 translation, Real maxFraction,
+               FunctionRef<Real(ProxyId, Real)> visit) const final;
+    BroadphaseCounters counters() const final;
+    std::size_t memoryBytes() const final;
+
+protected:
+    ProxyTable& table() { return table_; }
+    const ProxyTable& table() const { return table_; }
+    void countRebuild() { ++counters_.rebuilt; }
+
+private:
+    // The table holds the change already.
+    virtual void onInsert(std::uint32_t slot) = 0;
+    virtual void onMove(std::uint32_t slot, const Aabb& before) = 0;
+    /// The slot is still taken.
+    virtual void onRemove(std::uint32_t slot) = 0;
+    /// The known boxes of what has moved are about to become those of now.
+    virtual void onPairsDone() {}
+    /// Gives every overlapping pair of which one has moved to the sink. Returns the number of box tests.
+    virtual std::uint64_t join(PairSink& sink) = 0;
+    /// Returns the number of box tests.
+    virtual std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
+    /// Shows everything that is met until the visit is over.
+    virtual void visitAlong(SweepVisit& visit) const = 0;
+    virtual std::size_t structureBytes() const = 0;
+
+    void castAlong(const BoxSweep& sweep, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const;
+
+    ProxyTable table_;
+    PairOrder order_;
+    BroadphaseCounters counters_;
+    mutable std::atomic<std::uint64_t> queryTests_ = 0;  // queries may run at the same time as each other
+};
+
+}  // namespace swept::inline SWEPT_PRECISION
