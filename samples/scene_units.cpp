@@ -169,7 +169,7 @@ std::string unitText(const Dimension& d) {
     appendUnit(below, "m", -d.length);
     appendUnit(below, "s", -d.time);
     if (above.empty()) {
-        above = "1";
+        above += '1';  // assigning "1" is an overflow in the eyes of GCC 12
     }
     return below.empty() ? above : above + "/" + below;
 }
