@@ -14,7 +14,7 @@ namespace {
 SceneResult failure(SceneError error, std::string_view file) {
     error.file = file;
     if (error.pointer.empty()) {
-        error.pointer = "/";
+        error.pointer = '/';
     }
     return {std::nullopt, std::move(error)};
 }
