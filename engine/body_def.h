@@ -13,10 +13,14 @@ enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
 /// What happens when a body moves so fast that it could pass through something within a step.
 enum class ContinuousMode : std::uint8_t {
-    off,      ///< nothing: contacts are looked for at the start of the step only
-    stop,     ///< the body stops at its first impact with a static or kinematic shape; the rest of its step is lost (and
-              ///< entered in the lost-time ledger)
-    subStep,  ///< the impact is resolved at its own time, and the body goes on through the rest of the step
+    off,          ///< nothing: contacts are looked for at the start of the step only
+    speedLimit,   ///< no point of the body moves farther in a step than half its own width and that of the world's
+                  ///< thinnest wall; what is faster is slowed (and entered in the lost-time ledger). Dynamic bodies only
+    speculative,  ///< contacts are made ahead, as far as the body may move in the step, and let it close the gap and no
+                  ///< more; the plane of a contact has no end, so what would have passed by may be stopped (a ghost)
+    stop,         ///< the body stops at its first impact with a static or kinematic shape; the rest of its step is lost
+                  ///< (and entered in the lost-time ledger)
+    subStep,      ///< the impact is resolved at its own time, and the body goes on through the rest of the step
 };
 
 }  // namespace swept

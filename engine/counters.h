@@ -24,7 +24,9 @@ struct StepCounters {
     std::uint64_t toiCalls = 0;
     std::uint64_t toiIterations = 0;
     std::uint64_t impacts = 0;         ///< resolved at their own time
+    std::uint64_t aheadContacts = 0;   ///< made ahead, farther than other modes would, by mode `speculative`
     std::uint64_t speedsLimited = 0;   ///< by `maxSpeed`
+    std::uint64_t speedsCapped = 0;    ///< bodies slowed by mode `speedLimit`
     std::uint64_t fellAsleep = 0;
     std::uint64_t wokeUp = 0;          ///< in the step, and by calls since the one before
     std::uint64_t putBack = 0;         ///< bodies whose state overflowed: at rest where they were before the step

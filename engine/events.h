@@ -15,6 +15,7 @@ enum class LostTimeReason : std::uint8_t {
     budget,  ///< `maxImpacts` was used up
     stuck,   ///< it could not move without passing through something
     clamp,   ///< a fast body with joints or touching neighbours was held at its impact
+    speedLimit,  ///< continuous mode `speedLimit` cut the speed: the part of its way that it did not go, as time
 };
 
 /// One line of the lost-time ledger of the last step.

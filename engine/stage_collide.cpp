@@ -115,6 +115,12 @@ bool disturbs(const WorldState& world, std::uint32_t slot) {
     return body.awake && (body.isDynamic() || moves);
 }
 
+/// Whether only mode `speculative` makes a contact of so distant shapes.
+bool isAhead(const WorldState& world, const Contact& contact) {
+    const Real usual = world.shapes[contact.shapeA].extent + world.shapes[contact.shapeB].extent;
+    return deepestSeparation(contact.manifold) > kMaxReachRatio * usual;
+}
+
 /// Between parallel updates, in order of the contacts: events, and waking of what an awake body touches.
 void noticeTouching(WorldState& world, Contact& contact) {
     if (!contact.updated || contact.apart) { return; }
@@ -125,6 +131,7 @@ void noticeTouching(WorldState& world, Contact& contact) {
         contact.touching = touching;
     }
     if (!contact.isSolid()) { return; }
+    world.counters.aheadContacts += isAhead(world, contact) ? 1 : 0;
     if (disturbs(world, contact.bodyA) && world.bodies[contact.bodyB].isDynamic()) { wake(world, contact.bodyB); }
     if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "modes.h"
 #include "step.h"
 #include "tolerances.h"
 
@@ -21,14 +22,12 @@ bool wasFlung(const WorldState& world, std::uint32_t slot) {
 
 bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
-    const ContinuousMode mode = body.def.continuous.value_or(world.settings.continuous);
-    if (!body.isDynamic() || body.role == BodyRole::flyer || mode == ContinuousMode::off) { return false; }
+    if (!body.isDynamic() || body.role == BodyRole::flyer || !isSwept(modeOf(world, body))) { return false; }
     return body.fast || wasFlung(world, slot);
 }
 
 LostTimeReason reasonOf(const WorldState& world, const Body& body) {
-    const ContinuousMode mode = body.def.continuous.value_or(world.settings.continuous);
-    return mode == ContinuousMode::stop ? LostTimeReason::stop : LostTimeReason::clamp;
+    return modeOf(world, body) == ContinuousMode::stop ? LostTimeReason::stop : LostTimeReason::clamp;
 }
 
 template <class T>

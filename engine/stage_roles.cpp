@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "modes.h"
 #include "step.h"
 #include "tolerances.h"
 
@@ -31,7 +32,7 @@ void noteContact(Body& body, const Body& other, const Contact& contact) {
 
 BodyRole roleOf(const WorldState& world, const Body& body) {
     if (!body.isDynamic()) { return BodyRole::free; }
-    const ContinuousMode mode = body.def.continuous.value_or(world.settings.continuous);
+    const ContinuousMode mode = modeOf(world, body);
     const bool alone = body.joints.empty() && !body.touchesDynamic;
     if (alone && body.fast && !body.deepContact && mode == ContinuousMode::subStep) { return BodyRole::flyer; }
     return body.joints.empty() && !body.hasContact ? BodyRole::free : BodyRole::solved;

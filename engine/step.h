@@ -6,6 +6,12 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Modes `speedLimit` (mode_speed_limit.cpp) and `speculative` (mode_speculative.cpp), before anything looks at speeds: the
+/// one slows what is too fast, the other has the boxes of its bodies span their whole motion.
+void limitSpeeds(WorldState& world, double dt);
+void reachAhead(WorldState& world);
+/// Mode `speedLimit` again, after the solve: what other bodies pushed does not go farther than it may either.
+void limitWays(WorldState& world, double dt);
 /// Pairs of boxes that began to overlap become contacts (stage_pairs.cpp).
 void findPairs(WorldState& world);
 /// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is touched (stage_collide.cpp).

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modes.h"
 #include "number_range.h"
 #include "world_state.h"
 
@@ -64,6 +65,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
               .angularVelocity = def.angularVelocity};
     world.bodies[id->index].nextAsleep = id->index;
     updatePose(world, id->index);
+    world.watchedBodies += isWatched(def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
     if (def.type == BodyType::dynamic) {
         ++world.masslessBodies;  // until the next line finds a mass
         updateMass(world, id->index);
@@ -88,6 +90,8 @@ Status World::destroyBody(BodyId id) {
         (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
         world.shapes.erase(world.shapes.idOf(slot));
     }
+    world.thinnestWall.reset();
+    world.watchedBodies -= isWatched(body.def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
     if (body.isDynamic() && body.mass <= 0) { --world.masslessBodies; }
     if (body.def.type != BodyType::fixed) { removeFromAwake(world, id.index); }
     world.bodies.erase(id);

@@ -47,6 +47,7 @@ void remember(WorldState& world, ProxyId proxy, std::uint32_t shape) {
 Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     shape.body = body;
     shape.extent = extentOf(shape.polygon);
+    world.thinnestWall.reset();
     const ProxyKind kind = kindOf(shape, world.bodies[body].def.type);
     const Aabb box = fatBox(world, shape);
     const std::optional<ShapeId> id = world.shapes.insert(std::move(shape));
@@ -69,6 +70,7 @@ void removeOne(WorldState& world, std::uint32_t slot) {
     (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
     removeContacts(world, [slot](const Contact& c) { return c.shapeA == slot || c.shapeB == slot; });
     std::erase(world.bodies[body].shapes, slot);
+    world.thinnestWall.reset();
     world.shapes.erase(world.shapes.idOf(slot));
 }
 

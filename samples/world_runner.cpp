@@ -14,6 +14,7 @@ const char* nameOf(LostTimeReason reason) {
         case LostTimeReason::budget: return "budget";
         case LostTimeReason::stuck: return "stuck";
         case LostTimeReason::clamp: return "clamp";
+        case LostTimeReason::speedLimit: return "speedLimit";
     }
     return "";  // unreachable, but GCC cannot know
 }
