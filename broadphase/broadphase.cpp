@@ -2,6 +2,7 @@
 
 #include "all_pairs.h"
 #include "bvh.h"
+#include "wide_bvh.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -12,10 +13,11 @@ std::unique_ptr<Broadphase> makeBroadphase(BroadphaseKind kind) {
         case BroadphaseKind::sortAndSweep:
         case BroadphaseKind::quadtree:
         case BroadphaseKind::grid:
-        case BroadphaseKind::wideBvh:
-        case BroadphaseKind::automatic:
         case BroadphaseKind::bvh:
             return std::make_unique<Bvh>();
+        case BroadphaseKind::automatic:
+        case BroadphaseKind::wideBvh:
+            return std::make_unique<WideBvh>();
     }
     return nullptr;  // unreachable, but GCC cannot know
 }

@@ -19,10 +19,8 @@ public:
         if (overlaps(table_.knownBoxAt(a), table_.knownBoxAt(b))) { return; }
         out_.push_back({static_cast<ProxyId>(std::min(a, b)), static_cast<ProxyId>(std::max(a, b))});
     }
-    /// The same for a pair that is new.
-    void addNew(std::uint32_t a, std::uint32_t b) {
-        out_.push_back({static_cast<ProxyId>(std::min(a, b)), static_cast<ProxyId>(std::max(a, b))});
-    }
+    /// For those who know what is new by themselves; lower slot first.
+    std::vector<ProxyPair>& newPairs() { return out_; }
 
 private:
     const ProxyTable& table_;

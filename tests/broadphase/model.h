@@ -16,6 +16,23 @@
 
 namespace swept::test {
 
+/// Every implementation by itself; `automatic` is one of them.
+inline constexpr BroadphaseKind kEveryKind[] = {BroadphaseKind::allPairs, BroadphaseKind::bvh, BroadphaseKind::wideBvh};
+
+inline std::string nameOf(BroadphaseKind kind) {
+    switch (kind) {
+        case BroadphaseKind::automatic: return "automatic";
+        case BroadphaseKind::allPairs: return "allPairs";
+        case BroadphaseKind::sortAndSweep: return "sortAndSweep";
+        case BroadphaseKind::quadtree: return "quadtree";
+        case BroadphaseKind::grid: return "grid";
+        case BroadphaseKind::bvh: return "bvh";
+        case BroadphaseKind::wideBvh: return "wideBvh";
+    }
+    return "";
+}
+inline std::ostream& operator<<(std::ostream& out, BroadphaseKind kind) { return out << nameOf(kind); }
+
 /// 0 … count − 1; `count` > 0.
 inline std::uint32_t below(Random& random, std::uint32_t count) {
     return static_cast<std::uint32_t>(random.integer(0, static_cast<int>(count) - 1));

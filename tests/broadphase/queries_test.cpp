@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <swept/broadphase/bvh.h>
-
 #include "model.h"
 
 namespace swept::test {
@@ -32,20 +30,17 @@ long double firstTouch(const Aabb& moving, DVec2 by, const Aabb& other) {
 
 struct Filled {
     Model model;
-    std::unique_ptr<Broadphase> allPairs = makeBroadphase(BroadphaseKind::allPairs);
-    std::unique_ptr<Broadphase> bvh = makeBroadphase(BroadphaseKind::bvh);
-
-    std::vector<const Broadphase*> both() const { return {allPairs.get(), bvh.get()}; }
+    std::vector<std::unique_ptr<Broadphase>> each;  // of kEveryKind, all pairs first
 };
 
 Filled filled(Family family, Random& random, int count) {
     Filled all;
+    for (const BroadphaseKind broadphase : kEveryKind) { all.each.push_back(makeBroadphase(broadphase)); }
     for (int i = 0; i < count; ++i) {
         const Aabb box = randomBox(family, random);
         const ProxyKind kind = randomKind(random);
         all.model.insert(box, kind);
-        EXPECT_TRUE(all.allPairs->insert(box, kind).ok());
-        EXPECT_TRUE(all.bvh->insert(box, kind).ok());
+        for (const auto& broadphase : all.each) { EXPECT_TRUE(broadphase->insert(box, kind).ok()); }
     }
     return all;
 }
@@ -60,7 +55,7 @@ TEST_P(Queries, OfBoxesFindWhatOverlaps) {
         const Aabb box = randomBox(GetParam(), random);
         const std::set<std::uint32_t> expected = all.model.overlapping(box);
         found += expected.size();
-        for (const Broadphase* broadphase : all.both()) {
+        for (const auto& broadphase : all.each) {
             std::vector<std::uint32_t> slots;
             broadphase->query(box, [&](ProxyId id) {
                 slots.push_back(static_cast<std::uint32_t>(id));
@@ -143,10 +138,12 @@ TEST_P(Queries, OfRaysAndSweepsFindWhatIsMet) {
         const auto sweep = [&](const Broadphase& broadphase) {
             return visited([&](auto visit) { broadphase.sweep(from, by, limit, visit); });
         };
-        const std::set<std::uint32_t> onRay = ray(*all.bvh);
-        const std::set<std::uint32_t> onSweep = sweep(*all.bvh);
-        ASSERT_EQ(onRay, ray(*all.allPairs)) << "case " << i;
-        ASSERT_EQ(onSweep, sweep(*all.allPairs)) << "case " << i;
+        const std::set<std::uint32_t> onRay = ray(*all.each[0]);
+        const std::set<std::uint32_t> onSweep = sweep(*all.each[0]);
+        for (const auto& broadphase : all.each) {
+            ASSERT_EQ(onRay, ray(*broadphase)) << "case " << i;
+            ASSERT_EQ(onSweep, sweep(*broadphase)) << "case " << i;
+        }
         expectMatches(all, onRay, point, by, limit);
         expectMatches(all, onSweep, from, by, limit);
         if (HasFatalFailure()) {
@@ -168,7 +165,7 @@ TEST_P(Queries, OfRaysShortenedByTheVisitorEndAtTheNearest) {
         for (const auto& [slot, proxy] : all.model.proxies()) {
             nearest = std::min(nearest, firstTouch(from, by, proxy.box));
         }
-        for (const Broadphase* broadphase : all.both()) {
+        for (const auto& broadphase : all.each) {
             Real best = 2;
             broadphase->sweep(from, by, 1, [&](ProxyId id, Real limit) {
                 const auto t = static_cast<Real>(firstTouch(from, by, broadphase->box(id)));
@@ -192,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(AllFamilies, Queries, testing::ValuesIn(kFamilies),
                          [](const testing::TestParamInfo<Family>& family) { return nameOf(family.param); });
 
 TEST(Queries, OfAnEmptyWorldFindNothing) {
-    for (const BroadphaseKind kind : {BroadphaseKind::allPairs, BroadphaseKind::bvh}) {
+    for (const BroadphaseKind kind : kEveryKind) {
         const auto broadphase = makeBroadphase(kind);
         broadphase->query({{-1, -1}, {1, 1}}, [](ProxyId) -> bool { throw "nothing is there"; });
         broadphase->ray({0, 0}, {1, 1}, 1, [](ProxyId, Real) -> Real { throw "nothing is there"; });
@@ -202,7 +199,7 @@ TEST(Queries, OfAnEmptyWorldFindNothing) {
 }
 
 TEST(Queries, StopWhenTheVisitorReturnsZero) {
-    for (const BroadphaseKind kind : {BroadphaseKind::allPairs, BroadphaseKind::bvh}) {
+    for (const BroadphaseKind kind : kEveryKind) {
         const auto broadphase = makeBroadphase(kind);
         for (int i = 0; i < 20; ++i) {
             ASSERT_TRUE(broadphase->insert(boxAround(i, 0, 0.4, 0.4), static_cast<ProxyKind>(i % 4)).ok());

@@ -91,7 +91,8 @@ TEST_P(Refusal, IsNotNeededForTheLargestFiniteBoxes) {
     EXPECT_EQ(pairs, model.pairs());
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryImplementation, Refusal, testing::Values(BroadphaseKind::allPairs, BroadphaseKind::bvh));
+INSTANTIATE_TEST_SUITE_P(EveryImplementation, Refusal, testing::ValuesIn(kEveryKind),
+                         [](const testing::TestParamInfo<BroadphaseKind>& kind) { return nameOf(kind.param); });
 
 }  // namespace
 }  // namespace swept::test

@@ -1,0 +1,100 @@
+#include "wide_bvh.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+
+/// Near children first, so that a limit that shrinks spares the far ones.
+void walkSweep(const WideTree& tree, SweepVisit& visit) {
+    struct Entry {
+        double touch;
+        std::uint32_t index;
+        std::uint32_t level;  // of the node `index`; one more than that of its lanes' boxes
+    };
+    if (tree.height() == 0) { return; }
+    std::array<Entry, WideTree::kMaxLevels * kWide> stack;
+    std::size_t size = 0;
+    stack[size++] = {0, 0, static_cast<std::uint32_t>(tree.height())};
+    while (size > 0) {
+        const Entry entry = stack[--size];
+        if (entry.touch > visit.limit()) { continue; }  // the limit has become smaller since
+        if (entry.level == 0) {
+            visit.show(tree.slots()[entry.index]);
+            if (visit.isOver()) { return; }
+            continue;
+        }
+        const WideBoxes& boxes = tree.level(entry.level - 1)[entry.index];
+        const std::size_t first = size;
+        for (std::uint32_t lane = 0; lane < kWide; ++lane) {
+            const Aabb box = boxes.box(lane);
+            if (!(box.lower.x <= box.upper.x)) { continue; }  // an empty lane
+            const double touch = visit.touch(box);
+            if (touch == BoxSweep::kNever) { continue; }
+            std::size_t place = size++;
+            for (; place > first && stack[place - 1].touch < touch; --place) { stack[place] = stack[place - 1]; }
+            stack[place] = {touch, kWide * entry.index + lane, entry.level - 1};
+        }
+    }
+}
+
+}  // namespace
+
+void WideBvh::onInsert(std::uint32_t slot) {
+    if (slot == places_.size()) { places_.push_back(0); }
+    treeAt(slot).insert(slot, table().boxAt(slot), places_);
+}
+
+void WideBvh::onMove(std::uint32_t slot, const Aabb&) {
+    const bool renewed = table().knownBoxAt(slot) == kNoBox;
+    treeAt(slot).move(slot, table().boxAt(slot), renewed, places_);
+}
+
+void WideBvh::onRemove(std::uint32_t slot) { treeAt(slot).remove(places_[slot]); }
+
+std::uint64_t WideBvh::join(PairSink& sink) {
+    for (WideTree& tree : trees_) {
+        if (tree.prepareJoin(places_)) { countRebuild(); }
+    }
+    std::uint64_t tests = 0;
+    for (int first = 0; first < kProxyKindCount; ++first) {
+        for (int second = 0; second < kProxyKindCount; ++second) {
+            if (!canMeet(static_cast<ProxyKind>(first), static_cast<ProxyKind>(second))) { continue; }
+            tests += kernels_.join({.moving = &trees_[static_cast<std::size_t>(first)],
+                                    .other = &trees_[static_cast<std::size_t>(second)],
+                                    .skipMoved = first > second,
+                                    .scratch = &scratch_,
+                                    .out = &sink.newPairs()});
+        }
+    }
+    return tests;
+}
+
+void WideBvh::onPairsDone() {
+    for (WideTree& tree : trees_) { tree.finishJoin(); }
+}
+
+std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
+    std::uint64_t tests = 0;
+    bool goOn = true;
+    for (const WideTree& tree : trees_) {
+        tests += kernels_.query(tree, box, goOn, visit);
+        if (!goOn) { break; }
+    }
+    return tests;
+}
+
+void WideBvh::visitAlong(SweepVisit& visit) const {
+    for (const WideTree& tree : trees_) {
+        walkSweep(tree, visit);
+        if (visit.isOver()) { return; }
+    }
+}
+
+std::size_t WideBvh::structureBytes() const {
+    std::size_t sum = bytesOf(places_);
+    for (const WideTree& tree : trees_) { sum += tree.memoryBytes(); }
+    for (const auto& list : scratch_.candidates) { sum += bytesOf(list); }
+    return sum;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+
+#include "table_broadphase.h"
+#include "wide_kernels.h"
+#include "wide_tree.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// One wide tree per kind. Pairs are found by joining what moved in one tree with all of another, eight boxes at a time;
+/// a box that did not move, asleep or fixed, costs nothing unless something comes near.
+///
+/// n proxies of which m moved: move O(1) mostly; the join O(m log n + pairs) in worlds whose boxes do not all overlap, and
+/// a rebuild, O(n log n), no more often than what it saves; a query O(log n + found).
+class WideBvh final : public TableBroadphase {
+public:
+    explicit WideBvh(const WideKernels& kernels = widestKernels()) : kernels_(kernels) {}
+
+    /// For tests and for measuring its quality.
+    const WideTree& tree(ProxyKind kind) const { return trees_[static_cast<std::size_t>(kind)]; }
+
+private:
+    void onInsert(std::uint32_t slot) override;
+    void onMove(std::uint32_t slot, const Aabb& before) override;
+    void onRemove(std::uint32_t slot) override;
+    void onPairsDone() override;
+    std::uint64_t join(PairSink& sink) override;
+    std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
+    void visitAlong(SweepVisit& visit) const override;
+    std::size_t structureBytes() const override;
+
+    WideTree& treeAt(std::uint32_t slot) {
+        return trees_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
+    }
+
+    const WideKernels& kernels_;
+    std::array<WideTree, kProxyKindCount> trees_;
+    std::vector<std::uint32_t> places_;  // one per slot: the place in the tree of the slot's kind
+    WideScratch scratch_;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,85 @@
+// Compiled once per instruction set: foreach_target.h reads this file again for each.
+#include "wide_kernels.h"
+
+// Vectors are members here, which needs a size known to the compiler; what no machine of ours can test is left out.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3 | HWY_AVX3_DL | HWY_SSSE3)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "wide_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+#undef SWEPT_LANES
+#define SWEPT_LANES HWY_NAMESPACE
+#include "wide_walks.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Compares as many lanes at once as a register holds: the same comparisons as the scalar twin's, so the same bits.
+class LaneQuery {
+    using Tag = hn::CappedTag<Real, kWide>;
+    using Lanes = hn::Vec<Tag>;
+
+public:
+    explicit LaneQuery(const Aabb& box)
+        : lowerX_(hn::Set(Tag(), box.lower.x)),
+          lowerY_(hn::Set(Tag(), box.lower.y)),
+          upperX_(hn::Set(Tag(), box.upper.x)),
+          upperY_(hn::Set(Tag(), box.upper.y)) {}
+
+    std::uint32_t overlapping(const WideBoxes& boxes) const {
+        const Tag tag;
+        std::uint32_t lanes = 0;
+        for (std::size_t i = 0; i < kWide; i += hn::MaxLanes(tag)) {
+            const auto x = hn::And(hn::Le(hn::Load(tag, boxes.lowerX.data() + i), upperX_),
+                                   hn::Le(lowerX_, hn::Load(tag, boxes.upperX.data() + i)));
+            const auto y = hn::And(hn::Le(hn::Load(tag, boxes.lowerY.data() + i), upperY_),
+                                   hn::Le(lowerY_, hn::Load(tag, boxes.upperY.data() + i)));
+            std::uint8_t bits = 0;
+            hn::StoreMaskBits(tag, hn::And(x, y), &bits);
+            lanes |= static_cast<std::uint32_t>(bits) << i;
+        }
+        return lanes;
+    }
+
+private:
+    Lanes lowerX_;
+    Lanes lowerY_;
+    Lanes upperX_;
+    Lanes upperY_;
+};
+
+std::uint64_t join(const WideJoin& task) { return JoinWalk<LaneQuery>(task).run(); }
+std::uint64_t query(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
+    return walkQuery<LaneQuery>(tree, box, goOn, visit);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace swept::inline SWEPT_PRECISION
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+
+HWY_EXPORT(join);
+HWY_EXPORT(query);
+
+std::uint64_t joinOnThisMachine(const WideJoin& task) { return HWY_DYNAMIC_DISPATCH(join)(task); }
+std::uint64_t queryOnThisMachine(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
+    return HWY_DYNAMIC_DISPATCH(query)(tree, box, goOn, visit);
+}
+
+}  // namespace
+
+const WideKernels& widestKernels() {
+    static constexpr WideKernels kKernels = {"widest", joinOnThisMachine, queryOnThisMachine};
+    return kKernels;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
+#endif
