@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "method_pair.h"
+#include "toi_observer.h"
 
 namespace swept {
 namespace {
@@ -52,6 +53,10 @@ Toi conservativeAdvancement(const ToiPolygon& a, const Sweep& sweepA, const ToiP
             return answerFrom(pose, sweepA, ToiState::hit, steps);
         }
         const double next = free ? settings.tMax : std::min(pose.fraction + gap / speed, settings.tMax);
+        if (settings.observer != nullptr) {
+            const Toi here = answerFrom(pose, sweepA, ToiState::separated, 0);
+            settings.observer->onStep({here.fraction, here.separation, here.normal, here.pointA, here.pointB, next});
+        }
         if (!(next > pose.fraction)) {
             return answerFrom(pose, sweepA, ToiState::failed, steps);
         }

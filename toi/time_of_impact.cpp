@@ -2,6 +2,7 @@
 
 #include "axis_bound.h"
 #include "moving_pair.h"
+#include "toi_observer.h"
 
 namespace swept {
 namespace {
@@ -31,6 +32,13 @@ Toi answerFrom(const MovingPair& pair, const PairPose& pose, const Sweep& sweepA
 }
 
 bool coresIntersect(const PairPose& pose) { return pose.distance.coreSeparation <= 0; }
+
+/// Out of line: the search is shorter without it.
+[[gnu::noinline, gnu::cold]] void tell(const MovingPair& pair, const PairPose& pose, const Sweep& sweepA,
+                                       const ToiSettings& settings, double next) {
+    const Toi here = answerFrom(pair, pose, sweepA, ToiState::separated, 0);
+    settings.observer->onStep({here.fraction, here.separation, here.normal, here.pointA, here.pointB, next});
+}
 
 /// Up to here the circles that hold the bodies stay apart: the search begins there.
 double firstFraction(const MovingPair& pair, double level, double tMax) {
@@ -69,6 +77,7 @@ Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, 
         const bool free = advance >= rest;  // nothing more can happen, even from within the band
         if (!free && separation <= closeEnough) { return answerFrom(pair, pose, sweepA, ToiState::hit, steps); }
         const double next = free ? settings.tMax : pose.fraction + advance;
+        if (settings.observer != nullptr) { tell(pair, pose, sweepA, settings, next); }
         if (!(next > pose.fraction)) { return answerFrom(pair, pose, sweepA, ToiState::failed, steps); }
         pair.moveTo(next, pose, cache);
     }
@@ -80,6 +89,13 @@ Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, con
     // Without spin the bound along the closest direction is the exact motion: each step is the ray cast of the relative
     // path against the supporting line, as in van den Bergen's GJK ray cast (2004), with parabolas for paths.
     return timeOfImpact(a, withoutRotation(sweepA), b, withoutRotation(sweepB), settings);
+}
+
+double certainUntil(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                    const ToiSettings& settings, double fraction, double level) {
+    const MovingPair pair(a, sweepA, b, sweepB);
+    SimplexCache cache;
+    return fraction + safeAdvance(pair, pair.poseAt(fraction, cache), level, settings.tMax - fraction);
 }
 
 Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction) {

@@ -16,11 +16,14 @@ struct ToiPolygon {
     double radius = 0;
 };
 
+class ToiObserver;
+
 /// Lengths in metres, fraction without unit.
 struct ToiSettings {
     double target = 0;     ///< separation that counts as touching; target + rA + rB ≥ 0
     double tolerance = 0;  ///< greater than 0
     double tMax = 1;       ///< search [0, tMax], 0 < tMax ≤ 1
+    ToiObserver* observer = nullptr;  ///< is told of every step (toi_observer.h); changes nothing
 };
 
 /// Default target 2⁻¹⁰ of the pair's extent (the smaller non-zero one of the two shapes'), tolerance a quarter of it.
