@@ -31,6 +31,7 @@ struct Body {
     BodyDef def;                  ///< as given; pose and velocity there are not kept up to date
     std::vector<std::uint32_t> shapes;  ///< shape slots, in order of creation
     std::vector<std::uint32_t> joints;  ///< joint slots
+    std::uint32_t holdingJoints = 0;    ///< of them, all but filters
 
     double mass = 0;
     double inertia = 0;

@@ -1,33 +1,59 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
+#include <variant>
 
-#include "../solver/distance_constraint.h"
-#include "../solver/revolute_constraint.h"
+#include "../solver/solver_batch.h"
 #include "joint_def.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-enum class JointKind : std::uint8_t { revolute, distance };
+/// A definition and the constraint of the last step, whose impulses warm-start the next.
+template <class JointDefinition, class JointConstraintKind>
+struct JointPart {
+    using Constraint = JointConstraintKind;
+    JointDefinition def;
+    Constraint memory;
+};
+struct FilterPart {
+    FilterJointDef def;
+};
 
-/// A joint between steps: its definition in body frames, and the impulses that warm-start it.
+/// In the order of `JointType`.
+using JointParts =
+    std::variant<JointPart<RevoluteJointDef, RevoluteConstraint>, JointPart<DistanceJointDef, DistanceConstraint>,
+                 JointPart<PrismaticJointDef, PrismaticConstraint>, JointPart<WheelJointDef, WheelConstraint>,
+                 JointPart<WeldJointDef, WeldConstraint>, JointPart<MotorJointDef, MotorConstraint>,
+                 JointPart<MouseJointDef, MouseConstraint>, JointPart<GearJointDef, GearConstraint>,
+                 JointPart<PulleyJointDef, PulleyConstraint>, FilterPart>;
+static_assert(std::variant_size_v<JointParts> == static_cast<std::size_t>(JointType::filter) + 1);
+
+inline constexpr std::size_t kMostJointBodies = 4;  ///< a gear's
+
+/// A joint between steps: its definition in body frames, and what the last step left.
 struct Joint {
-    JointKind kind = JointKind::revolute;
     JointDef base;
+    JointParts parts;
     std::uint32_t bodyA = 0;  ///< slots
     std::uint32_t bodyB = 0;
-    Vec2 localAnchorA;        ///< body frames
+    std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
+    std::size_t bodyCount = 0;
+    Vec2 localAnchorA;  ///< body frames
     Vec2 localAnchorB;
+    Vec2 localAxis;             ///< unit, in the frame of A
     double referenceAngle = 0;  ///< angle of B minus angle of A at creation
-    Real extent = 0;            ///< smaller non-zero extent of the bodies, metres; 0: none
-    RevoluteJointDef revolute;
-    DistanceJointDef distance;
-    Real length = 0;
+    Real length = 0;            ///< of a rod or spring, or all of a pulley's rope, metres
+    double gearConstant = 0;    ///< metres or radians
 
-    RevoluteConstraint revoluteState;  ///< impulses of the last sub-step
-    DistanceConstraint distanceState;
-    Vec2 reactionForce;                ///< on B in the last sub-step, N
-    Real reactionTorque = 0;           ///< on B, N·m
+    Vec2 reactionForce;       ///< on B, mean of the last step, N
+    Real reactionTorque = 0;  ///< on B, N·m
+
+    JointType type() const { return static_cast<JointType>(parts.index()); }
+    /// Whether it holds its bodies at all.
+    bool holds() const { return type() != JointType::filter; }
+    std::span<const std::uint32_t> allBodies() const { return {bodies.data(), bodyCount}; }
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -6,20 +6,40 @@
 #include "../shapes/vec2.h"
 #include "ids.h"
 
+namespace swept {
+
+enum class JointType : std::uint8_t {
+    revolute,
+    distance,
+    prismatic,
+    wheel,
+    weld,
+    motor,
+    mouse,
+    gear,
+    pulley,
+    filter,
+};
+
+}  // namespace swept
+
 namespace swept::inline SWEPT_PRECISION {
 
-/// Common to all joints. Anchors are world points at the poses the bodies have when the joint is made.
+/// Common to all joints. Anchors are world points, axes world directions, at the poses the bodies have when the joint is made;
+/// angles and translations of a joint are 0 then. An empty limit, motor or spring does not exist.
 struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};
     bool collideConnected = false;
-    std::optional<Real> breakForce{};   ///< N; the joint breaks when its reaction over a step is larger
+    std::optional<Real> breakForce{};   ///< N; the joint breaks when its mean reaction over a step is larger
     std::optional<Real> breakTorque{};  ///< N·m
     std::uint64_t userData = 0;
 };
 
+/// Undamped it keeps its amplitude while a sub-step is less than 1/25 of its period; what is stiffer is damped by as much as a
+/// stable step needs.
 struct Spring {
-    Real hertz = 0;         ///< greater than 0
+    Real hertz = 0;         ///< greater than 0; of the two bodies alone, held by nothing but this joint
     Real dampingRatio = 0;  ///< at least 0; 1 is critical
 };
 struct AngleLimits {
@@ -31,7 +51,16 @@ struct AngularMotor {
     Real maxTorque = 0;  ///< N·m, at least 0
 };
 
-/// A hinge. An empty limit, motor or spring does not exist.
+struct TranslationLimits {
+    Real lower = 0;  ///< metres from the initial place, along the axis
+    Real upper = 0;  ///< at least `lower`
+};
+struct LinearMotor {
+    Real speed = 0;     ///< m/s of B relative to A, along the axis
+    Real maxForce = 0;  ///< N, at least 0
+};
+
+/// A hinge.
 struct RevoluteJointDef {
     JointDef base{};
     DVec2 anchor{};
@@ -53,6 +82,83 @@ struct DistanceJointDef {
     std::optional<Real> length{};  ///< empty: the initial distance of the anchors; greater than 0
     std::optional<LengthLimits> limits{};
     std::optional<Spring> spring{};
+};
+
+/// B slides along an axis fixed in A, and does not turn relative to A.
+struct PrismaticJointDef {
+    JointDef base{};
+    DVec2 anchor{};
+    DVec2 axis{1, 0};  ///< of any length greater than 0
+    std::optional<TranslationLimits> limits{};
+    std::optional<LinearMotor> motor{};
+    std::optional<Spring> spring{};  ///< towards the initial place
+};
+
+/// A wheel (B) on a suspension: its anchor slides along an axis fixed in A, and it turns freely or by its motor.
+struct WheelJointDef {
+    JointDef base{};
+    DVec2 anchor{};
+    DVec2 axis{0, 1};  ///< of any length greater than 0
+    std::optional<TranslationLimits> limits{};
+    std::optional<AngularMotor> motor{};
+    std::optional<Spring> spring{};  ///< along the axis, towards the initial place; empty: none, the wheel slides freely
+};
+
+/// Two bodies as one; where a spring is given, held by that spring. The linear one and the angular one do not know of each
+/// other: where both are given, each has the hertz it has with the other at rest only for anchors at the centres of mass.
+struct WeldJointDef {
+    JointDef base{};
+    DVec2 anchor{};
+    std::optional<Spring> linearSpring{};   ///< empty: rigid
+    std::optional<Spring> angularSpring{};  ///< empty: rigid
+};
+
+/// Where, or how fast, a motor joint drives B relative to A. A pose is approached so that the motor can stop there.
+struct MotorDrive {
+    std::optional<Vec2> linearOffset{};    ///< of B's origin in the frame of A, metres; empty: as it was when the joint was made
+    std::optional<Vec2> linearVelocity{};  ///< of B's origin in the frame of A, m/s; then there is no offset
+    std::optional<Real> angularOffset{};   ///< rad from the initial relative angle; empty: 0
+    std::optional<Real> angularVelocity{}; ///< of B relative to A, rad/s; then there is no offset
+    std::optional<Real> maxForce{};   ///< N, at least 0; empty: no linear drive
+    std::optional<Real> maxTorque{};  ///< N·m, at least 0; empty: no angular drive
+};
+struct MotorJointDef {
+    JointDef base{};
+    MotorDrive drive{};
+};
+
+/// Pulls a point of B to a target in the world; A takes no part (a static body). B must be dynamic.
+struct MouseJointDef {
+    JointDef base{};
+    DVec2 target{};
+    std::optional<DVec2> anchor{};   ///< the point of B that is pulled; empty: the one at the target
+    std::optional<Spring> spring{};  ///< empty: rigid
+    std::optional<Real> maxForce{};  ///< N, at least 0; empty: unlimited
+};
+
+/// Couples two revolute or prismatic joints: coordinate of A + ratio · coordinate of B is constant (radians, metres). Its
+/// bodies are those that the joints move, their B; `bodyA`, `bodyB` of `base` are filled in. Goes when either joint goes.
+struct GearJointDef {
+    JointDef base{};
+    JointId jointA{};
+    JointId jointB{};
+    Real ratio = 1;  ///< not 0
+};
+
+/// A rope from A over two fixed wheels to B: the length on A's side + ratio · the length on B's side is at most what it is in
+/// the beginning. It pulls and never pushes.
+struct PulleyJointDef {
+    JointDef base{};
+    DVec2 groundA{};  ///< the wheels, world points
+    DVec2 groundB{};
+    DVec2 anchorA{};
+    DVec2 anchorB{};
+    Real ratio = 1;  ///< greater than 0
+};
+
+/// Keeps two bodies from colliding with each other, and does nothing else.
+struct FilterJointDef {
+    JointDef base{};
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -138,11 +138,15 @@ void noticeTouching(WorldState& world, Contact& contact) {
 
 /// A joint pulls: what is awake and moves wakes what hangs on it.
 void wakeAcrossJoints(WorldState& world) {
-    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
-        if (!world.joints.isAlive(i)) { continue; }
-        const Joint& joint = world.joints[i];
-        if (disturbs(world, joint.bodyA)) { wake(world, joint.bodyB); }
-        if (disturbs(world, joint.bodyB)) { wake(world, joint.bodyA); }
+    if (world.joints.size() == 0) { return; }
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {  // grows as it goes
+        const std::uint32_t slot = world.awake[i];
+        if (!disturbs(world, slot)) { continue; }
+        for (const std::uint32_t index : world.bodies[slot].joints) {
+            const Joint& joint = world.joints[index];
+            if (!joint.holds()) { continue; }
+            for (const std::uint32_t other : joint.allBodies()) { wake(world, other); }
+        }
     }
 }
 

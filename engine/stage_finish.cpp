@@ -3,7 +3,6 @@
 #include <functional>
 #include <tuple>
 
-#include "constraint_builder.h"
 #include "step.h"
 #include "tolerances.h"
 
@@ -36,7 +35,7 @@ void countRest(Body& body, const BodyMotion& motion, double dt) {
 }
 
 bool isTired(const WorldState& world, const Body& body) {
-    const bool held = body.hasContact || !body.joints.empty();
+    const bool held = body.hasContact || body.holdingJoints > 0;
     return held && body.restSteps >= kRestSteps && body.restTime >= restTimeOf(world, body);
 }
 
@@ -53,11 +52,13 @@ void keepAwakeByKinematic(WorldState& world) {
         if (movesKinematically(world, contact.bodyA)) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
         if (movesKinematically(world, contact.bodyB)) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
     }
-    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
-        if (!world.joints.isAlive(i)) { continue; }
-        const Joint& joint = world.joints[i];
-        if (movesKinematically(world, joint.bodyA)) { world.islandRestless[world.islands.find(joint.bodyB)] = 1; }
-        if (movesKinematically(world, joint.bodyB)) { world.islandRestless[world.islands.find(joint.bodyA)] = 1; }
+    for (const std::uint32_t i : world.activeJoints) {
+        if (!world.joints.isAlive(i)) { continue; }  // broke in this step
+        const auto bodies = world.joints[i].allBodies();
+        const bool driven = std::any_of(bodies.begin(), bodies.end(),
+                                        [&](std::uint32_t slot) { return movesKinematically(world, slot); });
+        if (!driven) { continue; }
+        for (const std::uint32_t slot : bodies) { world.islandRestless[world.islands.find(slot)] = 1; }
     }
 }
 
@@ -157,8 +158,8 @@ void moveProxies(WorldState& world) {
 }
 
 void breakJoints(WorldState& world) {
-    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
-        if (!world.joints.isAlive(i)) { continue; }
+    for (const std::uint32_t i : world.activeJoints) {
+        if (!world.joints.isAlive(i)) { continue; }  // a gear that went with its joint
         const Joint& joint = world.joints[i];
         const bool force = joint.base.breakForce && length(joint.reactionForce) > *joint.base.breakForce;
         const bool torque = joint.base.breakTorque && std::fabs(joint.reactionTorque) > *joint.base.breakTorque;

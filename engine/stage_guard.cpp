@@ -17,9 +17,11 @@ void forgetImpulses(WorldState& world, std::uint32_t slot) {
     }
     for (const std::uint32_t index : world.bodies[slot].joints) {
         Joint& joint = world.joints[index];
-        joint.revoluteState = {};
-        joint.distanceState = {};
-        joint.distanceState.axis = {1, 0};  // until the anchors next differ
+        std::visit(
+            [](auto& part) {
+                if constexpr (requires { part.memory; }) { part.memory = {}; }
+            },
+            joint.parts);
         joint.reactionForce = {};
         joint.reactionTorque = 0;
     }

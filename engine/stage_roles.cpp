@@ -33,9 +33,28 @@ void noteContact(Body& body, const Body& other, const Contact& contact) {
 BodyRole roleOf(const WorldState& world, const Body& body) {
     if (!body.isDynamic()) { return BodyRole::free; }
     const ContinuousMode mode = modeOf(world, body);
-    const bool alone = body.joints.empty() && !body.touchesDynamic;
+    const bool alone = body.holdingJoints == 0 && !body.touchesDynamic;
     if (alone && body.fast && !body.deepContact && mode == ContinuousMode::subStep) { return BodyRole::flyer; }
-    return body.joints.empty() && !body.hasContact ? BodyRole::free : BodyRole::solved;
+    return body.holdingJoints == 0 && !body.hasContact ? BodyRole::free : BodyRole::solved;
+}
+
+/// Joints that hold something awake, in the order of their slots: what follows costs nothing for those that sleep.
+void listActiveJoints(WorldState& world) {
+    world.activeJoints.clear();
+    if (world.joints.size() == 0) { return; }
+    const auto isAwake = [&world](std::uint32_t slot) {
+        return world.bodies[slot].isDynamic() && world.bodies[slot].awake;
+    };
+    for (const std::uint32_t slot : world.awake) {
+        if (!isAwake(slot)) { continue; }
+        for (const std::uint32_t index : world.bodies[slot].joints) {
+            const Joint& joint = world.joints[index];
+            const auto bodies = joint.allBodies();
+            const bool isFirst = *std::find_if(bodies.begin(), bodies.end(), isAwake) == slot;
+            if (joint.holds() && isFirst) { world.activeJoints.push_back(index); }
+        }
+    }
+    std::sort(world.activeJoints.begin(), world.activeJoints.end());
 }
 
 }  // namespace
@@ -72,8 +91,12 @@ void findIslands(WorldState& world) {
     for (const Contact& contact : world.contacts) {
         if (contact.isSolid()) { tie(contact.bodyA, contact.bodyB); }
     }
-    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
-        if (world.joints.isAlive(i)) { tie(world.joints[i].bodyA, world.joints[i].bodyB); }
+    listActiveJoints(world);
+    for (const std::uint32_t i : world.activeJoints) {
+        const auto bodies = world.joints[i].allBodies();
+        const auto moves = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
+        const auto first = std::find_if(bodies.begin(), bodies.end(), moves);
+        for (const std::uint32_t other : bodies) { tie(*first, other); }
     }
     for (const std::uint32_t slot : world.awake) {
         const bool isRoot = world.bodies[slot].role == BodyRole::solved && world.islands.find(slot) == slot;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "constraint_builder.h"
+#include "joint_builder.h"
 #include "profile.h"
 #include "step.h"
 #include "tolerances.h"
@@ -100,18 +101,8 @@ void addContacts(WorldState& world, Real dt, Real h) {
     }
 }
 
-void addJoints(WorldState& world, Real h) {
-    for (std::uint32_t i = 0; i < world.joints.slotCount(); ++i) {
-        if (!world.joints.isAlive(i)) { continue; }
-        const Joint& joint = world.joints[i];
-        const bool solved = world.bodies[joint.bodyA].role == BodyRole::solved ||
-                            world.bodies[joint.bodyB].role == BodyRole::solved;
-        if (!solved) { continue; }
-        switch (joint.kind) {
-            case JointKind::revolute: world.batch.revolutes.push_back(revoluteOf(world, joint, i, h)); break;
-            case JointKind::distance: world.batch.distances.push_back(distanceOf(world, joint, i, h)); break;
-        }
-    }
+void addJoints(WorldState& world, Real h, Real dt) {
+    for (const std::uint32_t i : world.activeJoints) { addConstraint(world.batch, world, i, h, dt); }
 }
 
 void readBodies(WorldState& world) {
@@ -166,23 +157,6 @@ void readContacts(WorldState& world, Real threshold, Real dt) {
     }
 }
 
-void readJoints(WorldState& world, Real h) {
-    for (const RevoluteConstraint& constraint : world.batch.revolutes) {
-        Joint& joint = world.joints[constraint.source];
-        joint.revoluteState = constraint;
-        joint.reactionForce = (1 / h) * constraint.linearImpulse;
-        joint.reactionTorque = (1 / h) * (constraint.motorImpulse + constraint.springImpulse +
-                                          constraint.lowerImpulse - constraint.upperImpulse);
-    }
-    for (const DistanceConstraint& constraint : world.batch.distances) {
-        Joint& joint = world.joints[constraint.source];
-        joint.distanceState = constraint;
-        joint.reactionForce = ((1 / h) * (constraint.rigidImpulse + constraint.springImpulse +
-                                          constraint.lowerImpulse - constraint.upperImpulse)) *
-                              constraint.axis;
-    }
-}
-
 }  // namespace
 
 void moveFreeBodies(WorldState& world, double dt) {
@@ -200,7 +174,7 @@ void solveTiedBodies(WorldState& world, Real dt) {
     world.batch.clear();
     addBodies(world, h);
     addContacts(world, dt, h);
-    addJoints(world, h);
+    addJoints(world, h, dt);
     const SolveReport report =
         world.solver.solve(world.batch, {.dt = dt,
                                          .subSteps = subSteps,
@@ -209,13 +183,12 @@ void solveTiedBodies(WorldState& world, Real dt) {
                                          .maxSpeed = world.settings.maxSpeed});
     readContacts(world, threshold, dt);
     readBodies(world);
-    readJoints(world, h);
+    readConstraints(world.batch, world, dt);
     world.counters.subSteps = static_cast<std::uint64_t>(subSteps);
     world.counters.colours = static_cast<std::uint64_t>(report.colours);
     world.counters.bounceRounds = static_cast<std::uint64_t>(report.bounceRounds);
     world.counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
-    world.counters.constraints =
-        world.batch.contacts.size() + world.batch.revolutes.size() + world.batch.distances.size();
+    world.counters.constraints = world.batch.contacts.size() + world.activeJoints.size();
 }
 
 void moveKinematicBodies(WorldState& world, double dt) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "../shapes/polygon.h"
@@ -83,12 +84,39 @@ public:
     // --- joints
     Result<JointId> createJoint(const RevoluteJointDef& def);
     Result<JointId> createJoint(const DistanceJointDef& def);
+    Result<JointId> createJoint(const PrismaticJointDef& def);
+    Result<JointId> createJoint(const WheelJointDef& def);
+    Result<JointId> createJoint(const WeldJointDef& def);
+    Result<JointId> createJoint(const MotorJointDef& def);
+    Result<JointId> createJoint(const MouseJointDef& def);
+    Result<JointId> createJoint(const GearJointDef& def);
+    Result<JointId> createJoint(const PulleyJointDef& def);
+    Result<JointId> createJoint(const FilterJointDef& def);
+    /// Destroys the gears that it is part of, too, and wakes its bodies.
     Status destroyJoint(JointId id);
     bool isValid(JointId id) const;
-    /// How far the joint is from holding at the present poses: gap of the anchors, or violation of rod or limits. Metres.
+    JointType type(JointId id) const;
+    // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of createJoint.
+    Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);                ///< revolute, wheel
+    Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);                  ///< prismatic
+    Status setAngleLimits(JointId id, std::optional<AngleLimits> limits);                 ///< revolute
+    Status setTranslationLimits(JointId id, std::optional<TranslationLimits> limits);     ///< prismatic, wheel
+    Status setLengthLimits(JointId id, std::optional<LengthLimits> limits);               ///< distance
+    Status setLength(JointId id, Real length);                                            ///< distance: rod, spring
+    Status setSpring(JointId id, std::optional<Spring> spring);  ///< revolute, distance, prismatic, wheel, mouse
+    Status setWeldSprings(JointId id, std::optional<Spring> linear, std::optional<Spring> angular);
+    Status setTarget(JointId id, DVec2 target);           ///< mouse
+    Status setDrive(JointId id, const MotorDrive& drive);  ///< motor
+    /// Does not wake: what a sleeping joint bears it bore before.
+    Status setBreakLimits(JointId id, std::optional<Real> force, std::optional<Real> torque);
+    /// How far the joint is from holding at the present poses, metres: gap of the anchors, distance from the axis, violation of
+    /// rod, rope or limits of length, slip of a gear that begins with a prismatic joint. What is a spring or a drive has no error.
     Real jointError(JointId id) const;
-    Vec2 jointForce(JointId id) const;   ///< on B, in the last sub-step, N
-    Real jointTorque(JointId id) const;  ///< on B, in the last sub-step, N·m
+    Real jointAngleError(JointId id) const;  ///< likewise, rad: prismatic, weld, gears that begin with a revolute joint
+    double jointAngle(JointId id) const;     ///< of B relative to A, 0 when it was made, unwrapped
+    Real jointTranslation(JointId id) const; ///< of B's anchor from A's: along the axis where there is one, else the distance
+    Vec2 jointForce(JointId id) const;   ///< on B at its anchor, mean of the last step, N
+    Real jointTorque(JointId id) const;  ///< on B, mean of the last step, N·m
     std::uint32_t jointCount() const;
 
     // --- queries, at the present poses

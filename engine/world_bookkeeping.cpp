@@ -37,10 +37,20 @@ Aabb boxAfter(const WorldState& world, const Shape& shape, const Aabb& tight) {
 bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
     for (const std::uint32_t slot : world.bodies[bodyA].joints) {
         const Joint& joint = world.joints[slot];
-        const bool connects = joint.bodyA == bodyB || joint.bodyB == bodyB;
-        if (connects && !joint.base.collideConnected) { return true; }
+        const bool connects = (joint.bodyA == bodyA && joint.bodyB == bodyB) ||
+                              (joint.bodyA == bodyB && joint.bodyB == bodyA);
+        if (connects && (!joint.base.collideConnected || !joint.holds())) { return true; }
     }
     return false;
+}
+
+/// A gear that the joint is part of. It is listed at the bodies of both its joints.
+std::optional<JointId> gearOn(const WorldState& world, JointId id) {
+    for (const std::uint32_t slot : world.bodies[world.joints[id.index].bodyB].joints) {
+        const auto* part = std::get_if<JointPart<GearJointDef, GearConstraint>>(&world.joints[slot].parts);
+        if (part != nullptr && (part->def.jointA == id || part->def.jointB == id)) { return world.joints.idOf(slot); }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -72,7 +82,9 @@ void wakeNeighbours(WorldState& world, std::uint32_t body) {
     }
     for (const std::uint32_t slot : world.bodies[body].joints) {
         const Joint& joint = world.joints[slot];
-        wake(world, joint.bodyA == body ? joint.bodyB : joint.bodyA);
+        for (const std::uint32_t other : joint.allBodies()) {
+            if (other != body && joint.holds()) { wake(world, other); }
+        }
     }
 }
 
@@ -168,11 +180,12 @@ void updateProxies(WorldState& world, std::uint32_t body, bool always) {
 }
 
 void removeJoint(WorldState& world, JointId id) {
-    const Joint& joint = world.joints[id.index];
-    const std::uint32_t bodies[] = {joint.bodyA, joint.bodyB};
+    while (const std::optional<JointId> gear = gearOn(world, id)) { removeJoint(world, *gear); }
+    const Joint joint = world.joints[id.index];
     world.joints.erase(id);
-    for (const std::uint32_t slot : bodies) {
+    for (const std::uint32_t slot : joint.allBodies()) {
         std::erase(world.bodies[slot].joints, id.index);
+        world.bodies[slot].holdingJoints -= joint.holds() ? 1 : 0;
         wake(world, slot);
         updateProxies(world, slot, true);  // so that a pair the joint kept apart is found
     }

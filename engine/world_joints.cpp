@@ -1,118 +1,196 @@
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
-#include "constraint_builder.h"
+#include "joint_builder.h"
+#include "joint_checks.h"
 #include "number_range.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-Status checkLimit(const std::optional<Real>& limit, const char* field) {
-    if (!limit) { return Status::success(); }
-    if (!isFinite(*limit)) { return {StatusCode::notFinite, field}; }
-    if (*limit <= 0) { return {StatusCode::notPositive, field}; }
+Status firstFault(std::initializer_list<Status> checks) {
+    for (const Status& status : checks) {
+        if (!status.ok()) { return status; }
+    }
     return Status::success();
 }
 
-Status check(const WorldState& world, const JointDef& def) {
-    if (!world.bodies.isValid(def.bodyA)) { return {StatusCode::staleId, "bodyA"}; }
-    if (!world.bodies.isValid(def.bodyB)) { return {StatusCode::staleId, "bodyB"}; }
-    if (def.bodyA == def.bodyB) { return {StatusCode::sameBody, "bodyB"}; }
-    const bool anyDynamic =
-        world.bodies[def.bodyA.index].isDynamic() || world.bodies[def.bodyB.index].isDynamic();
-    if (!anyDynamic) { return {StatusCode::wrongBodyType, "bodyB"}; }
-    const Status force = checkLimit(def.breakForce, "breakForce");
-    return force.ok() ? checkLimit(def.breakTorque, "breakTorque") : force;
-}
+/// Where a joint takes hold of its bodies, in world coordinates.
+struct Grip {
+    DVec2 anchorA;
+    DVec2 anchorB;
+    DVec2 axis;
+};
 
-Status check(const std::optional<Spring>& spring) {
-    if (!spring) { return Status::success(); }
-    if (!isFinite(spring->hertz)) { return {StatusCode::notFinite, "hertz"}; }
-    if (!isFinite(spring->dampingRatio)) { return {StatusCode::notFinite, "dampingRatio"}; }
-    if (spring->hertz <= 0) { return {StatusCode::notPositive, "hertz"}; }
-    if (spring->dampingRatio < 0) { return {StatusCode::negative, "dampingRatio"}; }
-    return Status::success();
-}
-
-Status check(const std::optional<AngleLimits>& limits, const std::optional<AngularMotor>& motor) {
-    if (limits && !isFinite(limits->lower)) { return {StatusCode::notFinite, "lower"}; }
-    if (limits && !isFinite(limits->upper)) { return {StatusCode::notFinite, "upper"}; }
-    if (limits && limits->lower > limits->upper) { return {StatusCode::outOfRange, "upper"}; }
-    if (motor && !isFinite(motor->speed)) { return {StatusCode::notFinite, "motorSpeed"}; }
-    if (motor && !isFinite(motor->maxTorque)) { return {StatusCode::notFinite, "maxMotorTorque"}; }
-    if (motor && motor->maxTorque < 0) { return {StatusCode::negative, "maxMotorTorque"}; }
-    return Status::success();
-}
-
-Status check(const std::optional<LengthLimits>& limits, Real length) {
-    if (!isFinite(length)) { return {StatusCode::notFinite, "length"}; }
-    if (length <= 0 && !limits) { return {StatusCode::notPositive, "length"}; }
-    if (!limits) { return Status::success(); }
-    if (!isFinite(limits->min)) { return {StatusCode::notFinite, "minLength"}; }
-    if (limits->min < 0) { return {StatusCode::negative, "minLength"}; }
-    if (!(limits->max >= limits->min)) { return {StatusCode::outOfRange, "maxLength"}; }
-    return Status::success();
-}
-
-Joint jointOf(const WorldState& world, JointKind kind, const JointDef& base, DVec2 anchorA, DVec2 anchorB) {
+Joint jointOf(const WorldState& world, const JointDef& base, JointParts parts, const Grip& grip) {
     Joint joint;
-    joint.kind = kind;
     joint.base = base;
+    joint.parts = std::move(parts);
     joint.bodyA = base.bodyA.index;
     joint.bodyB = base.bodyB.index;
-    joint.localAnchorA = applyInverse(world.motions[joint.bodyA].pose, anchorA);
-    joint.localAnchorB = applyInverse(world.motions[joint.bodyB].pose, anchorB);
+    joint.bodies = {joint.bodyA, joint.bodyB, 0, 0};
+    joint.bodyCount = 2;
+    const WorldTransform& poseA = world.motions[joint.bodyA].pose;
+    joint.localAnchorA = applyInverse(poseA, grip.anchorA);
+    joint.localAnchorB = applyInverse(world.motions[joint.bodyB].pose, grip.anchorB);
+    // A long axis is shortened before it is squared, by a power of two so that no digit is lost.
+    const double size = std::max(std::fabs(grip.axis.x), std::fabs(grip.axis.y));
+    const DVec2 axis = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) * grip.axis : DVec2{};
+    joint.localAxis = unrotate(poseA.rotation, normalized(toReal(axis)).unit);
     joint.referenceAngle = world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle;
     return joint;
 }
 
 Result<JointId> insert(WorldState& world, Joint joint) {
-    const std::uint32_t a = joint.bodyA;
-    const std::uint32_t b = joint.bodyB;
-    const bool apart = !joint.base.collideConnected;
+    const Joint placed = joint;
     const std::optional<JointId> id = world.joints.insert(std::move(joint));
     if (!id) { return Status{StatusCode::outOfMemory, "joint"}; }
-    world.bodies[a].joints.push_back(id->index);
-    world.bodies[b].joints.push_back(id->index);
-    wake(world, a);
-    wake(world, b);
-    if (apart) {
-        removeContacts(world, [a, b](const Contact& c) {
+    for (const std::uint32_t body : placed.allBodies()) {
+        world.bodies[body].joints.push_back(id->index);
+        world.bodies[body].holdingJoints += placed.holds() ? 1 : 0;
+        wake(world, body);
+    }
+    if (!placed.base.collideConnected || !placed.holds()) {
+        removeContacts(world, [a = placed.bodyA, b = placed.bodyB](const Contact& c) {
             return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
         });
     }
     return *id;
 }
 
+/// Only a joint with one coordinate can be geared.
+Status checkGeared(const WorldState& world, JointId id, const char* field) {
+    const Joint* joint = world.joints.find(id);
+    if (joint == nullptr) { return {StatusCode::staleId, field}; }
+    const bool hasCoordinate = joint->type() == JointType::revolute || joint->type() == JointType::prismatic;
+    return hasCoordinate ? Status::success() : Status{StatusCode::wrongJointType, field};
+}
+
+void addBody(Joint& gear, std::uint32_t body) {
+    const auto all = gear.allBodies();
+    if (std::find(all.begin(), all.end(), body) == all.end()) { gear.bodies[gear.bodyCount++] = body; }
+}
+
 }  // namespace
 
 Result<JointId> World::createJoint(const RevoluteJointDef& def) {
     WorldState& world = *state_;
-    for (const Status& status : {check(world, def.base), check(def.limits, def.motor), check(def.spring)}) {
-        if (!status.ok()) { return status; }
-    }
-    const Status anchor = checkNumber(def.anchor, "anchor");
-    if (!anchor.ok()) { return anchor; }
-    Joint joint = jointOf(world, JointKind::revolute, def.base, def.anchor, def.anchor);
-    joint.revolute = def;
-    return insert(world, std::move(joint));
+    const Status status = firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor),
+                                      checkSpring(def.spring), checkNumber(def.anchor, "anchor")});
+    if (!status.ok()) { return status; }
+    const JointPart<RevoluteJointDef, RevoluteConstraint> part{def, {}};
+    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, {}}));
 }
 
 Result<JointId> World::createJoint(const DistanceJointDef& def) {
     WorldState& world = *state_;
-    for (const Status& status : {checkNumber(def.anchorA, "anchorA"), checkNumber(def.anchorB, "anchorB")}) {
-        if (!status.ok()) { return status; }
-    }
+    const Status points = firstFault({checkNumber(def.anchorA, "anchorA"), checkNumber(def.anchorB, "anchorB")});
+    if (!points.ok()) { return points; }
     const Real length = def.length.value_or(static_cast<Real>(swept::length(def.anchorB - def.anchorA)));
-    for (const Status& status : {check(world, def.base), check(def.limits, length), check(def.spring)}) {
-        if (!status.ok()) { return status; }
-    }
-    Joint joint = jointOf(world, JointKind::distance, def.base, def.anchorA, def.anchorB);
-    joint.distance = def;
+    const Status status =
+        firstFault({checkBase(world, def.base), checkLength(length, def.limits), checkSpring(def.spring)});
+    if (!status.ok()) { return status; }
+    const JointPart<DistanceJointDef, DistanceConstraint> part{def, {}};
+    Joint joint = jointOf(world, def.base, part, {def.anchorA, def.anchorB, {}});
     joint.length = length;
-    joint.distanceState.axis = {1, 0};  // until the anchors first differ
     return insert(world, std::move(joint));
+}
+
+Result<JointId> World::createJoint(const PrismaticJointDef& def) {
+    WorldState& world = *state_;
+    const Status status =
+        firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor), checkSpring(def.spring),
+                    checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    if (!status.ok()) { return status; }
+    const JointPart<PrismaticJointDef, PrismaticConstraint> part{def, {}};
+    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
+}
+
+Result<JointId> World::createJoint(const WheelJointDef& def) {
+    WorldState& world = *state_;
+    const Status status =
+        firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor), checkSpring(def.spring),
+                    checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    if (!status.ok()) { return status; }
+    const JointPart<WheelJointDef, WheelConstraint> part{def, {}};
+    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
+}
+
+Result<JointId> World::createJoint(const WeldJointDef& def) {
+    WorldState& world = *state_;
+    const Status status = firstFault({checkBase(world, def.base), checkSpring(def.linearSpring),
+                                      checkSpring(def.angularSpring), checkNumber(def.anchor, "anchor")});
+    if (!status.ok()) { return status; }
+    const JointPart<WeldJointDef, WeldConstraint> part{def, {}};
+    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, {}}));
+}
+
+Result<JointId> World::createJoint(const MotorJointDef& def) {
+    WorldState& world = *state_;
+    const Status status = firstFault({checkBase(world, def.base), checkDrive(def.drive)});
+    if (!status.ok()) { return status; }
+    const DVec2 origin = world.motions[def.base.bodyB.index].pose.position;
+    const JointPart<MotorJointDef, MotorConstraint> part{def, {}};
+    return insert(world, jointOf(world, def.base, part, {origin, origin, {}}));
+}
+
+Result<JointId> World::createJoint(const MouseJointDef& def) {
+    WorldState& world = *state_;
+    const DVec2 anchor = def.anchor.value_or(def.target);
+    const Status status =
+        firstFault({checkBase(world, def.base), checkNumber(def.target, "target"), checkNumber(anchor, "anchor"),
+                    checkSpring(def.spring), checkStrength(def.maxForce, "maxForce")});
+    if (!status.ok()) { return status; }
+    if (!world.bodies[def.base.bodyB.index].isDynamic()) { return Status{StatusCode::wrongBodyType, "bodyB"}; }
+    const JointPart<MouseJointDef, MouseConstraint> part{def, {}};
+    return insert(world, jointOf(world, def.base, part, {def.target, anchor, {}}));
+}
+
+Result<JointId> World::createJoint(const GearJointDef& def) {
+    WorldState& world = *state_;
+    const Status joints = firstFault({checkGeared(world, def.jointA, "jointA"), checkGeared(world, def.jointB, "jointB"),
+                                      checkRatio(def.ratio)});
+    if (!joints.ok()) { return joints; }
+    if (def.jointA == def.jointB) { return Status{StatusCode::sameBody, "jointB"}; }
+    const Joint& first = world.joints[def.jointA.index];
+    const Joint& second = world.joints[def.jointB.index];
+    GearJointDef filled = def;
+    filled.base.bodyA = first.base.bodyB;
+    filled.base.bodyB = second.base.bodyB;
+    const Status base = checkBase(world, filled.base);
+    if (!base.ok()) { return base; }
+    const JointPart<GearJointDef, GearConstraint> part{filled, {}};
+    Joint gear = jointOf(world, filled.base, part,
+                         {apply(world.motions[first.bodyB].pose, first.localAnchorB),
+                          apply(world.motions[second.bodyB].pose, second.localAnchorB), {}});
+    addBody(gear, first.bodyA);
+    addBody(gear, second.bodyA);
+    gear.gearConstant =
+        coordinateOf(world, first) + static_cast<double>(def.ratio) * coordinateOf(world, second);
+    return insert(world, std::move(gear));
+}
+
+Result<JointId> World::createJoint(const PulleyJointDef& def) {
+    WorldState& world = *state_;
+    const Status status = firstFault({checkBase(world, def.base), checkNumber(def.groundA, "groundA"),
+                                      checkNumber(def.groundB, "groundB"), checkNumber(def.anchorA, "anchorA"),
+                                      checkNumber(def.anchorB, "anchorB"), checkRatio(def.ratio)});
+    if (!status.ok()) { return status; }
+    if (def.ratio < 0) { return Status{StatusCode::negative, "ratio"}; }
+    const JointPart<PulleyJointDef, PulleyConstraint> part{def, {}};
+    Joint joint = jointOf(world, def.base, part, {def.anchorA, def.anchorB, {}});
+    joint.length = static_cast<Real>(length(def.anchorA - def.groundA) +
+                                     static_cast<double>(def.ratio) * length(def.anchorB - def.groundB));
+    return insert(world, std::move(joint));
+}
+
+Result<JointId> World::createJoint(const FilterJointDef& def) {
+    WorldState& world = *state_;
+    const Status status = checkBase(world, def.base);
+    if (!status.ok()) { return status; }
+    return insert(world, jointOf(world, def.base, FilterPart{def}, {}));
 }
 
 Status World::destroyJoint(JointId id) {
@@ -123,9 +201,25 @@ Status World::destroyJoint(JointId id) {
 
 bool World::isValid(JointId id) const { return state_->joints.isValid(id); }
 std::uint32_t World::jointCount() const { return state_->joints.size(); }
+JointType World::type(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    return joint != nullptr ? joint->type() : JointType::revolute;
+}
 Real World::jointError(JointId id) const {
     const Joint* joint = state_->joints.find(id);
-    return joint != nullptr ? errorOf(*state_, *joint) : Real(0);
+    return joint != nullptr ? errorsOf(*state_, *joint).length : Real(0);
+}
+Real World::jointAngleError(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    return joint != nullptr ? errorsOf(*state_, *joint).angle : Real(0);
+}
+double World::jointAngle(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    return joint != nullptr ? angleOf(*state_, *joint) : 0;
+}
+Real World::jointTranslation(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    return joint != nullptr ? translationOf(*state_, *joint) : Real(0);
 }
 Vec2 World::jointForce(JointId id) const {
     const Joint* joint = state_->joints.find(id);

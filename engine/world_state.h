@@ -34,12 +34,13 @@ struct WorldState {
     std::vector<BodyMotion> motions;  ///< by body slot
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
+    std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;  ///< body slots of awake dynamic and kinematic bodies, in order of waking
     std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
     std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
 
-    std::unique_ptr<Broadphase> broadphase = makeBroadphase(BroadphaseKind::bvh);
+    std::unique_ptr<Broadphase> broadphase = makeBroadphase(BroadphaseKind::automatic);
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
     std::vector<ProxyPair> newPairs;
 
@@ -88,7 +89,7 @@ Aabb fatBox(const WorldState& world, const Shape& shape);
 void updateProxies(WorldState& world, std::uint32_t body, bool always);
 /// Removes contacts for which `doomed` is true; reports the end of those that touched.
 void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed);
-/// Removes a joint, wakes its bodies, and lets them collide again.
+/// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
 void removeJoint(WorldState& world, JointId id);
 /// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its extent
 /// (all of it in mode `speculative`).

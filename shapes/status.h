@@ -22,6 +22,7 @@ enum class StatusCode : std::uint8_t {
     tooManyVertices,  ///< more than `kMaxPolygonVertices` vertices on the hull
     wrongBodyType,    ///< the call does not fit the body's type (a chain on a dynamic body, a velocity on a static one)
     missingMass,      ///< a dynamic body has no mass
+    wrongJointType,   ///< the call does not fit the joint's type (a target for a hinge, a gear of a rod)
     sameBody,         ///< a joint needs two different bodies
     outOfMemory,      ///< an id space is used up
 };
@@ -50,6 +51,7 @@ constexpr const char* describe(StatusCode code) {
         case StatusCode::tooManyVertices: return "has more than 8 hull vertices";
         case StatusCode::wrongBodyType: return "does not fit the body type";
         case StatusCode::missingMass: return "leaves a dynamic body without mass";
+        case StatusCode::wrongJointType: return "does not fit the joint type";
         case StatusCode::sameBody: return "must be two different bodies";
         case StatusCode::outOfMemory: return "has no ids left";
     }

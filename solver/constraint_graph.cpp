@@ -1,6 +1,7 @@
 #include "constraint_graph.h"
 
 #include <bit>
+#include <span>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -14,57 +15,61 @@ bool isMovable(BodySlot slot, const std::vector<BodyInertia>& inertias) {
     return inertias[slot].inverseMass > 0 || inertias[slot].inverseInertia > 0;
 }
 
+std::array<BodySlot, 2> bodySlots(const ContactConstraint& contact) { return {contact.slotA, contact.slotB}; }
+
 }  // namespace
 
-int ConstraintGraph::colourFor(BodySlot a, BodySlot b, const std::vector<BodyInertia>& inertias) {
-    const bool movableA = isMovable(a, inertias);
-    const bool movableB = isMovable(b, inertias);
-    const std::uint64_t allowed =
-        movableA && movableB ? bits(0, kFirstFixedColour) : bits(kFirstFixedColour, kOverflowColour);
-    const std::uint64_t taken = (movableA ? used_[a] : 0) | (movableB ? used_[b] : 0);
+int ConstraintGraph::colourFor(std::span<const BodySlot> slots, const std::vector<BodyInertia>& inertias) {
+    bool allMovable = true;
+    std::uint64_t taken = 0;
+    for (const BodySlot slot : slots) {
+        const bool movable = isMovable(slot, inertias);
+        allMovable = allMovable && movable;
+        taken |= movable ? used_[slot] : 0;
+    }
+    const std::uint64_t allowed = allMovable ? bits(0, kFirstFixedColour) : bits(kFirstFixedColour, kOverflowColour);
     const std::uint64_t free = allowed & ~taken;
     if (free == 0) { return kOverflowColour; }
     const int colour = std::countr_zero(free);
-    const std::uint64_t bit = std::uint64_t{1} << colour;
-    if (movableA) { used_[a] |= bit; }
-    if (movableB) { used_[b] |= bit; }
+    for (const BodySlot slot : slots) {
+        if (isMovable(slot, inertias)) { used_[slot] |= std::uint64_t{1} << colour; }
+    }
     return colour;
 }
 
 template <class Constraint>
-void ConstraintGraph::sortByColour(std::vector<Constraint>& constraints, std::vector<Constraint>& scratch,
-                                   Ranges& ranges, const std::vector<BodyInertia>& inertias) {
+void ConstraintGraph::sortByColour(std::vector<Constraint>& constraints, const std::vector<BodyInertia>& inertias) {
+    Kind<Constraint>& kind = std::get<Kind<Constraint>>(kinds_);
+    kind.ranges = {};
+    if (constraints.empty()) { return; }
     colours_.clear();
     std::array<std::uint32_t, kColourCount> counts{};
     for (const Constraint& constraint : constraints) {
-        const int colour = colourFor(constraint.slotA, constraint.slotB, inertias);
+        const int colour = colourFor(bodySlots(constraint), inertias);
         colours_.push_back(static_cast<std::uint8_t>(colour));
         ++counts[static_cast<std::size_t>(colour)];
     }
     std::uint32_t begin = 0;
     std::array<std::uint32_t, kColourCount> next{};
     for (std::size_t c = 0; c < kColourCount; ++c) {
-        ranges[c] = {begin, begin + counts[c]};
+        kind.ranges[c] = {begin, begin + counts[c]};
         next[c] = begin;
         begin += counts[c];
+        isUsed_[c] = isUsed_[c] || counts[c] > 0;
     }
-    scratch.resize(constraints.size());
-    for (std::size_t i = 0; i < constraints.size(); ++i) { scratch[next[colours_[i]]++] = constraints[i]; }
-    constraints.swap(scratch);
+    kind.scratch.resize(constraints.size());
+    for (std::size_t i = 0; i < constraints.size(); ++i) { kind.scratch[next[colours_[i]]++] = constraints[i]; }
+    constraints.swap(kind.scratch);
 }
 
 void ConstraintGraph::colour(SolverBatch& batch) {
     used_.assign(batch.states.size(), 0);
-    sortByColour(batch.revolutes, revoluteScratch_, revoluteRanges_, batch.inertias);
-    sortByColour(batch.distances, distanceScratch_, distanceRanges_, batch.inertias);
-    sortByColour(batch.contacts, contactScratch_, contactRanges_, batch.inertias);
+    isUsed_ = {};
+    batch.forEachJointKind([&](auto& joints) { sortByColour(joints, batch.inertias); });
+    sortByColour(batch.contacts, batch.inertias);
     active_.clear();
     for (int c = 0; c < kColourCount; ++c) {
-        const auto i = static_cast<std::size_t>(c);
-        const bool used = contactRanges_[i].begin < contactRanges_[i].end ||
-                          revoluteRanges_[i].begin < revoluteRanges_[i].end ||
-                          distanceRanges_[i].begin < distanceRanges_[i].end;
-        if (used) { active_.push_back(c); }
+        if (isUsed_[static_cast<std::size_t>(c)]) { active_.push_back(c); }
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "solver_batch.h"
@@ -28,27 +29,29 @@ public:
 
     /// Colours in use, ascending.
     const std::vector<int>& activeColours() const { return active_; }
-    ColourRange contacts(int colour) const { return contactRanges_[static_cast<std::size_t>(colour)]; }
-    ColourRange revolutes(int colour) const { return revoluteRanges_[static_cast<std::size_t>(colour)]; }
-    ColourRange distances(int colour) const { return distanceRanges_[static_cast<std::size_t>(colour)]; }
+    /// Where a colour's constraints of a kind stand in the array of that kind.
+    template <class Constraint>
+    ColourRange range(int colour) const {
+        return std::get<Kind<Constraint>>(kinds_).ranges[static_cast<std::size_t>(colour)];
+    }
 
 private:
-    using Ranges = std::array<ColourRange, kColourCount>;
-
-    int colourFor(BodySlot a, BodySlot b, const std::vector<BodyInertia>& inertias);
     template <class Constraint>
-    void sortByColour(std::vector<Constraint>& constraints, std::vector<Constraint>& scratch, Ranges& ranges,
-                      const std::vector<BodyInertia>& inertias);
+    struct Kind {
+        std::array<ColourRange, kColourCount> ranges{};
+        std::vector<Constraint> scratch;
+    };
+
+    int colourFor(std::span<const BodySlot> slots, const std::vector<BodyInertia>& inertias);
+    template <class Constraint>
+    void sortByColour(std::vector<Constraint>& constraints, const std::vector<BodyInertia>& inertias);
 
     std::vector<std::uint64_t> used_;  ///< per slot: colours taken, one bit each
     std::vector<std::uint8_t> colours_;
-    std::vector<ContactConstraint> contactScratch_;
-    std::vector<RevoluteConstraint> revoluteScratch_;
-    std::vector<DistanceConstraint> distanceScratch_;
+    std::array<bool, kColourCount> isUsed_{};
     std::vector<int> active_;
-    Ranges contactRanges_{};
-    Ranges revoluteRanges_{};
-    Ranges distanceRanges_{};
+    std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>, Kind<WheelConstraint>, Kind<WeldConstraint>, Kind<MotorConstraint>, Kind<MouseConstraint>, Kind<GearConstraint>, Kind<PulleyConstraint>>
+        kinds_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "point_constraint.h"
+#include "joint_rows.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -27,11 +27,6 @@ struct Rod {
     }
 };
 
-Vec2 anchorOffset(const DistanceConstraint& joint, const BodyState& a, const BodyState& b) {
-    return joint.centerOffset + (b.deltaPosition - a.deltaPosition) + rotate(b.deltaRotation, joint.anchorB) -
-           rotate(a.deltaRotation, joint.anchorA);
-}
-
 Rod rodOf(DistanceConstraint& joint, BodyState& a, BodyState& b, const SolverBodies& bodies) {
     const UnitAndLength offset = normalized(anchorOffset(joint, a, b));
     if (offset.length > 0) { joint.axis = offset.unit; }
@@ -44,26 +39,11 @@ Rod rodOf(DistanceConstraint& joint, BodyState& a, BodyState& b, const SolverBod
     return rod;
 }
 
-/// One side of the limits. @param room  length left, negative beyond; @param direction  +1 lower, −1 upper limit
-void solveLimit(const Rod& rod, Real room, Real direction, const Softness& softness, Real& accumulated, Real h,
-                bool useBias) {
-    const Real speed = direction * rod.speed();
-    Real change = 0;
-    if (room > 0) {
-        change = -rod.mass * (speed + room / h);
-    } else {
-        change = scalarChange(rod.mass, speed, useBias ? room : Real(0), accumulated, useBias ? softness : kRigid);
-    }
-    const Real total = std::max(accumulated + change, Real(0));
-    rod.apply(direction * (total - accumulated));
-    accumulated = total;
-}
-
 void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
     if (!(rod.mass > 0)) { return; }  // nothing to move; and 0 kg times the room of a limit at infinity is no number
-    // Once per sub-step: solved again in relaxation, with the length that it has just made, the spring would damp twice.
+    // Once per sub-step: solved again in relaxation, with the length that it has just made, the spring would pull twice.
     if (joint.hasSpring && useBias) {
-        const Real change = scalarChange(rod.mass, rod.speed(), rod.length - joint.length, joint.springImpulse,
+        const Real change = springChange(rod.mass, rod.speed(), rod.length - joint.length, joint.springImpulse,
                                          joint.spring);
         joint.springImpulse += change;
         rod.apply(change);
@@ -75,31 +55,35 @@ void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
         joint.rigidImpulse += change;
         rod.apply(change);
     }
-    if (joint.hasLimits) {
-        solveLimit(rod, rod.length - joint.minLength, 1, joint.softness, joint.lowerImpulse, h, useBias);
-        solveLimit(rod, joint.maxLength - rod.length, -1, joint.softness, joint.upperImpulse, h, useBias);
-    }
+    if (!joint.hasLimits) { return; }
+    const Real lower = limitChange(rod.mass, rod.speed(), rod.length - joint.minLength, joint.lowerImpulse,
+                                   joint.softness, h, useBias);
+    joint.lowerImpulse += lower;
+    rod.apply(lower);
+    const Real upper = limitChange(rod.mass, -rod.speed(), joint.maxLength - rod.length, joint.upperImpulse,
+                                   joint.softness, h, useBias);
+    joint.upperImpulse += upper;
+    rod.apply(-upper);
 }
 
 }  // namespace
 
-void prepareDistance(DistanceConstraint& joint) {
+void prepare(DistanceConstraint& joint, std::span<const BodyInertia>) {
     if (!joint.hasSpring) { joint.springImpulse = 0; }
     if (!joint.isRigid) { joint.rigidImpulse = 0; }
     if (!joint.hasLimits) { joint.lowerImpulse = joint.upperImpulse = 0; }
 }
 
-void warmStartDistances(std::span<DistanceConstraint> joints, const SolverBodies& bodies) {
+void warmStart(std::span<DistanceConstraint> joints, const SolverBodies& bodies) {
     for (DistanceConstraint& joint : joints) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
-        rodOf(joint, a, b, bodies)
-            .apply(joint.rigidImpulse + joint.springImpulse + joint.lowerImpulse - joint.upperImpulse);
+        rodOf(joint, a, b, bodies).apply(joint.impulse());
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }
 
-void solveDistances(std::span<DistanceConstraint> joints, const SolverBodies& bodies, Real h, bool useBias) {
+void solve(std::span<DistanceConstraint> joints, const SolverBodies& bodies, Real h, bool useBias) {
     for (DistanceConstraint& joint : joints) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
@@ -108,6 +92,8 @@ void solveDistances(std::span<DistanceConstraint> joints, const SolverBodies& bo
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }
+
+JointReaction reactionOf(const DistanceConstraint& joint) { return {joint.impulse() * joint.axis, 0}; }
 
 Real lengthError(const DistanceConstraint& joint, const BodyState& a, const BodyState& b) {
     const Real length = normalized(anchorOffset(joint, a, b)).length;

@@ -31,6 +31,35 @@ constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
     return softnessOf(kTwoPi * cycles / h, dampingRatio, h);
 }
 
+/// A spring that a user gave, over one sub-step: the velocity falls by `position`·C + `velocity`·v, times what `mass` it holds.
+///
+/// With θ = ω·h and D = (1 + ζθ)² the step (x, v) → (x + h·v₁, v₁), v₁ = (v − h·ω²·x)/D, has determinant 1/D: an undamped
+/// spring is symplectic and keeps its amplitude for ever (implicit Euler takes e^(−ωθ·t/2) from it), a critical one has the
+/// double root 1/(1 + θ), and a load at rest is carried with the exact deflection. Frequency and decay are right to ζθ/2
+/// and θ²/24. An explicit force needs θ² < 4 over all springs that pull at a body: what is stiffer than `kUndampedPhase` is
+/// damped by D = (1 + ζθ)² + θ² − kUndampedPhase², which is implicit Euler in the limit, and stable however stiff.
+struct SpringGains {
+    Real position = 0;  ///< 1/s
+    Real velocity = 0;  ///< 0 … 1
+};
+
+/// Radians of oscillation in a sub-step up to which a spring is undamped unless it is told otherwise: 25 sub-steps a period
+/// (38 Hz at 960 sub-steps a second). Its square leaves room for 64 such springs at one body.
+inline constexpr Real kUndampedPhase = Real(1) / 4;
+/// Stiffer, or more strongly damped, is the same: rigid.
+inline constexpr Real kRigidPhase = 65536;
+
+/// @param angularFrequency  2π·hertz, rad/s, greater than 0
+/// @param dampingRatio      at least 0
+/// @param h                 length of the sub-step, s
+constexpr SpringGains springGainsOf(Real angularFrequency, Real dampingRatio, Real h) {
+    const Real phase = angularFrequency * h < kRigidPhase ? angularFrequency * h : kRigidPhase;
+    const Real damped = dampingRatio * phase < kRigidPhase ? dampingRatio * phase : kRigidPhase;
+    const Real beyond = phase > kUndampedPhase ? phase * phase - kUndampedPhase * kUndampedPhase : Real(0);
+    const Real loss = damped * (2 + damped) + beyond;  // D − 1
+    return {phase * phase / ((1 + loss) * h), loss / (1 + loss)};
+}
+
 /// Half of what a joint can take: the two points of a wide flat contact push on each other through its rotation, and with a
 /// quarter a stack of twenty planks of 37:1 never came to rest.
 inline constexpr Real kContactCycles = Real(1) / 8;

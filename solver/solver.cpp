@@ -6,7 +6,8 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 template <class Constraint>
-std::span<Constraint> slice(std::vector<Constraint>& all, ColourRange range) {
+std::span<Constraint> ofColour(std::vector<Constraint>& all, const ConstraintGraph& graph, int colour) {
+    const ColourRange range = graph.range<Constraint>(colour);
     return std::span<Constraint>(all).subspan(range.begin, range.end - range.begin);
 }
 
@@ -51,8 +52,12 @@ void addUpImpulses(std::vector<ContactConstraint>& contacts) {
 
 void Solver::prepare(SolverBatch& batch, Real restitutionThreshold) {
     for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
-    for (RevoluteConstraint& joint : batch.revolutes) { prepareRevolute(joint, batch.inertias); }
-    for (DistanceConstraint& joint : batch.distances) { prepareDistance(joint); }
+    batch.forEachJointKind([&batch](auto& joints) {
+        for (auto& joint : joints) {
+            joint.total = {};
+            swept::prepare(joint, batch.inertias);
+        }
+    });
     graph_.colour(batch);
     bouncing_.clear();
     for (ContactConstraint& contact : batch.contacts) {
@@ -65,18 +70,20 @@ void Solver::prepare(SolverBatch& batch, Real restitutionThreshold) {
 void Solver::warmStart(SolverBatch& batch) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
-        warmStartRevolutes(slice(batch.revolutes, graph_.revolutes(colour)), bodies);
-        warmStartDistances(slice(batch.distances, graph_.distances(colour)), bodies);
-        warmStartContacts(slice(batch.contacts, graph_.contacts(colour)), bodies);
+        batch.forEachJointKind([&](auto& joints) {
+            if (!joints.empty()) { swept::warmStart(ofColour(joints, graph_, colour), bodies); }
+        });
+        warmStartContacts(ofColour(batch.contacts, graph_, colour), bodies);
     }
 }
 
 void Solver::solveColours(SolverBatch& batch, Real h, bool useBias) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
-        solveRevolutes(slice(batch.revolutes, graph_.revolutes(colour)), bodies, h, useBias);
-        solveDistances(slice(batch.distances, graph_.distances(colour)), bodies, h, useBias);
-        solveContacts(slice(batch.contacts, graph_.contacts(colour)), bodies, h, useBias);
+        batch.forEachJointKind([&](auto& joints) {
+            if (!joints.empty()) { swept::solve(ofColour(joints, graph_, colour), bodies, h, useBias); }
+        });
+        solveContacts(ofColour(batch.contacts, graph_, colour), bodies, h, useBias);
     }
 }
 
@@ -97,6 +104,7 @@ SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings) {
         integratePositions(batch, h);
         for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours(batch, h, false); }
         addUpImpulses(batch.contacts);
+        batch.forEachJointKind([](auto& joints) { addUpReactions(std::span(joints)); });
     }
     return report;
 }

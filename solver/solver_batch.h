@@ -5,7 +5,14 @@
 #include "body_state.h"
 #include "contact_constraint.h"
 #include "distance_constraint.h"
+#include "gear_constraint.h"
+#include "motor_constraint.h"
+#include "mouse_constraint.h"
+#include "prismatic_constraint.h"
+#include "pulley_constraint.h"
 #include "revolute_constraint.h"
+#include "weld_constraint.h"
+#include "wheel_constraint.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -19,6 +26,27 @@ struct SolverBatch {
     std::vector<ContactConstraint> contacts;
     std::vector<RevoluteConstraint> revolutes;
     std::vector<DistanceConstraint> distances;
+    std::vector<PrismaticConstraint> prismatics;
+    std::vector<WheelConstraint> wheels;
+    std::vector<WeldConstraint> welds;
+    std::vector<MotorConstraint> motors;
+    std::vector<MouseConstraint> mice;
+    std::vector<GearConstraint> gears;
+    std::vector<PulleyConstraint> pulleys;
+
+    /// Calls `visit` with the array of each kind of joint, in the order in which a colour solves them; contacts come after.
+    template <class Visit>
+    void forEachJointKind(Visit&& visit) {
+        visit(revolutes);
+        visit(distances);
+        visit(prismatics);
+        visit(wheels);
+        visit(welds);
+        visit(motors);
+        visit(mice);
+        visit(gears);
+        visit(pulleys);
+    }
 
     /// Empties all, and lays down the fixed world as slot 0.
     void clear() {
@@ -26,8 +54,7 @@ struct SolverBatch {
         inertias.assign(1, {});
         drives.assign(1, {});
         contacts.clear();
-        revolutes.clear();
-        distances.clear();
+        forEachJointKind([](auto& joints) { joints.clear(); });
     }
     BodySlot addBody(const BodyState& state, const BodyInertia& inertia, const BodyDrive& drive) {
         states.push_back(state);

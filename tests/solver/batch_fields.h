@@ -42,6 +42,12 @@ void visitSoftness(Softness& softness, Visit&& visit) {
 }
 
 template <class Visit>
+void visitGains(SpringGains& gains, Visit&& visit) {
+    visit(gains.position, kRate);
+    visit(gains.velocity, kNumber);
+}
+
+template <class Visit>
 void visitBodies(SolverBatch& batch, Visit&& visit) {
     for (BodyState& state : batch.states) {
         visitVector(state.velocity, kSpeed, visit);
@@ -84,35 +90,119 @@ void visitContacts(SolverBatch& batch, Visit&& visit) {
 }
 
 template <class Visit>
+void visitCommon(JointConstraint& joint, Visit&& visit) {
+    visitVector(joint.anchorA, kLength, visit);
+    visitVector(joint.anchorB, kLength, visit);
+    visitVector(joint.centerOffset, kLength, visit);
+    visitSoftness(joint.softness, visit);
+    visitVector(joint.total.impulse, kImpulse, visit);
+    visit(joint.total.twist, kTwist);
+}
+
+/// @param place  of what moves: a number for an angle, a length for a translation
+template <class Visit>
+void visitFreedom(FreedomParts& parts, Dimension place, Dimension impulse, Visit&& visit) {
+    visit(parts.lower, place);
+    visit(parts.upper, place);
+    visit(parts.motorSpeed, {place.length, 0, -1});
+    visitGains(parts.spring, visit);
+    for (Real* value : {&parts.maxMotorImpulse, &parts.lowerImpulse, &parts.upperImpulse, &parts.motorImpulse,
+                        &parts.springImpulse}) {
+        visit(*value, impulse);
+    }
+}
+
+template <class Visit>
+void visitJoint(RevoluteConstraint& joint, Visit&& visit) {
+    visitFreedom(joint, kNumber, kTwist, visit);
+    visitVector(joint.linearImpulse, kImpulse, visit);
+}
+template <class Visit>
+void visitJoint(DistanceConstraint& joint, Visit&& visit) {
+    for (Real* length : {&joint.length, &joint.minLength, &joint.maxLength}) {
+        visit(*length, kLength);
+    }
+    visitGains(joint.spring, visit);
+    visitVector(joint.axis, kNumber, visit);
+    for (Real* impulse : {&joint.rigidImpulse, &joint.springImpulse, &joint.lowerImpulse, &joint.upperImpulse}) {
+        visit(*impulse, kImpulse);
+    }
+}
+template <class Visit>
+void visitJoint(PrismaticConstraint& joint, Visit&& visit) {
+    visitFreedom(joint, kLength, kImpulse, visit);
+    visitVector(joint.axis, kNumber, visit);
+    visitVector(joint.axisNow, kNumber, visit);
+    visit(joint.heldImpulse.x, kImpulse);
+    visit(joint.heldImpulse.y, kTwist);
+}
+template <class Visit>
+void visitJoint(WheelConstraint& joint, Visit&& visit) {
+    visitFreedom(joint.suspension, kLength, kImpulse, visit);
+    visitVector(joint.axis, kNumber, visit);
+    visitVector(joint.axisNow, kNumber, visit);
+    visit(joint.motorSpeed, kRate);
+    visit(joint.maxMotorImpulse, kTwist);
+    visit(joint.motorImpulse, kTwist);
+    visit(joint.heldImpulse.x, kImpulse);
+}
+template <class Visit>
+void visitJoint(WeldConstraint& joint, Visit&& visit) {
+    visitGains(joint.linearSpring, visit);
+    visitGains(joint.angularSpring, visit);
+    visitVector(joint.linearImpulse, kImpulse, visit);
+    visit(joint.angularImpulse, kTwist);
+}
+template <class Visit>
+void visitJoint(MotorConstraint& joint, Visit&& visit) {
+    visitVector(joint.velocity, kSpeed, visit);
+    visit(joint.spin, kRate);
+    visit(joint.approachRate, kRate);
+    visit(joint.maxLinearImpulse, kImpulse);
+    visit(joint.maxAngularImpulse, kTwist);
+    visitVector(joint.linearImpulse, kImpulse, visit);
+    visit(joint.angularImpulse, kTwist);
+}
+template <class Visit>
+void visitJoint(MouseConstraint& joint, Visit&& visit) {
+    visitGains(joint.spring, visit);
+    visit(joint.maxImpulse, kImpulse);
+    visitVector(joint.linearImpulse, kImpulse, visit);
+}
+/// The dimensions of a gear follow from what its two joints leave free.
+template <class Visit>
+void visitJoint(GearConstraint& gear, Visit&& visit) {
+    for (GearSide* side : {&gear.first, &gear.second}) {
+        visitVector(side->axis, kNumber, visit);
+        visitVector(side->anchorA, kLength, visit);
+        visitVector(side->anchorB, kLength, visit);
+        visitVector(side->centerOffset, kLength, visit);
+    }
+    const int first = gear.first.slides ? 1 : 0;
+    visit(gear.ratio, {first - (gear.second.slides ? 1 : 0), 0, 0});
+    visit(gear.baseError, {first, 0, 0});
+    visitVector(gear.axisNow, kNumber, visit);
+    visit(gear.impulse, {2 - first, 1, -1});
+}
+template <class Visit>
+void visitJoint(PulleyConstraint& joint, Visit&& visit) {
+    visitVector(joint.offsetA, kLength, visit);
+    visitVector(joint.offsetB, kLength, visit);
+    visit(joint.ratio, kNumber);
+    visit(joint.totalLength, kLength);
+    visitVector(joint.axisA, kNumber, visit);
+    visitVector(joint.axisB, kNumber, visit);
+    visit(joint.tension, kImpulse);
+}
+
+template <class Visit>
 void visitJoints(SolverBatch& batch, Visit&& visit) {
-    for (RevoluteConstraint& joint : batch.revolutes) {
-        visitVector(joint.anchorA, kLength, visit);
-        visitVector(joint.anchorB, kLength, visit);
-        visitVector(joint.centerOffset, kLength, visit);
-        visit(joint.motorSpeed, kRate);
-        visit(joint.maxMotorImpulse, kTwist);
-        visitSoftness(joint.softness, visit);
-        visitSoftness(joint.spring, visit);
-        visit(joint.angularMass, kInertia);
-        visitVector(joint.linearImpulse, kImpulse, visit);
-        for (Real* twist : {&joint.lowerImpulse, &joint.upperImpulse, &joint.motorImpulse, &joint.springImpulse}) {
-            visit(*twist, kTwist);
+    batch.forEachJointKind([&](auto& joints) {
+        for (auto& joint : joints) {
+            visitCommon(joint, visit);
+            visitJoint(joint, visit);
         }
-    }
-    for (DistanceConstraint& joint : batch.distances) {
-        visitVector(joint.anchorA, kLength, visit);
-        visitVector(joint.anchorB, kLength, visit);
-        visitVector(joint.centerOffset, kLength, visit);
-        for (Real* length : {&joint.length, &joint.minLength, &joint.maxLength}) {
-            visit(*length, kLength);
-        }
-        visitSoftness(joint.softness, visit);
-        visitSoftness(joint.spring, visit);
-        visitVector(joint.axis, kNumber, visit);
-        for (Real* impulse : {&joint.rigidImpulse, &joint.springImpulse, &joint.lowerImpulse, &joint.upperImpulse}) {
-            visit(*impulse, kImpulse);
-        }
-    }
+    });
 }
 
 /// Calls `visit(Real&, Dimension)` for every field that has or may have a dimension, in a fixed order.
@@ -144,12 +234,15 @@ struct RandomSolve {
         for (int i = random_.integer(1, 16); i > 0; --i) {
             addContact();
         }
-        for (int i = random_.integer(0, 4); i > 0; --i) {
-            addRevolute();
-        }
-        for (int i = random_.integer(0, 4); i > 0; --i) {
-            addDistance();
-        }
+        addJoints(batch.revolutes, [this](auto& joint) { fill(joint); });
+        addJoints(batch.distances, [this](auto& joint) { fill(joint); });
+        addJoints(batch.prismatics, [this](auto& joint) { fill(joint); });
+        addJoints(batch.wheels, [this](auto& joint) { fill(joint); });
+        addJoints(batch.welds, [this](auto& joint) { fill(joint); });
+        addJoints(batch.motors, [this](auto& joint) { fill(joint); });
+        addJoints(batch.mice, [this](auto& joint) { fill(joint); });
+        addJoints(batch.gears, [this](auto& joint) { fill(joint); });
+        addJoints(batch.pulleys, [this](auto& joint) { fill(joint); });
     }
 
 private:
@@ -194,40 +287,116 @@ private:
         }
         batch.contacts.push_back(contact);
     }
-    void addRevolute() {
-        RevoluteConstraint joint;
-        chooseSlots(joint);
-        joint.anchorA = vector(1);
-        joint.anchorB = vector(1);
-        joint.centerOffset = joint.anchorA - joint.anchorB + vector(0.01);
-        joint.baseAngle = number(-1, 1);
-        joint.hasLimits = random_.chance(0.5);
-        joint.lower = number(-1, 0);
-        joint.upper = number(0, 1);
-        joint.hasMotor = random_.chance(0.5);
-        joint.motorSpeed = number(-2, 2);
-        joint.maxMotorImpulse = number(0, 0.1);
-        joint.hasSpring = random_.chance(0.5);
-        joint.spring = softnessOf(number(1, 20), number(0, 1), h_);
-        joint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h_);
-        joint.linearImpulse = vector(0.1);
-        batch.revolutes.push_back(joint);
+    template <class Joint, class Fill>
+    void addJoints(std::vector<Joint>& joints, Fill&& fillIn) {
+        for (int i = random_.integer(0, 3); i > 0; --i) {
+            Joint joint;
+            chooseSlots(joint);
+            joint.anchorA = vector(1);
+            joint.anchorB = vector(1);
+            joint.centerOffset = joint.anchorA - joint.anchorB + vector(0.01);
+            joint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h_);
+            fillIn(joint);
+            joints.push_back(joint);
+        }
     }
-    void addDistance() {
-        DistanceConstraint joint;
-        chooseSlots(joint);
-        joint.anchorA = vector(1);
-        joint.anchorB = vector(1);
+    SpringGains spring() { return springGainsOf(number(1, 200), number(0, 1), h_); }
+    Vec2 direction() {
+        const Real x = number(-1, 1);
+        return {x, std::sqrt(1 - x * x)};
+    }
+    void fillParts(FreedomParts& parts) {
+        parts.hasLimits = random_.chance(0.5);
+        parts.lower = number(-1, 0);
+        parts.upper = number(0, 1);
+        parts.hasMotor = random_.chance(0.5);
+        parts.motorSpeed = number(-2, 2);
+        parts.maxMotorImpulse = number(0, 0.1);
+        parts.hasSpring = random_.chance(0.5);
+        parts.spring = spring();
+    }
+    void fill(RevoluteConstraint& joint) {
+        joint.baseAngle = number(-1, 1);
+        fillParts(joint);
+        joint.linearImpulse = vector(0.1);
+    }
+    void fill(DistanceConstraint& joint) {
         joint.centerOffset = vector(3);
         joint.length = number(1, 3);
         joint.isRigid = random_.chance(0.5);
         joint.hasSpring = random_.chance(0.5);
-        joint.spring = softnessOf(number(1, 20), number(0, 1), h_);
+        joint.spring = spring();
         joint.hasLimits = random_.chance(0.5);
         joint.minLength = number(0, 2);
         joint.maxLength = number(2, 4);
-        joint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h_);
-        batch.distances.push_back(joint);
+    }
+    void fill(PrismaticConstraint& joint) {
+        joint.axis = joint.axisNow = direction();
+        joint.centerOffset += number(-0.5, 0.5) * joint.axis;
+        joint.baseAngle = number(-0.01, 0.01);
+        fillParts(joint);
+        joint.heldImpulse = vector(0.1);
+    }
+    void fill(WheelConstraint& joint) {
+        joint.axis = joint.axisNow = direction();
+        joint.centerOffset += number(-0.5, 0.5) * joint.axis;
+        fillParts(joint.suspension);
+        joint.suspension.hasMotor = false;
+        joint.hasMotor = random_.chance(0.5);
+        joint.motorSpeed = number(-5, 5);
+        joint.maxMotorImpulse = number(0, 0.1);
+        joint.heldImpulse = {number(-0.1, 0.1), 0};
+    }
+    void fill(WeldConstraint& joint) {
+        joint.baseAngle = number(-0.01, 0.01);
+        joint.hasLinearSpring = random_.chance(0.5);
+        joint.linearSpring = spring();
+        joint.hasAngularSpring = random_.chance(0.5);
+        joint.angularSpring = spring();
+        joint.linearImpulse = vector(0.1);
+    }
+    void fill(MotorConstraint& joint) {
+        joint.centerOffset += vector(0.5);
+        joint.baseAngle = number(-1, 1);
+        joint.velocity = vector(1);
+        joint.spin = number(-1, 1);
+        joint.approachRate = number(5, 20);
+        joint.maxLinearImpulse = number(0, 0.1);
+        joint.maxAngularImpulse = number(0, 0.1);
+        joint.drivesLine = random_.chance(0.8);
+        joint.drivesAngle = random_.chance(0.8);
+        joint.seeksPlace = random_.chance(0.5);
+        joint.seeksAngle = random_.chance(0.5);
+    }
+    void fill(MouseConstraint& joint) {
+        joint.slotA = kFixedSlot;
+        joint.slotB = static_cast<BodySlot>(random_.integer(1, bodies_));
+        joint.anchorA = {};
+        joint.hasSpring = random_.chance(0.7);
+        joint.spring = spring();
+        joint.maxImpulse = number(0, 0.1);
+    }
+    void fill(GearSide& side) {
+        chooseSlots(side);
+        side.slides = random_.chance(0.5);
+        side.axis = direction();
+        side.anchorA = vector(1);
+        side.anchorB = vector(1);
+        side.centerOffset = vector(1);
+    }
+    void fill(GearConstraint& joint) {
+        fill(joint.first);
+        fill(joint.second);
+        joint.slotA = joint.first.slotB;
+        joint.slotB = joint.second.slotB;
+        joint.ratio = number(0.5, 2) * static_cast<Real>(random_.sign());
+        joint.baseError = number(-0.01, 0.01);
+    }
+    void fill(PulleyConstraint& joint) {
+        joint.offsetA = {number(-1, 1), number(-3, -1)};
+        joint.offsetB = {number(-1, 1), number(-3, -1)};
+        joint.ratio = number(0.5, 2);
+        joint.totalLength = number(3, 6);
     }
 
     Random random_;

@@ -108,11 +108,11 @@ TEST(ConstraintGraph, NoColourHasAMovableBodyTwiceAndNothingIsLost) {
         SolverBatch after = before;
         graph.colour(after);
         checkKind(
-            before.contacts, after.contacts, [&](int c) { return graph.contacts(c); }, seed);
+            before.contacts, after.contacts, [&](int c) { return graph.range<ContactConstraint>(c); }, seed);
         checkKind(
-            before.revolutes, after.revolutes, [&](int c) { return graph.revolutes(c); }, seed);
+            before.revolutes, after.revolutes, [&](int c) { return graph.range<RevoluteConstraint>(c); }, seed);
         checkKind(
-            before.distances, after.distances, [&](int c) { return graph.distances(c); }, seed);
+            before.distances, after.distances, [&](int c) { return graph.range<DistanceConstraint>(c); }, seed);
         for (const int colour : graph.activeColours()) {
             ++colours;
             if (colour == kOverflowColour) {
@@ -120,9 +120,9 @@ TEST(ConstraintGraph, NoColourHasAMovableBodyTwiceAndNothingIsLost) {
                 continue;
             }
             ColourUse use(after);
-            use.take(after.contacts, graph.contacts(colour), colour, seed);
-            use.take(after.revolutes, graph.revolutes(colour), colour, seed);
-            use.take(after.distances, graph.distances(colour), colour, seed);
+            use.take(after.contacts, graph.range<ContactConstraint>(colour), colour, seed);
+            use.take(after.revolutes, graph.range<RevoluteConstraint>(colour), colour, seed);
+            use.take(after.distances, graph.range<DistanceConstraint>(colour), colour, seed);
         }
         ASSERT_TRUE(std::is_sorted(graph.activeColours().begin(), graph.activeColours().end()));
         if (HasFatalFailure()) {
@@ -168,7 +168,7 @@ ColourRange overflowOfStar(int count, BodyInertia others) {
     }
     ConstraintGraph graph;
     graph.colour(batch);
-    return graph.contacts(kOverflowColour);
+    return graph.range<ContactConstraint>(kOverflowColour);
 }
 
 TEST(ConstraintGraph, OverflowsWhenABodyHasMoreConstraintsThanThereAreColours) {

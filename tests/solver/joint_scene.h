@@ -132,16 +132,16 @@ private:
     int count_ = 0;
 };
 
-/// What implicit Euler makes of a spring. With D = 1 + 2ζ·hω + (hω)² the matrix of a step, (x, v) → (x + h·v₁, v₁),
-/// v₁ = (v − hω²·x)/D, has determinant 1/D and trace (2 + 2ζ·hω)/D; its eigenvalues are e^(−decay·h ± i·frequency·h).
+/// What a sub-step makes of a spring, from the matrix of a step: (x, v) → (x + h·v₁, v₁), v₁ = (v − h·ω²·x)/D with
+/// D = (1 + ζ·hω)² has determinant 1/D and trace 1 + (1 − (hω)²)/D; its eigenvalues are e^(−decay·h ± i·frequency·h).
 struct SpringMotion {
     double angularFrequency = 0;
     double decayRate = 0;
 };
-inline SpringMotion implicitEulerSpring(double omega, double zeta, double h) {
-    const double d = 1 + 2 * zeta * h * omega + h * omega * h * omega;
-    const double trace = (2 + 2 * zeta * h * omega) / d;
-    return {std::acos(trace / 2 * std::sqrt(d)) / h, std::log(d) / (2 * h)};
+inline SpringMotion discreteSpring(double omega, double zeta, double h) {
+    const double root = 1 + zeta * h * omega;
+    const double trace = 1 + (1 - h * omega * h * omega) / (root * root);
+    return {std::acos(trace / 2 * root) / h, std::log(root) / h};
 }
 
 struct Momentum {

@@ -1,0 +1,271 @@
+#include "joint_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+/// Part of the way to its pose that a motor joint covers in a step, as far as its force allows.
+constexpr Real kApproachRatio = Real(0.3);
+
+Vec2 armOf(const WorldState& world, std::uint32_t body, Vec2 localAnchor) {
+    return rotate(world.motions[body].pose.rotation, localAnchor - world.bodies[body].localCenter);
+}
+
+Vec2 centerOffset(const WorldState& world, const Joint& joint) {
+    return toReal(world.motions[joint.bodyB].center - world.motions[joint.bodyA].center);
+}
+
+Vec2 axisOf(const WorldState& world, const Joint& joint) {
+    return rotate(world.motions[joint.bodyA].pose.rotation, joint.localAxis);
+}
+
+/// Fills constraints in from the present state. The impulses stay what they are.
+struct ConstraintFiller {
+    const WorldState& world;
+    const Joint& joint;
+    Real h;
+    Real dt;
+
+    SpringGains gainsOf(const Spring& spring) const {
+        return springGainsOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h);
+    }
+    Real baseAngle() const { return static_cast<Real>(angleOf(world, joint)); }
+
+    template <class Limits>
+    void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) const {
+        parts.hasLimits = limits.has_value();
+        if (!limits) { return; }
+        parts.lower = limits->lower;
+        parts.upper = limits->upper;
+    }
+    void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring) const {
+        parts.hasSpring = spring.has_value();
+        if (spring) { parts.spring = gainsOf(*spring); }
+    }
+    /// Also of a `WheelConstraint`, whose motor has members of the same names.
+    template <class Parts, class Motor>
+    void fillMotor(Parts& parts, const std::optional<Motor>& motor, Real strength) const {
+        parts.hasMotor = motor.has_value();
+        parts.maxMotorImpulse = h * strength;
+        if (motor) { parts.motorSpeed = motor->speed; }
+    }
+
+    void operator()(RevoluteConstraint& constraint, const RevoluteJointDef& def) const {
+        constraint.baseAngle = baseAngle();
+        fillLimits(constraint, def.limits);
+        fillMotor(constraint, def.motor, def.motor ? def.motor->maxTorque : Real(0));
+        fillSpring(constraint, def.spring);
+    }
+    void operator()(DistanceConstraint& constraint, const DistanceJointDef& def) const {
+        constraint.length = joint.length;
+        constraint.hasSpring = def.spring.has_value();
+        if (def.spring) { constraint.spring = gainsOf(*def.spring); }
+        constraint.hasLimits = def.limits.has_value();
+        if (def.limits) {
+            constraint.minLength = def.limits->min;
+            constraint.maxLength = def.limits->max;
+        }
+        constraint.isRigid = !constraint.hasSpring && !constraint.hasLimits;
+    }
+    void operator()(PrismaticConstraint& constraint, const PrismaticJointDef& def) const {
+        constraint.axis = axisOf(world, joint);
+        constraint.baseAngle = baseAngle();
+        fillLimits(constraint, def.limits);
+        fillMotor(constraint, def.motor, def.motor ? def.motor->maxForce : Real(0));
+        fillSpring(constraint, def.spring);
+    }
+    void operator()(WheelConstraint& constraint, const WheelJointDef& def) const {
+        constraint.axis = axisOf(world, joint);
+        fillLimits(constraint.suspension, def.limits);
+        fillMotor(constraint, def.motor, def.motor ? def.motor->maxTorque : Real(0));
+        fillSpring(constraint.suspension, def.spring);
+    }
+    void operator()(WeldConstraint& constraint, const WeldJointDef& def) const {
+        constraint.baseAngle = baseAngle();
+        constraint.hasLinearSpring = def.linearSpring.has_value();
+        if (def.linearSpring) { constraint.linearSpring = gainsOf(*def.linearSpring); }
+        constraint.hasAngularSpring = def.angularSpring.has_value();
+        if (def.angularSpring) { constraint.angularSpring = gainsOf(*def.angularSpring); }
+    }
+    void operator()(MotorConstraint& constraint, const MotorJointDef& def) const {
+        const MotorDrive& drive = def.drive;
+        constraint.approachRate = kApproachRatio / dt;
+        constraint.drivesLine = drive.maxForce.has_value();
+        constraint.maxLinearImpulse = h * drive.maxForce.value_or(0);
+        constraint.seeksPlace = !drive.linearVelocity.has_value();
+        if (drive.linearVelocity) {
+            constraint.velocity = rotate(world.motions[joint.bodyA].pose.rotation, *drive.linearVelocity);
+            constraint.anchorA = constraint.centerOffset + constraint.anchorB;
+        } else {
+            constraint.anchorA = armOf(world, joint.bodyA, drive.linearOffset.value_or(joint.localAnchorA));
+        }
+        constraint.drivesAngle = drive.maxTorque.has_value();
+        constraint.maxAngularImpulse = h * drive.maxTorque.value_or(0);
+        constraint.seeksAngle = !drive.angularVelocity.has_value();
+        constraint.spin = drive.angularVelocity.value_or(0);
+        constraint.baseAngle =
+            static_cast<Real>(angleOf(world, joint) - static_cast<double>(drive.angularOffset.value_or(0)));
+    }
+    void operator()(MouseConstraint& constraint, const MouseJointDef& def) const {
+        constraint.slotA = kFixedSlot;
+        constraint.anchorA = {};
+        constraint.centerOffset = toReal(world.motions[joint.bodyB].center - def.target);
+        constraint.hasSpring = def.spring.has_value();
+        if (def.spring) { constraint.spring = gainsOf(*def.spring); }
+        constraint.maxImpulse = def.maxForce ? h * *def.maxForce : std::numeric_limits<Real>::infinity();
+    }
+    void fillSide(GearSide& side, const Joint& geared) const {
+        side.slotA = world.bodies[geared.bodyA].slot;
+        side.slotB = world.bodies[geared.bodyB].slot;
+        side.slides = geared.type() == JointType::prismatic;
+        side.axis = axisOf(world, geared);
+        side.anchorA = armOf(world, geared.bodyA, geared.localAnchorA);
+        side.anchorB = armOf(world, geared.bodyB, geared.localAnchorB);
+        side.centerOffset = centerOffset(world, geared);
+    }
+    void operator()(GearConstraint& constraint, const GearJointDef& def) const {
+        const Joint& first = world.joints[def.jointA.index];
+        const Joint& second = world.joints[def.jointB.index];
+        fillSide(constraint.first, first);
+        fillSide(constraint.second, second);
+        constraint.ratio = def.ratio;
+        constraint.baseError = gearError(def);
+    }
+    void operator()(PulleyConstraint& constraint, const PulleyJointDef& def) const {
+        constraint.offsetA = toReal(world.motions[joint.bodyA].center - def.groundA);
+        constraint.offsetB = toReal(world.motions[joint.bodyB].center - def.groundB);
+        constraint.ratio = def.ratio;
+        constraint.totalLength = joint.length;
+    }
+
+    Real gearError(const GearJointDef& def) const {
+        const double first = coordinateOf(world, world.joints[def.jointA.index]);
+        const double second = coordinateOf(world, world.joints[def.jointB.index]);
+        return static_cast<Real>(first + static_cast<double>(def.ratio) * second - joint.gearConstant);
+    }
+
+    template <class Part>
+    typename Part::Constraint constraintOf(const Part& part) const {
+        typename Part::Constraint constraint = part.memory;
+        constraint.slotA = world.bodies[joint.bodyA].slot;
+        constraint.slotB = world.bodies[joint.bodyB].slot;
+        constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
+        constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
+        constraint.centerOffset = centerOffset(world, joint);
+        constraint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, h);
+        (*this)(constraint, part.def);
+        return constraint;
+    }
+};
+
+constexpr BodyState kStill{};
+
+/// Errors by kind, at the start of a step.
+struct ErrorReader {
+    const ConstraintFiller& filler;
+
+    JointErrors operator()(const RevoluteConstraint& c, const RevoluteJointDef&) const {
+        return {anchorGap(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const DistanceConstraint& c, const DistanceJointDef&) const {
+        return {lengthError(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const PrismaticConstraint& c, const PrismaticJointDef&) const {
+        return {axisGap(c, kStill, kStill), std::fabs(c.baseAngle)};
+    }
+    JointErrors operator()(const WheelConstraint& c, const WheelJointDef&) const {
+        return {axisGap(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const WeldConstraint& c, const WeldJointDef&) const {
+        return {c.hasLinearSpring ? Real(0) : anchorGap(c, kStill, kStill),
+                c.hasAngularSpring ? Real(0) : std::fabs(c.baseAngle)};
+    }
+    JointErrors operator()(const MotorConstraint&, const MotorJointDef&) const { return {}; }
+    JointErrors operator()(const MouseConstraint& c, const MouseJointDef&) const {
+        return {c.hasSpring ? Real(0) : anchorGap(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const GearConstraint& c, const GearJointDef&) const {
+        const Real error = std::fabs(c.baseError);
+        return c.first.slides ? JointErrors{error, 0} : JointErrors{0, error};
+    }
+    JointErrors operator()(const PulleyConstraint& c, const PulleyJointDef&) const {
+        return {std::max(ropeLength(c, kStill, kStill) - c.totalLength, Real(0)), 0};
+    }
+};
+
+void append(SolverBatch& batch, const RevoluteConstraint& c) { batch.revolutes.push_back(c); }
+void append(SolverBatch& batch, const DistanceConstraint& c) { batch.distances.push_back(c); }
+void append(SolverBatch& batch, const PrismaticConstraint& c) { batch.prismatics.push_back(c); }
+void append(SolverBatch& batch, const WheelConstraint& c) { batch.wheels.push_back(c); }
+void append(SolverBatch& batch, const WeldConstraint& c) { batch.welds.push_back(c); }
+void append(SolverBatch& batch, const MotorConstraint& c) { batch.motors.push_back(c); }
+void append(SolverBatch& batch, const MouseConstraint& c) { batch.mice.push_back(c); }
+void append(SolverBatch& batch, const GearConstraint& c) { batch.gears.push_back(c); }
+void append(SolverBatch& batch, const PulleyConstraint& c) { batch.pulleys.push_back(c); }
+
+/// Calls `visit(part)` unless the joint is a filter.
+template <class Parts, class Visit>
+void visitPart(Parts& parts, Visit&& visit) {
+    std::visit(
+        [&](auto& part) {
+            if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(part)>, FilterPart>) { visit(part); }
+        },
+        parts);
+}
+
+}  // namespace
+
+void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt) {
+    const Joint& joint = world.joints[source];
+    const ConstraintFiller filler{world, joint, h, dt};
+    visitPart(joint.parts, [&](const auto& part) {
+        auto constraint = filler.constraintOf(part);
+        constraint.source = source;
+        append(batch, constraint);
+    });
+}
+
+void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
+    batch.forEachJointKind([&](const auto& constraints) {
+        using Constraint = typename std::remove_cvref_t<decltype(constraints)>::value_type;
+        for (const Constraint& constraint : constraints) {
+            Joint& joint = world.joints[constraint.source];
+            visitPart(joint.parts, [&](auto& part) {
+                if constexpr (std::is_same_v<decltype(part.memory), Constraint>) { part.memory = constraint; }
+            });
+            joint.reactionForce = (1 / dt) * constraint.total.impulse;
+            joint.reactionTorque = (1 / dt) * constraint.total.twist;
+        }
+    });
+}
+
+JointErrors errorsOf(const WorldState& world, const Joint& joint) {
+    constexpr Real kAnyStep = 1;  // the errors do not depend on it
+    const ConstraintFiller filler{world, joint, kAnyStep, kAnyStep};
+    JointErrors errors;
+    visitPart(joint.parts,
+              [&](const auto& part) { errors = ErrorReader{filler}(filler.constraintOf(part), part.def); });
+    return errors;
+}
+
+double angleOf(const WorldState& world, const Joint& joint) {
+    return world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle - joint.referenceAngle;
+}
+
+Real translationOf(const WorldState& world, const Joint& joint) {
+    const Vec2 apart = centerOffset(world, joint) + armOf(world, joint.bodyB, joint.localAnchorB) -
+                       armOf(world, joint.bodyA, joint.localAnchorA);
+    const bool hasAxis = joint.type() == JointType::prismatic || joint.type() == JointType::wheel;
+    return hasAxis ? dot(axisOf(world, joint), apart) : length(apart);
+}
+
+double coordinateOf(const WorldState& world, const Joint& joint) {
+    return joint.type() == JointType::prismatic ? static_cast<double>(translationOf(world, joint))
+                                                : angleOf(world, joint);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Adds the constraint of a joint to the batch: with the slots and arms of the present poses and warm-start impulses. A filter
+/// has none. @param source  slot of the joint; @param h  length of a sub-step; @param dt  of the step
+void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt);
+
+/// Takes impulses and reactions back from a solved batch.
+void readConstraints(SolverBatch& batch, WorldState& world, Real dt);
+
+/// How far a joint is from holding at the present poses: metres, radians. What it does not hold has no error.
+struct JointErrors {
+    Real length = 0;
+    Real angle = 0;
+};
+JointErrors errorsOf(const WorldState& world, const Joint& joint);
+
+/// Angle of B relative to A beyond the initial one, rad.
+double angleOf(const WorldState& world, const Joint& joint);
+/// Of B's anchor from A's: along the axis where there is one, else the distance. Metres.
+Real translationOf(const WorldState& world, const Joint& joint);
+/// What a gear sees of a revolute or prismatic joint, rad or metres.
+double coordinateOf(const WorldState& world, const Joint& joint);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,146 @@
+#include "joint_checks.h"
+#include "number_range.h"
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+/// Whether a definition has a member of this kind that is set by that type.
+template <class Part, class Value>
+concept HasLimits = requires(Part& part, Value value) { part.def.limits = value; };
+template <class Part, class Value>
+concept HasMotor = requires(Part& part, Value value) { part.def.motor = value; };
+template <class Part>
+concept HasSpring = requires(Part& part, std::optional<Spring> value) { part.def.spring = value; };
+
+void wakeBodies(WorldState& world, const Joint& joint) {
+    for (const std::uint32_t body : joint.allBodies()) { wake(world, body); }
+}
+
+/// Changes a joint and wakes its bodies. @param change  takes a part, returns whether that kind of joint has what it sets
+template <class Change>
+Status change(WorldState& world, JointId id, const Status& value, Change&& change) {
+    Joint* joint = world.joints.find(id);
+    if (joint == nullptr) { return {StatusCode::staleId, "joint"}; }
+    if (!value.ok()) { return value; }
+    if (!std::visit(change, joint->parts)) { return {StatusCode::wrongJointType, "joint"}; }
+    wakeBodies(world, *joint);
+    return Status::success();
+}
+
+template <class Limits>
+auto toLimits(const std::optional<Limits>& limits) {
+    return [limits](auto& part) {
+        if constexpr (HasLimits<decltype(part), std::optional<Limits>>) {
+            part.def.limits = limits;
+            return true;
+        }
+        return false;
+    };
+}
+
+template <class Motor>
+auto toMotor(const std::optional<Motor>& motor) {
+    return [motor](auto& part) {
+        if constexpr (HasMotor<decltype(part), std::optional<Motor>>) {
+            part.def.motor = motor;
+            return true;
+        }
+        return false;
+    };
+}
+
+}  // namespace
+
+Status World::setAngleLimits(JointId id, std::optional<AngleLimits> limits) {
+    return change(*state_, id, checkLimits(limits), toLimits(limits));
+}
+Status World::setTranslationLimits(JointId id, std::optional<TranslationLimits> limits) {
+    return change(*state_, id, checkLimits(limits), toLimits(limits));
+}
+Status World::setAngularMotor(JointId id, std::optional<AngularMotor> motor) {
+    return change(*state_, id, checkMotor(motor), toMotor(motor));
+}
+Status World::setLinearMotor(JointId id, std::optional<LinearMotor> motor) {
+    return change(*state_, id, checkMotor(motor), toMotor(motor));
+}
+
+Status World::setSpring(JointId id, std::optional<Spring> spring) {
+    return change(*state_, id, checkSpring(spring), [&](auto& part) {
+        if constexpr (HasSpring<decltype(part)>) {
+            part.def.spring = spring;
+            return true;
+        }
+        return false;
+    });
+}
+
+Status World::setWeldSprings(JointId id, std::optional<Spring> linear, std::optional<Spring> angular) {
+    const Status first = checkSpring(linear);
+    return change(*state_, id, first.ok() ? checkSpring(angular) : first,
+                  Overloaded{[&](JointPart<WeldJointDef, WeldConstraint>& part) {
+                                 part.def.linearSpring = linear;
+                                 part.def.angularSpring = angular;
+                                 return true;
+                             },
+                             [](auto&) { return false; }});
+}
+
+Status World::setLengthLimits(JointId id, std::optional<LengthLimits> limits) {
+    const Joint* joint = state_->joints.find(id);
+    const Real length = joint != nullptr ? joint->length : Real(1);
+    return change(*state_, id, checkLength(length, limits), toLimits(limits));
+}
+
+Status World::setLength(JointId id, Real length) {
+    Joint* joint = state_->joints.find(id);
+    std::optional<LengthLimits> limits;
+    if (joint != nullptr) {
+        if (const auto* part = std::get_if<JointPart<DistanceJointDef, DistanceConstraint>>(&joint->parts)) {
+            limits = part->def.limits;
+        }
+    }
+    return change(*state_, id, checkLength(length, limits),
+                  Overloaded{[&](JointPart<DistanceJointDef, DistanceConstraint>&) {
+                                 joint->length = length;
+                                 return true;
+                             },
+                             [](auto&) { return false; }});
+}
+
+Status World::setTarget(JointId id, DVec2 target) {
+    return change(*state_, id, checkNumber(target, "target"),
+                  Overloaded{[&](JointPart<MouseJointDef, MouseConstraint>& part) {
+                                 part.def.target = target;
+                                 return true;
+                             },
+                             [](auto&) { return false; }});
+}
+
+Status World::setDrive(JointId id, const MotorDrive& drive) {
+    return change(*state_, id, checkDrive(drive),
+                  Overloaded{[&](JointPart<MotorJointDef, MotorConstraint>& part) {
+                                 part.def.drive = drive;
+                                 return true;
+                             },
+                             [](auto&) { return false; }});
+}
+
+Status World::setBreakLimits(JointId id, std::optional<Real> force, std::optional<Real> torque) {
+    Joint* joint = state_->joints.find(id);
+    if (joint == nullptr) { return {StatusCode::staleId, "joint"}; }
+    const Status status = checkBreakLimits(force, torque);
+    if (!status.ok()) { return status; }
+    joint->base.breakForce = force;
+    joint->base.breakTorque = torque;
+    return Status::success();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

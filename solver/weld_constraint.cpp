@@ -1,0 +1,124 @@
+#include "weld_constraint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// The joint as it stands in this sub-step.
+struct Seam {
+    Vec2 armA;
+    Vec2 armB;
+    Vec2 gap;
+    Real angle;
+    HeldRows point;
+};
+
+Seam seamOf(const WeldConstraint& joint, const JointPair& pair) {
+    const Vec2 armA = rotate(pair.a.deltaRotation, joint.anchorA);
+    const Vec2 armB = rotate(pair.b.deltaRotation, joint.anchorB);
+    return {armA, armB, joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (armB - armA),
+            joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle), heldPoint(pair, armA, armB)};
+}
+
+Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
+
+/// The angle's own change: of the spring, once per sub-step, or rigid.
+Real angleChange(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, Real mass, bool useBias) {
+    const Real speed = speedOf(kSpinRow, pair);
+    if (!joint.hasAngularSpring) {
+        return scalarChange(mass, speed, useBias ? seam.angle : Real(0), joint.angularImpulse,
+                            useBias ? joint.softness : kRigid);
+    }
+    return useBias ? springChange(mass, speed, seam.angle, joint.angularImpulse, joint.angularSpring) : Real(0);
+}
+
+/// The point rigid, then the angle while the point stays.
+void solveAtPoint(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+    const Vec2 change = heldChange(seam.point, pair, seam.gap, joint.linearImpulse, joint.softness, useBias);
+    joint.linearImpulse += change;
+    apply(seam.point, pair, change);
+    if (!(turnOf(pair) > 0)) { return; }
+    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB);
+    const Real twist = angleChange(joint, seam, pair, spin.mass, useBias);
+    joint.angularImpulse += twist;
+    apply(spin, seam.point, pair, twist, joint.linearImpulse);
+}
+
+void solveAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+    const Real turn = turnOf(pair);
+    if (!(turn > 0)) { return; }
+    const Real twist = angleChange(joint, seam, pair, 1 / turn, useBias);
+    joint.angularImpulse += twist;
+    apply(kSpinRow, pair, twist);
+}
+
+/// Response of the points while the angle is held: the bodies move as one, but for what their arms differ.
+PointMatrix matrixAtAngle(const Seam& seam, const JointPair& pair) {
+    const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
+    const Real turn = turnOf(pair);
+    const Real both = turn > 0 ? pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia / turn : Real(0);
+    const Vec2 arm = seam.armA - seam.armB;
+    return {mass + both * square(arm.y), -both * arm.x * arm.y, mass + both * square(arm.x),
+            mass * (mass + both * lengthSquared(arm))};
+}
+
+/// The angle rigid, then the spring of the point while the angle stays.
+void springAtAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    const Vec2 change = springChange(matrixAtAngle(seam, pair), speedsOf(seam.point, pair), seam.gap,
+                                     joint.linearImpulse, joint.linearSpring);
+    joint.linearImpulse += change;
+    apply(seam.point, pair, change);
+    const Real turn = turnOf(pair);
+    if (!(turn > 0)) { return; }
+    const Real turned = pair.inertiaA.inverseInertia * cross(seam.armA, change) +
+                        pair.inertiaB.inverseInertia * cross(seam.armB, change);
+    joint.angularImpulse -= turned / turn;
+    apply(kSpinRow, pair, -turned / turn);
+}
+
+void springFreely(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    const Vec2 change = springChange(seam.point.matrix, speedsOf(seam.point, pair), seam.gap, joint.linearImpulse,
+                                     joint.linearSpring);
+    joint.linearImpulse += change;
+    apply(seam.point, pair, change);
+}
+
+void solveOne(WeldConstraint& joint, const JointPair& pair, Real, bool useBias) {
+    const Seam seam = seamOf(joint, pair);
+    if (!joint.hasLinearSpring) { return solveAtPoint(joint, seam, pair, useBias); }
+    solveAngle(joint, seam, pair, useBias);
+    if (!useBias) { return; }
+    if (joint.hasAngularSpring) {
+        springFreely(joint, seam, pair);
+    } else {
+        springAtAngle(joint, seam, pair);
+    }
+}
+
+}  // namespace
+
+void prepare(WeldConstraint&, std::span<const BodyInertia>) {}
+
+void warmStart(std::span<WeldConstraint> joints, const SolverBodies& bodies) {
+    for (WeldConstraint& joint : joints) {
+        BodyState a = bodies.states[joint.slotA];
+        BodyState b = bodies.states[joint.slotB];
+        const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
+        apply(heldPoint(pair, rotate(a.deltaRotation, joint.anchorA), rotate(b.deltaRotation, joint.anchorB)), pair,
+              joint.linearImpulse);
+        apply(kSpinRow, pair, joint.angularImpulse);
+        storePair(bodies, joint.slotA, a, joint.slotB, b);
+    }
+}
+
+void solve(std::span<WeldConstraint> joints, const SolverBodies& bodies, Real h, bool useBias) {
+    for (WeldConstraint& joint : joints) {
+        BodyState a = bodies.states[joint.slotA];
+        BodyState b = bodies.states[joint.slotB];
+        solveOne(joint, {a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]}, h, useBias);
+        storePair(bodies, joint.slotA, a, joint.slotB, b);
+    }
+}
+
+JointReaction reactionOf(const WeldConstraint& joint) { return {joint.linearImpulse, joint.angularImpulse}; }
+
+}  // namespace swept::inline SWEPT_PRECISION

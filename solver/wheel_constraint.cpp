@@ -1,0 +1,93 @@
+#include "wheel_constraint.h"
+
+#include <cmath>
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// The joint as it stands in this sub-step. The force on A acts where B's anchor is.
+struct Axle {
+    Vec2 offset;  ///< of the anchors
+    Vec2 armA;
+    Vec2 armB;
+    JointRow along;
+    HeldRows held;
+};
+
+Axle axleOf(WheelConstraint& joint, const JointPair& pair) {
+    joint.axisNow = rotate(pair.a.deltaRotation, joint.axis);
+    const Vec2 offset = anchorOffset(joint, pair.a, pair.b);
+    const Vec2 armA = rotate(pair.a.deltaRotation, joint.anchorA) + offset;
+    const Vec2 armB = rotate(pair.b.deltaRotation, joint.anchorB);
+    return {offset, armA, armB, rowAlong(joint.axisNow, armA, armB),
+            heldLine(pair, rowAlong(leftPerp(joint.axisNow), armA, armB))};
+}
+
+void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair) {
+    const Real across = axle.held.matrix.xx;
+    const Real inverse = across > 0 ? heldSlide(pair, axle.held.first).matrix.determinant / across
+                                    : pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    const GuidedRow spin = guidedBy(axle.held, kSpinRow, pair, inverse);
+    const Real change =
+        motorChange(spin.mass, speedOf(kSpinRow, pair), joint.motorSpeed, joint.motorImpulse, joint.maxMotorImpulse);
+    joint.motorImpulse += change;
+    apply(spin, axle.held, pair, change, joint.heldImpulse);
+}
+
+void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBias) {
+    const Axle axle = axleOf(joint, pair);
+    const Vec2 error{cross(joint.axisNow, axle.offset), 0};
+    const Vec2 change = heldChange(axle.held, pair, error, joint.heldImpulse, joint.softness, useBias);
+    joint.heldImpulse += change;
+    apply(axle.held, pair, change);
+    const bool turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0;
+    if (joint.hasMotor && turns) { driveSpin(joint, axle, pair); }
+    const Real across = axle.held.matrix.xx;
+    if (!(across > 0) || (!joint.suspension.hasSpring && !joint.suspension.hasLimits)) { return; }
+    const Real inverse = pointMatrix(pair.inertiaA, axle.armA, pair.inertiaB, axle.armB).determinant / across;
+    const GuidedRow along = guidedBy(axle.held, axle.along, pair, inverse);
+    solveFreedom(
+        joint.suspension, along.mass, dot(joint.axisNow, axle.offset), joint.softness, h, useBias,
+        [&] { return speedOf(along.row, pair); },
+        [&](Real impulse) { apply(along, axle.held, pair, impulse, joint.heldImpulse); });
+}
+
+}  // namespace
+
+void prepare(WheelConstraint& joint, std::span<const BodyInertia>) {
+    dropUnused(joint.suspension);
+    if (!joint.hasMotor) { joint.motorImpulse = 0; }
+}
+
+void warmStart(std::span<WheelConstraint> joints, const SolverBodies& bodies) {
+    for (WheelConstraint& joint : joints) {
+        BodyState a = bodies.states[joint.slotA];
+        BodyState b = bodies.states[joint.slotB];
+        const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
+        const Axle axle = axleOf(joint, pair);
+        apply(axle.held, pair, joint.heldImpulse);
+        apply(axle.along, pair, joint.suspension.impulse());
+        apply(kSpinRow, pair, joint.motorImpulse);
+        storePair(bodies, joint.slotA, a, joint.slotB, b);
+    }
+}
+
+void solve(std::span<WheelConstraint> joints, const SolverBodies& bodies, Real h, bool useBias) {
+    for (WheelConstraint& joint : joints) {
+        BodyState a = bodies.states[joint.slotA];
+        BodyState b = bodies.states[joint.slotB];
+        solveOne(joint, {a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]}, h, useBias);
+        storePair(bodies, joint.slotA, a, joint.slotB, b);
+    }
+}
+
+JointReaction reactionOf(const WheelConstraint& joint) {
+    return {joint.suspension.impulse() * joint.axisNow + joint.heldImpulse.x * leftPerp(joint.axisNow),
+            joint.motorImpulse};
+}
+
+Real axisGap(const WheelConstraint& joint, const BodyState& a, const BodyState& b) {
+    return std::fabs(cross(rotate(a.deltaRotation, joint.axis), anchorOffset(joint, a, b)));
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
