@@ -1,0 +1,13 @@
+#pragma once
+
+/// Benchmarks of Google's library for the kernels beside `distance`: each call registers some.
+
+namespace swept::bench {
+
+/// penetration, collide, rayCast, convexHull: in both precisions.
+void registerShapeKernelsF32();
+void registerShapeKernelsF64();
+/// Every method, on the generic family.
+void registerToiKernels();
+
+}  // namespace swept::bench
