@@ -20,20 +20,24 @@ Distance withRadii(const CoreSeparation& core, int iterations, Real radiusA, Rea
     return d;
 }
 
-/// Whether no product of four coordinates left the range of double (a float's never does).
-bool isInRange(const GjkResult& gjk) {
-    if constexpr (std::is_same_v<Real, float>) { return true; }
-    constexpr double kLargest = 0x1p200;
+/// Whether neither a product of four coordinates leaves the range of double nor an answer that of `Real`.
+bool isInRange(const Polygon& a, const Polygon& b, const GjkResult& gjk) {
+    constexpr bool isFloat = std::is_same_v<Real, float>;
+    constexpr double kLargest = isFloat ? 0x1p120 : 0x1p200;
     const double size = gjk.resolution / kResolution;
-    return size < kLargest && size > 1 / kLargest;
+    return size < kLargest && static_cast<double>(a.radius + b.radius) < kLargest && (isFloat || size > 1 / kLargest);
 }
 
-/// Overlap, runs that stalled, coordinates near the ends of the range.
-Distance distanceWithCare(const Polygon& a, const Polygon& b, const Transform& bInA, SimplexCache* cache) {
+/// Overlap, what a walk does not prove, coordinates near the ends of the range. Never inline: its large locals would
+/// burden the common case.
+[[gnu::noinline, gnu::cold]] Distance distanceWithCare(const Polygon& a, const Polygon& b, const Transform& bInA,
+                                                       SimplexCache* cache) {
     int iterations = 0;
     const auto solve = [cache, &iterations](const PairView& pair) {
         const GjkResult gjk = closestFeatures(pair, cache);
-        if (cache != nullptr) { remember(gjk, *cache); }
+        if (cache != nullptr) {
+            remember(gjk, *cache);
+        }
         iterations = gjk.iterations;
         return coreSeparation(pair, gjk);
     };
@@ -54,13 +58,19 @@ Distance distanceWithCare(const Polygon& a, const Polygon& b, const Transform& b
 
 Distance distance(const Polygon& a, const Polygon& b, const Transform& bInA, SimplexCache* cache) {
     const PairView pair(a, b, bInA);
+    // The common case without a call: apart, and coordinates that double can multiply.
     GjkResult gjk;
-    gjk::run(pair, cache, gjk);
-    // The common case first, without a call: apart, and coordinates that double can multiply.
-    if (gjk.outcome != GjkOutcome::apart || !isInRange(gjk)) { return distanceWithCare(a, b, bInA, cache); }
-    if (cache != nullptr) { remember(gjk, *cache); }
-    return withRadii({gjk.distance, gjk.normal, witnessOf(pair, gjk, gjk.distance * gjk.normal)}, gjk.iterations,
-                     a.radius, b.radius);
+    if (!gjk::walk(pair, gjk::start(pair, cache), gjk) || !isInRange(a, b, gjk)) {
+        return distanceWithCare(a, b, bInA, cache);
+    }
+    if (cache != nullptr) {
+        remember(gjk, *cache);
+    }
+    const double rA = static_cast<double>(a.radius);
+    const double rB = static_cast<double>(b.radius);
+    return {static_cast<Real>(gjk.distance - rA - rB), toReal(gjk.normal),
+            toReal(gjk.points.a + rA * gjk.normal),    toReal(gjk.points.b - rB * gjk.normal),
+            static_cast<Real>(gjk.distance),           gjk.iterations};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -7,16 +7,10 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A point of the Minkowski difference: vertex `b` of B minus vertex `a` of A, frame of A.
-/// Without initial values: clearing what is written at once would cost a warm query a quarter of its time.
+/// A vertex of each shape: together a vertex of the Minkowski difference B − A.
 struct SupportPair {
     int a;
     int b;
-    double x;
-    double y;
-    double size;  ///< sum of the magnitudes of the coordinates that went into it, metres
-
-    DVec2 w() const { return {x, y}; }
 };
 
 enum class GjkOutcome : std::uint8_t {
@@ -30,22 +24,30 @@ enum class GjkOutcome : std::uint8_t {
 struct GjkResult {
     GjkOutcome outcome = GjkOutcome::stalled;
     int count = 0;
-    std::array<SupportPair, 3> simplex;  ///< the first `count`
-    DVec2 normal;           ///< unit, from A to B; only when apart
-    double distance = 0;    ///< of the simplex, metres; when apart, of the cores
-    double resolution = 0;  ///< what the coordinates resolve, metres
-    bool encloses = false;  ///< touching: the simplex is a triangle with the origin well inside
+    std::array<SupportPair, 3> simplex;  ///< the first `count`; without initial values, which would cost a warm query
+    DVec2 normal;                        ///< unit, from A to B; only when apart
+    CorePoints points;                   ///< b − a = distance · normal; only when apart
+    double distance = 0;                 ///< of the simplex, metres; when apart, of the cores
+    double resolution = 0;               ///< what the coordinates resolve, metres
+    bool encloses = false;               ///< touching: the simplex is a triangle with the origin well inside
     int iterations = 0;
 };
 
 /// Gilbert, Johnson and Keerthi (1988) in the plane. The simplex is a vertex or a segment of the Minkowski difference;
 /// a new support point makes two candidate segments, of which the closer is kept. It ends with a proof: the distance
 /// along the current normal (a lower bound) meets the distance of the simplex (an upper bound) within rounding.
+/// Most runs end in the walk over neighbouring features that comes first (gjk_run.h), by the same kind of proof.
 /// @param warm  simplex to start from, may be null; indices that do not fit are ignored.
 GjkResult runGjk(const PairView& pair, const SimplexCache* warm);
 
 /// Keeps the simplex for the next run.
-void remember(const GjkResult& result, SimplexCache& cache);
+inline void remember(const GjkResult& result, SimplexCache& cache) {
+    cache.count = static_cast<std::uint8_t>(result.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(result.count); ++i) {
+        cache.indexA[i] = static_cast<std::uint8_t>(result.simplex[i].a);
+        cache.indexB[i] = static_cast<std::uint8_t>(result.simplex[i].b);
+    }
+}
 
 /// The same answer by trying every vertex of each shape against every edge of the other: the way out of `stalled` for
 /// cores that are apart. Takes the features whose distance is best proved by the support along their normal: near the

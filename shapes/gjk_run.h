@@ -1,173 +1,205 @@
 #pragma once
 
-#include <utility>
-
 #include "gjk.h"
 
-/// The loop of GJK as inline code, for the two places that must not pay for calls: `distance` and `runGjk`.
+/// GJK as inline code, for the places that must not pay for calls: `distance` and the time of impact.
+///
+/// The fast path is a walk over features. The support points of a new direction are mostly those of the last one or
+/// their neighbours, and a vertex of a convex polygon that lies beyond both its neighbours is the support point. So
+/// each step looks at neighbours only, and the last one proves the answer by them: what verifies a warm start is the
+/// same step. What the walk cannot prove it leaves to the loop over simplices.
 
 namespace swept::inline SWEPT_PRECISION::gjk {
 
-/// Inlined by force: the pieces of the loop hand small structs to each other, which cost more through memory than their
-/// arithmetic does.
+/// Inlined by force: the pieces hand small structs to each other, which cost more through memory than their arithmetic
+/// does.
 #define SWEPT_HOT [[gnu::always_inline]] inline
 
-SWEPT_HOT SupportPair pairAt(const PairView& pair, int a, int b) {
-    const DVec2 va = pair.vertexA(a);
-    const DVec2 vb = pair.toA(pair.localB(b));
-    const DVec2 w = (vb + pair.translation) - va;
-    return {a, b, w.x, w.y, sumNorm(va) + sumNorm(vb) + sumNorm(pair.translation)};
-}
+/// The loop over simplices, for what the walk does not prove: cores that overlap or touch, coordinates beyond range.
+void runLoop(const PairView& pair, const SimplexCache* warm, GjkResult& r);
 
-/// The point of B − A farthest against `normal`.
-SWEPT_HOT SupportPair supportPair(const PairView& pair, DVec2 normal) {
-    return pairAt(pair, extremeVertex<1>(pair.a, normal), extremeVertex<-1>(pair.b, pair.toB(normal)));
-}
-
-SWEPT_HOT bool isSame(const SupportPair& x, const SupportPair& y) { return x.a == y.a && x.b == y.b; }
-
-/// A vertex (`p` alone) or a segment of the Minkowski difference, with what its distance to the origin is made of.
-struct Simplex {
-    SupportPair p;
-    SupportPair q;
-    bool isSegment;
-    double edgeX;  ///< from p to q; only of a segment, like the next three
-    double edgeY;
-    double edgeSquared;
-    double side;  ///< cross(edge, p): twice the area of the triangle with the origin
-    double distanceSquared;
+/// The closest features as far as the walk knows: vertices `a` and `b`, or the edge that begins at one of them and the
+/// other vertex. Never two edges: where these are parallel, an end of one is as close.
+struct Features {
+    enum class Kind : std::uint8_t { vertices, edgeOfA, edgeOfB };
+    Kind kind;
+    int a;
+    int b;
 };
 
-SWEPT_HOT void setVertex(Simplex& simplex, const SupportPair& p) {
-    simplex.p = p;
-    simplex.isSegment = false;
-    simplex.distanceSquared = dot(p.w(), p.w());
+enum class WalkStep : std::uint8_t { proved, moved, lost };
+
+/// The two neighbours of a vertex along a direction (in its polygon's frame), relative to it and times the length of
+/// the direction.
+struct Neighbours {
+    double next;
+    double previous;
+
+    double highest() const { return next > previous ? next : previous; }
+    bool isNextHigher() const { return next > previous; }
+};
+
+SWEPT_HOT Neighbours neighboursAlong(const Polygon& p, int i, DVec2 vertex, DVec2 direction) {
+    const DVec2 next = toDouble(p.vertices[static_cast<std::size_t>(p.next(i))]) - vertex;
+    const DVec2 previous = toDouble(p.vertices[static_cast<std::size_t>(p.previous(i))]) - vertex;
+    return {dot(direction, next), dot(direction, previous)};
 }
 
-/// Makes `simplex` the segment from p to q, or its end if that is the closest point.
-SWEPT_HOT void setSegment(const PairView& pair, Simplex& simplex, const SupportPair& p, const SupportPair& q) {
-    const DVec2 edge = pair.spanB(p.b, q.b) - pair.spanA(p.a, q.a);
+/// Whether a vertex is the farthest of its polygon: both neighbours lie below. A convex corner leaves no room beyond
+/// them, unless it is so flat that rounding could turn the polygon over: then both seem level with it.
+/// @param level  what rounding may make of a level neighbour.
+SWEPT_HOT bool isSupport(const Polygon& p, const Neighbours& n, double level) {
+    const double most = p.count < 3 ? 0 : -level;
+    return (static_cast<int>(n.highest() <= 0) & static_cast<int>(n.next + n.previous <= most)) != 0;
+}
+
+/// Twice the rounding of a neighbour's height, or more: two rotated vertices, their difference and its product.
+SWEPT_HOT double levelAlong(DVec2 direction, double resolution) { return 4 * resolution * sumNorm(direction); }
+
+/// What the coordinates of two vertices resolve of their difference.
+SWEPT_HOT double resolutionOf(const PairView& pair, DVec2 a, DVec2 turnedB) {
+    return kResolution * (sumNorm(a) + sumNorm(turnedB) + sumNorm(pair.translation));
+}
+
+/// Proves that the vertices are closest, or moves to the edge that promises most.
+SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) {
+    const DVec2 a = pair.vertexA(f.a);
+    const DVec2 localB = pair.localB(f.b);
+    const DVec2 turnedB = pair.toA(localB);
+    const DVec2 w = (turnedB + pair.translation) - a;
+    const double resolution = resolutionOf(pair, a, turnedB);
+    const auto prove = [&] {
+        const double squared = dot(w, w);
+        if (!(squared > resolution * resolution)) {
+            return WalkStep::lost;
+        }
+        r.count = 1;
+        r.simplex[0] = {f.a, f.b};
+        r.distance = std::sqrt(squared);
+        r.normal = (1 / r.distance) * w;
+        r.resolution = resolution;
+        r.points = {a, a + w};
+        return WalkStep::proved;
+    };
+    if (pair.a.count + pair.b.count == 2) {
+        return prove();
+    }
+    const Neighbours ofA = neighboursAlong(pair.a, f.a, a, w);
+    const Neighbours ofB = neighboursAlong(pair.b, f.b, localB, -pair.toB(w));
+    const double level = levelAlong(w, resolution);
+    if (isSupport(pair.a, ofA, level) && isSupport(pair.b, ofB, level)) {
+        return prove();
+    }
+    if (ofA.highest() > ofB.highest()) {
+        f.kind = Features::Kind::edgeOfA;
+        f.a = ofA.isNextHigher() ? f.a : pair.a.previous(f.a);
+        return ofA.highest() > 0 ? WalkStep::moved : WalkStep::lost;
+    }
+    f.kind = Features::Kind::edgeOfB;
+    f.b = ofB.isNextHigher() ? f.b : pair.b.previous(f.b);
+    return ofB.highest() > 0 ? WalkStep::moved : WalkStep::lost;
+}
+
+/// Proves that an edge and a vertex are closest, or moves on. Everything in the frame of A.
+template <bool ofA>
+SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
+    const int begin = ofA ? f.a : f.b;
+    const int end = ofA ? pair.a.next(begin) : pair.b.next(begin);
+    const DVec2 a = pair.vertexA(f.a);
+    const DVec2 localB = pair.localB(f.b);
+    const DVec2 turnedB = pair.toA(localB);
+    const DVec2 b = turnedB + pair.translation;
+    const DVec2 toVertex = ofA ? b - a : a - b;
+    const DVec2 edge = ofA ? pair.spanA(begin, end) : pair.spanB(begin, end);
     const double edgeSquared = dot(edge, edge);
-    const bool atP = dot(edge, p.w()) >= 0 || !(edgeSquared >= std::numeric_limits<double>::min());  // or underflow
-    if (atP || dot(edge, q.w()) <= 0) { return setVertex(simplex, atP ? p : q); }
-    simplex.p = p;
-    simplex.q = q;
-    simplex.isSegment = true;
-    simplex.edgeX = edge.x;
-    simplex.edgeY = edge.y;
-    simplex.edgeSquared = edgeSquared;
-    simplex.side = cross(edge, p.w());
-    simplex.distanceSquared = simplex.side * simplex.side / edgeSquared;
-}
-
-/// The closer of the segments from `next` to the ends of `simplex`, in `closer`.
-SWEPT_HOT void extend(const PairView& pair, const Simplex& simplex, const SupportPair& next, Simplex& closer) {
-    setSegment(pair, closer, simplex.p, next);
-    if (!simplex.isSegment) { return; }
-    Simplex other;
-    setSegment(pair, other, next, simplex.q);
-    if (other.distanceSquared < closer.distanceSquared) { closer = other; }
-}
-
-/// The pair of a cached simplex; false when its indices do not fit.
-SWEPT_HOT bool load(const PairView& pair, const SimplexCache& warm, std::size_t i, SupportPair& loaded) {
-    const int a = warm.indexA[i];
-    const int b = warm.indexB[i];
-    if (a >= pair.a.count || b >= pair.b.count) { return false; }
-    loaded = pairAt(pair, a, b);
-    return true;
-}
-
-/// Where a run begins: the closest part of what the last one ended with, or the vertices that face each other. Of a
-/// triangle (the cores touched) the first edge is taken: the run finds the rest.
-SWEPT_HOT void start(const PairView& pair, const SimplexCache* warm, Simplex& simplex) {
-    SupportPair first;
-    SupportPair second;
-    if (warm == nullptr || warm->count == 0 || !load(pair, *warm, 0, first)) {
-        setVertex(simplex, supportPair(pair, pair.translation));
-    } else if (warm->count > 1 && load(pair, *warm, 1, second)) {
-        setSegment(pair, simplex, first, second);
-    } else {
-        setVertex(simplex, first);
+    const double along = dot(edge, toVertex);
+    if (!(along >= 0 && along <= edgeSquared)) {
+        (ofA ? f.a : f.b) = along < 0 ? begin : end;
+        f.kind = Features::Kind::vertices;
+        return WalkStep::moved;
     }
+    const DVec2 outward = rightPerp(edge);
+    const double side = dot(outward, toVertex);
+    const double resolution = resolutionOf(pair, a, turnedB);
+    if (!(side > 0 && side * side > resolution * resolution * edgeSquared)) {
+        return WalkStep::lost;
+    }
+    const Polygon& other = ofA ? pair.b : pair.a;
+    const Neighbours n =
+        ofA ? neighboursAlong(other, f.b, localB, -pair.toB(outward)) : neighboursAlong(other, f.a, a, -outward);
+    if (!isSupport(other, n, levelAlong(outward, resolution))) {
+        int& vertex = ofA ? f.b : f.a;
+        vertex = n.isNextHigher() ? other.next(vertex) : other.previous(vertex);
+        return n.highest() > 0 ? WalkStep::moved : WalkStep::lost;
+    }
+    const double inverse = 1 / std::sqrt(edgeSquared);
+    r.count = 2;
+    r.simplex[0] = {f.a, f.b};
+    r.simplex[1] = {ofA ? end : f.a, ofA ? f.b : end};
+    r.distance = inverse * side;
+    r.normal = (ofA ? inverse : -inverse) * outward;
+    r.resolution = resolution;
+    const DVec2 gap = r.distance * r.normal;
+    r.points.a = ofA ? b - gap : a;
+    r.points.b = ofA ? b : a + gap;
+    return WalkStep::proved;
 }
 
-/// Whether the origin lies inside the triangle of the segment and `p` beyond doubt: each cross product is compared with
-/// the error that the coordinates' resolution may give it.
-SWEPT_HOT bool enclosesOrigin(const Simplex& segment, const SupportPair& p, double resolution) {
-    const DVec2 u = segment.p.w();
-    const DVec2 v = segment.q.w();
-    const double nu = sumNorm(u);
-    const double nv = sumNorm(v);
-    const double np = sumNorm(p.w());
-    const double sign = segment.side > 0 ? -1 : 1;  // cross(u, v) = −cross(v − u, u)
-    return sign * cross(u, v) > resolution * (nu + nv) && sign * cross(v, p.w()) > resolution * (nv + np) &&
-           sign * cross(p.w(), u) > resolution * (np + nu);
+/// Where a walk begins: at the features of the last one, or at the vertices that face each other. Edges are cached as a
+/// walk leaves them, in the order of the polygon; others it finds again from their first ends.
+SWEPT_HOT Features start(const PairView& pair, const SimplexCache* warm) {
+    if (warm == nullptr || warm->count == 0 || warm->indexA[0] >= pair.a.count || warm->indexB[0] >= pair.b.count) {
+        return {Features::Kind::vertices, extremeVertex<1>(pair.a, pair.translation),
+                extremeVertex<-1>(pair.b, pair.toB(pair.translation))};
+    }
+    Features f{Features::Kind::vertices, warm->indexA[0], warm->indexB[0]};
+    if (warm->count != 2) {
+        return f;
+    }
+    const int a = warm->indexA[1];
+    const int b = warm->indexB[1];
+    if (b == f.b && a == pair.a.next(f.a) && a != f.a) {
+        f.kind = Features::Kind::edgeOfA;
+    }
+    if (a == f.a && b == pair.b.next(f.b) && b != f.b) {
+        f.kind = Features::Kind::edgeOfB;
+    }
+    return f;
 }
 
-/// From the closest point of the origin towards it, not normalised: the closest direction from A to B. Of a segment it
-/// comes from the edge itself, not from the closest point, which is all rounding near a contact.
-SWEPT_HOT DVec2 directionOf(const Simplex& simplex) {
-    if (!simplex.isSegment) { return simplex.p.w(); }
-    const DVec2 across = leftPerp(DVec2{simplex.edgeX, simplex.edgeY});
-    return simplex.side > 0 ? across : -across;
+/// Steps after which the walk gives up; most take one or two.
+inline constexpr int kMaxWalk = 8;
+
+SWEPT_HOT bool walk(const PairView& pair, Features f, GjkResult& r) {
+    for (int i = 1; i <= kMaxWalk; ++i) {
+        WalkStep step = WalkStep::lost;
+        switch (f.kind) {
+            case Features::Kind::vertices:
+                step = tryVertices(pair, f, r);
+                break;
+            case Features::Kind::edgeOfA:
+                step = tryEdge<true>(pair, f, r);
+                break;
+            case Features::Kind::edgeOfB:
+                step = tryEdge<false>(pair, f, r);
+                break;
+        }
+        r.iterations = i;
+        if (step != WalkStep::moved) {
+            return step == WalkStep::proved;
+        }
+    }
+    return false;
 }
 
-/// Never longer than the Euclidean length.
-SWEPT_HOT double maxNorm(DVec2 v) {
-    const double x = std::fabs(v.x);
-    const double y = std::fabs(v.y);
-    return x > y ? x : y;
-}
-
-/// Writes features, distance and normal of a simplex.
-SWEPT_HOT void store(const Simplex& simplex, GjkResult& r) {
-    const double scale = std::sqrt(simplex.isSegment ? simplex.edgeSquared : simplex.distanceSquared);
-    const double inverse = scale > 0 ? 1 / scale : 0;
-    r.distance = simplex.isSegment ? inverse * std::fabs(simplex.side) : scale;
-    r.normal = inverse * directionOf(simplex);
-    r.count = simplex.isSegment ? 2 : 1;
-    r.simplex[0] = simplex.p;
-    if (simplex.isSegment) { r.simplex[1] = simplex.q; }
-}
-
-/// One run; see `runGjk`. `r` is a fresh result.
+/// One run; see `runGjk`. Sets all of `r` that its outcome promises.
 SWEPT_HOT void run(const PairView& pair, const SimplexCache* warm, GjkResult& r) {
-    // Two places that take turns: the simplex and what it grows into.
-    std::array<Simplex, 2> places;
-    Simplex* current = &places[0];
-    Simplex* grown = &places[1];
-    start(pair, warm, *current);
-    r.resolution = kResolution * current->p.size;
-    while (r.iterations < kMaxGjkIterations) {
-        ++r.iterations;
-        // Lengths are compared times the length of the direction: the root and the division wait until the end.
-        if (!(current->distanceSquared > r.resolution * r.resolution)) {
-            r.outcome = GjkOutcome::touching;
-            break;
-        }
-        const DVec2 direction = directionOf(*current);
-        const SupportPair next = supportPair(pair, direction);
-        const double seen = kResolution * next.size;
-        r.resolution = seen > r.resolution ? seen : r.resolution;
-        const double upper = current->isSegment ? std::fabs(current->side) : current->distanceSquared;
-        if (isSame(next, current->p) || (current->isSegment && isSame(next, current->q)) ||
-            upper - dot(direction, next.w()) <= r.resolution * maxNorm(direction)) {
-            r.outcome = GjkOutcome::apart;
-            break;
-        }
-        if (current->isSegment && enclosesOrigin(*current, next, r.resolution)) {
-            r.outcome = GjkOutcome::touching;
-            r.encloses = true;
-            r.simplex[2] = next;
-            break;
-        }
-        extend(pair, *current, next, *grown);
-        if (!(grown->distanceSquared < current->distanceSquared)) { break; }
-        std::swap(current, grown);
+    if (walk(pair, start(pair, warm), r)) {
+        r.encloses = false;
+        r.outcome = GjkOutcome::apart;
+    } else {
+        runLoop(pair, warm, r);
     }
-    store(*current, r);
-    if (r.encloses) { r.count = 3; }
 }
 
 #undef SWEPT_HOT
