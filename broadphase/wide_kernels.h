@@ -21,13 +21,34 @@ struct WideJoin {
     std::vector<ProxyPair>* out = nullptr;  ///< new pairs are added, each once
 };
 
-/// The walks through wide trees. Every set of kernels finds the same.
+/// A box and the place from which on others begin later.
+struct IntervalQuery {
+    Aabb box;
+    std::uint32_t begin;
+    std::uint32_t id;
+};
+struct IntervalHit {
+    std::uint32_t id;
+    std::uint32_t place;
+};
+
+/// Boxes in ascending order of their lower bounds along one axis; each query is compared with all from its place on until
+/// one begins beyond its end.
+struct IntervalScan {
+    std::span<const WideBoxes> boxes;  ///< empty lanes only at the end
+    std::span<const IntervalQuery> queries;
+    bool alongY = false;
+    std::vector<IntervalHit>* out = nullptr;  ///< overlapping boxes are added
+};
+
+/// The walks through wide trees, and the scan of sorted boxes. Every set of kernels finds the same.
 struct WideKernels {
     const char* name;
     /// Returns the number of box tests, as do the others.
     std::uint64_t (*join)(const WideJoin& join);
     /// @param goOn  false when the visitor ended the walk.
     std::uint64_t (*query)(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit);
+    std::uint64_t (*intervals)(const IntervalScan& scan);
 };
 
 /// One lane after the other, in plain C++.

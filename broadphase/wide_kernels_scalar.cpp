@@ -30,7 +30,8 @@ std::uint64_t join(const WideJoin& task) { return scalar_lanes::JoinWalk<ScalarQ
 }  // namespace
 
 const WideKernels& scalarKernels() {
-    static constexpr WideKernels kKernels = {"scalar", join, scalar_lanes::walkQuery<ScalarQuery>};
+    static constexpr WideKernels kKernels = {"scalar", join, scalar_lanes::walkQuery<ScalarQuery>,
+                                       scalar_lanes::scanIntervals<ScalarQuery>};
     return kKernels;
 }
 

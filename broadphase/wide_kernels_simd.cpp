@@ -56,6 +56,7 @@ std::uint64_t join(const WideJoin& task) { return JoinWalk<LaneQuery>(task).run(
 std::uint64_t query(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
     return walkQuery<LaneQuery>(tree, box, goOn, visit);
 }
+std::uint64_t intervals(const IntervalScan& scan) { return scanIntervals<LaneQuery>(scan); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION
@@ -68,16 +69,19 @@ namespace {
 
 HWY_EXPORT(join);
 HWY_EXPORT(query);
+HWY_EXPORT(intervals);
 
 std::uint64_t joinOnThisMachine(const WideJoin& task) { return HWY_DYNAMIC_DISPATCH(join)(task); }
 std::uint64_t queryOnThisMachine(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
     return HWY_DYNAMIC_DISPATCH(query)(tree, box, goOn, visit);
 }
 
+std::uint64_t intervalsOnThisMachine(const IntervalScan& scan) { return HWY_DYNAMIC_DISPATCH(intervals)(scan); }
+
 }  // namespace
 
 const WideKernels& widestKernels() {
-    static constexpr WideKernels kKernels = {"widest", joinOnThisMachine, queryOnThisMachine};
+    static constexpr WideKernels kKernels = {"widest", joinOnThisMachine, queryOnThisMachine, intervalsOnThisMachine};
     return kKernels;
 }
 

@@ -145,5 +145,26 @@ std::uint64_t walkQuery(const WideTree& tree, const Aabb& box, bool& goOn, Funct
     return tests;
 }
 
+template <class Query>
+std::uint64_t scanIntervals(const IntervalScan& scan) {
+    std::uint64_t tests = 0;
+    for (const IntervalQuery& item : scan.queries) {
+        const Query query(item.box);
+        const Real end = scan.alongY ? item.box.upper.y : item.box.upper.x;
+        std::uint32_t wanted = ~std::uint32_t{0} << (item.begin & kLaneMask);
+        for (std::size_t node = item.begin >> kLaneBits; node < scan.boxes.size(); ++node) {
+            const WideBoxes& boxes = scan.boxes[node];
+            if (!((scan.alongY ? boxes.lowerY[0] : boxes.lowerX[0]) <= end)) { break; }
+            tests += kWide;
+            for (std::uint32_t lanes = query.overlapping(boxes) & wanted; lanes != 0; lanes &= lanes - 1) {
+                const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+                scan.out->push_back({item.id, static_cast<std::uint32_t>(node * kWide) + lane});
+            }
+            wanted = ~std::uint32_t{0};
+        }
+    }
+    return tests;
+}
+
 }  // namespace SWEPT_LANES
 }  // namespace swept::inline SWEPT_PRECISION

@@ -17,7 +17,9 @@
 namespace swept::test {
 
 /// Every implementation by itself; `automatic` is one of them.
-inline constexpr BroadphaseKind kEveryKind[] = {BroadphaseKind::allPairs, BroadphaseKind::bvh, BroadphaseKind::wideBvh};
+inline constexpr BroadphaseKind kEveryKind[] = {
+    BroadphaseKind::allPairs, BroadphaseKind::sortAndSweep, BroadphaseKind::quadtree,
+    BroadphaseKind::grid,     BroadphaseKind::bvh,          BroadphaseKind::wideBvh};
 
 inline std::string nameOf(BroadphaseKind kind) {
     switch (kind) {
