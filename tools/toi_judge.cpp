@@ -153,6 +153,13 @@ ToiJudgement judgeToiEvent(const ToiQuery& query, const Toi& answer) {
     return judgeEvent(MovingPair(query.a, query.sweepA, query.b, query.sweepB), query, answer);
 }
 
+ToiJudgement judgeToiEvent(const ToiQuery& query, const Toi& answer, const MixedTurns& turns) {
+    using oracle::plain;
+    const auto turningA = oracle::Turning::mixed(plain(turns.fromA), plain(turns.toA));
+    const auto turningB = oracle::Turning::mixed(plain(turns.fromB), plain(turns.toB));
+    return judgeEvent(MovingPair(query.a, query.sweepA, turningA, query.b, query.sweepB, turningB), query, answer);
+}
+
 ToiJudgement judgeToi(const ToiQuery& query, const Toi& answer) {
     const MovingPair pair(query.a, query.sweepA, query.b, query.sweepB);
     ToiJudgement judgement = judgeEvent(pair, query, answer);

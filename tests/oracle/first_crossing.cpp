@@ -15,10 +15,12 @@ bool isFree(const MovingPair& pair, double level, double from, double to, double
         return true;
     }
     // The normal of an edge turns with it; without one, either body's turn may be what keeps the axis right.
-    if (guess.owner != AxisOwner::b && pair.spinA() != 0 && isFreeAlong(pair.spinA())) {
+    const double spinA = pair.spinA(middle);
+    if (guess.owner != AxisOwner::b && spinA != 0 && isFreeAlong(spinA)) {
         return true;
     }
-    return guess.owner != AxisOwner::a && pair.spinB() != 0 && isFreeAlong(pair.spinB());
+    const double spinB = pair.spinB(middle);
+    return guess.owner != AxisOwner::a && spinB != 0 && isFreeAlong(spinB);
 }
 
 /// Whether the separation is proved to be at or below the level. @param guess  of that fraction

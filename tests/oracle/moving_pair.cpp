@@ -9,6 +9,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 IntervalVec exactly(PlainVec v) { return {v.x, v.y}; }
 IntervalVec exactly(DVec2 v) { return {v.x, v.y}; }
+bool isFinite(Interval i) { return std::isfinite(i.lo) && std::isfinite(i.hi); }
 
 /// What turns by any angle of [−angle, angle] from `v`, whose length is at most `longest`: no component moves faster
 /// than the length.
@@ -35,25 +36,28 @@ struct Span {
 
 }  // namespace
 
-MovingPair::Body MovingPair::bodyOf(const ToiPolygon& polygon, const Sweep& s) {
+MovingPair::Body MovingPair::bodyOf(const ToiPolygon& polygon, const Sweep& s, const Turning& turning) {
     Body body;
     body.count = polygon.count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
         body.vertices[i] = exactly(polygon.vertices[i]) - exactly(s.localCenter);
         body.reach = std::max(body.reach, length(body.vertices[i]).hi);
     }
-    body.angle = s.a0;
-    body.spin = s.a1 == s.a0 ? Interval(0) : Interval(s.a1) - Interval(s.a0);
+    body.turning = turning;
     return body;
 }
 
 MovingPair::MovingPair(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB)
+    : MovingPair(a, sweepA, Turning::steady(sweepA.a0, sweepA.a1), b, sweepB, Turning::steady(sweepB.a0, sweepB.a1)) {}
+
+MovingPair::MovingPair(const ToiPolygon& a, const Sweep& sweepA, const Turning& turningA, const ToiPolygon& b,
+                       const Sweep& sweepB, const Turning& turningB)
     : polygonA_(a),
       polygonB_(b),
       sweepA_(sweepA),
       sweepB_(sweepB),
-      a_(bodyOf(a, sweepA)),
-      b_(bodyOf(b, sweepB)),
+      a_(bodyOf(a, sweepA, turningA)),
+      b_(bodyOf(b, sweepB, turningB)),
       start_(exactly(sweepB.c0) - exactly(sweepA.c0)),
       change_((exactly(sweepB.c1) - exactly(sweepA.c1)) - start_),
       curvature_(exactly(sweepB.k) - exactly(sweepA.k)),
@@ -61,7 +65,8 @@ MovingPair::MovingPair(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygo
       radiiInterval_(Interval(a.radius) + Interval(b.radius)) {}
 
 PlainSeparation MovingPair::guess(double fraction) const {
-    return plainSeparation(polygonA_, sweepA_, polygonB_, sweepB_, fraction);
+    return plainSeparation(polygonA_, sweepA_, a_.turning.guess(fraction), polygonB_, sweepB_, b_.turning.guess(fraction),
+                           fraction);
 }
 
 IntervalVec MovingPair::centersAt(Interval t) const { return start_ + t * change_ + (t * (t - 1.0)) * curvature_; }
@@ -72,15 +77,38 @@ MovingPair::Moment MovingPair::momentAt(double fraction) const {
     return {fraction, rotationAt(a_, fraction), rotationAt(b_, fraction), centersAt(fraction), velocityAt(fraction)};
 }
 
-MovingPair::Ends MovingPair::lowestProjection(const Body& body, SinCos rotation, PlainVec axis, double spin,
-                                              double half) {
+/// Encloses w″ over the whole time, where w is the axis as the body sees it.
+IntervalVec MovingPair::bendOf(const Rates& rates, IntervalVec w, Interval longest, double half) {
+    const IntervalVec turning = blurred(w, nextUp(rates.throughout.magnitude() * half), longest.hi);
+    const IntervalVec inward = -square(rates.throughout) * turning;
+    const bool isSteady = rates.change.lo == 0 && rates.change.hi == 0;
+    return isSteady ? inward : inward - rates.change * leftOf(turning);
+}
+
+MovingPair::Rates MovingPair::ratesOf(const Body& body, double middle, double spin, double half) {
+    if (body.turning.isSteady()) {
+        const Interval rate = body.turning.rateOver(middle) - spin;
+        return {rate, rate, 0};
+    }
+    const Interval whole = Interval(middle) + Interval::around(half);
+    return {body.turning.rateOver(middle) - spin, body.turning.rateOver(whole) - spin,
+            body.turning.rateChangeOver(whole)};
+}
+
+MovingPair::Ends MovingPair::lowestProjection(const Body& body, SinCos rotation, double middle, PlainVec axis,
+                                              double spin, double half) {
     const IntervalVec u = exactly(axis);
     const Interval longest = length(u);
     const Span span(half);
     const IntervalVec w = turnedBack(rotation, u);
-    const Interval rate = body.spin - spin;  // of the body relative to the axis
-    const IntervalVec slope = -rate * leftOf(w);
-    const IntervalVec bend = -square(rate) * blurred(w, nextUp(rate.magnitude() * half), longest.hi);
+    const Rates rates = ratesOf(body, middle, spin, half);
+    // Over many turns the circle about the centre is the better bound, and where the turning is unknown the only one.
+    const double ofCircle = -(Interval(body.reach) * longest).hi;
+    if (!isFinite(rates.throughout) || !isFinite(rates.change)) {
+        return {ofCircle, ofCircle};
+    }
+    const IntervalVec slope = -rates.atMiddle * leftOf(w);
+    const IntervalVec bend = bendOf(rates, w, longest, half);
     Ends lowest{kInfinity, kInfinity};
     for (std::size_t i = 0; i < static_cast<std::size_t>(body.count); ++i) {
         const IntervalVec r = body.vertices[i];
@@ -90,8 +118,6 @@ MovingPair::Ends MovingPair::lowestProjection(const Body& body, SinCos rotation,
         lowest.atStart = std::min(lowest.atStart, span.below(value, gain, bendLow, -half));
         lowest.atEnd = std::min(lowest.atEnd, span.below(value, gain, bendLow, half));
     }
-    // Over many turns the circle about the centre is the better bound.
-    const double ofCircle = -(Interval(body.reach) * longest).hi;
     if (std::min(lowest.atStart, lowest.atEnd) < ofCircle) {
         return {ofCircle, ofCircle};
     }
@@ -118,8 +144,8 @@ MovingPair::Ends MovingPair::lowestOfCenters(const Moment& middle, PlainVec axis
 bool MovingPair::staysAbove(double level, const Moment& middle, double half, PlainVec axis, double spin) const {
     const double needed = ((Interval(level) + radiiInterval_) * length(exactly(axis))).hi;
     const Ends centers = lowestOfCenters(middle, axis, spin, half);
-    const Ends ofB = lowestProjection(b_, middle.rotationB, axis, spin, half);
-    const Ends ofA = lowestProjection(a_, middle.rotationA, -axis, spin, half);
+    const Ends ofB = lowestProjection(b_, middle.rotationB, middle.fraction, axis, spin, half);
+    const Ends ofA = lowestProjection(a_, middle.rotationA, middle.fraction, -axis, spin, half);
     const Interval atStart = Interval(centers.atStart) + Interval(ofB.atStart) + Interval(ofA.atStart);
     const Interval atEnd = Interval(centers.atEnd) + Interval(ofB.atEnd) + Interval(ofA.atEnd);
     return atStart.above(needed) && atEnd.above(needed);
@@ -128,8 +154,8 @@ bool MovingPair::staysAbove(double level, const Moment& middle, double half, Pla
 double MovingPair::gapAt(double fraction, PlainVec axis) const {
     const Moment moment = momentAt(fraction);
     const Interval gap = Interval(lowestOfCenters(moment, axis, 0, 0).atStart) +
-                         Interval(lowestProjection(b_, moment.rotationB, axis, 0, 0).atStart) +
-                         Interval(lowestProjection(a_, moment.rotationA, -axis, 0, 0).atStart);
+                         Interval(lowestProjection(b_, moment.rotationB, fraction, axis, 0, 0).atStart) +
+                         Interval(lowestProjection(a_, moment.rotationA, fraction, -axis, 0, 0).atStart);
     return (Interval(gap.lo) / length(exactly(axis)) - radiiInterval_).lo;
 }
 

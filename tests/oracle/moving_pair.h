@@ -6,6 +6,7 @@
 
 #include "interval.h"
 #include "plain_separation.h"
+#include "turning.h"
 
 namespace swept::oracle {
 
@@ -16,13 +17,16 @@ namespace swept::oracle {
 /// Lower bounds come from gaps along a single axis, over a time [from, to] at once. The axis is u at the middle m and
 /// turns at a constant rate σ (0, or that of a body). Each vertex r of a body that turns at ω projects to f(s) = w(s)·r
 /// at m + s, where w is u as the body sees it: it turns at −ρ, ρ = ω − σ. By Taylor's theorem
-///     f(s) ∈ f(0) + s f′(0) + ½ s² f″([−h, h]),   f″ = −ρ² w·r,
-/// with f″ enclosed over the whole time; the projection of the centres' difference likewise. As every f is bounded from
+///     f(s) ∈ f(0) + s f′(0) + ½ s² f″([−h, h]),   f″ = −ρ² w·r − ω′ (Jw)·r,   J a quarter turn,
+/// with f″ enclosed over the whole time (ω′ = 0 where bodies turn at a constant rate); the projection of the centres' difference likewise. As every f is bounded from
 /// below by a function whose graph bends downward, so is the smallest of them, and a sum of such functions is smallest
 /// at an end: s = −h or s = h.
 class MovingPair {
 public:
     MovingPair(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB);
+    /// The same with bodies that turn otherwise than the angles of their sweeps say.
+    MovingPair(const ToiPolygon& a, const Sweep& sweepA, const Turning& turningA, const ToiPolygon& b,
+               const Sweep& sweepB, const Turning& turningB);
 
     double radii() const { return radii_; }
 
@@ -56,16 +60,22 @@ public:
     /// Lower bound of the separation at one fraction by the gap along an axis of any length.
     double gapAt(double fraction, PlainVec axis) const;
 
-    double spinA() const { return a_.spin.middle(); }
-    double spinB() const { return b_.spin.middle(); }
+    /// How fast they turn at a fraction; a guess, but exactly 0 for one that does not turn at all.
+    double spinA(double fraction) const { return a_.turning.rateOver(fraction).middle(); }
+    double spinB(double fraction) const { return b_.turning.rateOver(fraction).middle(); }
 
 private:
     struct Body {
         std::array<IntervalVec, 8> vertices{};  // relative to the centre of mass, body frame
         int count = 0;
         double reach = 0;  // no vertex is farther from the centre
-        Interval angle;    // at fraction 0
-        Interval spin;
+        Turning turning;
+    };
+    /// How fast a body turns relative to an axis, over a time span.
+    struct Rates {
+        Interval atMiddle;
+        Interval throughout;
+        Interval change;  // throughout
     };
     /// Bounds at both ends of a time span.
     struct Ends {
@@ -85,9 +95,12 @@ private:
     double radii_ = 0;       // rounded to nearest; the interval below holds the sum
     Interval radiiInterval_;
 
-    static Body bodyOf(const ToiPolygon& polygon, const Sweep& sweep);
-    static SinCos rotationAt(const Body& body, double t) { return sinCos(body.angle + body.spin * t); }
-    static Ends lowestProjection(const Body& body, SinCos rotation, PlainVec axis, double spin, double half);
+    static Body bodyOf(const ToiPolygon& polygon, const Sweep& sweep, const Turning& turning);
+    static SinCos rotationAt(const Body& body, double t) { return body.turning.at(t); }
+    static Rates ratesOf(const Body& body, double middle, double spin, double half);
+    static IntervalVec bendOf(const Rates& rates, IntervalVec w, Interval longest, double half);
+    static Ends lowestProjection(const Body& body, SinCos rotation, double middle, PlainVec axis, double spin,
+                                 double half);
     Ends lowestOfCenters(const Moment& middle, PlainVec axis, double spin, double half) const;
     IntervalVec centersAt(Interval t) const;
     IntervalVec velocityAt(Interval t) const;

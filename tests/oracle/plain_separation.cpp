@@ -7,15 +7,17 @@
 namespace swept::oracle {
 namespace {
 
-PlainPolygon place(const ToiPolygon& polygon, const Sweep& s, PlainVec center, double t) {
+PlainVec rotationOf(const Sweep& s, double t) {
     const double angle = s.a0 + t * (s.a1 - s.a0);
-    const double c = std::cos(angle);
-    const double sn = std::sin(angle);
+    return {std::cos(angle), std::sin(angle)};
+}
+
+PlainPolygon place(const ToiPolygon& polygon, const Sweep& s, PlainVec rotation, PlainVec center) {
     PlainPolygon placed;
     placed.count = polygon.count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
         const PlainVec r = plain(polygon.vertices[i]) - plain(s.localCenter);
-        placed.points[i] = center + PlainVec{c * r.x - sn * r.y, sn * r.x + c * r.y};
+        placed.points[i] = center + PlainVec{rotation.x * r.x - rotation.y * r.y, rotation.y * r.x + rotation.x * r.y};
     }
     return placed;
 }
@@ -91,8 +93,13 @@ PointOnEdge onEdge(const Nearest& n, int count) {
 
 PlainSeparation plainSeparation(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                                 double fraction) {
-    const PlainPolygon placedA = place(a, sweepA, {}, fraction);
-    const PlainPolygon placedB = place(b, sweepB, centersApart(sweepA, sweepB, fraction), fraction);
+    return plainSeparation(a, sweepA, rotationOf(sweepA, fraction), b, sweepB, rotationOf(sweepB, fraction), fraction);
+}
+
+PlainSeparation plainSeparation(const ToiPolygon& a, const Sweep& sweepA, PlainVec rotationA, const ToiPolygon& b,
+                                const Sweep& sweepB, PlainVec rotationB, double fraction) {
+    const PlainPolygon placedA = place(a, sweepA, rotationA, {});
+    const PlainPolygon placedB = place(b, sweepB, rotationB, centersApart(sweepA, sweepB, fraction));
     PlainSeparation found;
     found.core = -std::numeric_limits<double>::infinity();
     tryEdges(placedA, placedA, placedB, 1, found);

@@ -42,4 +42,9 @@ struct PlainSeparation {
 PlainSeparation plainSeparation(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                                 double fraction);
 
+/// The same with bodies turned otherwise than their sweeps say.
+/// @param rotationA, rotationB  cosine and sine.
+PlainSeparation plainSeparation(const ToiPolygon& a, const Sweep& sweepA, PlainVec rotationA, const ToiPolygon& b,
+                                const Sweep& sweepB, PlainVec rotationB, double fraction);
+
 }  // namespace swept::oracle

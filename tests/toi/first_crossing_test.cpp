@@ -170,6 +170,88 @@ TEST(FirstCrossing, OfATurningBarWithAPin) {
     EXPECT_GT(none, 100);
 }
 
+/// A bar mixes its rotation from 0 to `turn` and meets a pin on the way, seen from a frame that is turned by `tilt`.
+/// The mixed vector runs along a chord: half of it lies tan(turn/2) from the middle, so the bar is at the angle φ when
+/// tan(φ − turn/2) = (2t − 1) tan(turn/2).
+TEST(FirstCrossing, OfABarThatMixesItsRotationsWithAPin) {
+    int found = 0;
+    int none = 0;
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+        Random random(seed);
+        const double turn = random.range(0.3, 3.1) * random.sign();
+        const double tilt = random.range(-3, 3);
+        const double pin = turn * random.range(-0.2, 1.2) + tilt;
+        const double distance = random.range(0.3, 0.95);
+        Query q;
+        q.a = {{DVec2{0, 0}, DVec2{1, 0}}, 2, 0};
+        q.b = circle(random.range(0.001, 0.05));
+        q.sweepB.c0 = q.sweepB.c1 = {distance * std::cos(pin), distance * std::sin(pin)};
+        const oracle::PlainVec from{std::cos(tilt), std::sin(tilt)};
+        const oracle::PlainVec to{std::cos(tilt + turn), std::sin(tilt + turn)};
+        const Long x = q.sweepB.c0.x;
+        const Long y = q.sweepB.c0.y;
+        const Long touching = std::asin(static_cast<Long>(q.b.radius) / std::sqrt(x * x + y * y));
+        // From `from` to the pin, the way the bar turns.
+        const Long start = std::atan2(static_cast<Long>(from.x) * y - from.y * x, from.x * x + from.y * y);
+        const Long whole = std::atan2(static_cast<Long>(from.x) * to.y - from.y * to.x,
+                                      static_cast<Long>(from.x) * to.x + static_cast<Long>(from.y) * to.y);
+        const Long angle = (turn > 0 ? start : -start) - touching;
+        const Long half = std::fabs(whole) / 2;
+        if (std::fabs(angle) < 1e-6L || std::fabs(angle - 2 * half) < 1e-6L || angle < -2) { continue; }
+        Long time = (1 + std::tan(angle - half) / std::tan(half)) / 2;
+        if (angle > 2 * half || angle < 0) { time = 2; }
+        if (angle < 0 && angle > -2 * touching) { time = 0; }  // the pin is in the bar
+        const auto mixed = oracle::Turning::mixed(from, to);
+        const auto still = oracle::Turning::steady(0, 0);
+        const bool swapped = random.chance(0.5);
+        const MovingPair pair = swapped ? MovingPair(q.b, q.sweepB, still, q.a, q.sweepA, mixed)
+                                        : MovingPair(q.a, q.sweepA, mixed, q.b, q.sweepB, still);
+        expectAt(firstCrossing(pair, 0, 0, 1, kFine), time, q);
+        if (HasFatalFailure()) {
+            return;
+        }
+        (time > 1 ? none : found) += 1;
+    }
+    EXPECT_GT(found, 400);
+    EXPECT_GT(none, 50);
+}
+
+/// Both bodies mix: where the oracle says free, dense samples of the normalised mixture stay above; where it says crossed,
+/// the sample there is below.
+TEST(FirstCrossing, OfMixedRotationsAgreesWithSamples) {
+    int found = 0;
+    int none = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        const auto direction = [&random] {
+            const double angle = random.range(0, 7);
+            return oracle::PlainVec{std::cos(angle), std::sin(angle)};
+        };
+        Query q;
+        q.a = {{DVec2{-1, -0.1}, DVec2{1, -0.1}, DVec2{1, 0.1}, DVec2{-1, 0.1}}, 4, 0};
+        q.b = {{DVec2{-0.5, 0}, DVec2{0.5, 0}, DVec2{0, 0.7}}, 3, 0.05};
+        q.sweepA.localCenter = {random.range(-0.5, 0.5), 0};
+        q.sweepB.c0 = {random.range(-1.5, 1.5), random.range(0.6, 1.6)};
+        q.sweepB.c1 = {random.range(-1.5, 1.5), random.range(0.6, 1.6)};
+        const auto turningA = oracle::Turning::mixed(direction(), direction());
+        const auto turningB = oracle::Turning::mixed(direction(), direction());
+        const MovingPair pair(q.a, q.sweepA, turningA, q.b, q.sweepB, turningB);
+        const Crossing crossing = firstCrossing(pair, 0.01, 0, 1, kFine);
+        ASSERT_NE(crossing.state, CrossingState::undecided) << seed;
+        const bool isFound = crossing.state == CrossingState::found;
+        const double end = isFound ? crossing.lo : 1;
+        for (int i = 0; end > 0 && i < 500; ++i) {
+            ASSERT_GT(pair.guessSeparation(end * i / 500), 0.01 - 1e-12) << seed << " at " << end * i / 500;
+        }
+        if (isFound) {
+            ASSERT_LE(pair.guessSeparation(crossing.hi), 0.01 + 1e-12) << seed;
+        }
+        (isFound ? found : none) += 1;
+    }
+    EXPECT_GT(found, 80);
+    EXPECT_GT(none, 20);
+}
+
 TEST(FirstCrossing, BelowContactIsThePenetrationDepth) {
     // A small box sinks into a large one: the smallest way out is up, until the middle is passed.
     Query q;

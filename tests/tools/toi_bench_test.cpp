@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -109,6 +112,49 @@ TEST(ToiCertify, FindsAWrongAnswerAndNamesTheQuery) {
     const CertifyViolation& first = result.violations.front();
     const ToiQuery query = makeToiCase(first.family, 5, first.index);
     EXPECT_EQ(judgeToi(query, liar(query)).verdict, first.verdict) << "the name leads back to the query";
+}
+
+/// A bar turns by 2.5 rad and meets a small disk on the way. At a constant rate it is there at `angle`/2.5; mixed and
+/// normalised at ½ + ½ tan(angle − 1.25)/tan(1.25). Each engine keeps max(slop, R − n slop) away from the middle of the
+/// disk, R its radius, so `angle` is where that distance is left.
+double barFraction(double pin, double distance, double kept, bool mixed) {
+    const double angle = pin - std::asin(kept / distance);
+    return mixed ? 0.5 + 0.5 * std::tan(angle - 1.25) / std::tan(1.25) : angle / 2.5;
+}
+
+TEST(Engines, TurnAsTheirOwnSweepsDo) {
+    int asked = 0;
+    for (const auto& engine : allToiContestants()) {
+        const bool mixed = engine->name() == "Box2D 3";
+        if (!mixed && engine->name() != "Box2D 2.4.1") { continue; }
+        const double inside = mixed ? 0.005 : 0.015;
+        for (const double pin : {0.3, 0.6, 1.1, 1.9, 2.4}) {
+            ToiQuery query;
+            query.a = {{DVec2{0, 0}, DVec2{1, 0}}, 2, 0};
+            query.sweepA.a1 = 2.5;
+            query.b.count = 1;
+            query.b.radius = 0.05;
+            query.sweepB.c0 = query.sweepB.c1 = 0.8 * DVec2{std::cos(pin), std::sin(pin)};
+            query.settings = defaultToiSettings(query.a, query.b);
+            const std::optional<ToiQuery> understood = engine->understood(query);
+            ASSERT_TRUE(understood.has_value());
+            const std::array<ToiQuery, 1> queries{*understood};
+            std::array<Toi, 1> answers;
+            engine->load(queries);
+            engine->answerAll(answers);
+            ASSERT_EQ(answers[0].state, ToiState::hit) << engine->name() << ' ' << pin;
+            EXPECT_NEAR(answers[0].fraction, barFraction(pin, 0.8, 0.05 - inside, mixed), 2e-3) << engine->name();
+            // By its own motion it is right; the other's is elsewhere by more than the tolerance, but in the middle.
+            const std::optional<MixedTurns> turns = engine->turnsOf(queries[0]);
+            ASSERT_EQ(turns.has_value(), mixed);
+            const ToiVerdict own = turns ? judgeToiEvent(queries[0], answers[0], *turns).verdict
+                                         : judgeToiEvent(queries[0], answers[0]).verdict;
+            EXPECT_EQ(own, ToiVerdict::right) << engine->name() << ' ' << pin;
+            if (mixed) { EXPECT_NE(judgeToiEvent(queries[0], answers[0]).verdict, ToiVerdict::right) << pin; }
+            ++asked;
+        }
+    }
+    EXPECT_GE(asked, 5);
 }
 
 TEST(EngineQuery, IsWhatTheEngineSees) {

@@ -74,7 +74,9 @@ Entry entryOf(ToiContestant& contestant, const std::vector<ToiQuery>& queries) {
 ToiTally judged(const Entry& entry) {
     ToiTally tally;
     for (std::size_t i = 0; i < entry.queries.size(); ++i) {
-        count(tally, judgeToiEvent(entry.queries[i], entry.answers[i]));
+        const ToiQuery& query = entry.queries[i];
+        const std::optional<MixedTurns> turns = entry.contestant->turnsOf(query);
+        count(tally, turns ? judgeToiEvent(query, entry.answers[i], *turns) : judgeToiEvent(query, entry.answers[i]));
     }
     return tally;
 }

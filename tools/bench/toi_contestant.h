@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../toi_judge.h"
 #include "../toi_query.h"
 
 namespace swept::bench {
@@ -20,6 +21,9 @@ public:
     /// The query as the contestant is asked and judged: rounded to its numbers, with its own target and tolerance.
     /// Empty when it cannot be asked at all.
     virtual std::optional<ToiQuery> understood(const ToiQuery& query) const = 0;
+
+    /// How its bodies turn in such a query, when it is not at a constant rate.
+    virtual std::optional<MixedTurns> turnsOf(const ToiQuery&) const { return std::nullopt; }
 
     /// Takes queries that `understood` returned, in its own form, so that a pass over them is the answering alone.
     virtual void load(std::span<const ToiQuery> queries) = 0;

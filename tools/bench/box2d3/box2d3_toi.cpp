@@ -11,10 +11,7 @@
 namespace swept::bench {
 namespace {
 
-/// max over t of |angle of the mixed rotation − t θ|, in θ³: t (1 − t) |1 − 2t| / 12 at its largest, rounded up. Turns
-/// are small where it is used.
-constexpr double kMixing = 0.0081;
-constexpr double kMostOfTolerance = 0.02;
+constexpr double kMostTurn = 3.14;  // half a turn has no shorter way round
 
 b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
@@ -33,15 +30,7 @@ b2ShapeProxy toBox2d(const ToiPolygon& polygon) {
     return b2MakeProxy(points, polygon.count, static_cast<float>(polygon.radius));
 }
 
-/// How far the two models of turning take a point of the body apart, in metres.
-double mixingError(const ToiPolygon& polygon, const Sweep& sweep) {
-    double reach = 0;
-    for (int i = 0; i < polygon.count; ++i) {
-        reach = std::max(reach, length(polygon.vertices[static_cast<std::size_t>(i)] - sweep.localCenter));
-    }
-    const double turn = std::fabs(sweep.a1 - sweep.a0);
-    return turn < 1 ? kMixing * turn * turn * turn * reach : HUGE_VAL;
-}
+DVec2 fromBox2d(b2Rot rotation) { return {static_cast<double>(rotation.c), static_cast<double>(rotation.s)}; }
 
 ToiState stateFrom(b2TOIState state) {
     switch (state) {
@@ -63,20 +52,22 @@ public:
     std::string name() const override { return "Box2D 3"; }
 
     std::optional<ToiQuery> understood(const ToiQuery& query) const override {
+        const auto turns = [](const Sweep& sweep) { return std::fabs(sweep.a1 - sweep.a0); };
+        if (turns(query.sweepA) > kMostTurn || turns(query.sweepB) > kMostTurn) {
+            return std::nullopt;
+        }
         ToiQuery centered = query;
         for (Sweep* const sweep : {&centered.sweepA, &centered.sweepB}) {
             sweep->c0 = sweep->c0 - query.sweepB.c0;
             sweep->c1 = sweep->c1 - query.sweepB.c0;
         }
-        std::optional<ToiQuery> result = engineQuery(centered, {.slop = 0.005, .slopsInside = 1});
-        if (result) {
-            const double apart = mixingError(result->a, result->sweepA) + mixingError(result->b, result->sweepB);
-            if (apart > kMostOfTolerance * result->settings.tolerance) {
-                return std::nullopt;
-            }
-            result->settings.tolerance += apart;
-        }
-        return result;
+        return engineQuery(centered, {.slop = 0.005, .slopsInside = 1});
+    }
+
+    std::optional<MixedTurns> turnsOf(const ToiQuery& query) const override {
+        const b2Sweep a = toBox2d(query.sweepA);
+        const b2Sweep b = toBox2d(query.sweepB);
+        return MixedTurns{fromBox2d(a.q1), fromBox2d(a.q2), fromBox2d(b.q1), fromBox2d(b.q2)};
     }
 
     void load(std::span<const ToiQuery> queries) override {
