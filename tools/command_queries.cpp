@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "anatomy_output.h"
 #include "commands.h"
 #include "query_lines.h"
 #include "toi_families.h"
@@ -15,6 +16,7 @@ namespace {
 
 struct QueryArguments {
     std::string file;
+    std::string anatomy;
     std::string method = "certified";
     std::string precision = "f64";
 };
@@ -37,11 +39,11 @@ std::optional<Precision> precisionFrom(const std::string& name) {
     return std::nullopt;
 }
 
-/// Answers the file's lines, or those of standard input.
-int answerAll(const std::string& path, const Answerer& answer) {
+/// Opens the file, or takes standard input, and hands it on.
+int withLines(const std::string& path, const std::function<int(std::istream&)>& read) {
     std::ios::sync_with_stdio(false);
     if (path.empty() || path == "-") {
-        return answerQueries(std::cin, std::cout, answer);
+        return read(std::cin);
     }
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
@@ -51,7 +53,33 @@ int answerAll(const std::string& path, const Answerer& answer) {
     if (!file) {
         return refuse(path + ": cannot be read");
     }
-    return answerQueries(file, std::cout, answer);
+    return read(file);
+}
+
+int answerAll(const std::string& path, const Answerer& answer) {
+    return withLines(path, [&answer](std::istream& lines) { return answerQueries(lines, std::cout, answer); });
+}
+
+/// Answers the first query alone, and draws how the answer was found.
+int drawFirst(const QueryArguments& arguments) {
+    return withLines(arguments.file, [&arguments](std::istream& lines) {
+        std::string line;
+        while (line.find_first_not_of(" \t\r") == std::string::npos) {
+            if (!std::getline(lines, line)) {
+                return refuse("--anatomy: there is no query");
+            }
+        }
+        ToiQuery query;
+        if (const auto error = readToiLine(line, query)) {
+            return refuse(*error);
+        }
+        std::string error;
+        if (!drawAnatomy(query, arguments.anatomy, error)) {
+            return refuse(error);
+        }
+        std::cout << answerToiLine(line).text << '\n';
+        return kExitDone;
+    });
 }
 
 std::string methodNames() {
@@ -76,6 +104,9 @@ int answerToi(const QueryArguments& arguments) {
     }
     if (!precisionFrom(arguments.precision)) {
         return refuse("--precision: must be f32 or f64");
+    }
+    if (!arguments.anatomy.empty()) {
+        return drawFirst(arguments);
     }
     return answerAll(arguments.file, [method](std::string_view line) { return answerToiLine(line, *method); });
 }
@@ -143,9 +174,13 @@ void addQueryCommands(CLI::App& app, int& exitCode) {
     toi->add_option("--method", toiArguments->method, methodHelp())->type_name("NAME");
     toi->add_option("--precision", toiArguments->precision, "f32 or f64; the time of impact is in double in both [f64]")
         ->type_name("P");
+    toi->add_option("--anatomy", toiArguments->anatomy,
+                    "Answer the first query only, and draw how the default method finds the answer")
+        ->type_name("FILE.png")
+        ->excludes(toi->get_option("--method"));
     const auto generateArguments = std::make_shared<GenerateArguments>();
     CLI::Option* const generate = addGenerateOptions(*toi, *generateArguments);
-    for (const char* const answering : {"file", "--method", "--precision"}) {
+    for (const char* const answering : {"file", "--method", "--precision", "--anatomy"}) {
         generate->excludes(toi->get_option(answering));
     }
     toi->callback([toiArguments, generateArguments, generate, &exitCode] {

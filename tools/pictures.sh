@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Draws the pictures of the pages anew, into samples/pictures/.
+# Draws the pictures of the pages anew, into samples/pictures/ and toi/pictures/ (there, all but the plots of
+# `swept bench toi --plots`).
 #   tools/pictures.sh [SWEPT]
 # SWEPT is the command to use, build/release/bin/swept if left out.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -30,3 +31,9 @@ picture terrain 120 --trails
 say "dominoes.webp"
 quietly picture-dominoes "$swept" run dominoes --duration 6 --every 4 --webp "$pictures/dominoes.webp" --size 640x360 ||
     fail "the scene dominoes failed"
+
+for query in worst dip; do
+    say "anatomy-$query.png"
+    quietly "picture-anatomy-$query" "$swept" toi "$root/toi/pictures/anatomy-$query.jsonl" \
+        --anatomy "$root/toi/pictures/anatomy-$query.png" || fail "the query $query failed"
+done

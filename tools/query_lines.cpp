@@ -59,9 +59,7 @@ LineAnswer refusal(const Json& id, const std::string& reason) {
     return {line.take(), false};
 }
 
-LineAnswer refusal(const Json& id, const Status& status) {
-    return refusal(id, std::string("/") + status.field + ": " + describe(status.code));
-}
+std::string textOf(const Status& status) { return std::string("/") + status.field + ": " + describe(status.code); }
 
 ToiSettings settingsOf(const QueryLine& query) {
     ToiSettings settings = defaultToiSettings(query.a, query.b);
@@ -71,14 +69,27 @@ ToiSettings settingsOf(const QueryLine& query) {
     return settings;
 }
 
+std::optional<std::string> readChecked(std::string_view line, QueryLine& query, ToiSettings& settings) {
+    if (auto error = readQueryLine(line, query)) { return error; }
+    settings = settingsOf(query);
+    const Status status = validateToi(query.a, query.sweepA, query.b, query.sweepB, settings);
+    return status.ok() ? std::nullopt : std::optional(textOf(status));
+}
+
 }  // namespace
+
+std::optional<std::string> readToiLine(std::string_view line, ToiQuery& query) {
+    QueryLine read;
+    ToiSettings settings;
+    auto error = readChecked(line, read, settings);
+    query = {read.a, read.sweepA, read.b, read.sweepB, settings};
+    return error;
+}
 
 LineAnswer answerToiLine(std::string_view line, ToiMethod method) {
     QueryLine query;
-    if (const auto error = readQueryLine(line, query)) { return refusal(query.id, *error); }
-    const ToiSettings settings = settingsOf(query);
-    const Status status = validateToi(query.a, query.sweepA, query.b, query.sweepB, settings);
-    if (!status.ok()) { return refusal(query.id, status); }
+    ToiSettings settings;
+    if (const auto error = readChecked(line, query, settings)) { return refusal(query.id, *error); }
     const Toi toi = timeOfImpactBy(method, query.a, query.sweepA, query.b, query.sweepB, settings);
     LineWriter answer(query.id);
     answer.add("state", std::string(nameOf(toi.state)));
@@ -98,7 +109,7 @@ LineAnswer answerDistanceLine(std::string_view line, Precision precision) {
     if (const auto error = readQueryLine(line, query)) { return refusal(query.id, *error); }
     const auto function = precision == Precision::f32 ? queryDistance<Precision::f32> : queryDistance<Precision::f64>;
     const Result<QueryDistance> found = function(query.a, query.sweepA, query.b, query.sweepB);
-    if (!found.ok()) { return refusal(query.id, found.status()); }
+    if (!found.ok()) { return refusal(query.id, textOf(found.status())); }
     const QueryDistance& distance = found.value();
     LineWriter answer(query.id);
     answer.add("distance", distance.distance);

@@ -2,11 +2,13 @@
 
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "../samples/runner.h"
 #include "../toi/toi_method.h"
+#include "toi_query.h"
 
 /// The core of `swept toi` and `swept distance`: one JSON line in, one JSON line out.
 
@@ -19,6 +21,10 @@ struct LineAnswer {
 
 /// {"id", "state", "t", "separation", "normal", "pointA", "pointB", "iterations", "target", "tolerance"}.
 LineAnswer answerToiLine(std::string_view line, ToiMethod method = ToiMethod::certified);
+
+/// The query of a line, with the defaults filled in and all of it checked.
+/// @return nothing, or what is wrong with the line, and where.
+std::optional<std::string> readToiLine(std::string_view line, ToiQuery& query);
 
 /// At fraction 0: {"id", "distance", "normal", "pointA", "pointB", "iterations"}.
 /// @param precision  of the distance function; the numbers of the line are rounded to it relative to the bodies' centres.
