@@ -1,5 +1,6 @@
 #include "modes.h"
 #include "step.h"
+#include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -7,6 +8,20 @@ void reachAhead(WorldState& world) {
     for (const std::uint32_t slot : world.awake) {
         const bool ahead = modeOf(world, world.bodies[slot]) == ContinuousMode::speculative;
         if (ahead) { updateProxies(world, slot, false); }
+    }
+}
+
+bool isAhead(const WorldState& world, const Contact& contact) {
+    const Real usual = world.shapes[contact.shapeA].extent + world.shapes[contact.shapeB].extent;
+    return deepestSeparation(contact.manifold) > kMaxReachRatio * usual;
+}
+
+void anchorAtCores(ContactConstraint& constraint, Real radiusA, Real radiusB) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {
+        ContactConstraintPoint& point = constraint.points[i];
+        const Real half = point.baseSeparation / 2;
+        point.anchorA -= (half + radiusA) * constraint.normal;
+        point.anchorB += (half + radiusB) * constraint.normal;
     }
 }
 

@@ -8,8 +8,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// A body that was cut to the limit must not be cut again for the rounding of the cut.
-constexpr Real kRounding = 1 + 32 * std::numeric_limits<Real>::epsilon();
+/// A body that was cut to the limit must not be cut again for the rounding of the cut (of `float`, and of positions).
+constexpr Real kRounding = 1 + Real(0x1p-18);
 
 /// Smallest width, radius included. Segments have none of their own: their `extent` is their length.
 Real widthOf(const Shape& shape) {
@@ -99,7 +99,9 @@ void limitSpeeds(WorldState& world, double dt) {
 
 void limitWays(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
-        if (isLimited(world, world.bodies[slot])) { limitWay(world, slot, dt); }
+        const Body& body = world.bodies[slot];
+        // Nothing pushes a free body.
+        if (body.role == BodyRole::solved && isLimited(world, body)) { limitWay(world, slot, dt); }
     }
 }
 

@@ -27,4 +27,13 @@ constexpr bool isWatched(ContinuousMode mode) {
 /// Infinite while the world has no walls.
 Real speedLimitOf(WorldState& world, std::uint32_t body, Real dt);
 
+/// Whether only mode `speculative` makes a contact between so distant shapes.
+/// @pre the contact has points
+bool isAhead(const WorldState& world, const Contact& contact);
+/// A contact point stands half way between the surfaces, and turns with both bodies. At a distance each body is held at
+/// the core of its own shape instead: an impulse would turn it about a point in the air, and the surface of a ball that
+/// begins to roll would turn away from what it is about to hit.
+/// @param radiusA, radiusB  of the two shapes, metres
+void anchorAtCores(ContactConstraint& constraint, Real radiusA, Real radiusB);
+
 }  // namespace swept::inline SWEPT_PRECISION

@@ -2,6 +2,7 @@
 
 #include "../shapes/distance.h"
 #include "ghosts.h"
+#include "modes.h"
 #include "step.h"
 #include "tolerances.h"
 
@@ -113,12 +114,6 @@ bool disturbs(const WorldState& world, std::uint32_t slot) {
     const BodyMotion& motion = world.motions[slot];
     const bool moves = motion.velocity != Vec2{} || motion.angularVelocity != 0;
     return body.awake && (body.isDynamic() || moves);
-}
-
-/// Whether only mode `speculative` makes a contact of so distant shapes.
-bool isAhead(const WorldState& world, const Contact& contact) {
-    const Real usual = world.shapes[contact.shapeA].extent + world.shapes[contact.shapeB].extent;
-    return deepestSeparation(contact.manifold) > kMaxReachRatio * usual;
 }
 
 /// Between parallel updates, in order of the contacts: events, and waking of what an awake body touches.

@@ -3,6 +3,7 @@
 
 #include "constraint_builder.h"
 #include "joint_builder.h"
+#include "modes.h"
 #include "profile.h"
 #include "step.h"
 #include "tolerances.h"
@@ -88,6 +89,10 @@ void addContacts(WorldState& world, Real dt, Real h) {
             constraintOf(contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
                          world.motions[contact.bodyB], contact.friction, contact.restitution,
                          kPushRatio * contact.extent / dt);
+        if (isAhead(world, contact)) {
+            anchorAtCores(constraint, world.shapes[contact.shapeA].polygon.radius,
+                          world.shapes[contact.shapeB].polygon.radius);
+        }
         constraint.slotA = world.bodies[contact.bodyA].slot;
         constraint.slotB = world.bodies[contact.bodyB].slot;
         constraint.softness = softness;

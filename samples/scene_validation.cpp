@@ -88,14 +88,6 @@ private:
     bool check(const std::optional<Value>& value, const Place& place, const Range& range) {
         return !value || check(*value, place, range);
     }
-    bool check(SceneContinuous mode, const Place& place, const Range&) {
-        constexpr std::array<std::string_view, 3> kAvailable{"off", "stop", "subStep"};
-        if (mode != SceneContinuous::speedLimit && mode != SceneContinuous::speculative) {
-            return true;
-        }
-        const std::string_view name = namesOf<SceneContinuous>()[static_cast<std::size_t>(mode)];
-        return fail(place, inQuotes(name) + " is not available yet; use " + listOf(kAvailable));
-    }
     template <Described Object>
     bool check(const Object& object, const Place& place, const Range&) {
         return checkFields(object, place);
@@ -105,6 +97,7 @@ private:
     bool check(bool, const Place&, const Range&) { return true; }
     bool check(std::uint32_t, const Place&, const Range&) { return true; }
     bool check(SceneBodyType, const Place&, const Range&) { return true; }
+    bool check(SceneContinuous, const Place&, const Range&) { return true; }
     bool check(SceneProfile, const Place&, const Range&) { return true; }
     bool check(SceneBroadphase, const Place&, const Range&) { return true; }
     bool check(const std::vector<ShapeDescription>&, const Place&, const Range&) { return true; }

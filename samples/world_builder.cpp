@@ -43,11 +43,10 @@ struct PolygonMaker {
 ContinuousMode continuousOf(SceneContinuous mode) {
     switch (mode) {
         case SceneContinuous::off: return ContinuousMode::off;
+        case SceneContinuous::speedLimit: return ContinuousMode::speedLimit;
+        case SceneContinuous::speculative: return ContinuousMode::speculative;
         case SceneContinuous::stop: return ContinuousMode::stop;
         case SceneContinuous::subStep: return ContinuousMode::subStep;
-        // Refused by `validateScene`; the safest of those there are.
-        case SceneContinuous::speedLimit:
-        case SceneContinuous::speculative: return ContinuousMode::subStep;
     }
     return ContinuousMode::subStep;  // unreachable, but GCC cannot know
 }

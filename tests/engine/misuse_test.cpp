@@ -116,7 +116,7 @@ private:
         if (random_.chance(0.1)) { def.inertia = realPositive(); }
         def.fixedRotation = random_.chance(0.1);
         def.awake = random_.chance(0.9);
-        if (random_.chance(0.2)) { def.continuous = static_cast<ContinuousMode>(random_.integer(0, 3)); }
+        if (random_.chance(0.2)) { def.continuous = static_cast<ContinuousMode>(random_.integer(0, 5)); }
         const Result<BodyId> id = world_.createBody(def);
         if (!id.ok()) { return id.status(); }
         known_.bodies.push_back(id.value());
@@ -215,7 +215,7 @@ private:
         settings.profile = static_cast<Profile>(random_.integer(0, random_.chance(0.1) ? 200 : 1));
         settings.subSteps = random_.chance(0.1) ? random_.integer(-5, 2000) : random_.integer(0, 8);
         settings.relaxPasses = random_.integer(-3, 3);
-        settings.continuous = static_cast<ContinuousMode>(random_.integer(0, random_.chance(0.1) ? 200 : 2));
+        settings.continuous = static_cast<ContinuousMode>(random_.integer(0, random_.chance(0.1) ? 200 : 4));
         settings.maxImpacts = random_.integer(-1, 12);
         if (random_.chance(0.1)) { settings.maxSpeed = realPositive(); }
         if (random_.chance(0.1)) { settings.toiTolerance = realPositive(); }

@@ -41,9 +41,12 @@ TEST(Parallel, BuiltinScenes) {
 
 /// Hundreds of contacts and dozens of flyers at once.
 struct Crowd {
-    World world = makeWorld();
+    World world;
     KnownIds known;
-    Crowd() {
+    explicit Crowd(ContinuousMode mode = ContinuousMode::subStep) {
+        WorldSettings settings = awakeSettings();
+        settings.continuous = mode;
+        world = makeWorld(settings);
         known.bodies.push_back(addStatic(world, box(40, 1), material(0.5, 0.5)));
         addStatic(world, box(1, 40), material(0.2, 1), {-40, 0});
         addStatic(world, box(1, 40), material(0.2, 1), {40, 0});
@@ -69,6 +72,17 @@ TEST(Parallel, Crowd) {
         EXPECT_GT(tasks.chunksOfOthers(), 0u) << "nobody helped";
         parallel.world.setTaskSystem(nullptr);
         expectSameSteps(serial.world, parallel.world, serial.known, 5, "crowd, back on one thread");
+    }
+}
+
+TEST(Parallel, EveryMode) {
+    for (const ContinuousMode mode : {ContinuousMode::off, ContinuousMode::speedLimit, ContinuousMode::speculative,
+                                      ContinuousMode::stop}) {
+        Crowd serial(mode);
+        Crowd parallel(mode);
+        ThreadTasks tasks(3);
+        parallel.world.setTaskSystem(&tasks);
+        expectSameSteps(serial.world, parallel.world, serial.known, 30, "mode " + std::to_string(static_cast<int>(mode)));
     }
 }
 
