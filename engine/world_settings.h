@@ -29,7 +29,7 @@ struct WorldSettings {
     Real toiTolerance = 0;  ///< metres; 0: a quarter of the target, which is 2⁻¹⁰ of the pair's extent
     bool sleep = true;
     bool measureStageTimes = false;
-    BroadphaseKind broadphase = BroadphaseKind::bvh;  ///< may change only while the world is empty
+    BroadphaseKind broadphase = BroadphaseKind::automatic;  ///< may change only while the world is empty
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

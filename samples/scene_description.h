@@ -76,7 +76,7 @@ struct ShapeDescription {
 enum class SceneBodyType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is "static" in the format
 enum class SceneContinuous : std::uint8_t { off, speedLimit, speculative, stop, subStep };
 enum class SceneProfile : std::uint8_t { accurate, fast };
-enum class SceneBroadphase : std::uint8_t { allPairs, bvh };
+enum class SceneBroadphase : std::uint8_t { automatic, allPairs, sortAndSweep, quadtree, grid, bvh, wideBvh };
 
 struct BodyDescription {
     std::string name;  ///< empty: `body<index>`
@@ -136,7 +136,7 @@ struct SettingsDescription {
     int maxImpacts = 64;
     std::optional<double> maxSpeed;  ///< omitted: none
     bool sleep = true;
-    SceneBroadphase broadphase = SceneBroadphase::bvh;
+    SceneBroadphase broadphase = SceneBroadphase::automatic;
     std::optional<double> toiTolerance;  ///< metres; omitted: by extent
     std::optional<double> maxPenetration, maxJointError, maxLostTime;  ///< error budgets
 

@@ -12,7 +12,8 @@ namespace {
 constexpr std::array<std::string_view, 3> kBodyTypes{"static", "kinematic", "dynamic"};
 constexpr std::array<std::string_view, 5> kContinuous{"off", "speedLimit", "speculative", "stop", "subStep"};
 constexpr std::array<std::string_view, 2> kProfiles{"accurate", "fast"};
-constexpr std::array<std::string_view, 2> kBroadphases{"allPairs", "bvh"};
+constexpr std::array<std::string_view, 7> kBroadphases{"automatic", "allPairs", "sortAndSweep", "quadtree",
+                                                       "grid",      "bvh",      "wideBvh"};
 constexpr std::array<std::string_view, 6> kGeometries{"box", "circle", "capsule", "segment", "polygon", "chain"};
 constexpr std::array<std::string_view, 2> kJointTypes{"revolute", "distance"};
 constexpr std::array<std::string_view, 8> kFutureJointTypes{"prismatic", "wheel", "weld",   "motor",

@@ -51,6 +51,19 @@ ContinuousMode continuousOf(SceneContinuous mode) {
     return ContinuousMode::subStep;  // unreachable, but GCC cannot know
 }
 
+BroadphaseKind broadphaseOf(SceneBroadphase kind) {
+    switch (kind) {
+        case SceneBroadphase::automatic: return BroadphaseKind::automatic;
+        case SceneBroadphase::allPairs: return BroadphaseKind::allPairs;
+        case SceneBroadphase::sortAndSweep: return BroadphaseKind::sortAndSweep;
+        case SceneBroadphase::quadtree: return BroadphaseKind::quadtree;
+        case SceneBroadphase::grid: return BroadphaseKind::grid;
+        case SceneBroadphase::bvh: return BroadphaseKind::bvh;
+        case SceneBroadphase::wideBvh: return BroadphaseKind::wideBvh;
+    }
+    return BroadphaseKind::automatic;  // unreachable, but GCC cannot know
+}
+
 BodyType typeOf(SceneBodyType type) {
     switch (type) {
         case SceneBodyType::fixed: return BodyType::fixed;
@@ -72,8 +85,7 @@ WorldSettings settingsOf(const SceneDescription& scene) {
     settings.maxSpeed = given.maxSpeed ? real(*given.maxSpeed) : std::numeric_limits<Real>::infinity();
     settings.toiTolerance = real(given.toiTolerance.value_or(0));
     settings.sleep = given.sleep;
-    settings.broadphase =
-        given.broadphase == SceneBroadphase::bvh ? BroadphaseKind::bvh : BroadphaseKind::allPairs;
+    settings.broadphase = broadphaseOf(given.broadphase);
     return settings;
 }
 

@@ -1,5 +1,6 @@
 #include "report_writer.h"
 
+#include <swept/samples/scene_names.h>
 #include <swept/samples/scene_reader.h>
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ Json settingsOf(const SettingsDescription& settings) {
     json["maxImpacts"] = settings.maxImpacts;
     setIfGiven(json, "maxSpeed", settings.maxSpeed);
     json["sleep"] = settings.sleep;
-    json["broadphase"] = settings.broadphase == SceneBroadphase::allPairs ? "allPairs" : "bvh";
+    json["broadphase"] = namesOf<SceneBroadphase>()[static_cast<std::size_t>(settings.broadphase)];
     setIfGiven(json, "toiTolerance", settings.toiTolerance);
     setIfGiven(json, "maxPenetration", settings.maxPenetration);
     setIfGiven(json, "maxJointError", settings.maxJointError);

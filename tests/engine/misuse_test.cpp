@@ -220,7 +220,7 @@ private:
         if (random_.chance(0.1)) { settings.maxSpeed = realPositive(); }
         if (random_.chance(0.1)) { settings.toiTolerance = realPositive(); }
         settings.sleep = random_.chance(0.8);
-        settings.broadphase = static_cast<BroadphaseKind>(random_.integer(0, random_.chance(0.1) ? 200 : 1));
+        settings.broadphase = static_cast<BroadphaseKind>(random_.integer(0, random_.chance(0.1) ? 200 : kBroadphaseKindCount - 1));
         return world_.configure(settings);
     }
     void ask() {

@@ -27,7 +27,7 @@ TEST(SceneDefaults, Scene) {
     EXPECT_EQ(s.continuous, SceneContinuous::subStep);
     EXPECT_EQ(s.maxImpacts, 64);
     EXPECT_TRUE(s.sleep);
-    EXPECT_EQ(s.broadphase, SceneBroadphase::bvh);
+    EXPECT_EQ(s.broadphase, SceneBroadphase::automatic);
 }
 
 TEST(SceneDefaults, BodyAndShape) {

@@ -155,7 +155,7 @@ TEST(SceneErrors, WordsAndWholeNumbers) {
         {ball(R"("continuous": 1)"), "/bodies/0/continuous", modes},
         {ball(R"("continuous": "ccd")"), "/bodies/0/continuous", modes},
         {settings(R"("profile": "slow")"), "/settings/profile", R"(must be "accurate" or "fast", not "slow")"},
-        {settings(R"("broadphase": "tree")"), "/settings/broadphase", R"(must be "allPairs" or "bvh", not "tree")"},
+        {settings(R"("broadphase": "tree")"), "/settings/broadphase", R"("wideBvh", not "tree")"},
         {settings(R"("subSteps": 2.5)"), "/settings/subSteps", "must be a whole number, not 2.5"},
         {settings(R"("subSteps": 0)"), "/settings/subSteps", "must be from 1 to 1024, not 0"},
         {settings(R"("subSteps": 1025)"), "/settings/subSteps", "must be from 1 to 1024, not 1025"},

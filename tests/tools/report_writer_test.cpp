@@ -63,7 +63,7 @@ TEST(ReportWriter, NamesTheSettingsUsed) {
     EXPECT_EQ(settings.at("continuous"), "subStep");
     EXPECT_EQ(settings.at("maxImpacts"), 64);
     EXPECT_EQ(settings.at("sleep"), true);
-    EXPECT_EQ(settings.at("broadphase"), "bvh");
+    EXPECT_EQ(settings.at("broadphase"), "automatic");
     EXPECT_FALSE(settings.contains("subSteps")) << "left to the profile";
 }
 
