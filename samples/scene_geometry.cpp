@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include <swept/shapes/chain.h>
 #include <swept/shapes/hull.h>
 #include <swept/shapes/mass.h>
 
@@ -109,6 +110,24 @@ Result<Polygon> polygonOf(const ChainGeometry&, double) { return Status{StatusCo
 
 std::optional<GeometryFault> geometryFault(const Geometry& geometry) {
     return std::visit([](const auto& alternative) { return fault(alternative); }, geometry);
+}
+
+std::vector<Polygon> piecesOf(const ShapeDescription& shape) {
+    std::vector<Polygon> pieces;
+    if (const auto* chain = std::get_if<ChainGeometry>(&shape.geometry)) {
+        const std::vector<Vec2> points = toVec2(chain->points);
+        const int count = chainSegmentCount(static_cast<int>(points.size()), chain->loop);
+        for (int i = 0; i < count; ++i) {
+            pieces.push_back(polygonOf(chainSegment(points, chain->loop, shape.radius, i)));
+        }
+        return pieces;
+    }
+    const auto polygon =
+        std::visit([&](const auto& geometry) { return polygonOf(geometry, shape.radius); }, shape.geometry);
+    if (polygon.ok()) {
+        pieces.push_back(polygon.value());
+    }
+    return pieces;
 }
 
 MassAndInertia massOfShapes(const BodyDescription& body) {

@@ -2,6 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <swept/shapes/polygon.h>
 
 #include "scene_description.h"
 
@@ -26,5 +29,9 @@ struct MassAndInertia {
 /// Sums over the shapes of a body, sensors included: a sensor weighs what its density says. Chains weigh nothing.
 /// @param body  with valid geometries.
 MassAndInertia massOfShapes(const BodyDescription& body);
+
+/// The convex pieces of a shape in the frame of its body, radii included: one polygon, or one per segment of a chain.
+/// Exists for the double build of `shapes` only.
+std::vector<Polygon> piecesOf(const ShapeDescription& shape);
 
 }  // namespace swept

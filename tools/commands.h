@@ -14,6 +14,7 @@ void addRunCommand(CLI::App& app, int& exitCode);
 void addScenesCommand(CLI::App& app, int& exitCode);
 void addQueryCommands(CLI::App& app, int& exitCode);
 void addCompareCommand(CLI::App& app, int& exitCode);
+void addInspectCommand(CLI::App& app, int& exitCode);
 void addBenchCommand(CLI::App& app, int& exitCode);
 /// The child's side of the reference engine; not listed in the help.
 void addBox2dChildCommand(CLI::App& app, int& exitCode);

@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/scene_builder.h>
+#include <swept/samples/scene_reader.h>
+#include <swept/tools/inspect/inspect_scene.h>
+
+namespace swept {
+namespace {
+
+using build::box;
+using build::circle;
+
+/// Ground and a box of one metre that lies on it: nothing to find.
+SceneDescription soundScene() {
+    SceneDescription scene = build::scene("sound", {0, 2}, 6);
+    build::addFixed(scene, "ground", {0, -0.5}, {box({10, 0.5})});
+    build::addDynamic(scene, "crate", {0, 0.5}, {box({0.5, 0.5})});
+    return scene;
+}
+
+int countOf(const Inspection& inspection, const std::string& kind, const std::string& where) {
+    return static_cast<int>(std::count_if(inspection.findings.begin(), inspection.findings.end(),
+                                          [&](const Finding& f) { return f.kind == kind && f.where == where; }));
+}
+
+bool needs(const Inspection& inspection, const std::string& feature) {
+    for (const Need& need : inspection.needs) {
+        if (need.feature == feature) { return need.needed; }
+    }
+    ADD_FAILURE() << "nothing is said about " << feature;
+    return false;
+}
+
+/// The scene is what its format allows, and the finding is there once and alone.
+void expectOnly(const SceneDescription& scene, const std::string& kind, const std::string& where) {
+    const auto error = validateScene(scene);
+    ASSERT_FALSE(error) << error->text();
+    const Inspection inspection = inspectScene(scene);
+    EXPECT_EQ(countOf(inspection, kind, where), 1) << kind << " at " << where;
+    for (const Finding& finding : inspection.findings) {
+        EXPECT_EQ(finding.kind, kind) << finding.where << ": " << finding.text;
+        EXPECT_FALSE(finding.text.empty());
+        EXPECT_FALSE(finding.remedy.empty());
+    }
+}
+
+TEST(Inspect, SoundSceneHasNoFindings) {
+    const Inspection inspection = inspectScene(soundScene());
+    for (const Finding& finding : inspection.findings) {
+        ADD_FAILURE() << finding.kind << " at " << finding.where << ": " << finding.text;
+    }
+    EXPECT_FALSE(needs(inspection, "continuous collision"));
+    EXPECT_FALSE(needs(inspection, "restitution"));
+    EXPECT_FALSE(needs(inspection, "joints"));
+    EXPECT_FALSE(needs(inspection, "sensors"));
+    EXPECT_FALSE(needs(inspection, "bullets"));
+    EXPECT_FALSE(needs(inspection, "f64"));
+    EXPECT_TRUE(needs(inspection, "friction"));
+    EXPECT_TRUE(needs(inspection, "rotation"));
+}
+
+TEST(Inspect, BuiltinScenesAreInsideTheEnvelopeOrSayWhy) {
+    for (const BuiltinScene& builtin : builtinScenes()) {
+        for (const Finding& finding : inspectScene(builtin.make()).findings) {
+            EXPECT_NE(finding.kind, "overlap") << builtin.name << " " << finding.where << ": " << finding.text;
+            EXPECT_NE(finding.kind, "joint-violated") << builtin.name << " " << finding.where << ": " << finding.text;
+            EXPECT_NE(finding.kind, "joint-impossible") << builtin.name << " " << finding.where << ": " << finding.text;
+            EXPECT_NE(finding.kind, "units") << builtin.name << " " << finding.where << ": " << finding.text;
+        }
+    }
+}
+
+TEST(Inspect, FindsPixelsTakenForMetres) {
+    SceneDescription scene = build::scene("pixels", {0, 200}, 600);
+    build::addFixed(scene, "ground", {0, -50}, {box({1000, 50})});
+    build::addDynamic(scene, "player", {0, 32}, {box({16, 32})});
+    expectOnly(scene, "units", "/bodies/1");
+}
+
+TEST(Inspect, FindsStepsTooLongForSmallBodies) {
+    SceneDescription scene = soundScene();
+    scene.bodies[0].shapes = {box({1, 0.5})};
+    scene.bodies[1].position.y = 0.002;
+    scene.bodies[1].shapes = {box({0.002, 0.002})};
+    expectOnly(scene, "step-too-long", "/bodies/1");
+    scene.settings.dt = 1.0 / 240;
+    EXPECT_TRUE(inspectScene(scene).findings.empty()) << inspectScene(scene).findings[0].text;
+}
+
+TEST(Inspect, FindsWhatIsFarAway) {
+    SceneDescription scene = soundScene();
+    for (BodyDescription& body : scene.bodies) { body.position.x += 1e13; }
+    const Inspection inspection = inspectScene(scene);
+    EXPECT_EQ(countOf(inspection, "far-away", "/bodies/1"), 1);
+    for (BodyDescription& body : scene.bodies) { body.position.x -= 1e13 - 1e4; }
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+}
+
+TEST(Inspect, FindsOverlapsAtTheStartWithTheirDepth) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].position.y = 0.25;
+    expectOnly(scene, "overlap", "/bodies/1/shapes/0");
+    EXPECT_NE(inspectScene(scene).findings[0].text.find("0.25 m"), std::string::npos);
+    scene.bodies[1].shapes[0].filter.mask = 0;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+}
+
+TEST(Inspect, FindsHeavyOnLight) {
+    SceneDescription scene = soundScene();
+    build::addDynamic(scene, "safe", {0, 1.5}, {build::withDensity(box({0.5, 0.5}), 1e5)});
+    expectOnly(scene, "mass-ratio", "/bodies/2");
+    std::swap(scene.bodies[1].shapes, scene.bodies[2].shapes);  // light on heavy is well
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+}
+
+TEST(Inspect, FindsHeavyLoadsOnChains) {
+    SceneDescription scene = build::scene("chain", {0, 0}, 10);
+    build::addFixed(scene, "hook", {0, 0}, {circle(0.1)});
+    build::addDynamic(scene, "link", {0, -1}, {circle(0.1)});
+    build::addDynamic(scene, "ball", {0, -3}, {build::withDensity(circle(1), 10)});
+    build::hinge(scene, "hook", "link", {0, 0});
+    build::hinge(scene, "link", "ball", {0, -1});
+    expectOnly(scene, "mass-ratio", "/bodies/2");
+}
+
+TEST(Inspect, FindsJointsThatStartViolatedOrCannotBeMet) {
+    SceneDescription scene = build::scene("rods", {0, 0}, 10);
+    build::addFixed(scene, "left", {-2, 0}, {circle(0.1)});
+    build::addFixed(scene, "right", {2, 0}, {circle(0.1)});
+    build::addDynamic(scene, "ball", {0, -1}, {circle(0.2)});
+    build::rod(scene, "left", "ball", {-2, 0}, {0, -1});
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    build::rod(scene, "right", "ball", {2, 0}, {0, -1}).length = 1;
+    const Inspection inspection = inspectScene(scene);
+    EXPECT_EQ(countOf(inspection, "joint-violated", "/joints/1"), 1);
+    EXPECT_EQ(countOf(inspection, "joint-impossible", "/joints/1"), 1);  // 1 + √5 < 4
+    SceneDescription idle = soundScene();
+    build::addFixed(idle, "post", {5, 3}, {circle(0.1)});
+    build::rod(idle, "ground", "post", {5, 0}, {5, 3}).length = 2;
+    EXPECT_EQ(countOf(inspectScene(idle), "joint-idle", "/joints/0"), 1);
+    EXPECT_EQ(countOf(inspectScene(idle), "joint-impossible", "/joints/0"), 1);
+}
+
+TEST(Inspect, FindsLimitsThatExcludeTheStart) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].position.y = 2;
+    build::hinge(scene, "ground", "crate", {0, 2}).lower = 0.5;
+    expectOnly(scene, "joint-violated", "/joints/0");
+}
+
+TEST(Inspect, FindsTunnellingWhereNothingIsSwept) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].position.y = 100;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    EXPECT_TRUE(needs(inspectScene(scene), "continuous collision"));
+    scene.bodies[1].continuous = SceneContinuous::off;
+    scene.bodies[0].shapes = {build::segment({-10, 0.5}, {10, 0.5})};
+    scene.bodies[1].velocity.y = -50;
+    expectOnly(scene, "tunnelling", "/bodies/1");
+}
+
+TEST(Inspect, FindsEdgesThatSinglePrecisionLoses) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].shapes = {build::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.499999, 0.500001}, {-0.5, 0.5}})};
+    expectOnly(scene, "short-edge", "/bodies/1/shapes/0");
+}
+
+TEST(Inspect, FindsSlenderBodiesAndHugeGround) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].position.y = 0.005;
+    scene.bodies[1].shapes = {box({4, 0.0039})};
+    EXPECT_EQ(countOf(inspectScene(scene), "slender", "/bodies/1/shapes/0"), 1);
+    scene = soundScene();
+    scene.bodies[0].shapes = {box({1e5, 0.5})};
+    EXPECT_EQ(countOf(inspectScene(scene), "huge-ground", "/bodies/0/shapes/0"), 1);
+    EXPECT_TRUE(needs(inspectScene(scene), "f64"));
+}
+
+TEST(Inspect, NamesWhatTheSceneReaches) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].shapes[0].restitution = 0.5;
+    scene.bodies[1].bullet = true;
+    scene.bodies[1].fixedRotation = true;
+    scene.bodies[0].shapes[0].friction = 0;
+    build::addFixed(scene, "gate", {5, 5}, {circle(1)}).shapes[0].sensor = true;
+    const Inspection inspection = inspectScene(scene);
+    EXPECT_TRUE(needs(inspection, "restitution"));
+    EXPECT_TRUE(needs(inspection, "bullets"));
+    EXPECT_TRUE(needs(inspection, "sensors"));
+    EXPECT_FALSE(needs(inspection, "rotation"));
+    EXPECT_FALSE(needs(inspection, "sleep"));
+}
+
+}  // namespace
+}  // namespace swept

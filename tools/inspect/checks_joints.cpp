@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <swept/samples/scene_reader.h>
+
+#include "../number_text.h"
+#include "checks.h"
+#include "envelope.h"
+
+namespace swept {
+namespace {
+
+/// A rod may miss its length by this part of it before the first step pulls visibly.
+constexpr double kLengthSlack = 1e-3;
+
+std::string metres(double x) { return roundedText(x, 3) + " m"; }
+
+std::string pointerOf(std::size_t joint) { return "/joints/" + std::to_string(joint); }
+
+struct Ends {
+    const PlacedBody* a = nullptr;
+    const PlacedBody* b = nullptr;
+};
+
+Ends endsOf(const PlacedScene& placed, const JointDescription& joint) {
+    const auto at = [&](int i) { return i < 0 ? nullptr : &placed.bodies[static_cast<std::size_t>(i)]; };
+    return {at(bodyNamed(placed, joint.bodyA)), at(bodyNamed(placed, joint.bodyB))};
+}
+
+void checkEnds(const PlacedScene& placed, std::size_t i, const Ends& ends, std::vector<Finding>& findings) {
+    if (ends.a->isDynamic() || ends.b->isDynamic()) {
+        return;
+    }
+    findings.push_back({Severity::note, "joint-idle", pointerOf(i),
+                        jointName(*placed.scene, i) + " joins " + ends.a->name + " and " + ends.b->name +
+                            ", neither of them dynamic: it moves nothing",
+                        "make one of them dynamic, or leave the joint out"});
+}
+
+/// Range of lengths that a distance joint allows; a spring has no say, it only pulls.
+struct LengthRange {
+    double least = 0;
+    double most = 0;
+};
+LengthRange rangeOf(const DistanceDescription& rod) {
+    const double initial = length(rod.anchorB - rod.anchorA);
+    const double rest = rod.length.value_or(initial);
+    if (rod.minLength || rod.maxLength) {
+        return {rod.minLength.value_or(0), rod.maxLength.value_or(std::numeric_limits<double>::infinity())};
+    }
+    return rod.hertz ? LengthRange{0, std::numeric_limits<double>::infinity()} : LengthRange{rest, rest};
+}
+
+void checkLength(const PlacedScene& placed, std::size_t i, const Ends& ends, const DistanceDescription& rod,
+                 std::vector<Finding>& findings) {
+    const double initial = length(rod.anchorB - rod.anchorA);
+    const LengthRange range = rangeOf(rod);
+    const double missing = std::max(range.least - initial, initial - range.most);
+    if (missing <= kLengthSlack * std::max(initial, range.least)) {
+        return;
+    }
+    const bool isHopeless = !ends.a->isDynamic() && !ends.b->isDynamic();
+    findings.push_back({Severity::warning, isHopeless ? "joint-impossible" : "joint-violated", pointerOf(i),
+                        jointName(*placed.scene, i) + " wants its anchors " +
+                            metres(initial < range.least ? range.least : range.most) + " apart, they start " +
+                            metres(initial) + " apart" +
+                            (isHopeless ? " on bodies that it cannot move" : ": the first steps pull them together hard"),
+                        "place the bodies so that the anchors fit, or set \"length\": " + roundedText(initial)});
+}
+
+void checkLimits(const PlacedScene& placed, std::size_t i, const RevoluteDescription& hinge,
+                 std::vector<Finding>& findings) {
+    const bool isInside = hinge.lower.value_or(0) <= 0 && hinge.upper.value_or(0) >= 0;
+    if (isInside) {
+        return;
+    }
+    findings.push_back({Severity::warning, "joint-violated", pointerOf(i),
+                        jointName(*placed.scene, i) + " starts at angle 0, outside its limits " +
+                            roundedText(hinge.lower.value_or(-std::numeric_limits<double>::infinity())) + " … " +
+                            roundedText(hinge.upper.value_or(std::numeric_limits<double>::infinity())) + " rad",
+                        "limits count from the initial pose: let them include 0"});
+}
+
+/// Two rods from one body to things that do not move: four lengths of a closed linkage must be able to close.
+void checkRodPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
+    struct Rod {
+        std::size_t joint;
+        int body;
+        DVec2 fixedAnchor, bodyAnchor;
+        double length;
+    };
+    std::vector<Rod> rods;
+    for (std::size_t i = 0; i < placed.scene->joints.size(); ++i) {
+        const auto* rod = std::get_if<DistanceDescription>(&placed.scene->joints[i].joint);
+        const Ends ends = endsOf(placed, placed.scene->joints[i]);
+        if (rod == nullptr || ends.a->isDynamic() == ends.b->isDynamic()) {
+            continue;
+        }
+        const LengthRange range = rangeOf(*rod);
+        if (range.least == range.most) {
+            const bool bMoves = ends.b->isDynamic();
+            rods.push_back({i, bMoves ? ends.b->index : ends.a->index, bMoves ? rod->anchorA : rod->anchorB,
+                            bMoves ? rod->anchorB : rod->anchorA, range.most});
+        }
+    }
+    for (std::size_t i = 0; i < rods.size(); ++i) {
+        for (std::size_t k = i + 1; k < rods.size(); ++k) {
+            if (rods[i].body != rods[k].body) {
+                continue;
+            }
+            const double frame = length(rods[k].fixedAnchor - rods[i].fixedAnchor);
+            const double coupler = length(rods[k].bodyAnchor - rods[i].bodyAnchor);
+            const double sum = frame + coupler + rods[i].length + rods[k].length;
+            const double longest = std::max(std::max(frame, coupler), std::max(rods[i].length, rods[k].length));
+            if (2 * longest > sum * (1 + kLengthSlack)) {
+                findings.push_back({Severity::warning, "joint-impossible", pointerOf(rods[k].joint),
+                                    jointName(*placed.scene, rods[k].joint) + " and " +
+                                        jointName(*placed.scene, rods[i].joint) +
+                                        " cannot both keep their lengths: the linkage of " + metres(frame) + ", " +
+                                        metres(rods[i].length) + ", " + metres(coupler) + " and " +
+                                        metres(rods[k].length) + " does not close",
+                                    "lengths of which none is more than the sum of the others"});
+            }
+        }
+    }
+}
+
+/// Bodies that hang on each other by joints, as sets.
+class Assemblies {
+public:
+    explicit Assemblies(std::size_t bodies) : parent_(bodies) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+    int rootOf(int i) {
+        while (parent_[static_cast<std::size_t>(i)] != i) {
+            i = parent_[static_cast<std::size_t>(i)];
+        }
+        return i;
+    }
+    void join(int a, int b) {
+        const int rootA = rootOf(a);
+        const int rootB = rootOf(b);
+        parent_[static_cast<std::size_t>(std::max(rootA, rootB))] = std::min(rootA, rootB);
+    }
+
+private:
+    std::vector<int> parent_;
+};
+
+void checkMasses(const PlacedScene& placed, std::vector<Finding>& findings) {
+    Assemblies assemblies(placed.bodies.size());
+    for (const JointDescription& joint : placed.scene->joints) {
+        const Ends ends = endsOf(placed, joint);
+        if (ends.a->isDynamic() && ends.b->isDynamic()) {
+            assemblies.join(ends.a->index, ends.b->index);
+        }
+    }
+    for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
+        const int root = static_cast<int>(i);
+        if (assemblies.rootOf(root) != root) {
+            continue;
+        }
+        const PlacedBody* heavy = nullptr;
+        const PlacedBody* light = nullptr;
+        for (const PlacedBody& body : placed.bodies) {
+            if (body.mass > 0 && assemblies.rootOf(body.index) == root) {
+                heavy = heavy == nullptr || body.mass > heavy->mass ? &body : heavy;
+                light = light == nullptr || body.mass < light->mass ? &body : light;
+            }
+        }
+        if (heavy == nullptr || heavy->mass <= envelope::kJointMassRatio * light->mass) {
+            continue;
+        }
+        findings.push_back({Severity::warning, "mass-ratio", pointerOf(*heavy),
+                            heavy->name + " (" + roundedText(heavy->mass, 3) + " kg) hangs together with " +
+                                light->name + " (" + roundedText(light->mass, 3) + " kg), " +
+                                roundedText(heavy->mass / light->mass, 3) + " times lighter: the joints stretch",
+                            "masses within a factor of " + roundedText(envelope::kJointMassRatio) +
+                                ", or more /settings/subSteps (the error falls with their square)"});
+    }
+}
+
+}  // namespace
+
+void checkJoints(const PlacedScene& placed, std::vector<Finding>& findings) {
+    for (std::size_t i = 0; i < placed.scene->joints.size(); ++i) {
+        const JointDescription& joint = placed.scene->joints[i];
+        const Ends ends = endsOf(placed, joint);
+        checkEnds(placed, i, ends, findings);
+        if (const auto* rod = std::get_if<DistanceDescription>(&joint.joint)) {
+            checkLength(placed, i, ends, *rod, findings);
+        }
+        if (const auto* hinge = std::get_if<RevoluteDescription>(&joint.joint)) {
+            checkLimits(placed, i, *hinge, findings);
+        }
+    }
+    checkRodPairs(placed, findings);
+    checkMasses(placed, findings);
+}
+
+}  // namespace swept

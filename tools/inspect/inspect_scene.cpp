@@ -1,0 +1,21 @@
+#include "inspect_scene.h"
+
+#include <algorithm>
+
+#include "checks.h"
+
+namespace swept {
+
+Inspection inspectScene(const SceneDescription& scene) {
+    const PlacedScene placed = place(scene);
+    Inspection inspection;
+    checkBodies(placed, inspection.findings);
+    checkPairs(placed, inspection.findings);
+    checkJoints(placed, inspection.findings);
+    std::stable_sort(inspection.findings.begin(), inspection.findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
+    inspection.needs = needsOf(placed);
+    return inspection;
+}
+
+}  // namespace swept

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../number_text.h"
+#include "checks.h"
+#include "envelope.h"
+
+namespace swept {
+namespace {
+
+/// The first body for which `holds`, in the order of the scene.
+template <class Condition>
+const PlacedBody* firstBody(const PlacedScene& placed, const Condition& holds) {
+    const auto found = std::find_if(placed.bodies.begin(), placed.bodies.end(), holds);
+    return found == placed.bodies.end() ? nullptr : &*found;
+}
+
+template <class Condition>
+const PlacedBody* bodyWithShape(const PlacedScene& placed, const Condition& holds) {
+    return firstBody(placed, [&](const PlacedBody& body) {
+        return std::any_of(body.description->shapes.begin(), body.description->shapes.end(), holds);
+    });
+}
+
+bool hasObstacles(const PlacedScene& placed) {
+    return placed.pieces.size() > 1 && bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor; });
+}
+
+Need continuousNeed(const PlacedScene& placed) {
+    const double dt = placed.scene->settings.dt;
+    const PlacedBody* worst = nullptr;
+    double worstRatio = 0;
+    for (const PlacedBody& body : placed.bodies) {
+        if (body.extent > 0 && body.description->type != SceneBodyType::fixed) {
+            const double ratio = (body.isDynamic() ? reachableSpeed(placed, body) : body.speed) * dt / body.extent;
+            if (ratio > worstRatio) {
+                worstRatio = ratio;
+                worst = &body;
+            }
+        }
+    }
+    const bool needed = hasObstacles(placed) && worstRatio > envelope::kFastRatio;
+    if (worst == nullptr) {
+        return {"continuous collision", false, "nothing moves by itself"};
+    }
+    return {"continuous collision", needed,
+            worst->name + " may move " + roundedText(worstRatio, 2) + " of its width in a step (swept from " +
+                roundedText(envelope::kFastRatio) + " on)"};
+}
+
+Need bulletNeed(const PlacedScene& placed) {
+    const PlacedBody* const bullet =
+        firstBody(placed, [](const PlacedBody& body) { return body.isDynamic() && body.description->bullet; });
+    return {"bullets", bullet != nullptr, bullet != nullptr ? bullet->name + " is one" : "no body is marked"};
+}
+
+Need restitutionNeed(const PlacedScene& placed) {
+    const PlacedBody* const body =
+        bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor && shape.restitution > 0; });
+    return {"restitution", body != nullptr, body != nullptr ? body->name + " bounces" : "no shape bounces"};
+}
+
+Need frictionNeed(const PlacedScene& placed) {
+    // Pairs mix √(μ₁μ₂): one shape without friction makes none.
+    const auto rubs = [](const ShapeDescription& shape) { return !shape.sensor && shape.friction > 0; };
+    const PlacedBody* const body = firstBody(placed, [&](const PlacedBody& b) {
+        return b.isDynamic() && std::any_of(b.description->shapes.begin(), b.description->shapes.end(), rubs);
+    });
+    const PlacedBody* const other = firstBody(placed, [&](const PlacedBody& b) {
+        return &b != body && std::any_of(b.description->shapes.begin(), b.description->shapes.end(), rubs);
+    });
+    const bool needed = body != nullptr && other != nullptr;
+    return {"friction", needed, needed ? body->name + " rubs on " + other->name : "no two shapes rub"};
+}
+
+Need rotationNeed(const PlacedScene& placed) {
+    const PlacedBody* const body =
+        firstBody(placed, [](const PlacedBody& b) { return b.isDynamic() && !b.description->fixedRotation; });
+    return {"rotation", body != nullptr, body != nullptr ? body->name + " may turn" : "all rotations are fixed"};
+}
+
+Need jointNeed(const PlacedScene& placed) {
+    const std::size_t count = placed.scene->joints.size();
+    return {"joints", count > 0, count > 0 ? std::to_string(count) + " of them" : "there are none"};
+}
+
+Need sensorNeed(const PlacedScene& placed) {
+    const PlacedBody* const body = bodyWithShape(placed, [](const ShapeDescription& shape) { return shape.sensor; });
+    return {"sensors", body != nullptr, body != nullptr ? body->name + " senses" : "there are none"};
+}
+
+Need sleepNeed(const PlacedScene& placed) {
+    const auto count = std::count_if(placed.bodies.begin(), placed.bodies.end(),
+                                     [](const PlacedBody& body) { return body.isDynamic(); });
+    const bool canRest = length(placed.scene->gravity) > 0 && hasObstacles(placed);
+    const bool pays = canRest && count > 1;
+    return {"sleep", pays,
+            pays ? std::to_string(count) + " dynamic bodies may come to rest"
+                 : (canRest ? "one body costs nothing worth sparing" : "without gravity or ground little comes to rest")};
+}
+
+Need precisionNeed(const PlacedScene& placed) {
+    // What single precision holds relative to a body: its contacts' partners, and its own outline.
+    double worst = 0;
+    std::string where = "all shapes are small beside their tolerance in single precision";
+    for (const PlacedPiece& piece : placed.pieces) {
+        const double reach = radiusAbout(piece.polygon, Vec2{0, 0});
+        const double rounding = reach * static_cast<double>(std::numeric_limits<float>::epsilon());
+        double thinnest = std::numeric_limits<double>::infinity();
+        for (const PlacedBody& body : placed.bodies) {
+            if (body.isDynamic() && body.extent > 0) {
+                thinnest = std::min(thinnest, body.extent);
+            }
+        }
+        const double ratio = rounding / (envelope::kToleranceRatio * thinnest);
+        if (ratio > std::max(worst, 1.0)) {
+            worst = ratio;
+            where = placed.bodies[static_cast<std::size_t>(piece.body)].name + " reaches " + roundedText(reach, 3) +
+                    " m, the thinnest mover is " + roundedText(thinnest, 3) + " m";
+        }
+    }
+    return {"f64", worst > 1, where};
+}
+
+}  // namespace
+
+std::vector<Need> needsOf(const PlacedScene& placed) {
+    return {continuousNeed(placed), bulletNeed(placed), restitutionNeed(placed), frictionNeed(placed),
+            rotationNeed(placed),   jointNeed(placed),  sensorNeed(placed),      sleepNeed(placed),
+            precisionNeed(placed)};
+}
+
+}  // namespace swept

@@ -1,0 +1,183 @@
+#include "placed_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <swept/samples/scene_geometry.h>
+#include <swept/samples/scene_reader.h>
+#include <swept/shapes/distance.h>
+#include <swept/shapes/mass.h>
+
+namespace swept {
+namespace {
+
+void placePieces(PlacedScene& placed, PlacedBody& body) {
+    const std::vector<ShapeDescription>& shapes = body.description->shapes;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        const std::vector<Polygon> pieces = piecesOf(shapes[s]);
+        const bool isChain = std::holds_alternative<ChainGeometry>(shapes[s].geometry);
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            PlacedPiece piece;
+            piece.body = body.index;
+            piece.shape = static_cast<int>(s);
+            piece.segment = isChain ? static_cast<int>(k) : -1;
+            piece.polygon = pieces[k];
+            piece.bounds = boundsOf(pieces[k], body.pose);
+            piece.extent = extentOf(pieces[k]);
+            body.bounds = body.hasBounds ? hullOf(body.bounds, piece.bounds) : piece.bounds;
+            body.hasBounds = true;
+            if (!shapes[s].sensor) {
+                body.extent = body.extent > 0 ? std::min(body.extent, piece.extent) : piece.extent;
+            }
+            placed.pieces.push_back(piece);
+        }
+    }
+}
+
+/// Mass, centre and what depends on them.
+void weigh(PlacedBody& body, const std::vector<PlacedPiece>& pieces) {
+    std::vector<MassProperties> parts;
+    for (const PlacedPiece& piece : pieces) {
+        if (piece.body == body.index) {
+            const ShapeDescription& shape = body.description->shapes[static_cast<std::size_t>(piece.shape)];
+            parts.push_back(massOf(piece.polygon, shape.density));
+        }
+    }
+    const MassProperties sum = combine(parts);
+    Vec2 center{sum.center.x, sum.center.y};
+    if (sum.mass == 0 && body.hasBounds) {
+        center = applyInverse(body.pose, 0.5 * (toDouble(body.bounds.lower) + toDouble(body.bounds.upper)));
+    }
+    body.center = apply(body.pose, center);
+    body.mass = body.isDynamic() ? body.description->mass.value_or(sum.mass) : 0;
+    for (const PlacedPiece& piece : pieces) {
+        if (piece.body == body.index) {
+            body.reach = std::max(body.reach, radiusAbout(piece.polygon, center));
+        }
+    }
+    body.speed = length(body.description->velocity) + std::fabs(body.description->angularVelocity) * body.reach;
+}
+
+bool filtersCollide(const FilterDescription& a, const FilterDescription& b) {
+    if (a.group != 0 && a.group == b.group) {
+        return a.group > 0;
+    }
+    return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
+}
+
+/// Pairs of bodies whose joint keeps them from colliding.
+std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
+    std::set<std::pair<int, int>> pairs;
+    for (const JointDescription& joint : placed.scene->joints) {
+        if (!joint.collideConnected) {
+            const int a = bodyNamed(placed, joint.bodyA);
+            const int b = bodyNamed(placed, joint.bodyB);
+            pairs.insert({std::min(a, b), std::max(a, b)});
+        }
+    }
+    return pairs;
+}
+
+bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
+    const PlacedBody& bodyA = placed.bodies[static_cast<std::size_t>(a.body)];
+    const PlacedBody& bodyB = placed.bodies[static_cast<std::size_t>(b.body)];
+    const ShapeDescription& shapeA = bodyA.description->shapes[static_cast<std::size_t>(a.shape)];
+    const ShapeDescription& shapeB = bodyB.description->shapes[static_cast<std::size_t>(b.shape)];
+    return a.body != b.body && (bodyA.isDynamic() || bodyB.isDynamic()) && !shapeA.sensor && !shapeB.sensor &&
+           filtersCollide(shapeA.filter, shapeB.filter);
+}
+
+double separationOf(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
+    const WorldTransform& poseA = placed.bodies[static_cast<std::size_t>(a.body)].pose;
+    const WorldTransform& poseB = placed.bodies[static_cast<std::size_t>(b.body)].pose;
+    return distance(a.polygon, b.polygon, relativeTransform(poseA, poseB)).distance;
+}
+
+/// A body behind an edge of a chain is ignored by it.
+bool isBehindChain(const PlacedScene& placed, const PlacedPiece& edge, const PlacedPiece& other) {
+    if (edge.segment < 0) {
+        return false;
+    }
+    const WorldTransform& pose = placed.bodies[static_cast<std::size_t>(edge.body)].pose;
+    const DVec2 p = apply(pose, edge.polygon.vertices[0]);
+    const DVec2 q = apply(pose, edge.polygon.vertices[1]);
+    const DVec2 along = q - p;
+    const DVec2 to = placed.bodies[static_cast<std::size_t>(other.body)].center - p;
+    return along.x * to.y - along.y * to.x > 0;  // the left-hand side is solid
+}
+
+}  // namespace
+
+PlacedScene place(const SceneDescription& scene) {
+    PlacedScene placed;
+    placed.scene = &scene;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        PlacedBody body;
+        body.index = static_cast<int>(i);
+        body.name = bodyName(scene, i);
+        body.description = &scene.bodies[i];
+        body.pose = {scene.bodies[i].position, rotationFromAngle(scene.bodies[i].angle)};
+        body.center = scene.bodies[i].position;
+        placePieces(placed, body);
+        placed.bodies.push_back(body);
+    }
+    for (PlacedBody& body : placed.bodies) {
+        weigh(body, placed.pieces);
+    }
+    return placed;
+}
+
+std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin) {
+    // Swept along x: few scenes are stacked so that this degenerates, and an inspection may take a second.
+    std::vector<int> order(placed.pieces.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        order[i] = static_cast<int>(i);
+    }
+    const auto pieceAt = [&](int i) -> const PlacedPiece& { return placed.pieces[static_cast<std::size_t>(i)]; };
+    std::sort(order.begin(), order.end(), [&](int i, int k) {
+        const double a = pieceAt(i).bounds.lower.x;
+        const double b = pieceAt(k).bounds.lower.x;
+        return a != b ? a < b : i < k;
+    });
+    const std::set<std::pair<int, int>> jointed = jointedPairs(placed);
+    std::vector<NearPair> found;
+    std::vector<int> open;
+    for (const int i : order) {
+        const Aabb box = grown(pieceAt(i).bounds, margin);
+        std::erase_if(open, [&](int k) { return pieceAt(k).bounds.upper.x < box.lower.x; });
+        for (const int k : open) {
+            const PlacedPiece& a = pieceAt(std::min(i, k));
+            const PlacedPiece& b = pieceAt(std::max(i, k));
+            const std::pair<int, int> bodies{std::min(a.body, b.body), std::max(a.body, b.body)};
+            if (!overlaps(box, pieceAt(k).bounds) || !mayCollide(placed, a, b) || jointed.contains(bodies) ||
+                isBehindChain(placed, a, b) || isBehindChain(placed, b, a)) {
+                continue;
+            }
+            const double separation = separationOf(placed, a, b);
+            if (separation <= margin) {
+                found.push_back({std::min(i, k), std::max(i, k), separation});
+            }
+        }
+        open.push_back(i);
+    }
+    std::sort(found.begin(), found.end(), [](const NearPair& a, const NearPair& b) {
+        return std::pair(a.pieceA, a.pieceB) < std::pair(b.pieceA, b.pieceB);
+    });
+    return found;
+}
+
+int bodyNamed(const PlacedScene& placed, const std::string& name) {
+    const auto found = std::find_if(placed.bodies.begin(), placed.bodies.end(),
+                                    [&](const PlacedBody& body) { return body.name == name; });
+    return found == placed.bodies.end() ? -1 : static_cast<int>(found - placed.bodies.begin());
+}
+
+std::string pointerOf(const PlacedBody& body) { return "/bodies/" + std::to_string(body.index); }
+
+std::string pointerOf(const PlacedPiece& piece) {
+    return "/bodies/" + std::to_string(piece.body) + "/shapes/" + std::to_string(piece.shape);
+}
+
+}  // namespace swept

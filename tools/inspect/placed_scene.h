@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <swept/samples/scene_description.h>
+#include <swept/shapes/polygon.h>
+
+namespace swept {
+
+/// A convex piece of a body where the scene puts it.
+struct PlacedPiece {
+    int body = 0;
+    int shape = 0;
+    int segment = -1;  ///< of a chain; −1 for other shapes
+    Polygon polygon;   ///< frame of the body
+    Aabb bounds;       ///< world, rounded outward
+    double extent = 0;  ///< smallest non-zero width, metres
+};
+
+/// A body with what follows from its description.
+struct PlacedBody {
+    int index = 0;
+    std::string name;
+    const BodyDescription* description = nullptr;
+    WorldTransform pose;
+    DVec2 center;          ///< of mass, world; of the bounds for what has no mass
+    double mass = 0;       ///< kg; 0 for what is not dynamic
+    double extent = 0;     ///< of its smallest piece that is no sensor; 0 without one
+    double reach = 0;      ///< farthest point from `center`, metres
+    double speed = 0;      ///< largest of any of its points at the start, m/s
+    Aabb bounds;           ///< world; of all pieces
+    bool hasBounds = false;
+
+    bool isDynamic() const { return description->type == SceneBodyType::dynamic; }
+};
+
+/// A scene laid out in the world, in double precision: what every part of the inspection looks at.
+struct PlacedScene {
+    const SceneDescription* scene = nullptr;
+    std::vector<PlacedBody> bodies;
+    std::vector<PlacedPiece> pieces;
+};
+
+/// @param scene  that `validateScene` accepts; must outlive the result.
+PlacedScene place(const SceneDescription& scene);
+
+/// Two pieces of different bodies, at least one of them dynamic, that may collide by their filters, whose bounds come
+/// within `margin` of each other. Sensors are left out.
+struct NearPair {
+    int pieceA = 0;
+    int pieceB = 0;
+    double separation = 0;  ///< signed, metres
+};
+std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin);
+
+/// Index of the body of this name; −1 when there is none.
+int bodyNamed(const PlacedScene& placed, const std::string& name);
+
+/// "/bodies/3".
+std::string pointerOf(const PlacedBody& body);
+/// "/bodies/3/shapes/0".
+std::string pointerOf(const PlacedPiece& piece);
+
+}  // namespace swept
