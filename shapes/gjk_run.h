@@ -1,36 +1,44 @@
 #pragma once
 
 #include "gjk.h"
+#include "gjk_facing.h"
 
-/// GJK as inline code, for the places that must not pay for calls: `distance` and the time of impact.
+/// GJK as inline code, for the places that must not pay for calls: `distance`
+/// and the time of impact.
 ///
-/// The fast path is a walk over features. The support points of a new direction are mostly those of the last one or
-/// their neighbours, and a vertex of a convex polygon that lies beyond both its neighbours is the support point. So
-/// each step looks at neighbours only, and the last one proves the answer by them: what verifies a warm start is the
-/// same step. What the walk cannot prove it leaves to the loop over simplices.
+/// The fast path is a walk over features. The support points of a new direction
+/// are mostly those of the last one or their neighbours, and a vertex of a
+/// convex polygon that lies beyond both its neighbours is the support point. So
+/// each step looks at neighbours only, and the last one proves the answer by
+/// them: what verifies a warm start is the same step. What the walk cannot
+/// prove it leaves to the loop over simplices.
 
 namespace swept::inline SWEPT_PRECISION::gjk {
 
-/// Inlined by force: the pieces hand small structs to each other, which cost more through memory than their arithmetic
-/// does.
+/// Inlined by force: the pieces hand small structs to each other, which cost
+/// more through memory than their arithmetic does.
 #define SWEPT_HOT [[gnu::always_inline]] inline
 
-/// The loop over simplices, for what the walk does not prove: cores that overlap or touch, coordinates beyond range.
+/// The loop over simplices, for what the walk does not prove: cores that
+/// overlap or touch, coordinates beyond range.
 void runLoop(const PairView& pair, const SimplexCache* warm, GjkResult& r);
 
-/// The closest features as far as the walk knows: vertices `a` and `b`, or the edge that begins at one of them and the
-/// other vertex. Never two edges: where these are parallel, an end of one is as close.
+/// The closest features as far as the walk knows: vertices `a` and `b`, or the
+/// edge that begins at one of them and the other vertex. Never two edges: where
+/// these are parallel, an end of one is as close.
 struct Features {
     enum class Kind : std::uint8_t { vertices, edgeOfA, edgeOfB };
     Kind kind;
     int a;
     int b;
+    int from = -1;  ///< the vertex that was held against the same edge in the last
+                    ///< step, if any
 };
 
 enum class WalkStep : std::uint8_t { proved, moved, lost };
 
-/// The two neighbours of a vertex along a direction (in its polygon's frame), relative to it and times the length of
-/// the direction.
+/// The two neighbours of a vertex along a direction (in its polygon's frame),
+/// relative to it and times the length of the direction.
 struct Neighbours {
     double next;
     double previous;
@@ -45,15 +53,17 @@ SWEPT_HOT Neighbours neighboursAlong(const Polygon& p, int i, DVec2 vertex, DVec
     return {dot(direction, next), dot(direction, previous)};
 }
 
-/// Whether a vertex is the farthest of its polygon: both neighbours lie below. A convex corner leaves no room beyond
-/// them, unless it is so flat that rounding could turn the polygon over: then both seem level with it.
+/// Whether a vertex is the farthest of its polygon: both neighbours lie below.
+/// A convex corner leaves no room beyond them, unless it is so flat that
+/// rounding could turn the polygon over: then both seem level with it.
 /// @param level  what rounding may make of a level neighbour.
 SWEPT_HOT bool isSupport(const Polygon& p, const Neighbours& n, double level) {
     const double most = p.count < 3 ? 0 : -level;
     return (static_cast<int>(n.highest() <= 0) & static_cast<int>(n.next + n.previous <= most)) != 0;
 }
 
-/// Twice the rounding of a neighbour's height, or more: two rotated vertices, their difference and its product.
+/// Twice the rounding of a neighbour's height, or more: two rotated vertices,
+/// their difference and its product.
 SWEPT_HOT double levelAlong(DVec2 direction, double resolution) { return 4 * resolution * sumNorm(direction); }
 
 /// What the coordinates of two vertices resolve of their difference.
@@ -61,7 +71,11 @@ SWEPT_HOT double resolutionOf(const PairView& pair, DVec2 a, DVec2 turnedB) {
     return kResolution * (sumNorm(a) + sumNorm(turnedB) + sumNorm(pair.translation));
 }
 
-/// Proves that the vertices are closest, or moves to the edge that promises most.
+/// Two circles: nothing to search.
+SWEPT_HOT bool arePoints(const PairView& pair) { return pair.a.count + pair.b.count == 2; }
+
+/// Proves that the vertices are closest, or moves to the edge that promises
+/// most.
 SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) {
     const DVec2 a = pair.vertexA(f.a);
     const DVec2 localB = pair.localB(f.b);
@@ -81,7 +95,7 @@ SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) 
         r.points = {a, a + w};
         return WalkStep::proved;
     };
-    if (pair.a.count + pair.b.count == 2) {
+    if (arePoints(pair)) {
         return prove();
     }
     const Neighbours ofA = neighboursAlong(pair.a, f.a, a, w);
@@ -100,7 +114,16 @@ SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) 
     return ofB.highest() > 0 ? WalkStep::moved : WalkStep::lost;
 }
 
-/// Proves that an edge and a vertex are closest, or moves on. Everything in the frame of A.
+/// Where a walk goes from beyond the end of an edge: to the other shape's edge
+/// that led there, or to the two vertices.
+SWEPT_HOT void leaveEdge(const Polygon& other, Features& f, int& vertex, Features::Kind edgeOfOther) {
+    f.kind = f.from < 0 ? Features::Kind::vertices : edgeOfOther;
+    vertex = f.from >= 0 && other.next(f.from) == vertex ? f.from : vertex;
+    f.from = -1;
+}
+
+/// Proves that an edge and a vertex are closest, or moves on. Everything in the
+/// frame of A.
 template <bool ofA>
 SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
     const int begin = ofA ? f.a : f.b;
@@ -113,29 +136,35 @@ SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
     const DVec2 edge = ofA ? pair.spanA(begin, end) : pair.spanB(begin, end);
     const double edgeSquared = dot(edge, edge);
     const double along = dot(edge, toVertex);
+    const Polygon& other = ofA ? pair.b : pair.a;
     if (!(along >= 0 && along <= edgeSquared)) {
         (ofA ? f.a : f.b) = along < 0 ? begin : end;
-        f.kind = Features::Kind::vertices;
+        leaveEdge(other, f, ofA ? f.b : f.a, ofA ? Features::Kind::edgeOfB : Features::Kind::edgeOfA);
         return WalkStep::moved;
     }
-    const DVec2 outward = rightPerp(edge);
-    const double side = dot(outward, toVertex);
+    // A segment faces both ways: its second edge is the first one backwards.
+    const double sideOfEdge = cross(toVertex, edge);
+    const bool isBackwards = sideOfEdge < 0 && (ofA ? pair.a.count : pair.b.count) == 2;
+    const double side = isBackwards ? -sideOfEdge : sideOfEdge;
+    const DVec2 outward = isBackwards ? leftPerp(edge) : rightPerp(edge);
     const double resolution = resolutionOf(pair, a, turnedB);
     if (!(side > 0 && side * side > resolution * resolution * edgeSquared)) {
         return WalkStep::lost;
     }
-    const Polygon& other = ofA ? pair.b : pair.a;
     const Neighbours n =
         ofA ? neighboursAlong(other, f.b, localB, -pair.toB(outward)) : neighboursAlong(other, f.a, a, -outward);
     if (!isSupport(other, n, levelAlong(outward, resolution))) {
         int& vertex = ofA ? f.b : f.a;
+        f.from = vertex;
         vertex = n.isNextHigher() ? other.next(vertex) : other.previous(vertex);
         return n.highest() > 0 ? WalkStep::moved : WalkStep::lost;
     }
     const double inverse = 1 / std::sqrt(edgeSquared);
     r.count = 2;
-    r.simplex[0] = {f.a, f.b};
-    r.simplex[1] = {ofA ? end : f.a, ofA ? f.b : end};
+    const int first = isBackwards ? end : begin;
+    const int second = isBackwards ? begin : end;
+    r.simplex[0] = {ofA ? first : f.a, ofA ? f.b : first};
+    r.simplex[1] = {ofA ? second : f.a, ofA ? f.b : second};
     r.distance = inverse * side;
     r.normal = (ofA ? inverse : -inverse) * outward;
     r.resolution = resolution;
@@ -145,12 +174,17 @@ SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
     return WalkStep::proved;
 }
 
-/// Where a walk begins: at the features of the last one, or at the vertices that face each other. Edges are cached as a
-/// walk leaves them, in the order of the polygon; others it finds again from their first ends.
+/// Where a walk begins: at the features of the last one, or at the vertices
+/// that face each other. Edges are cached as a walk leaves them, in the order
+/// of the polygon; others it finds again from their first ends.
 SWEPT_HOT Features start(const PairView& pair, const SimplexCache* warm) {
     if (warm == nullptr || warm->count == 0 || warm->indexA[0] >= pair.a.count || warm->indexB[0] >= pair.b.count) {
-        return {Features::Kind::vertices, extremeVertex<1>(pair.a, pair.translation),
-                extremeVertex<-1>(pair.b, pair.toB(pair.translation))};
+        if (arePoints(pair)) {
+            return {Features::Kind::vertices, 0, 0};
+        }
+        const DVec2 towardsA = -pair.toB(pair.translation);
+        return {Features::Kind::vertices, FacingVertex::along(pair.a, toReal(pair.translation)),
+                FacingVertex::along(pair.b, toReal(towardsA))};
     }
     Features f{Features::Kind::vertices, warm->indexA[0], warm->indexB[0]};
     if (warm->count != 2) {
