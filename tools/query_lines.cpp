@@ -76,6 +76,16 @@ std::optional<std::string> readChecked(std::string_view line, QueryLine& query, 
     return status.ok() ? std::nullopt : std::optional(textOf(status));
 }
 
+/// The reason of a refusal begins with the number of the line; a syntax error counts its own as the first.
+std::string namingTheLine(std::string refusal, int number) {
+    const std::string key = ",\"error\":\"";  // quotes inside of strings are escaped: only the member itself looks so
+    const std::size_t start = refusal.rfind(key) + key.size();
+    const std::string own = "line 1, ";
+    const bool isSyntax = refusal.compare(start, own.size(), own) == 0;
+    const std::string name = "line " + std::to_string(number) + (isSyntax ? ", " : ": ");
+    return refusal.replace(start, isSyntax ? own.size() : 0, name);
+}
+
 }  // namespace
 
 std::optional<std::string> readToiLine(std::string_view line, ToiQuery& query) {
@@ -122,10 +132,12 @@ LineAnswer answerDistanceLine(std::string_view line, Precision precision) {
 
 int answerQueries(std::istream& in, std::ostream& out, const std::function<LineAnswer(std::string_view)>& answer) {
     bool allGood = true;
+    int number = 0;
     for (std::string line; std::getline(in, line);) {
+        ++number;
         if (line.find_first_not_of(" \t\r") == std::string::npos) { continue; }
         const LineAnswer answered = answer(line);
-        out << answered.text << '\n';
+        out << (answered.good ? answered.text : namingTheLine(answered.text, number)) << '\n';
         allGood = allGood && answered.good;
     }
     return allGood ? 0 : 2;

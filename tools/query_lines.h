@@ -30,7 +30,7 @@ std::optional<std::string> readToiLine(std::string_view line, ToiQuery& query);
 /// @param precision  of the distance function; the numbers of the line are rounded to it relative to the bodies' centres.
 LineAnswer answerDistanceLine(std::string_view line, Precision precision = Precision::f64);
 
-/// Answers each line in order; skips blank ones.
+/// Answers each line in order; skips blank ones. The error of a bad one begins with "line N", counted from 1.
 /// @param answer  one of the functions above with its second argument bound.
 /// @return 0, or 2 when a line was bad.
 int answerQueries(std::istream& in, std::ostream& out, const std::function<LineAnswer(std::string_view)>& answer);

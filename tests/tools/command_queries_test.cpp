@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "run_program.h"
+#include "scratch_directory.h"
 
 namespace swept {
 namespace {
@@ -40,6 +42,20 @@ TEST(CommandQueries, ABadLineIsAnsweredInItsPlace) {
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_NE(result.out.find("\"error\""), std::string::npos);
     EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 3);
+}
+
+TEST(CommandQueries, DrawsTheAnatomyOfAQuery) {
+    const ScratchDirectory scratch;
+    const std::string picture = scratch.path("anatomy.png");
+    EXPECT_EQ(runSwept({"toi", "--anatomy", picture}, "\n").exitCode, 2);
+    EXPECT_EQ(runSwept({"toi", "--anatomy", picture}, "nonsense\n").exitCode, 2);
+    EXPECT_EQ(runSwept({"toi", "--anatomy", scratch.path("none/x.png")}, kBallFallsOnEdge).exitCode, 2);
+    EXPECT_FALSE(std::filesystem::exists(picture)) << "a refused command leaves nothing";
+    const auto drawn = runSwept({"toi", "--anatomy", picture}, kBallFallsOnEdge);
+    if (drawn.err.find("not installed") != std::string::npos) { GTEST_SKIP() << drawn.err; }
+    ASSERT_EQ(drawn.exitCode, 0) << drawn.err;
+    EXPECT_GT(std::filesystem::file_size(picture), 10'000U);
+    EXPECT_EQ(nlohmann::json::parse(drawn.out).at("state"), "hit");
 }
 
 TEST(CommandQueries, GeneratesQueriesThatItCanAnswer) {

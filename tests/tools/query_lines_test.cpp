@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <swept/tools/query_lines.h>
 
@@ -214,6 +216,47 @@ TEST(QueryLines, AnswersInOrderAndSkipsBlankLines) {
     EXPECT_EQ(count, 5);
     std::istringstream nothing("\n\n");
     EXPECT_EQ(answerQueries(nothing, out, answer), 0);
+}
+
+/// Whatever is wrong: the line is named, the lines around it are answered.
+TEST(QueryLines, NamesEachBadLineAndGoesOn) {
+    const auto changed = [](auto change) {
+        Json line = example();
+        change(line);
+        return line.dump();
+    };
+    const std::string good = example().dump();
+    const std::string nan = changed([](Json& q) { q["a"]["radius"] = "?"; });
+    const std::vector<std::pair<std::string, std::string>> lines{
+        {good, ""},
+        {std::string(nan).replace(nan.find("\"?\""), 3, "NaN"), "line 2, column "},
+        {std::string(nan).replace(nan.find("\"?\""), 3, "1e999"), "line 3: /a/radius: "},
+        {changed([](Json& q) { q["a"]["vertices"] = Json::array(); }), "line 4: /a/vertices: "},
+        {changed([](Json& q) {
+             q["a"]["vertices"] = Json::array();
+             for (int i = 0; i < 9; ++i) { q["a"]["vertices"].push_back({i, i * i}); }
+         }),
+         "line 5: /a/vertices: "},
+        {changed([](Json& q) { q["a"]["vertices"] = {{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}; }), "line 6: /a/vertices: "},
+        {changed([](Json& q) { q["b"]["radius"] = -1; }), "line 7: /b/radius: "},
+        {changed([](Json& q) { q["tolerance"] = -1; }), "line 8: /tolerance: "},
+        {changed([](Json& q) { q["id"] = {{"x", 1}, {"error", "none"}}, q["tMax"] = 2; }), "line 9: /tMax: "},
+        {"nonsense", "line 10, column "},
+        {good, ""},
+    };
+    std::string text;
+    for (const auto& line : lines) { text += line.first + '\n'; }
+    std::istringstream in(text);
+    std::ostringstream out;
+    EXPECT_EQ(answerQueries(in, out, [](std::string_view line) { return answerToiLine(line); }), 2);
+    std::istringstream answers(out.str());
+    for (const auto& [line, error] : lines) {
+        std::string answer;
+        ASSERT_TRUE(std::getline(answers, answer));
+        const Json json = Json::parse(answer);
+        EXPECT_EQ(json.contains("state"), error.empty()) << line;
+        if (!error.empty()) { expectStartsWith(json.at("error").get<std::string>(), error); }
+    }
 }
 
 }  // namespace
