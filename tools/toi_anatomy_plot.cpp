@@ -18,7 +18,7 @@ constexpr double kSceneTop = 0.94;     // of the height; the panels' edges
 constexpr double kSceneBottom = 0.46;
 constexpr double kCurveTop = 0.395;
 constexpr double kCurveBottom = 0.075;
-constexpr double kLeft = 0.075;  // of the width
+constexpr double kLeft = 0.09;  // of the width
 constexpr double kRight = 0.975;
 
 using Outline = std::vector<DVec2>;

@@ -9,6 +9,11 @@
 namespace swept::test {
 
 /// Random queries by kind. All lengths are of order one unless the name says otherwise.
+///
+/// These are not the families of `swept toi --generate` (tools/toi_families.h), on purpose. Those are made with the help
+/// of the interval oracle's own geometry and judged by it; these share no line with either and are judged by samples in
+/// long double (oracle.h), so that what one generator never makes, or one judge overlooks, has a second chance to be
+/// seen. And the suite of the layer needs nothing but the layer.
 enum class Family : std::uint8_t {
     generic,       ///< speeds up to three sizes a step, up to a quarter turn
     bars,          ///< slender, up to a whole turn
