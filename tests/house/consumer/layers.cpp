@@ -1,26 +1,23 @@
 #include <swept/shapes/polygon.h>
-#include <swept/toi/time_of_impact.h>
+#include <swept/toi/toi_polygon.h>
 
 #include <cmath>
 #include <cstdio>
 
-/// A ball flies at a box: extents from shapes, the time of impact from toi, nothing else is linked.
+/// A ball flies at a box: shapes from shapes, the time of impact from toi, nothing else is linked.
 int main() {
     const auto box = swept::makeBox({1, 1});
     const auto ball = swept::makeCircle({0, 0}, 1);
     if (!box.ok() || !ball.ok()) { return 1; }
-
-    swept::ToiPolygon wall;
-    for (const swept::Vec2 vertex : box.value().points()) { wall.vertices[wall.count++] = swept::toDouble(vertex); }
-    swept::ToiPolygon bullet;
-    bullet.count = 1;
-    bullet.radius = static_cast<double>(ball.value().radius);
+    const swept::ToiPolygon wall = swept::asToiPolygon(box.value());
+    const swept::ToiPolygon bullet = swept::asToiPolygon(ball.value());
 
     swept::Sweep still;
     swept::Sweep flight;
     flight.c0 = {-6, 0};
     flight.c1 = {2, 0};
     const swept::ToiSettings settings = swept::defaultToiSettings(wall, bullet);
+    if (!swept::validateToi(wall, still, bullet, flight, settings).ok()) { return 1; }
     const swept::Toi toi = swept::timeOfImpact(wall, still, bullet, flight, settings);
     std::printf("impact at %.6f of the way\n", toi.fraction);
     const double expected = (4 - settings.target) / 8;  // the gap over the way
