@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <new>
+
+#include "../shapes/distance.h"
 #include "../shapes/gjk.h"
 #include "relative_motion.h"
 #include "time_of_impact.h"
@@ -7,36 +11,47 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// A polygon with the centre of mass as its origin. Without normals: what needs them makes them.
-struct CenteredPolygon {
-    Polygon polygon;
-    double reach = 0;  ///< of the farthest vertex from the centre, metres; rounded up
-
+class CenteredPolygon {
+public:
     CenteredPolygon(const ToiPolygon& source, DVec2 center);
+
+    const Polygon& polygon() const { return *std::launder(reinterpret_cast<const Polygon*>(storage_.data())); }
+    Vec2 vertex(int i) const { return polygon().vertices[static_cast<std::size_t>(i)]; }
+    int count() const { return polygon().count; }
+    /// Of the farthest vertex from the centre, metres; rounded up.
+    double reach() const { return reach_; }
+
+private:
+    /// Bytes, because a `Polygon` clears itself, and that costs as much as a tenth of a query. The bytes begin the life
+    /// of an aggregate whose vertices up to the count are written at once; nothing else of it is ever read.
+    alignas(Polygon) std::array<std::byte, sizeof(Polygon)> storage_;
+    double reach_ = 0;
 };
 
 /// Whose face the closest direction is normal to: the line between two vertices belongs to the world.
 enum class AxisOwner : std::uint8_t { world, a, b };
 
-/// Separation with all that goes with it, in the frame of A.
-struct Closest {
-    double separation = 0;      ///< radii included, metres
-    double coreSeparation = 0;  ///< without radii; negative when the cores overlap
-    Vec2 normal;                ///< unit, from A to B
-};
-
-/// Where the pair stands at one fraction. Everything is in the frame of A at that fraction: origin at its centre, axes
-/// turned with it. The bounds need only scalar products, for which any frame will do; this one saves turning A.
+/// Where the pair stands at one fraction, in world axes.
 struct PairPose {
     double fraction = 0;
-    Rotation rotationA;  ///< frame of A to world
+    Rotation rotationA;  ///< frames of the bodies to world
     Rotation rotationB;
-    Transform bInA;
-    Polygon turnedB;  ///< vertices of B turned into the frame of A, about B's centre
-    Vec2 velocity;    ///< of B's centre relative to A's, metres per unit of fraction
-    Vec2 curvature;   ///< kB − kA, metres
-    Closest distance;
-    AxisOwner axisOwner = AxisOwner::world;
+    Vec2 offset;  ///< centre of B minus centre of A, metres
+};
+
+/// Separation at a pose with all that goes with it, in the frame of A: origin at its centre, axes turned with it.
+struct Closest {
+    double separation = 0;      ///< radii included, metres
+    double coreSeparation = 0;  ///< without radii; not above 0 when the cores overlap
+    Vec2 normal;                ///< unit, from A to B
+    AxisOwner owner = AxisOwner::world;
     GjkResult gjk;
+    CorePoints exactPoints;  ///< on the rounded surfaces; only where an overlap or a touch was measured
+
+    /// An overlap whose depth, normal and points are not measured yet: `measureOverlap` does it.
+    bool isDeep() const { return gjk.encloses; }
+    bool isApart() const { return gjk.outcome == GjkOutcome::apart; }
+    bool coresOverlap() const { return gjk.encloses || coreSeparation <= 0; }
 };
 
 /// Two polygons and their motion: what a time-of-impact query works on.
@@ -44,26 +59,33 @@ struct MovingPair {
     CenteredPolygon a;
     CenteredPolygon b;
     RelativeMotion motion;
+    double radii;    ///< both, metres
+    double fastest;  ///< greatest speed of the centres' difference in the whole sweep, metres per unit of fraction
 
     MovingPair(const ToiPolygon& polygonA, const Sweep& sweepA, const ToiPolygon& polygonB, const Sweep& sweepB);
 
-    double radii() const { return a.polygon.radius + b.polygon.radius; }
+    PairPose poseAt(double fraction) const;
+    /// The same, from another pose: what does not turn keeps its rotation.
+    void moveTo(double fraction, PairPose& pose) const;
 
-    /// A pose to be written by `moveTo`: what does not change from fraction to fraction is filled in.
-    PairPose emptyPose() const;
-    /// Pose and distance at a fraction. `cache` carries the simplex from one evaluation to the next.
-    void moveTo(double fraction, PairPose& pose, SimplexCache& cache) const;
-    /// The same into a pose of its own: for one-off questions.
-    PairPose poseAt(double fraction, SimplexCache& cache) const;
-    /// Points on the rounded surfaces that realise the separation of a pose, frame of A.
-    CorePoints witnessesOf(const PairPose& pose) const;
+    /// Distance at a pose. `cache` carries the simplex from one evaluation to the next. Where the cores overlap the
+    /// depth is not measured: `closest.separation` is 0.
+    void findClosest(const PairPose& pose, SimplexCache& cache, Closest& closest) const;
+    /// Penetration, where `findClosest` found an overlap.
+    void measureOverlap(const PairPose& pose, Closest& closest) const;
+    /// Points on the rounded surfaces that realise the separation, frame of A.
+    CorePoints witnessesOf(const PairPose& pose, const Closest& closest) const;
+    Transform bInA(const PairPose& pose) const;
+
+    /// Coordinates whose products leave the range of double.
+    bool isExtreme() const { return isExtreme_; }
 
 private:
-    bool isExtreme_ = false;  ///< coordinates whose products leave the range of double
+    bool isExtreme_ = false;
 };
 
-/// How far a separation computed by this folder, or a bound on it, may be from the true one by rounding, anywhere in the
-/// sweep. Metres. A-priori: a count of roundings, each relative to the largest coordinate it touches.
+/// How far a separation computed by this folder, or a bound on it, may be from the true one by rounding, anywhere in
+/// the sweep. Metres. A-priori: a count of roundings, each relative to the largest coordinate it touches.
 double roundingSlack(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,5 +1,7 @@
 #include "time_of_impact.h"
 
+#include <algorithm>
+
 #include "axis_bound.h"
 #include "moving_pair.h"
 #include "toi_observer.h"
@@ -7,45 +9,293 @@
 namespace swept {
 namespace {
 
-/// Each step is certified and gains time. 3 to 5 steps are typical; suite toi_tests holds bodies that turn once to 40
-/// steps and such that turn four times each, within each other's reach, to 120, at the finest tolerance that double
-/// allows. So this is enough for some thirty turns between two frames. Beyond it the answer is `failed`.
-constexpr int kMaxSteps = 1024;
+/// Each step is certified and gains time. Two or three distances are typical. Beyond the budget the answer is `failed`.
+constexpr int kMaxDistances = 1024;
+/// After so many looks along one axis the next distance will know a better one.
+constexpr int kLooksPerAxis = 8;
+/// A first step of this part of the time that is left is good enough not to look at other holders of the axis.
+constexpr double kGoodStep = 1.0 / 64;
 
-DVec2 toWorld(Rotation rotation, Vec2 v) {
-    const Vec2 world = rotate(rotation, v);
+DVec2 toWorld(Rotation rotation, DVec2 v) {
+    const Vec2 world = rotate(rotation, {v.x, v.y});
     return {world.x, world.y};
 }
 
-Toi answerFrom(const MovingPair& pair, const PairPose& pose, const Sweep& sweepA, ToiState state, int iterations) {
-    const DVec2 origin = centerAt(sweepA, pose.fraction);
-    const CorePoints witnesses = pair.witnessesOf(pose);
-    Toi toi;
-    toi.state = state;
-    toi.fraction = pose.fraction;
-    toi.separation = pose.distance.separation;
-    toi.normal = toWorld(pose.rotationA, pose.distance.normal);
-    toi.pointA = origin + toWorld(pose.rotationA, {witnesses.a.x, witnesses.a.y});
-    toi.pointB = origin + toWorld(pose.rotationA, {witnesses.b.x, witnesses.b.y});
-    toi.iterations = iterations;
-    return toi;
+/// The features that a simplex names, as seen from one of the shapes.
+ToiFeature featureOf(int first, int second) {
+    if (first == second) {
+        return {first, -1};
+    }
+    return {first, second};
 }
 
-bool coresIntersect(const PairPose& pose) { return pose.distance.coreSeparation <= 0; }
+/// One search: where it stands, and what it has proved.
+class Search {
+public:
+    Search(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+           const ToiSettings& settings)
+        : pair_(a, sweepA, b, sweepB),
+          sweepA_(sweepA),
+          settings_(settings),
+          // Steps aim half a tolerance below the target and end half a tolerance above it: the band between is wide
+          // enough for the last step to land in, and what is left on either side is for rounding.
+          level_(settings.target - 0.5 * settings.tolerance),
+          closeEnough_(settings.target + 0.5 * settings.tolerance) {}
 
-/// Out of line: the search is shorter without it.
-[[gnu::noinline, gnu::cold]] void tell(const MovingPair& pair, const PairPose& pose, const Sweep& sweepA,
-                                       const ToiSettings& settings, double next) {
-    const Toi here = answerFrom(pair, pose, sweepA, ToiState::separated, 0);
-    settings.observer->onStep({here.fraction, here.separation, here.normal, here.pointA, here.pointB, next});
-}
+    Toi run() {
+        // Up to here the circles that hold the bodies stay apart.
+        const double start = advanceOfCircles(pair_, 0, settings_.target, settings_.tMax);
+        if (start >= settings_.tMax) {
+            return separated();
+        }
+        pose_ = pair_.poseAt(start);
+        while (iterations_ < kMaxDistances) {
+            findClosest();
+            if (pose_.fraction <= 0 && closest_.coresOverlap()) {
+                return overlapped();
+            }
+            if (closest_.isDeep()) {
+                pair_.measureOverlap(pose_, closest_);
+            }
+            if (closest_.separation <= settings_.target) {
+                return answer(ToiState::hit);
+            }
+            if (!(pose_.fraction < settings_.tMax)) {
+                return separated();
+            }
+            switch (followAxis()) {
+                case End::free:
+                    return separated();
+                case End::hit:
+                    return answer(ToiState::hit);
+                case End::touching:
+                    return answerOnFace();
+                case End::stuck:
+                    return answer(ToiState::failed);
+                case End::newAxis:
+                    break;
+            }
+        }
+        return answer(ToiState::failed);
+    }
 
-/// Up to here the circles that hold the bodies stay apart: the search begins there.
-double firstFraction(const MovingPair& pair, double level, double tMax) {
-    const auto real = [](DVec2 v) { return Vec2{v.x, v.y}; };
-    return advanceOfCircles(pair, real(pair.motion.start), real(pair.motion.velocityAt(0)),
-                            real(pair.motion.curvature), level, tMax);
-}
+private:
+    enum class End : std::uint8_t { free, hit, touching, stuck, newAxis };
+
+    void findClosest() {
+        pair_.findClosest(pose_, cache_, closest_);
+        ++iterations_;
+    }
+
+    /// The axis to follow: held where the closest feature says it is held best, since a face normal turns with its
+    /// body; by someone else where that gains little.
+    SafeAdvance chooseAxis(double rest) {
+        axis_ = hold(pair_, pose_, closest_, closest_.owner);
+        SafeAdvance best = safeAdvance(pair_, pose_, axis_, level_, rest);
+        if (best.step >= kGoodStep * rest || (pair_.motion.spinA == 0 && pair_.motion.spinB == 0)) {
+            return best;
+        }
+        for (const AxisOwner holder : {AxisOwner::world, AxisOwner::a, AxisOwner::b}) {
+            if (holder == closest_.owner) {
+                continue;
+            }
+            const HeldAxis other = hold(pair_, pose_, closest_, holder);
+            if (other.spin == axis_.spin) {
+                continue;
+            }
+            const SafeAdvance advance = safeAdvance(pair_, pose_, other, level_, rest);
+            if (advance.step > best.step) {
+                best = advance;
+                axis_ = other;
+            }
+        }
+        return best;
+    }
+
+    /// Goes along the closest direction as far as it proves the way free.
+    End followAxis() {
+        double rest = settings_.tMax - pose_.fraction;
+        SafeAdvance advance = chooseAxis(rest);
+        double separation = closest_.separation;
+        for (int looks = 0;; ++looks) {
+            const bool free = advance.step >= rest;  // nothing more can happen, even from within the band
+            if (!free && separation <= closeEnough_ && advance.approaches) {
+                return looks == 0 ? End::hit : atEndOfAxis();
+            }
+            const double next = free ? settings_.tMax : pose_.fraction + advance.step;
+            if (settings_.observer != nullptr) {
+                tell(next);
+            }
+            if (free) {
+                return End::free;
+            }
+            if (!(next > pose_.fraction)) {
+                return looks == 0 ? End::stuck : End::newAxis;
+            }
+            if (separation > closeEnough_) {
+                fractionLower_ = pose_.fraction;
+                separationLower_ = separation;
+            }
+            pair_.moveTo(next, pose_);
+            follow(pair_, pose_, advance, axis_);
+            ++rootIterations_;
+            separation = axis_.gap - pair_.radii;
+            if (separation <= settings_.target) {
+                return atEndOfAxis();
+            }
+            if (looks + 1 >= kLooksPerAxis) {
+                return End::newAxis;
+            }
+            rest = settings_.tMax - pose_.fraction;
+            advance = safeAdvance(pair_, pose_, axis_, level_, rest);
+        }
+    }
+
+    /// Along the axis the pair touches. Where the axis is the normal of a face and the other's deepest vertex stands
+    /// over that face, this is the distance.
+    End atEndOfAxis() {
+        if (!closest_.isApart() || closest_.gjk.count < 2 || axis_.holder == AxisOwner::world) {
+            return End::newAxis;
+        }
+        const SupportPair& p = closest_.gjk.simplex[0];
+        const SupportPair& q = closest_.gjk.simplex[1];
+        const bool ofA = axis_.holder == AxisOwner::a;
+        // Where the cores cross the line of the face only the distance knows how deep they are in each other.
+        if (closest_.owner != axis_.holder || !(axis_.gap > 0)) {
+            return End::newAxis;
+        }
+        face_ = ofA ? ToiFeature{p.a, q.a} : ToiFeature{p.b, q.b};
+        const CenteredPolygon& reference = ofA ? pair_.a : pair_.b;
+        const CenteredPolygon& other = ofA ? pair_.b : pair_.a;
+        const Rotation frame = ofA ? pose_.rotationA : pose_.rotationB;
+        const Vec2 offset = ofA ? pose_.offset : -pose_.offset;
+        const Rotation otherFrame = ofA ? pose_.rotationB : pose_.rotationA;
+        const int vertex = ofA ? axis_.b : axis_.a;
+        const int deepest = ofA ? axis_.a : axis_.b;
+        if (deepest != face_.first && deepest != face_.second) {
+            return End::newAxis;
+        }
+        const Vec2 from = reference.vertex(face_.first);
+        const Vec2 edge = reference.vertex(face_.second) - from;
+        const Vec2 foot = unrotate(frame, offset + rotate(otherFrame, other.vertex(vertex))) - from;
+        const double along = dot(edge, foot);
+        return along >= 0 && along <= dot(edge, edge) ? End::touching : End::newAxis;
+    }
+
+    Toi answerOnFace() const {
+        const bool ofA = axis_.holder == AxisOwner::a;
+        const DVec2 normal{axis_.normal.x, axis_.normal.y};
+        const DVec2 center = centerAt(sweepA_, pose_.fraction);
+        const DVec2 offset{pose_.offset.x, pose_.offset.y};
+        Toi toi = bare(ToiState::hit);
+        toi.separation = axis_.gap - pair_.radii;
+        toi.normal = normal;
+        if (ofA) {
+            const DVec2 b = offset + toWorld(pose_.rotationB, toDouble(pair_.b.vertex(axis_.b)));
+            toi.pointB = center + (b + (-pair_.b.polygon().radius) * normal);
+            toi.pointA = center + (b + (pair_.a.polygon().radius - axis_.gap) * normal);
+            toi.featureA = face_;
+            toi.featureB = {axis_.b, -1};
+        } else {
+            const DVec2 a = toWorld(pose_.rotationA, toDouble(pair_.a.vertex(axis_.a)));
+            toi.pointA = center + (a + pair_.a.polygon().radius * normal);
+            toi.pointB = center + (a + (axis_.gap - pair_.b.polygon().radius) * normal);
+            toi.featureA = {axis_.a, -1};
+            toi.featureB = face_;
+        }
+        return toi;
+    }
+
+    Toi separated() {
+        if (settings_.detail == ToiDetail::event) {
+            pose_.fraction = settings_.tMax;
+            Toi toi = bare(ToiState::separated);
+            toi.fractionLower = settings_.tMax;
+            return toi;
+        }
+        if (iterations_ == 0 || pose_.fraction < settings_.tMax) {
+            pose_ = pair_.poseAt(settings_.tMax);
+            findClosest();
+            if (closest_.isDeep()) {
+                pair_.measureOverlap(pose_, closest_);
+            }
+        }
+        return answer(ToiState::separated);
+    }
+
+    Toi overlapped() {
+        if (settings_.detail != ToiDetail::depth) {
+            return bare(ToiState::overlapped);
+        }
+        if (closest_.isDeep()) {
+            pair_.measureOverlap(pose_, closest_);
+        }
+        return answer(ToiState::overlapped);
+    }
+
+    Toi bare(ToiState state) const {
+        Toi toi;
+        toi.state = state;
+        toi.fraction = pose_.fraction;
+        toi.fractionLower = fractionLower_;
+        toi.separationLower = separationLower_;
+        toi.iterations = iterations_;
+        toi.rootIterations = rootIterations_;
+        return toi;
+    }
+
+    /// The closest features at the present pose.
+    Toi answer(ToiState state) const {
+        const DVec2 center = centerAt(sweepA_, pose_.fraction);
+        const CorePoints witnesses = pair_.witnessesOf(pose_, closest_);
+        Toi toi = bare(state);
+        toi.separation = closest_.separation;
+        toi.normal = toWorld(pose_.rotationA, toDouble(closest_.normal));
+        toi.pointA = center + toWorld(pose_.rotationA, witnesses.a);
+        toi.pointB = center + toWorld(pose_.rotationA, witnesses.b);
+        if (closest_.isApart()) {
+            const SupportPair& p = closest_.gjk.simplex[0];
+            const SupportPair& q = closest_.gjk.simplex[closest_.gjk.count > 1 ? 1 : 0];
+            toi.featureA = featureOf(p.a, q.a);
+            toi.featureB = featureOf(p.b, q.b);
+        }
+        if (state != ToiState::hit || pose_.fraction <= 0) {
+            toi.fractionLower = toi.fraction;
+            toi.separationLower = toi.separation;
+        }
+        return toi;
+    }
+
+    /// Out of line: the search is shorter without it.
+    [[gnu::noinline, gnu::cold]] void tell(double next) const {
+        SimplexCache cold;
+        Search here(*this);
+        here.pair_.findClosest(pose_, cold, here.closest_);
+        if (here.closest_.isDeep()) {
+            here.pair_.measureOverlap(pose_, here.closest_);
+        }
+        const Toi toi = here.answer(ToiState::separated);
+        settings_.observer->onStep({toi.fraction, toi.separation, toi.normal, toi.pointA, toi.pointB, next});
+    }
+
+    MovingPair pair_;
+    const Sweep& sweepA_;
+    const ToiSettings& settings_;
+    double level_;
+    double closeEnough_;
+    PairPose pose_;
+    SimplexCache cache_;
+    Closest closest_;
+    HeldAxis axis_;
+    ToiFeature face_;
+    double fractionLower_ = 0;
+    double separationLower_ = 0;
+    int iterations_ = 0;
+    int rootIterations_ = 0;
+
+    friend Toi swept::separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                                   double fraction);
+};
 
 Sweep withoutRotation(const Sweep& sweep) {
     Sweep result = sweep;
@@ -57,31 +307,7 @@ Sweep withoutRotation(const Sweep& sweep) {
 
 Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                  const ToiSettings& settings) {
-    const MovingPair pair(a, sweepA, b, sweepB);
-    // Steps aim half a tolerance below the target and end half a tolerance above it: the band between is wide enough for
-    // the last step to land in, and what is left on either side is for rounding.
-    const double level = settings.target - 0.5 * settings.tolerance;
-    const double closeEnough = settings.target + 0.5 * settings.tolerance;
-    SimplexCache cache;
-    PairPose pose = pair.emptyPose();
-    pair.moveTo(firstFraction(pair, settings.target, settings.tMax), pose, cache);
-    if (coresIntersect(pose) && pose.fraction <= 0) { return answerFrom(pair, pose, sweepA, ToiState::overlapped, 1); }
-
-    for (int steps = 1; steps <= kMaxSteps; ++steps) {
-        const double separation = pose.distance.separation;
-        if (separation <= settings.target) { return answerFrom(pair, pose, sweepA, ToiState::hit, steps); }
-        const double rest = settings.tMax - pose.fraction;
-        if (!(rest > 0)) { return answerFrom(pair, pose, sweepA, ToiState::separated, steps); }
-
-        const double advance = safeAdvance(pair, pose, level, rest);
-        const bool free = advance >= rest;  // nothing more can happen, even from within the band
-        if (!free && separation <= closeEnough) { return answerFrom(pair, pose, sweepA, ToiState::hit, steps); }
-        const double next = free ? settings.tMax : pose.fraction + advance;
-        if (settings.observer != nullptr) { tell(pair, pose, sweepA, settings, next); }
-        if (!(next > pose.fraction)) { return answerFrom(pair, pose, sweepA, ToiState::failed, steps); }
-        pair.moveTo(next, pose, cache);
-    }
-    return answerFrom(pair, pose, sweepA, ToiState::failed, kMaxSteps + 1);
+    return Search(a, sweepA, b, sweepB, settings).run();
 }
 
 Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
@@ -94,15 +320,24 @@ Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, con
 double certainUntil(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                     const ToiSettings& settings, double fraction, double level) {
     const MovingPair pair(a, sweepA, b, sweepB);
+    const PairPose pose = pair.poseAt(fraction);
     SimplexCache cache;
-    return fraction + safeAdvance(pair, pair.poseAt(fraction, cache), level, settings.tMax - fraction);
+    Closest closest;
+    pair.findClosest(pose, cache, closest);
+    if (closest.isDeep()) {
+        pair.measureOverlap(pose, closest);
+    }
+    return fraction + bestAdvance(pair, pose, closest, level, settings.tMax - fraction);
 }
 
 Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction) {
-    const MovingPair pair(a, sweepA, b, sweepB);
-    SimplexCache cache;
-    const PairPose pose = pair.poseAt(fraction, cache);
-    return answerFrom(pair, pose, sweepA, coresIntersect(pose) ? ToiState::overlapped : ToiState::separated, 1);
+    Search search(a, sweepA, b, sweepB, {});
+    search.pose_ = search.pair_.poseAt(fraction);
+    search.findClosest();
+    if (search.closest_.isDeep()) {
+        search.pair_.measureOverlap(search.pose_, search.closest_);
+    }
+    return search.answer(search.closest_.coresOverlap() ? ToiState::overlapped : ToiState::separated);
 }
 
 }  // namespace swept

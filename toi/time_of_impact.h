@@ -18,12 +18,21 @@ struct ToiPolygon {
 
 class ToiObserver;
 
+/// How much an answer tells beyond the event. The event (state, fraction, certificate, iterations) is the same for all.
+enum class ToiDetail : std::uint8_t {
+    event,  ///< of pairs that are separated at the end or overlap at the start no separation, normal, points, features
+            ///< (0)
+    contact,  ///< of pairs that overlap at the start none of these
+    depth,    ///< all
+};
+
 /// Lengths in metres, fraction without unit.
 struct ToiSettings {
-    double target = 0;     ///< separation that counts as touching; target + rA + rB ≥ 0
-    double tolerance = 0;  ///< greater than 0
-    double tMax = 1;       ///< search [0, tMax], 0 < tMax ≤ 1
-    ToiObserver* observer = nullptr;  ///< is told of every step (toi_observer.h); changes nothing
+    double target = 0;                    ///< separation that counts as touching; target + rA + rB ≥ 0
+    double tolerance = 0;                 ///< greater than 0
+    double tMax = 1;                      ///< search [0, tMax], 0 < tMax ≤ 1
+    ToiDetail detail = ToiDetail::depth;  ///< what is not asked for is not paid for
+    ToiObserver* observer = nullptr;      ///< is told of every step of `timeOfImpact` (toi_observer.h); changes nothing
 };
 
 /// Default target 2⁻¹⁰ of the pair's extent (the smaller non-zero one of the two shapes'), tolerance a quarter of it.
@@ -36,6 +45,14 @@ enum class ToiState : std::uint8_t {
     failed,      ///< the budget ran out: `fraction` is safe (no contact before it), nothing is known beyond
 };
 
+/// A vertex (`second` −1) or the edge between two vertices of a polygon, by their indices; none: both −1.
+struct ToiFeature {
+    int first = -1;
+    int second = -1;
+
+    constexpr bool operator==(const ToiFeature&) const = default;
+};
+
 struct Toi {
     ToiState state = ToiState::failed;
     double fraction = 0;    ///< hit, failed: see there; separated: tMax; overlapped: 0
@@ -43,7 +60,16 @@ struct Toi {
     DVec2 normal;           ///< unit, from A to B, world, at `fraction`
     DVec2 pointA;           ///< witness points on the rounded surfaces, world, at `fraction`
     DVec2 pointB;
-    int iterations = 0;     ///< distance evaluations
+    ToiFeature featureA;  ///< what touches, or is closest; none where the polygons overlap
+    ToiFeature featureB;
+    /// The other end of the bracket, with `fraction` the certificate of a hit: the last fraction before it that was
+    /// looked at. The separation is above target − tolerance on all of [0, fractionLower] and at least
+    /// `separationLower` at its end; after it, it falls to that of the hit. Hit at 0, overlapped: 0; separated, failed:
+    /// `fraction`.
+    double fractionLower = 0;
+    double separationLower = 0;  ///< a lower bound, above target + tolerance/2, unless the hit is at 0
+    int iterations = 0;          ///< distances found, of which each gives an axis
+    int rootIterations = 0;      ///< looks along these axes between the distances
 };
 
 /// First fraction at which the separation of two moving polygons falls to the target. At every earlier fraction the

@@ -46,6 +46,7 @@ TEST_P(ToiObserved, StepsLeadToTheSameAnswer) {
                 reached = step.fraction;
             }
             if (!diary.steps.empty()) { ASSERT_EQ(diary.steps.back().next, toi.fraction) << "it ends where it went last"; }
+            ASSERT_LE(static_cast<int>(diary.steps.size()), toi.iterations + toi.rootIterations);
             watched += static_cast<int>(diary.steps.size());
         }
     }
