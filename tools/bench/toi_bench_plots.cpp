@@ -24,7 +24,8 @@ const char* const kStyle =
     "set style line 3 lc rgb '#e377c2' pt 3\nset style line 4 lc rgb '#2ca02c' pt 5\n"
     "set style line 5 lc rgb '#1f77b4' pt 7\nset style line 6 lc rgb '#ff7f0e' pt 9\n"
     "set style line 7 lc rgb '#9467bd' pt 11\nset style line 8 lc rgb '#d62728' pt 13\n"
-    "set style line 9 lc rgb '#000000' pt 4\nset style line 10 lc rgb '#17becf' pt 6\n";
+    "set style line 9 lc rgb '#000000' pt 4\nset style line 10 lc rgb '#17becf' pt 6\n"
+    "set style line 11 lc rgb '#6b5b00' pt 8\nset style line 12 lc rgb '#9edae5' pt 10\n";
 
 const char* const kPercentAxis =
     "set logscale y\nset yrange [0.0007:150]\n"
@@ -50,8 +51,8 @@ void writeCostData(std::ostream& out, std::span<const ToiBenchRow> rows) {
 void writeCostScript(std::ostream& out, std::span<const ToiBenchRow> rows) {
     out << kStyle << kPercentAxis
         << "set output 'toi-cost.png'\nset title 'Accuracy against cost, all families'\n"
-           "set logscale x\nset xrange [200:30000]\nset xlabel 'ns per query (geometric mean over the families)'\n"
-           "set xtics (200, 500, 1000, 2000, 5000, 10000, 20000)\n"
+           "set logscale x\nset xrange [200:60000]\nset xlabel 'ns per query (geometric mean over the families)'\n"
+           "set xtics (200, 500, 1000, 2000, 5000, 10000, 20000, 50000)\n"
            "set ylabel 'share of the answers'\nset key outside right top\n"
            "plot 'toi-cost.dat' using 2:3:(0):($4-$3) with vectors nohead lw 2 lc rgb '#bbbbbb' notitle, \\\n"
            "     '' using 2:4 with points pt 6 ps 2.4 lw 1 lc rgb '#777777' title 'ring: wrong in any way'";
