@@ -80,6 +80,7 @@ void updateContact(const WorldState& world, Contact& contact) {
     contact.manifold = manifoldOf(a, b, bInA, contactReach(world, a) + contactReach(world, b));
     carryImpulses(before, contact);
     contact.totalImpulse = {};
+    contact.pressed = contact.pressed && contact.manifold.count > 0;
 }
 
 bool isTouching(const Contact& contact) {

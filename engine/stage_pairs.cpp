@@ -33,17 +33,21 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
 
 }  // namespace
 
+bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    if (!mayTouch(world, world.shapes[a], world.shapes[b]) || !world.pairs.insert(a, b)) { return false; }
+    if (!comesFirst(world, a, b)) { std::swap(a, b); }
+    world.contacts.push_back(contactOf(world, a, b));
+    ++world.counters.pairsFound;
+    return true;
+}
+
 void findPairs(WorldState& world) {
     const std::uint64_t testsBefore = world.broadphase->counters().boxTests;
     world.broadphase->pairs(world.newPairs);
     world.counters.boxTests = world.broadphase->counters().boxTests - testsBefore;
     for (const ProxyPair& pair : world.newPairs) {
-        std::uint32_t a = world.proxyShapes[static_cast<std::uint32_t>(pair.a)];
-        std::uint32_t b = world.proxyShapes[static_cast<std::uint32_t>(pair.b)];
-        if (!mayTouch(world, world.shapes[a], world.shapes[b]) || !world.pairs.insert(a, b)) { continue; }
-        if (!comesFirst(world, a, b)) { std::swap(a, b); }
-        world.contacts.push_back(contactOf(world, a, b));
-        ++world.counters.pairsFound;
+        addContact(world, world.proxyShapes[static_cast<std::uint32_t>(pair.a)],
+                   world.proxyShapes[static_cast<std::uint32_t>(pair.b)]);
     }
 }
 

@@ -14,6 +14,8 @@ void reachAhead(WorldState& world);
 void limitWays(WorldState& world, double dt);
 /// Pairs of boxes that began to overlap become contacts (stage_pairs.cpp).
 void findPairs(WorldState& world);
+/// @return false when the two may not touch, or have a contact already
+bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
 /// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is touched (stage_collide.cpp).
 void collideContacts(WorldState& world);
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
@@ -26,6 +28,8 @@ void solveTiedBodies(WorldState& world, Real dt);
 void moveKinematicBodies(WorldState& world, double dt);
 /// Flyers, and fast bodies held at their impacts (stage_continuous.cpp).
 void sweepFastBodies(WorldState& world, double dt);
+/// Begin and end of what passed sensors within the step, at its time (mode_sensors.cpp).
+void sweepSensors(WorldState& world, double dt);
 /// A body whose state is no number any more, or one too large to compute with (`kLargestNumber`), stays where it was at the
 /// start of the step, at rest, and is counted (stage_guard.cpp). Only inputs at the ends of what can be written do that.
 void putBackOverflown(WorldState& world);

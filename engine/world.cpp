@@ -89,6 +89,7 @@ void advance(WorldState& world, double dt) {
     sweepFastBodies(world, dt);
     moveKinematicBodies(world, dt);
     putBackOverflown(world);
+    sweepSensors(world, dt);
     clock.stop(world.stageTimes.continuous);
     clearForces(world);
     breakJoints(world);

@@ -88,6 +88,7 @@ Status World::destroyBody(BodyId id) {
     Body& body = world.bodies[id.index];
     for (const std::uint32_t slot : body.shapes) {
         (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
+        world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;
         world.shapes.erase(world.shapes.idOf(slot));
     }
     world.thinnestWall.reset();

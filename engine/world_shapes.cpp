@@ -62,6 +62,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     stored.head = id->index;
     remember(world, proxy.value(), id->index);
     world.bodies[body].shapes.push_back(id->index);
+    world.sensorShapes += stored.def.sensor ? 1U : 0U;
     return *id;
 }
 
@@ -71,6 +72,7 @@ void removeOne(WorldState& world, std::uint32_t slot) {
     removeContacts(world, [slot](const Contact& c) { return c.shapeA == slot || c.shapeB == slot; });
     std::erase(world.bodies[body].shapes, slot);
     world.thinnestWall.reset();
+    world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;
     world.shapes.erase(world.shapes.idOf(slot));
 }
 

@@ -24,6 +24,28 @@ struct ChainTouch {
     auto operator<=>(const ChainTouch&) const = default;
 };
 
+/// A sensor and a shape that may pass it within the step.
+struct SensorPair {
+    std::uint32_t sensor = 0;  ///< slots
+    std::uint32_t other = 0;
+    auto operator<=>(const SensorPair&) const = default;
+};
+
+/// Where the centre of a body was at a fraction of the step.
+struct Waypoint {
+    double fraction = 0;
+    DVec2 center{};
+    double angle = 0;
+};
+
+/// Scratch of mode_sensors.cpp, kept for its capacity.
+struct SensorSweeps {
+    std::vector<SensorPair> pairs;
+    std::vector<Waypoint> ofSensor;
+    std::vector<Waypoint> ofOther;
+    std::vector<double> fractions;
+};
+
 /// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`.
 struct WorldState {
     WorldSettings settings;
@@ -36,6 +58,8 @@ struct WorldState {
     SlotPool<Joint, JointId> joints;
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;  ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::uint32_t sensorShapes = 0;
+    SensorSweeps sensorSweeps;
     std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
     std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any

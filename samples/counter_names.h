@@ -28,6 +28,7 @@ inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::
     {"sweeps", &StepCounters::sweeps},
     {"toiCalls", &StepCounters::toiCalls},
     {"toiIterations", &StepCounters::toiIterations},
+    {"sensorSweeps", &StepCounters::sensorSweeps},
     {"impacts", &StepCounters::impacts},
     {"aheadContacts", &StepCounters::aheadContacts},
     {"speedsLimited", &StepCounters::speedsLimited},

@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "modes.h"
+#include "step.h"
+#include "sweep_obstacles.h"
+#include "tolerances.h"
+
+/// Sensors are looked at where the bodies stand at the start of a step (stage_collide.cpp). What moves fast may be in and
+/// out again between two looks: here its whole way is followed, impact by impact, past the sensors along it.
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+bool isFast(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    if (!isSwept(modeOf(world, body))) { return false; }
+    const BodyMotion& motion = world.motions[slot];
+    const double way = length(motion.center - body.startCenter) +
+                       std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
+    const bool hit = std::any_of(world.impactPoses.begin(), world.impactPoses.end(),
+                                 [slot](const ImpactPose& pose) { return pose.body.index == slot; });
+    return hit || way > static_cast<double>(kFastRatio * body.extent);
+}
+
+/// Start, impacts and end of a body's way in this step.
+void findWaypoints(const WorldState& world, std::uint32_t slot, std::vector<Waypoint>& points) {
+    const Body& body = world.bodies[slot];
+    points.clear();
+    points.push_back({0, body.startCenter, body.startAngle});
+    for (const ImpactPose& pose : world.impactPoses) {
+        if (pose.body.index != slot) { continue; }
+        const DVec2 arm = toDouble(rotate(rotationFromAngle(pose.angle), body.localCenter));
+        points.push_back({pose.fraction, pose.position + arm, pose.angle});
+    }
+    std::stable_sort(points.begin(), points.end(),
+                     [](const Waypoint& a, const Waypoint& b) { return a.fraction < b.fraction; });
+    if (points.back().fraction < 1) {
+        points.push_back({1, world.motions[slot].center, world.motions[slot].angle});
+    }
+}
+
+/// The way between two fractions that have no waypoint between them. A flyer's is a parabola.
+Sweep wayBetween(const WorldState& world, std::uint32_t slot, const std::vector<Waypoint>& points, double from,
+                 double to, double dt) {
+    const Body& body = world.bodies[slot];
+    auto next = std::find_if(points.begin() + 1, points.end(), [from](const Waypoint& p) { return p.fraction > from; });
+    if (next == points.end()) { --next; }
+    const Waypoint& end = *next;
+    const Waypoint& start = *(next - 1);
+    Sweep sweep{.localCenter = toDouble(body.localCenter),
+                .c0 = start.center,
+                .c1 = end.center,
+                .a0 = start.angle,
+                .a1 = end.angle};
+    const double time = (end.fraction - start.fraction) * dt;
+    if (!(time > 0)) { return sweep; }
+    const bool stands = start.center == end.center;
+    if (body.role == BodyRole::flyer && !stands) {
+        sweep.k = (0.5 * time * time) * toDouble(accelerationOf(world, body));
+    }
+    const double whole = end.fraction - start.fraction;
+    return part(sweep, std::clamp((from - start.fraction) / whole, 0.0, 1.0),
+                std::clamp((to - start.fraction) / whole, 0.0, 1.0));
+}
+
+Sweep backwards(const Sweep& sweep) {
+    Sweep result = sweep;
+    std::swap(result.c0, result.c1);
+    std::swap(result.a0, result.a1);
+    return result;
+}
+
+bool isInside(const Toi& toi) { return toi.state == ToiState::overlapped || toi.separation <= 0; }
+bool meets(const Toi& toi) { return toi.state == ToiState::hit || toi.state == ToiState::overlapped; }
+
+/// One sensor, one shape, and what is known of them.
+struct Watch {
+    WorldState& world;
+    SensorPair pair;
+    ToiPolygon sensor;
+    ToiPolygon other;
+    ToiSettings settings;
+    bool inside = false;
+
+    Toi firstTouch(const Sweep& sensorWay, const Sweep& otherWay) const {
+        const Toi toi = timeOfImpact(sensor, sensorWay, other, otherWay, settings);
+        ++world.counters.toiCalls;
+        world.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+        return toi;
+    }
+    void announce(ContactEventType type, double fraction) const {
+        const Shape& a = world.shapes[pair.sensor];
+        const Shape& b = world.shapes[pair.other];
+        world.contactEvents.push_back({.type = type,
+                                       .shapeA = world.shapes.idOf(a.head),
+                                       .shapeB = world.shapes.idOf(b.head),
+                                       .bodyA = world.bodies.idOf(a.body),
+                                       .bodyB = world.bodies.idOf(b.body),
+                                       .fraction = fraction});
+    }
+};
+
+/// A stretch of the step without impacts of either: at most one begin and one end. The last time of touching is the first
+/// one of the way back.
+void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, double from, double to) {
+    const bool endsInside = isInside(separationAt(watch.sensor, sensorWay, watch.other, otherWay, 1));
+    double began = from;
+    if (!watch.inside) {
+        const Toi toi = watch.firstTouch(sensorWay, otherWay);
+        if (!meets(toi)) { return; }
+        began = from + toi.fraction * (to - from);
+        watch.announce(ContactEventType::sensorBegin, began);
+        watch.inside = true;
+    }
+    if (endsInside) { return; }
+    const Toi back = watch.firstTouch(backwards(sensorWay), backwards(otherWay));
+    const double left = meets(back) ? to - back.fraction * (to - from) : began;
+    watch.announce(ContactEventType::sensorEnd, std::max(began, left));
+    watch.inside = false;
+}
+
+/// What the next look at the start of a step goes on from.
+void remember(WorldState& world, const SensorPair& pair, Contact* contact, bool inside) {
+    if (contact == nullptr) {
+        if (!inside || !addContact(world, pair.sensor, pair.other)) { return; }
+        contact = &world.contacts.back();
+    }
+    contact->touching = inside;
+}
+
+bool isPair(const WorldState& world, const Shape& sensor, const Shape& other) {
+    return sensor.def.sensor && !other.def.sensor && world.bodies[other.body].def.type != BodyType::fixed &&
+           mayTouch(world, sensor, other);
+}
+
+/// Pairs of sensors and shapes of which one belongs to the body, and whose boxes meet on its way.
+void findPairsOnWay(WorldState& world, std::uint32_t slot) {
+    SensorSweeps& sweeps = world.sensorSweeps;
+    findWaypoints(world, slot, sweeps.ofSensor);
+    DVec2 lower = sweeps.ofSensor.front().center;
+    DVec2 upper = lower;
+    for (const Waypoint& point : sweeps.ofSensor) {
+        lower = {std::min(lower.x, point.center.x), std::min(lower.y, point.center.y)};
+        upper = {std::max(upper.x, point.center.x), std::max(upper.y, point.center.y)};
+    }
+    for (const std::uint32_t own : world.bodies[slot].shapes) {
+        const Shape& mine = world.shapes[own];
+        const Real reach = radiusAbout(mine.polygon, world.bodies[slot].localCenter) + kTargetRatio * mine.extent;
+        world.broadphase->query(grown(roundedOutward(lower, upper), reach), [&](ProxyId id) {
+            const std::uint32_t found = world.proxyShapes[static_cast<std::uint32_t>(id)];
+            if (isPair(world, world.shapes[found], mine)) { sweeps.pairs.push_back({found, own}); }
+            if (isPair(world, mine, world.shapes[found])) { sweeps.pairs.push_back({own, found}); }
+            return true;
+        });
+    }
+}
+
+Contact* contactOfPair(WorldState& world, const SensorPair& pair) {
+    const auto found = std::find_if(world.contacts.begin(), world.contacts.end(), [&](const Contact& contact) {
+        return contact.shapeA == pair.sensor && contact.shapeB == pair.other;
+    });
+    return found != world.contacts.end() ? &*found : nullptr;
+}
+
+void watchPair(WorldState& world, const SensorPair& pair, double dt) {
+    SensorSweeps& sweeps = world.sensorSweeps;
+    const Shape& sensor = world.shapes[pair.sensor];
+    const Shape& other = world.shapes[pair.other];
+    Contact* const contact = contactOfPair(world, pair);
+    const auto extent = static_cast<double>(std::min(sensor.extent, other.extent));
+    Watch watch{world,
+                pair,
+                toiPolygonOf(sensor.polygon),
+                toiPolygonOf(other.polygon),
+                {.target = 0, .tolerance = static_cast<double>(kToleranceRatio) * extent},
+                contact != nullptr && contact->touching};
+    findWaypoints(world, sensor.body, sweeps.ofSensor);
+    findWaypoints(world, other.body, sweeps.ofOther);
+    sweeps.fractions.clear();
+    for (const auto* const points : {&sweeps.ofSensor, &sweeps.ofOther}) {
+        for (const Waypoint& point : *points) { sweeps.fractions.push_back(point.fraction); }
+    }
+    std::sort(sweeps.fractions.begin(), sweeps.fractions.end());
+    for (std::size_t i = 1; i < sweeps.fractions.size(); ++i) {
+        const double from = sweeps.fractions[i - 1];
+        const double to = sweeps.fractions[i];
+        if (!(to > from)) { continue; }
+        watchStretch(watch, wayBetween(world, sensor.body, sweeps.ofSensor, from, to, dt),
+                     wayBetween(world, other.body, sweeps.ofOther, from, to, dt), from, to);
+    }
+    ++world.counters.sensorSweeps;
+    remember(world, pair, contact, watch.inside);
+}
+
+}  // namespace
+
+void sweepSensors(WorldState& world, double dt) {
+    if (world.sensorShapes == 0) { return; }
+    std::vector<SensorPair>& pairs = world.sensorSweeps.pairs;
+    pairs.clear();
+    for (const std::uint32_t slot : world.awake) {
+        if (isFast(world, slot)) { findPairsOnWay(world, slot); }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const SensorPair& pair : pairs) { watchPair(world, pair, dt); }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
