@@ -128,7 +128,14 @@ struct AxisProblem {
     }
 };
 
-Vec2 inWorld(const PairPose& pose, const HeldAxis& axis) {
+void setHolder(const MovingPair& pair, HeldAxis& axis, AxisOwner holder) {
+    axis.holder = holder;
+    axis.spin = holder == AxisOwner::a ? pair.motion.spinA : (holder == AxisOwner::b ? pair.motion.spinB : 0);
+}
+
+}  // namespace
+
+Vec2 directionAt(const PairPose& pose, const HeldAxis& axis) {
     switch (axis.holder) {
         case AxisOwner::a:
             return rotate(pose.rotationA, axis.inA);
@@ -139,13 +146,6 @@ Vec2 inWorld(const PairPose& pose, const HeldAxis& axis) {
     }
     return axis.normal;
 }
-
-void setHolder(const MovingPair& pair, HeldAxis& axis, AxisOwner holder) {
-    axis.holder = holder;
-    axis.spin = holder == AxisOwner::a ? pair.motion.spinA : (holder == AxisOwner::b ? pair.motion.spinB : 0);
-}
-
-}  // namespace
 
 HeldAxis hold(const MovingPair& pair, const PairPose& pose, const Closest& closest, AxisOwner holder) {
     if (!closest.isApart()) {
@@ -206,7 +206,7 @@ SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const Held
 }
 
 void follow(const MovingPair& pair, const PairPose& pose, const SafeAdvance& advance, HeldAxis& axis) {
-    axis.normal = inWorld(pose, axis);
+    axis.normal = directionAt(pose, axis);
     if (axis.holder != AxisOwner::a) {
         axis.inA = unrotate(pose.rotationA, axis.normal);
     }

@@ -23,6 +23,9 @@ HeldAxis hold(const MovingPair& pair, const PairPose& pose, const Closest& close
 /// @param normal  unit, world axes.
 HeldAxis hold(const MovingPair& pair, const PairPose& pose, Vec2 normal, AxisOwner holder);
 
+/// Where a held axis points at a pose, world axes.
+Vec2 directionAt(const PairPose& pose, const HeldAxis& axis);
+
 /// Vertices of a convex polygon that lie side by side.
 struct VertexRun {
     int first = 0;

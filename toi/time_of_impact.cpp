@@ -34,30 +34,58 @@ class Search {
 public:
     Search(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
            const ToiSettings& settings)
-        : pair_(a, sweepA, b, sweepB),
-          sweepA_(sweepA),
-          settings_(settings),
-          // Steps aim half a tolerance below the target and end half a tolerance above it: the band between is wide
-          // enough for the last step to land in, and what is left on either side is for rounding.
-          level_(settings.target - 0.5 * settings.tolerance),
-          closeEnough_(settings.target + 0.5 * settings.tolerance) {}
+        : pair_(a, sweepA, b, sweepB), sweepA_(sweepA), settings_(settings) {
+        setTarget(settings.target);
+    }
 
     Toi run() {
         // Up to here the circles that hold the bodies stay apart.
-        const double start = advanceOfCircles(pair_, 0, settings_.target, settings_.tMax);
+        const double start = advanceOfCircles(pair_, 0, target_, settings_.tMax);
         if (start >= settings_.tMax) {
             return separated();
         }
         pose_ = pair_.poseAt(start);
+        findClosest();
+        if (pose_.fraction <= 0 && closest_.coresOverlap()) {
+            return overlapped();
+        }
+        if (closest_.isDeep()) {
+            pair_.measureOverlap(pose_, closest_);
+        }
+        return search();
+    }
+
+    Toi runInContact(DVec2 axis) {
+        inContact_ = true;
+        pose_ = pair_.poseAt(0);
+        remembered_ = hold(pair_, pose_, Vec2{axis.x, axis.y}, AxisOwner::a);
+        look();
+        setTarget(std::min(target_, closest_.separation - 2 * settings_.tolerance));
+        return search();
+    }
+
+    Toi separationAt(double fraction) {
+        pose_ = pair_.poseAt(fraction);
+        look();
+        return answer(closest_.coresOverlap() ? ToiState::overlapped : ToiState::separated);
+    }
+
+private:
+    enum class End : std::uint8_t { free, hit, touching, stuck, newAxis };
+
+    void setTarget(double target) {
+        target_ = target;
+        // Steps aim half a tolerance below the target and end half a tolerance above it: the band between is wide
+        // enough for the last step to land in, and what is left on either side is for rounding.
+        level_ = target - 0.5 * settings_.tolerance;
+        closeEnough_ = target + 0.5 * settings_.tolerance;
+    }
+
+    Toi search() {
+        separationLower_ = closest_.separation;
+        fractionLower_ = pose_.fraction;
         while (iterations_ < kMaxDistances) {
-            findClosest();
-            if (pose_.fraction <= 0 && closest_.coresOverlap()) {
-                return overlapped();
-            }
-            if (closest_.isDeep()) {
-                pair_.measureOverlap(pose_, closest_);
-            }
-            if (closest_.separation <= settings_.target) {
+            if (closest_.separation <= target_) {
                 return answer(ToiState::hit);
             }
             if (!(pose_.fraction < settings_.tMax)) {
@@ -73,23 +101,49 @@ public:
                 case End::stuck:
                     return answer(ToiState::failed);
                 case End::newAxis:
-                    break;
+                    look();
             }
         }
         return answer(ToiState::failed);
     }
-
-private:
-    enum class End : std::uint8_t { free, hit, touching, stuck, newAxis };
 
     void findClosest() {
         pair_.findClosest(pose_, cache_, closest_);
         ++iterations_;
     }
 
+    /// Separation and closest direction at the pose.
+    void look() {
+        findClosest();
+        if (inContact_ && closest_.isApart()) {
+            remembered_ = hold(pair_, pose_, closest_, closest_.owner);
+        } else if (inContact_) {
+            lookAlongRemembered();
+        } else if (closest_.isDeep()) {
+            pair_.measureOverlap(pose_, closest_);
+        }
+    }
+
+    void lookAlongRemembered() {
+        remembered_ = hold(pair_, pose_, directionAt(pose_, remembered_), remembered_.holder);
+        closest_.gjk.encloses = false;  // measured, that is: not by its depth, but by this
+        closest_.coreSeparation = remembered_.gap;
+        closest_.separation = remembered_.gap - pair_.radii;
+        closest_.normal = remembered_.inA;
+        closest_.owner = remembered_.holder;
+        const Vec2 b = unrotate(pose_.rotationA, pose_.offset + rotate(pose_.rotationB, pair_.b.vertex(remembered_.b)));
+        const DVec2 normal = toDouble(closest_.normal);
+        closest_.exactPoints.b = toDouble(b) + (-pair_.b.polygon().radius) * normal;
+        closest_.exactPoints.a = closest_.exactPoints.b + (-closest_.separation) * normal;
+    }
+
     /// The axis to follow: held where the closest feature says it is held best, since a face normal turns with its
     /// body; by someone else where that gains little.
     SafeAdvance chooseAxis(double rest) {
+        if (inContact_ && !closest_.isApart()) {
+            axis_ = remembered_;
+            return safeAdvance(pair_, pose_, axis_, level_, rest);
+        }
         axis_ = hold(pair_, pose_, closest_, closest_.owner);
         SafeAdvance best = safeAdvance(pair_, pose_, axis_, level_, rest);
         if (best.step >= kGoodStep * rest || (pair_.motion.spinA == 0 && pair_.motion.spinB == 0)) {
@@ -140,7 +194,7 @@ private:
             follow(pair_, pose_, advance, axis_);
             ++rootIterations_;
             separation = axis_.gap - pair_.radii;
-            if (separation <= settings_.target) {
+            if (separation <= target_) {
                 return atEndOfAxis();
             }
             if (looks + 1 >= kLooksPerAxis) {
@@ -211,14 +265,12 @@ private:
             pose_.fraction = settings_.tMax;
             Toi toi = bare(ToiState::separated);
             toi.fractionLower = settings_.tMax;
+            toi.separationLower = 0;
             return toi;
         }
         if (iterations_ == 0 || pose_.fraction < settings_.tMax) {
             pose_ = pair_.poseAt(settings_.tMax);
-            findClosest();
-            if (closest_.isDeep()) {
-                pair_.measureOverlap(pose_, closest_);
-            }
+            look();
         }
         return answer(ToiState::separated);
     }
@@ -237,6 +289,7 @@ private:
         Toi toi;
         toi.state = state;
         toi.fraction = pose_.fraction;
+        toi.target = target_;
         toi.fractionLower = fractionLower_;
         toi.separationLower = separationLower_;
         toi.iterations = iterations_;
@@ -281,20 +334,20 @@ private:
     MovingPair pair_;
     const Sweep& sweepA_;
     const ToiSettings& settings_;
-    double level_;
-    double closeEnough_;
+    double target_ = 0;
+    double level_ = 0;
+    double closeEnough_ = 0;
+    bool inContact_ = false;
     PairPose pose_;
     SimplexCache cache_;
     Closest closest_;
     HeldAxis axis_;
+    HeldAxis remembered_;  ///< in contact: along which overlap is measured
     ToiFeature face_;
     double fractionLower_ = 0;
     double separationLower_ = 0;
     int iterations_ = 0;
     int rootIterations_ = 0;
-
-    friend Toi swept::separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
-                                   double fraction);
 };
 
 Sweep withoutRotation(const Sweep& sweep) {
@@ -308,6 +361,11 @@ Sweep withoutRotation(const Sweep& sweep) {
 Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                  const ToiSettings& settings) {
     return Search(a, sweepA, b, sweepB, settings).run();
+}
+
+Toi timeOfImpactInContact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                          const ToiSettings& settings, DVec2 axis) {
+    return Search(a, sweepA, b, sweepB, settings).runInContact(axis);
 }
 
 Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
@@ -331,13 +389,8 @@ double certainUntil(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& 
 }
 
 Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction) {
-    Search search(a, sweepA, b, sweepB, {});
-    search.pose_ = search.pair_.poseAt(fraction);
-    search.findClosest();
-    if (search.closest_.isDeep()) {
-        search.pair_.measureOverlap(search.pose_, search.closest_);
-    }
-    return search.answer(search.closest_.coresOverlap() ? ToiState::overlapped : ToiState::separated);
+    const ToiSettings settings;
+    return Search(a, sweepA, b, sweepB, settings).separationAt(fraction);
 }
 
 }  // namespace swept

@@ -62,12 +62,13 @@ struct Toi {
     DVec2 pointB;
     ToiFeature featureA;  ///< what touches, or is closest; none where the polygons overlap
     ToiFeature featureB;
+    double target = 0;  ///< the level of the certificate: that of the settings, or below it (`timeOfImpactInContact`)
     /// The other end of the bracket, with `fraction` the certificate of a hit: the last fraction before it that was
-    /// looked at. The separation is above target − tolerance on all of [0, fractionLower] and at least
-    /// `separationLower` at its end; after it, it falls to that of the hit. Hit at 0, overlapped: 0; separated, failed:
+    /// looked at. The separation stays above target − tolerance up to there and on to `fraction`; at `fractionLower` it
+    /// is at least `separationLower`, above the target; at `fraction` it is down to it. Other states: the same as
     /// `fraction`.
     double fractionLower = 0;
-    double separationLower = 0;  ///< a lower bound, above target + tolerance/2, unless the hit is at 0
+    double separationLower = 0;  ///< a lower bound, along the axis in use
     int iterations = 0;          ///< distances found, of which each gives an axis
     int rootIterations = 0;      ///< looks along these axes between the distances
 };
@@ -80,7 +81,17 @@ struct Toi {
 Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                  const ToiSettings& settings);
 
-/// The same with the rotations left out (both keep the angle of fraction 0): linear shape cast by GJK ray cast /
+/// For a pair that touches already, whose approach in the contact is the business of a solver: the first fraction at
+/// which the separation falls to min(target, separation at 0 − 2·tolerance), certified at that level, which the answer
+/// names. No pair is exempt, and none becomes `overlapped`: where the polygons themselves overlap, the separation is
+/// that along a remembered direction, signed, so that what is deep inside does not come out at the other side
+/// unnoticed. The direction is the closest one of the last look at which they were apart, held by the body whose face
+/// it is normal to; at the start `axis`, held by A.
+/// @param axis  unit, world, from A to B; only looked at when the polygons overlap at fraction 0. That of the contact.
+Toi timeOfImpactInContact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                          const ToiSettings& settings, DVec2 axis);
+
+/// `timeOfImpact` with the rotations left out (both keep the angle of fraction 0): linear shape cast by GJK ray cast /
 /// conservative advancement along the relative translation. Same result type, same tolerances.
 Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
               const ToiSettings& settings);

@@ -27,6 +27,15 @@ public:
         appendJsonNumber(text_, vector.y);
         text_ += ']';
     }
+    void addPair(const char* key, double first, double second) { add(key, DVec2{first, second}); }
+    void add(const char* key, const ToiFeature& a, const ToiFeature& b) {
+        startMember(key);
+        text_ += '[';
+        append(a);
+        text_ += ',';
+        append(b);
+        text_ += ']';
+    }
     void add(const char* key, int number) {
         startMember(key);
         text_ += std::to_string(number);
@@ -40,6 +49,12 @@ public:
 private:
     std::string text_;
 
+    void append(const ToiFeature& feature) {
+        text_ += '[';
+        if (feature.first >= 0) { text_ += std::to_string(feature.first); }
+        if (feature.second >= 0) { text_ += ',' + std::to_string(feature.second); }
+        text_ += ']';
+    }
     void startMember(const char* key) { text_ += std::string(",\"") + key + "\":"; }
 };
 
@@ -111,6 +126,12 @@ LineAnswer answerToiLine(std::string_view line, ToiMethod method) {
     answer.add("iterations", toi.iterations);
     answer.add("target", settings.target);
     answer.add("tolerance", settings.tolerance);
+    if (method == ToiMethod::certified || method == ToiMethod::shapeCast) {
+        answer.addPair("bracket", toi.fractionLower, toi.fraction);
+        answer.addPair("separations", toi.separationLower, toi.separation);
+        answer.add("features", toi.featureA, toi.featureB);
+        answer.add("rootIterations", toi.rootIterations);
+    }
     return {answer.take(), true};
 }
 

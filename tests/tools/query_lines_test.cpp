@@ -55,7 +55,8 @@ TEST(QueryLines, AnswersTheExample) {
     const Json json = answerOf(answer);
     std::string keys;
     for (const auto& [key, value] : json.items()) { keys += key + ' '; }
-    EXPECT_EQ(keys, "id state t separation normal pointA pointB iterations target tolerance ");
+    EXPECT_EQ(keys, "id state t separation normal pointA pointB iterations target tolerance bracket separations features "
+                    "rootIterations ");
     EXPECT_EQ(json["id"], 1);
     EXPECT_TRUE(json["id"].is_number_integer());
     EXPECT_EQ(json["state"], "hit");
