@@ -3,42 +3,41 @@
 #include "gjk.h"
 #include "gjk_facing.h"
 
-/// GJK as inline code, for the places that must not pay for calls: `distance`
-/// and the time of impact.
+/// GJK as inline code, for the places that must not pay for calls: `distance` and the time of impact.
 ///
-/// The fast path is a walk over features. The support points of a new direction
-/// are mostly those of the last one or their neighbours, and a vertex of a
-/// convex polygon that lies beyond both its neighbours is the support point. So
-/// each step looks at neighbours only, and the last one proves the answer by
-/// them: what verifies a warm start is the same step. What the walk cannot
-/// prove it leaves to the loop over simplices.
+/// The fast path is a walk over features. The support points of a new direction are mostly those of the last one or
+/// their neighbours, and a vertex of a convex polygon that lies beyond both its neighbours is the support point. So
+/// each step looks at neighbours only, and the last one proves the answer by them: what verifies a warm start is the
+/// same step. What the walk cannot prove it leaves to the loop over simplices.
+///
+/// Measured by swept_bench_kernels on mixed pairs, in double: the loop alone takes 132 ns cold and 82 warm, the walk 66
+/// cold and 30 warm. What made the difference: proofs by neighbours instead of whole support searches; the large locals
+/// of the loop out of the way, in functions of their own (an eighth of a warm query); a start without branches (a
+/// quarter of a cold one); choices by arithmetic (a fifth of a warm one). Two circles skip the search for a start: it
+/// took them longer than the rest.
 
 namespace swept::inline SWEPT_PRECISION::gjk {
 
-/// Inlined by force: the pieces hand small structs to each other, which cost
-/// more through memory than their arithmetic does.
+/// Inlined by force: the pieces hand small structs to each other, which cost more through memory than their arithmetic
+/// does.
 #define SWEPT_HOT [[gnu::always_inline]] inline
 
-/// The loop over simplices, for what the walk does not prove: cores that
-/// overlap or touch, coordinates beyond range.
+/// The loop over simplices, for what the walk does not prove: cores that overlap or touch, coordinates beyond range.
 void runLoop(const PairView& pair, const SimplexCache* warm, GjkResult& r);
 
-/// The closest features as far as the walk knows: vertices `a` and `b`, or the
-/// edge that begins at one of them and the other vertex. Never two edges: where
-/// these are parallel, an end of one is as close.
+/// The closest features as far as the walk knows: vertices `a` and `b`, or the edge that begins at one of them and the
+/// other vertex. Never two edges: where these are parallel, an end of one is as close.
 struct Features {
     enum class Kind : std::uint8_t { vertices, edgeOfA, edgeOfB };
     Kind kind;
     int a;
     int b;
-    int from = -1;  ///< the vertex that was held against the same edge in the last
-                    ///< step, if any
+    int from = -1;  ///< the vertex that was held against the same edge in the last step, if any
 };
 
 enum class WalkStep : std::uint8_t { proved, moved, lost };
 
-// Choices that depend on the data alone are made by arithmetic: as branches they were mispredicted half of the time,
-// which cost as much as all the rest of a step.
+// Choices that depend on the data alone are made by arithmetic: as branches, one in two was mispredicted.
 SWEPT_HOT int choose(bool first, int a, int b) { return b ^ ((a ^ b) & -static_cast<int>(first)); }
 SWEPT_HOT int nextOf(const Polygon& p, int i) { return (i + 1) & -static_cast<int>(i + 1 < p.count); }
 SWEPT_HOT int previousOf(const Polygon& p, int i) { return i - 1 + (p.count & -static_cast<int>(i == 0)); }
@@ -69,8 +68,7 @@ SWEPT_HOT double doubtOf(const Polygon& p, const Neighbours& n, double level) {
     return larger(n.highest(), n.next + n.previous + flat);
 }
 
-/// Twice the rounding of a neighbour's height, or more: two rotated vertices,
-/// their difference and its product.
+/// Twice the rounding of a neighbour's height, or more: two rotated vertices, their difference and its product.
 SWEPT_HOT double levelAlong(DVec2 direction, double resolution) { return 4 * resolution * sumNorm(direction); }
 
 /// What the coordinates of two vertices resolve of their difference.
@@ -81,8 +79,7 @@ SWEPT_HOT double resolutionOf(const PairView& pair, DVec2 a, DVec2 turnedB) {
 /// Two circles: nothing to search.
 SWEPT_HOT bool arePoints(const PairView& pair) { return pair.a.count + pair.b.count == 2; }
 
-/// Proves that the vertices are closest, or moves to the edge that promises
-/// most.
+/// Proves that the vertices are closest, or moves to the edge that promises most.
 SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) {
     const DVec2 a = pair.vertexA(f.a);
     const DVec2 localB = pair.localB(f.b);
@@ -123,16 +120,14 @@ SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) 
     return ofB.highest() > 0 ? WalkStep::moved : WalkStep::lost;
 }
 
-/// Where a walk goes from beyond the end of an edge: to the other shape's edge
-/// that led there, or to the two vertices.
+/// Where a walk goes from beyond the end of an edge: to the other shape's edge that led there, or to the two vertices.
 SWEPT_HOT void leaveEdge(const Polygon& other, Features& f, int& vertex, Features::Kind edgeOfOther) {
     f.kind = f.from < 0 ? Features::Kind::vertices : edgeOfOther;
     vertex = f.from >= 0 && other.next(f.from) == vertex ? f.from : vertex;
     f.from = -1;
 }
 
-/// Proves that an edge and a vertex are closest, or moves on. Everything in the
-/// frame of A.
+/// Proves that an edge and a vertex are closest, or moves on. Everything in the frame of A.
 template <bool ofA>
 SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
     const int begin = ofA ? f.a : f.b;
@@ -186,9 +181,8 @@ SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
     return WalkStep::proved;
 }
 
-/// Where a walk begins: at the features of the last one, or at the vertices
-/// that face each other. Edges are cached as a walk leaves them, in the order
-/// of the polygon; others it finds again from their first ends.
+/// Where a walk begins: at the features of the last one, or at the vertices that face each other. Edges are cached as a
+/// walk leaves them, in the order of the polygon; others it finds again from their first ends.
 SWEPT_HOT Features start(const PairView& pair, const SimplexCache* warm) {
     if (warm == nullptr || warm->count == 0 || warm->indexA[0] >= pair.a.count || warm->indexB[0] >= pair.b.count) {
         if (arePoints(pair)) {
