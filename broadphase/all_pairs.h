@@ -9,7 +9,7 @@ namespace swept::inline SWEPT_PRECISION {
 class AllPairs final : public TableBroadphase {
 private:
     void onInsert(std::uint32_t) override {}
-    void onMove(std::uint32_t, const Aabb&) override {}
+    void onMove(std::uint32_t) override {}
     void onRemove(std::uint32_t) override {}
     std::uint64_t join(PairSink& sink) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;

@@ -9,7 +9,7 @@ void Bvh::onInsert(std::uint32_t slot) {
     leaves_[slot] = treeAt(slot).insert(table().boxAt(slot), slot, true);
 }
 
-void Bvh::onMove(std::uint32_t slot, const Aabb&) { treeAt(slot).move(leaves_[slot], table().boxAt(slot)); }
+void Bvh::onMove(std::uint32_t slot) { treeAt(slot).move(leaves_[slot], table().boxAt(slot)); }
 
 void Bvh::onRemove(std::uint32_t slot) { treeAt(slot).erase(leaves_[slot]); }
 

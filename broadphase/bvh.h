@@ -19,7 +19,8 @@ public:
 
 private:
     void onInsert(std::uint32_t slot) override;
-    void onMove(std::uint32_t slot, const Aabb& before) override;
+    void onMove(std::uint32_t slot) override;
+    void onRenew(std::uint32_t slot) override { onMove(slot); }
     void onRemove(std::uint32_t slot) override;
     void onPairsDone() override;
     std::uint64_t join(PairSink& sink) override;

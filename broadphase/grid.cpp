@@ -79,7 +79,7 @@ void Grid::onInsert(std::uint32_t slot) {
     file(slot);
 }
 
-void Grid::onMove(std::uint32_t slot, const Aabb&) {
+void Grid::onMove(std::uint32_t slot) {
     takeOut(slot);
     file(slot);
 }

@@ -7,14 +7,11 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-Status checkBox(const Aabb& box) {
+Status refusalOf(const Aabb& box) {
     if (!isFinite(box.lower) || !isFinite(box.upper)) {
         return {StatusCode::notFinite, "box"};
     }
-    if (box.lower.x > box.upper.x || box.lower.y > box.upper.y) {
-        return {StatusCode::outOfRange, "box"};
-    }
-    return Status::success();
+    return {StatusCode::outOfRange, "box"};
 }
 
 Result<ProxyId> ProxyTable::add(const Aabb& box, ProxyKind kind) {
@@ -31,7 +28,7 @@ Result<ProxyId> ProxyTable::add(const Aabb& box, ProxyKind kind) {
         kindBits_.push_back(0);
         listed_.push_back(0);
         boxes_.push_back(kNoBox);
-        known_.push_back(kNoBox);
+        if (keepsKnown_) { known_.push_back(kNoBox); }
         moved_.reserve(kindBits_.capacity());
         free_.reserve(kindBits_.capacity());
     }
@@ -46,7 +43,7 @@ void ProxyTable::release(ProxyId id) {
     const auto slot = static_cast<std::uint32_t>(id);
     kindBits_[slot] = 0;
     boxes_[slot] = kNoBox;
-    known_[slot] = kNoBox;
+    if (keepsKnown_) { known_[slot] = kNoBox; }
     free_.push_back(slot);
     std::push_heap(free_.begin(), free_.end(), std::greater<>{});
 }
@@ -64,7 +61,7 @@ void ProxyTable::move(ProxyId id, const Aabb& box) {
 
 void ProxyTable::renew(ProxyId id) {
     const auto slot = static_cast<std::uint32_t>(id);
-    known_[slot] = kNoBox;
+    if (keepsKnown_) { known_[slot] = kNoBox; }
     markMoved(slot);
 }
 
@@ -87,7 +84,7 @@ std::span<const std::uint32_t> ProxyTable::sortedMoved() {
 void ProxyTable::finishPairs() {
     for (const std::uint32_t slot : moved_) {
         listed_[slot] = 0;
-        known_[slot] = boxes_[slot];
+        if (keepsKnown_) { known_[slot] = boxes_[slot]; }
     }
     moved_.clear();
 }

@@ -27,13 +27,17 @@ inline constexpr Aabb kNoBox = {
     {-std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()}};
 
 /// The one check of boxes that come from outside.
-Status checkBox(const Aabb& box);
+Status refusalOf(const Aabb& box);
+inline Status checkBox(const Aabb& box) { return isValid(box) ? Status::success() : refusalOf(box); }
 
 /// What every implementation keeps about its proxies: which slots are taken, of which kind, their boxes now and when
 /// pairs were found last, and which of them moved since.
 /// Removing and marking never allocate; adding does so only when there were never so many slots before.
 class ProxyTable {
 public:
+    /// @param keepsKnown  false for those who keep the known boxes themselves.
+    explicit ProxyTable(bool keepsKnown) : keepsKnown_(keepsKnown) {}
+
     /// Takes the lowest free slot and marks it as moved. Error: `outOfMemory` when all 2³² − 1 slots are taken.
     Result<ProxyId> add(const Aabb& box, ProxyKind kind);
     /// Frees a slot that is taken.
@@ -78,9 +82,10 @@ private:
     std::vector<std::uint8_t> kindBits_;  // one per slot, 0: free
     std::vector<std::uint8_t> listed_;    // one per slot, 1: stands in moved_, also when the slot was freed since
     std::vector<Aabb> boxes_;             // one per slot
-    std::vector<Aabb> known_;             // one per slot
+    std::vector<Aabb> known_;             // one per slot, when they are kept
     std::vector<std::uint32_t> moved_;
     std::vector<std::uint32_t> free_;  // a heap with the lowest slot at the front
+    bool keepsKnown_;
 };
 
 /// Room that a vector holds, in bytes.

@@ -142,7 +142,7 @@ void Quadtree::onInsert(std::uint32_t slot) {
     put(slot);
 }
 
-void Quadtree::onMove(std::uint32_t slot, const Aabb&) {
+void Quadtree::onMove(std::uint32_t slot) {
     if (standsIn_[slot] != 0 && squares_[standsIn_[slot]].holds(table().boxAt(slot))) { return; }
     takeOut(slot);
     put(slot);

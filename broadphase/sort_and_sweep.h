@@ -28,7 +28,7 @@ private:
 
     // The order is brought up to date in one go, before pairs are found; what has moved since is looked at one by one.
     void onInsert(std::uint32_t) override {}
-    void onMove(std::uint32_t, const Aabb&) override {}
+    void onMove(std::uint32_t) override {}
     void onRemove(std::uint32_t) override {}
     std::uint64_t join(PairSink& sink) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;

@@ -15,9 +15,8 @@ Status TableBroadphase::move(ProxyId id, const Aabb& box) {
     if (!table_.holds(id)) { return {StatusCode::staleId, "id"}; }
     if (const Status status = checkBox(box); !status.ok()) { return status; }
     const auto slot = static_cast<std::uint32_t>(id);
-    const Aabb before = table_.boxAt(slot);
     table_.move(id, box);
-    onMove(slot, before);
+    onMove(slot);
     ++counters_.reinserted;
     return Status::success();
 }
@@ -33,7 +32,7 @@ Status TableBroadphase::renewPairs(ProxyId id) {
     if (!table_.holds(id)) { return {StatusCode::staleId, "id"}; }
     const auto slot = static_cast<std::uint32_t>(id);
     table_.renew(id);
-    onMove(slot, table_.boxAt(slot));
+    onRenew(slot);
     return Status::success();
 }
 

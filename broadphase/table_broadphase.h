@@ -56,6 +56,10 @@ private:
 /// each is its structure and the walks through it.
 class TableBroadphase : public Broadphase {
 public:
+    /// @param keepsKnown  whether the table keeps the boxes of the last call of `pairs`; without them, `join` has to tell
+    /// what is new by itself.
+    explicit TableBroadphase(bool keepsKnown = true) : table_(keepsKnown) {}
+
     Result<ProxyId> insert(const Aabb& box, ProxyKind kind) final;
     Status move(ProxyId id, const Aabb& box) final;
     Status remove(ProxyId id) final;
@@ -77,7 +81,8 @@ protected:
 private:
     // The table holds the change already.
     virtual void onInsert(std::uint32_t slot) = 0;
-    virtual void onMove(std::uint32_t slot, const Aabb& before) = 0;
+    virtual void onMove(std::uint32_t slot) = 0;
+    virtual void onRenew(std::uint32_t) {}
     /// The slot is still taken.
     virtual void onRemove(std::uint32_t slot) = 0;
     /// The known boxes of what has moved are about to become those of now.

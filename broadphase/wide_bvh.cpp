@@ -44,9 +44,8 @@ void WideBvh::onInsert(std::uint32_t slot) {
     treeAt(slot).insert(slot, table().boxAt(slot), places_);
 }
 
-void WideBvh::onMove(std::uint32_t slot, const Aabb&) {
-    const bool renewed = table().knownBoxAt(slot) == kNoBox;
-    treeAt(slot).move(slot, table().boxAt(slot), renewed, places_);
+void WideBvh::onMove(std::uint32_t slot) {
+    treeAt(slot).move(places_[slot], table().boxAt(slot));
 }
 
 void WideBvh::onRemove(std::uint32_t slot) { treeAt(slot).remove(places_[slot]); }
@@ -58,9 +57,12 @@ std::uint64_t WideBvh::join(PairSink& sink) {
     std::uint64_t tests = 0;
     for (int first = 0; first < kProxyKindCount; ++first) {
         for (int second = 0; second < kProxyKindCount; ++second) {
-            if (!canMeet(static_cast<ProxyKind>(first), static_cast<ProxyKind>(second))) { continue; }
-            tests += kernels_.join({.moving = &trees_[static_cast<std::size_t>(first)],
-                                    .other = &trees_[static_cast<std::size_t>(second)],
+            const WideTree& moving = trees_[static_cast<std::size_t>(first)];
+            const WideTree& other = trees_[static_cast<std::size_t>(second)];
+            const bool canMeetAny = canMeet(static_cast<ProxyKind>(first), static_cast<ProxyKind>(second));
+            if (!canMeetAny || !moving.anyMoved() || other.height() == 0) { continue; }
+            tests += kernels_.join({.moving = &moving,
+                                    .other = &other,
                                     .skipMoved = first > second,
                                     .scratch = &scratch_,
                                     .out = &sink.newPairs()});

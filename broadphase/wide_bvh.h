@@ -15,14 +15,15 @@ namespace swept::inline SWEPT_PRECISION {
 /// a rebuild, O(n log n), no more often than what it saves; a query O(log n + found).
 class WideBvh final : public TableBroadphase {
 public:
-    explicit WideBvh(const WideKernels& kernels = widestKernels()) : kernels_(kernels) {}
+    explicit WideBvh(const WideKernels& kernels = widestKernels()) : TableBroadphase(false), kernels_(kernels) {}
 
     /// For tests and for measuring its quality.
     const WideTree& tree(ProxyKind kind) const { return trees_[static_cast<std::size_t>(kind)]; }
 
 private:
     void onInsert(std::uint32_t slot) override;
-    void onMove(std::uint32_t slot, const Aabb& before) override;
+    void onMove(std::uint32_t slot) override;
+    void onRenew(std::uint32_t slot) override { treeAt(slot).forget(places_[slot]); }
     void onRemove(std::uint32_t slot) override;
     void onPairsDone() override;
     std::uint64_t join(PairSink& sink) override;

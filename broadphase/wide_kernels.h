@@ -14,8 +14,8 @@ struct WideScratch {
 
 /// What moved in one tree against everything in another, or in itself.
 struct WideJoin {
-    const WideTree* moving = nullptr;
-    const WideTree* other = nullptr;
+    const WideTree* moving = nullptr;  ///< something in it has moved
+    const WideTree* other = nullptr;   ///< not empty
     bool skipMoved = false;  ///< leave out what moved in `other`: the join the other way round has it already
     WideScratch* scratch = nullptr;
     std::vector<ProxyPair>* out = nullptr;  ///< new pairs are added, each once

@@ -1,10 +1,23 @@
 #include "wide_tree.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "proxy_table.h"
 
 namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+
+/// Halves against each other: three steps instead of a chain of eight, and the first is one for a register of four lanes.
+template <class Pick>
+Real reduced(const std::array<Real, kWide>& lanes, const Pick& pick) {
+    std::array<Real, kWide / 2> four;
+    for (std::uint32_t i = 0; i < kWide / 2; ++i) { four[i] = pick(lanes[i], lanes[i + kWide / 2]); }
+    return pick(pick(four[0], four[2]), pick(four[1], four[3]));
+}
+
+}  // namespace
 
 WideBoxes WideBoxes::empty() {
     WideBoxes boxes;
@@ -13,12 +26,13 @@ WideBoxes WideBoxes::empty() {
 }
 
 Aabb WideBoxes::hull() const {
-    Aabb sum = kNoBox;
-    for (std::uint32_t lane = 0; lane < kWide; ++lane) { sum = hullOf(sum, box(lane)); }
-    return sum;
+    const auto least = [](Real a, Real b) { return b < a ? b : a; };
+    const auto most = [](Real a, Real b) { return a < b ? b : a; };
+    return {{reduced(lowerX, least), reduced(lowerY, least)}, {reduced(upperX, most), reduced(upperY, most)}};
 }
 
 void WideTree::insert(std::uint32_t slot, const Aabb& box, std::span<std::uint32_t> places) {
+    if (misplaced_ > 2 * size_ + kWide) { rebuild(places); }  // pairs are never asked for: room stays bounded
     places[slot] = append(slot, box, kNoBox);
     ++size_;
 }
@@ -33,19 +47,18 @@ void WideTree::remove(std::uint32_t place) {
     ++misplaced_;
 }
 
-void WideTree::move(std::uint32_t slot, const Aabb& box, bool forget, std::span<std::uint32_t> places) {
-    std::uint32_t place = places[slot];
-    std::uint32_t node = place >> kLaneBits;
-    if (forget) { known_[node].set(place & kLaneMask, kNoBox); }
-    // Among the seven others that it left behind, what jumped away would blow up the node: it starts anew at the end.
+void WideTree::forget(std::uint32_t place) {
+    known_[place >> kLaneBits].set(place & kLaneMask, kNoBox);
+    mark(place);
+}
+
+void WideTree::move(std::uint32_t place, const Aabb& box) {
+    const std::uint32_t node = place >> kLaneBits;
+    const auto bit = static_cast<std::uint8_t>(1U << (place & kLaneMask));
     const bool jumped = height_ > 1 && !overlaps(box, levels_[1][node >> kLaneBits].box(node & kLaneMask));
-    if (jumped) {
-        const Aabb known = known_[node].box(place & kLaneMask);
-        remove(place);
-        ++size_;
-        if (misplaced_ > 2 * size_ + kWide) { rebuild(places); }  // pairs are never asked for: room stays bounded
-        places[slot] = append(slot, box, known);
-        return;
+    if (jumped && (jumpedLanes_[node] & bit) == 0) {
+        jumpedLanes_[node] |= bit;
+        jumped_.push_back(place);
     }
     levels_[0][node].set(place & kLaneMask, box);
     include(place, box);
@@ -72,6 +85,9 @@ void WideTree::addNodes() {
     known_.push_back(WideBoxes::empty());
     slots_.resize(slots_.size() + kWide, kNoSlot);
     movedLanes_.push_back(0);
+    jumpedLanes_.push_back(0);
+    nodeSpreads_.push_back(0);
+    jumped_.reserve(slots_.capacity());
     height_ = std::max<std::size_t>(height_, 1);
     for (std::size_t level = 0; levels_[level].size() > 1; ++level) {
         std::vector<WideBoxes>& above = levels_[level + 1];
@@ -110,16 +126,48 @@ void WideTree::mark(std::uint32_t place) {
 bool WideTree::prepareJoin(std::span<std::uint32_t> places) {
     const bool due = isWorthRebuilding();
     if (due) { rebuild(places); }
+    settleJumps(places);
     refit();
-    if (builtSpread_ > 0) { decay_ += movedCount_ * (spread_ / builtSpread_ - 1); }
+    // Per box, since more boxes have more nodes.
+    const double spread = spread_ * builtSize_;
+    const double built = builtSpread_ * size_;
+    if (spread > built && built > 0) { decay_ += movedCount_ * (spread / built - 1); }
     return due;
 }
 
 bool WideTree::isWorthRebuilding() const {
-    // A build costs about as much as joining half of the boxes, so it pays when the decay has cost that much already:
-    // what is lost is never more than twice what the best moment would have cost ("ski rental").
-    constexpr double kBuildInJoins = 0.5;
-    return misplaced_ > kWide + size_ / 8 || decay_ > kBuildInJoins * size_;
+    // A build takes about as long as joining every box twice, so it pays when the decay has cost that much already: what
+    // is lost is never more than twice what the best moment would have cost ("ski rental"). Decay counts what moves here;
+    // the other limit is for trees at rest that others move through.
+    constexpr double kBuildInJoins = 2;
+    return misplaced_ > kWide + size_ / 2 || decay_ > kBuildInJoins * size_;
+}
+
+/// What jumped away from the seven others of its node blows the node up, and starts anew at the end. What jumped with them,
+/// as in free flight, stays.
+void WideTree::settleJumps(std::span<std::uint32_t> places) {
+    constexpr double kBlownUp = 2;
+    for (std::size_t i = 0; i < jumped_.size(); ++i) {  // by index: appending may reserve more room for it
+        const std::uint32_t place = jumped_[i];
+        const std::uint32_t node = place >> kLaneBits;
+        const std::uint32_t slot = slots_[place];
+        jumpedLanes_[node] = 0;
+        if (slot == kNoSlot || !(spreadOf(levels_[0][node].hull()) > kBlownUp * nodeSpreads_[node])) { continue; }
+        const Aabb box = levels_[0][node].box(place & kLaneMask);
+        const Aabb known = known_[node].box(place & kLaneMask);
+        remove(place);
+        ++size_;
+        places[slot] = append(slot, box, known);
+    }
+    jumped_.clear();
+}
+
+/// Whether eight nodes in a row are at rest, seen at a glance; false near the end.
+bool WideTree::noneMoved(const std::uint8_t* lanes, std::size_t left) {
+    std::uint64_t together = 0;
+    if (left < sizeof together) { return false; }
+    std::memcpy(&together, lanes, sizeof together);
+    return together == 0;
 }
 
 /// From below: exact boxes above all that moved, and the list of it.
@@ -128,6 +176,10 @@ void WideTree::refit() {
     if (movedCount_ == 0) { return; }
     std::vector<MovedNode>& lowest = moved_[0];
     for (std::uint32_t node = 0; node < movedLanes_.size(); ++node) {
+        if (node % kWide == 0 && noneMoved(&movedLanes_[node], movedLanes_.size() - node)) {
+            node += kLaneMask;
+            continue;
+        }
         std::uint32_t lanes = movedLanes_[node];
         if (lanes == 0) { continue; }
         Aabb hull = kNoBox;
@@ -142,7 +194,11 @@ void WideTree::refit() {
             const std::uint32_t child = below[i].node;
             WideBoxes& parent = levels_[level][child >> kLaneBits];
             const Aabb tight = levels_[level - 1][child].hull();
-            if (level == 1) { spread_ += spreadOf(tight) - spreadOf(parent.box(child & kLaneMask)); }
+            if (level == 1) {
+                const double spread = spreadOf(tight);
+                spread_ += spread - spreadOf(parent.box(child & kLaneMask));
+                if (nodeSpreads_[child] == 0) { nodeSpreads_[child] = spread; }
+            }
             parent.set(child & kLaneMask, tight);
             std::vector<MovedNode>& here = moved_[level];
             if (here.empty() || here.back().node != child >> kLaneBits) {
@@ -170,7 +226,8 @@ void WideTree::finishJoin() {
 }
 
 std::size_t WideTree::memoryBytes() const {
-    std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(items_) + bytesOf(oldBoxes_) +
+    std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(jumpedLanes_) + bytesOf(jumped_) +
+                      bytesOf(nodeSpreads_) + bytesOf(items_) + bytesOf(oldBoxes_) +
                       bytesOf(oldKnown_) + bytesOf(oldSlots_) + bytesOf(oldMoved_);
     for (const auto& level : levels_) { sum += bytesOf(level); }
     for (const auto& list : moved_) { sum += bytesOf(list); }

@@ -56,7 +56,7 @@ struct MovedNode {
 /// R-trees", 1985).
 ///
 /// A moved box stays in its place and the boxes above it grow; `refit` makes them tight again, of all moved boxes at once.
-/// What jumps away, and what is inserted, goes to the end. When that has made walks dear enough, the whole order is built
+/// What jumps away from its neighbours, and what is inserted, goes to the end. When that has made walks dear enough, the whole order is built
 /// anew (`rebuild`): by size first, since a large box among small ones would spoil every node above it, then by halving
 /// the wider axis at the median.
 ///
@@ -69,8 +69,9 @@ public:
     /// Places are indices of lanes at the lowest level. The tree keeps `places[slot]` of its proxies up to date.
     void insert(std::uint32_t slot, const Aabb& box, std::span<std::uint32_t> places);
     void remove(std::uint32_t place);
-    /// Also takes a box back from the known ones when `forget`.
-    void move(std::uint32_t slot, const Aabb& box, bool forget, std::span<std::uint32_t> places);
+    void move(std::uint32_t place, const Aabb& box);
+    /// Takes a box back from the known ones, and marks it as moved.
+    void forget(std::uint32_t place);
 
     /// Rebuilds when that is due, makes all boxes above moved ones tight, and lists what has moved.
     /// @return whether it was rebuilt.
@@ -105,6 +106,8 @@ private:
     void addNodes();
     void include(std::uint32_t place, const Aabb& box);
     void mark(std::uint32_t place);
+    void settleJumps(std::span<std::uint32_t> places);
+    static bool noneMoved(const std::uint8_t* lanes, std::size_t left);
     void refit();
     bool isWorthRebuilding() const;
     void rebuild(std::span<std::uint32_t> places);
@@ -116,6 +119,9 @@ private:
     std::vector<WideBoxes> known_;
     std::vector<std::uint32_t> slots_;
     std::vector<std::uint8_t> movedLanes_;
+    std::vector<std::uint8_t> jumpedLanes_;  // those that left the box of their node in one move
+    std::vector<std::uint32_t> jumped_;      // their places
+    std::vector<double> nodeSpreads_;        // of the lowest nodes when they were built; 0: not known yet
     std::array<std::vector<MovedNode>, kMaxLevels> moved_;
     std::size_t height_ = 0;
     std::uint32_t size_ = 0;        // proxies in the tree
@@ -123,6 +129,7 @@ private:
     std::uint32_t movedCount_ = 0;  // at most: marks of what was removed since are counted too
     std::uint32_t misplaced_ = 0;   // appended or removed since the last build
     double builtSpread_ = 0;        // sum of perimeters of the lowest nodes after the last build
+    double builtSize_ = 0;          // proxies then
     double spread_ = 0;             // the same now
     double decay_ = 0;              // what the growth of the spread has cost since, in moved boxes
 

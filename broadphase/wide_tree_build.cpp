@@ -111,6 +111,9 @@ void WideTree::layOut(std::span<std::uint32_t> places) {
     known_.assign(nodes, WideBoxes::empty());
     slots_.assign(end_, kNoSlot);
     movedLanes_.assign(nodes, 0);
+    jumpedLanes_.assign(nodes, 0);
+    jumped_.clear();
+    nodeSpreads_.assign(nodes, 0);
     for (std::uint32_t place = 0; place < end_; ++place) {
         const std::uint32_t from = items_[place].from;
         if (from == kNoSlot) { continue; }
@@ -135,10 +138,13 @@ void WideTree::buildLevels() {
         for (std::uint32_t i = 0; i < below.size(); ++i) {
             const Aabb hull = below[i].hull();
             levels_[level][i >> kLaneBits].set(i & kLaneMask, hull);
-            if (level == 1) { builtSpread_ += spreadOf(hull); }
+            if (level > 1) { continue; }
+            builtSpread_ += spreadOf(hull);
+            nodeSpreads_[i] = spreadOf(hull);
         }
     }
     spread_ = builtSpread_;
+    builtSize_ = size_;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
