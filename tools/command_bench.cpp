@@ -9,6 +9,7 @@
 #include "bench/toi_bench_plots.h"
 #include "bench/toi_bench_table.h"
 #include "bench/toi_certify.h"
+#include "command_bench_broadphase.h"
 #include "commands.h"
 #include "output_files.h"
 #include "progress.h"
@@ -128,6 +129,7 @@ void addBenchCommand(CLI::App& app, int& exitCode) {
     toi->callback([arguments, &exitCode] {
         exitCode = arguments->certify > 0 ? certify(*arguments) : measure(*arguments);
     });
+    addBenchBroadphase(*all, exitCode);
 }
 
 }  // namespace swept

@@ -1,0 +1,50 @@
+#include "plot_files.h"
+
+#include <fstream>
+
+#include "gnuplot.h"
+
+namespace swept::bench {
+namespace {
+
+bool writeFile(const std::string& path, const std::function<void(std::ostream&)>& write, std::string& error) {
+    std::ofstream file(path, std::ios::binary);
+    write(file);
+    file.close();
+    if (!file) { error = path + ": cannot be written"; }
+    return error.empty();
+}
+
+}  // namespace
+
+const char* const kPlotStyle =
+    "set terminal pngcairo size 960,600 font 'sans,12'\n"
+    "set border 3\nset tics nomirror\nset grid lc rgb '#dddddd' lw 1\n"
+    "set style line 1 lc rgb '#d62728' pt 7\nset style line 2 lc rgb '#999999' pt 1\n"
+    "set style line 3 lc rgb '#8c564b' pt 2\nset style line 4 lc rgb '#2ca02c' pt 5\n"
+    "set style line 5 lc rgb '#1f77b4' pt 9\nset style line 6 lc rgb '#ff7f0e' pt 11\n"
+    "set style line 7 lc rgb '#9467bd' pt 13\nset style line 8 lc rgb '#17becf' pt 4\n"
+    "set style line 9 lc rgb '#000000' pt 6\nset style line 10 lc rgb '#e377c2' pt 3\n";
+
+std::string drawPlots(const std::string& directory, const std::vector<PlotFiles>& plots, std::string& error) {
+    for (const PlotFiles& plot : plots) {
+        const std::string start = directory + '/' + plot.name;
+        if (!writeFile(start + ".dat", plot.data, error) || !writeFile(start + ".gp", plot.script, error)) { return ""; }
+    }
+    std::string drawn;
+    for (const PlotFiles& plot : plots) {
+        switch (runGnuplot(directory, plot.name + ".gp")) {
+            case GnuplotState::drawn:
+                drawn += (drawn.empty() ? "" : ", ") + directory + '/' + plot.name + ".png";
+                break;
+            case GnuplotState::notInstalled:
+                return "gnuplot is not installed: data and scripts are in " + directory + ", no plots were drawn";
+            case GnuplotState::refused:
+                error = "gnuplot could not draw " + directory + '/' + plot.name + ".gp";
+                return "";
+        }
+    }
+    return "drawn: " + drawn;
+}
+
+}  // namespace swept::bench

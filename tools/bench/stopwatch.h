@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ctime>
+
+#include <algorithm>
+#include <chrono>
+
+namespace swept::bench {
+
+/// Time of this thread: wall clock where that is less, since it is read faster; processor time where the thread was
+/// interrupted.
+class Stopwatch {
+public:
+    Stopwatch() : processor_(processorSeconds()), wall_(Clock::now()) {}
+
+    double seconds() const {
+        const double wall = std::chrono::duration<double>(Clock::now() - wall_).count();
+        return std::min(wall, processorSeconds() - processor_);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    static double processorSeconds() {
+        std::timespec now{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+        return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    }
+
+    double processor_;
+    Clock::time_point wall_;
+};
+
+}  // namespace swept::bench

@@ -1,0 +1,202 @@
+#include "command_bench_broadphase.h"
+
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <memory>
+
+#include "bench/broadphase_bench.h"
+#include "bench/broadphase_bench_plots.h"
+#include "bench/broadphase_bench_table.h"
+#include "bench/broadphase_margin.h"
+#include "bench/broadphase_peer_scenes.h"
+#include "bench/broadphase_roofline.h"
+#include "bench/machine.h"
+#include "bench/overlap_bench.h"
+#include "commands.h"
+#include "output_files.h"
+#include "progress.h"
+
+namespace swept {
+namespace {
+
+struct BroadphaseArguments {
+    bench::BroadphaseBenchSettings settings;
+    std::uint32_t maxCount = 100'000;
+    std::uint32_t count = 0;
+    std::string csv;
+    std::string marginCsv;
+    std::string plots;
+};
+
+struct OverlapArguments {
+    bench::OverlapBenchSettings settings;
+    std::string csv;
+    std::string plots;
+};
+
+/// Everything that was measured.
+struct BroadphaseResults {
+    std::vector<bench::BroadphaseRow> distributions;
+    std::vector<bench::BroadphaseRow> peers;
+    std::vector<bench::MarginRow> margins;
+};
+
+/// Powers of ten from a hundred on, or just one size.
+std::vector<std::uint32_t> countsOf(const BroadphaseArguments& arguments) {
+    if (arguments.count > 0) { return {arguments.count}; }
+    std::vector<std::uint32_t> counts;
+    for (std::uint32_t count = 100; count <= arguments.maxCount; count *= 10) { counts.push_back(count); }
+    return counts;
+}
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> names;
+    for (const bench::BoxScene scene : bench::kBoxScenes) { names.emplace_back(bench::nameOf(scene)); }
+    for (const bench::PeerScene scene : bench::kPeerScenes) { names.emplace_back(bench::nameOf(scene)); }
+    names.emplace_back("margins");
+    return names;
+}
+
+BroadphaseResults measureAll(const bench::BroadphaseBenchSettings& settings) {
+    BroadphaseResults results;
+    const auto steps = std::size(bench::kBoxScenes) * settings.counts.size() + std::size(bench::kPeerScenes) + 3;
+    Progress progress("bench", static_cast<std::int64_t>(steps));
+    std::int64_t done = 0;
+    const auto update = [&](const std::string&) { progress.update(done++); };
+    results.distributions = bench::benchDistributions(settings, update);
+    results.peers = bench::benchPeerScenes(settings, update);
+    if (bench::isWanted("margins", settings.scenes)) { results.margins = bench::benchMargins(settings, update); }
+    return results;
+}
+
+void writeAll(const BroadphaseResults& results) {
+    bench::writeDistributionTables(std::cout, results.distributions);
+    bench::writePeerTables(std::cout, results.peers);
+    if (!results.distributions.empty()) {
+        std::cout << "\nDistributions, hand over and pairs";
+        bench::writeRivalry(std::cout, results.distributions);
+    }
+    if (!results.peers.empty()) {
+        std::cout << "\nScenes, hand over and pairs";
+        bench::writeRivalry(std::cout, results.peers);
+        const bench::MachineLimits limits = bench::measureLimits();
+        std::vector<bench::BroadphaseRow> chosen;
+        std::copy_if(results.peers.begin(), results.peers.end(), std::back_inserter(chosen),
+                     [](const auto& row) { return row.method == bench::nameOf(BroadphaseKind::automatic); });
+        bench::writeRoofline(std::cout, bench::rooflineOf(chosen, limits), limits);
+    }
+    if (!results.margins.empty()) { bench::writeMarginTable(std::cout, results.margins); }
+    std::cout << std::flush;
+}
+
+int measureBroadphase(BroadphaseArguments& arguments) {
+    OutputFiles files;
+    files.addFile("--csv", arguments.csv);
+    files.addFile("--margin-csv", arguments.marginCsv);
+    if (!arguments.plots.empty()) { files.addDirectory("--plots", arguments.plots); }
+    std::string error;
+    if (!files.open(error)) { return refuse(error); }
+    arguments.settings.counts = countsOf(arguments);
+    std::cout << bench::machineText() << "\nbench broadphase: float, one thread, seed " << arguments.settings.seed
+              << "; the fastest of several passes in turns, step by step\n"
+              << std::flush;
+    const BroadphaseResults results = measureAll(arguments.settings);
+    writeAll(results);
+    if (std::ostream* const csv = files.stream(arguments.csv)) {
+        std::vector<bench::BroadphaseRow> rows = results.distributions;
+        rows.insert(rows.end(), results.peers.begin(), results.peers.end());
+        bench::writeBroadphaseCsv(*csv, rows);
+    }
+    if (std::ostream* const csv = files.stream(arguments.marginCsv)) { bench::writeMarginCsv(*csv, results.margins); }
+    if (!files.close(error)) { return refuse(error); }
+    if (!arguments.plots.empty()) {
+        const std::string told =
+            bench::plotBroadphase(arguments.plots, results.distributions, results.peers, results.margins, error);
+        if (!error.empty()) { return refuse(error); }
+        std::cout << told << '\n';
+    }
+    return kExitDone;
+}
+
+int measureOverlap(const OverlapArguments& arguments) {
+    OutputFiles files;
+    files.addFile("--csv", arguments.csv);
+    if (!arguments.plots.empty()) { files.addDirectory("--plots", arguments.plots); }
+    std::string error;
+    if (!files.open(error)) { return refuse(error); }
+    std::cout << bench::machineText() << "\nbench overlap: float, " << arguments.settings.count
+              << " pairs a family, seed " << arguments.settings.seed << "; the fastest of several passes in turns\n"
+              << std::flush;
+    const std::vector<bench::OverlapRow> rows = bench::benchOverlap(arguments.settings);
+    bench::writeOverlapTable(std::cout, rows);
+    if (std::ostream* const csv = files.stream(arguments.csv)) {
+        bench::writeOverlapCsv(*csv, rows, arguments.settings);
+    }
+    if (!files.close(error)) { return refuse(error); }
+    if (!arguments.plots.empty()) {
+        const std::string told = bench::plotOverlap(arguments.plots, rows, error);
+        if (!error.empty()) { return refuse(error); }
+        std::cout << told << '\n';
+    }
+    return kExitDone;
+}
+
+CLI::Range seeds() { return {std::int64_t{0}, std::numeric_limits<std::int64_t>::max()}; }
+
+void addBroadphaseOptions(CLI::App& app, BroadphaseArguments& arguments) {
+    constexpr std::uint32_t kMost = 1'000'000;
+    CLI::Option* const most =
+        app.add_option("--max-count", arguments.maxCount, "Most proxies of the distributions, in powers of ten [100000]")
+            ->type_name("N")
+            ->check(CLI::Range(100U, kMost));
+    app.add_option("--count", arguments.count, "Instead: so many and no others")
+        ->type_name("N")
+        ->check(CLI::Range(10U, kMost))
+        ->excludes(most);
+    app.add_option("--kinds", arguments.settings.kinds, "Only these implementations, separated by commas")
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->check(CLI::IsMember(bench::broadphaseNames()));
+    app.add_option("--scenes", arguments.settings.scenes, "Only these scenes; `margins` is one too")
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->check(CLI::IsMember(sceneNames()));
+    app.add_option("--seed", arguments.settings.seed, "The same seed gives the same boxes [1]")
+        ->type_name("S")
+        ->check(seeds());
+    app.add_option("--seconds", arguments.settings.secondsPerCase, "For each implementation on each case [0.15]")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 60.0));
+    app.add_option("--csv", arguments.csv, "Write a record for each implementation, scene and size")->type_name("FILE");
+    app.add_option("--margin-csv", arguments.marginCsv, "Write a record for each margin")->type_name("FILE");
+    app.add_option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
+        ->type_name("DIR");
+}
+
+void addOverlapOptions(CLI::App& app, OverlapArguments& arguments) {
+    app.add_option("--count", arguments.settings.count, "Pairs a family [2000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1'000'000));
+    app.add_option("--seed", arguments.settings.seed, "The same seed gives the same pairs [1]")
+        ->type_name("S")
+        ->check(seeds());
+    app.add_option("--csv", arguments.csv, "Write a record for each volume and family")->type_name("FILE");
+    app.add_option("--plots", arguments.plots, "Write data and gnuplot script, and draw it if gnuplot is there")
+        ->type_name("DIR");
+}
+
+}  // namespace
+
+void addBenchBroadphase(CLI::App& bench, int& exitCode) {
+    CLI::App* const broadphase = bench.add_subcommand("broadphase", "Every way of finding pairs, on every kind of scene");
+    const auto arguments = std::make_shared<BroadphaseArguments>();
+    addBroadphaseOptions(*broadphase, *arguments);
+    broadphase->callback([arguments, &exitCode] { exitCode = measureBroadphase(*arguments); });
+    CLI::App* const overlap = bench.add_subcommand("overlap", "Bounding volumes: what they cost, what they let through");
+    const auto ladder = std::make_shared<OverlapArguments>();
+    addOverlapOptions(*overlap, *ladder);
+    overlap->callback([ladder, &exitCode] { exitCode = measureOverlap(*ladder); });
+}
+
+}  // namespace swept
