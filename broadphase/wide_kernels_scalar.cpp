@@ -1,4 +1,4 @@
-#include "wide_walks.h"
+#include "wide_walks.inc"
 
 namespace swept::inline SWEPT_PRECISION {
 

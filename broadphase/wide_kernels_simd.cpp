@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 #undef SWEPT_LANES
 #define SWEPT_LANES HWY_NAMESPACE
-#include "wide_walks.h"
+#include "wide_walks.inc"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
