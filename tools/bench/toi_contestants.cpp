@@ -28,7 +28,8 @@ private:
     std::vector<ToiQuery> queries_;
 };
 
-/// The default method on exactly what an engine is asked: its numbers, its target and tolerance.
+/// The default method on exactly what an engine is asked: its numbers, its target and tolerance; and told to answer what
+/// the engine answers: the event, without normal, points or depth.
 class CertifiedAs final : public ToiContestant {
 public:
     CertifiedAs(std::unique_ptr<ToiContestant> engine, std::string name)
@@ -37,8 +38,12 @@ public:
     std::string name() const override { return name_; }
 
     std::optional<ToiQuery> understood(const ToiQuery& query) const override {
-        const std::optional<ToiQuery> q = engine_->understood(query);
-        return q && validateToi(q->a, q->sweepA, q->b, q->sweepB, q->settings).ok() ? q : std::nullopt;
+        std::optional<ToiQuery> q = engine_->understood(query);
+        if (!q || !validateToi(q->a, q->sweepA, q->b, q->sweepB, q->settings).ok()) {
+            return std::nullopt;
+        }
+        q->settings.detail = ToiDetail::event;
+        return q;
     }
     void load(std::span<const ToiQuery> queries) override { method_.load(queries); }
     void answerAll(std::span<Toi> answers) override { method_.answerAll(answers); }
