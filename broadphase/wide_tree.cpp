@@ -1,7 +1,6 @@
 #include "wide_tree.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "proxy_table.h"
 
@@ -88,6 +87,7 @@ void WideTree::addNodes() {
     jumpedLanes_.push_back(0);
     nodeSpreads_.push_back(0);
     jumped_.reserve(slots_.capacity());
+    movedNodes_.reserve(movedLanes_.capacity());
     height_ = std::max<std::size_t>(height_, 1);
     for (std::size_t level = 0; levels_[level].size() > 1; ++level) {
         std::vector<WideBoxes>& above = levels_[level + 1];
@@ -119,6 +119,7 @@ void WideTree::include(std::uint32_t place, const Aabb& box) {
 void WideTree::mark(std::uint32_t place) {
     const auto bit = static_cast<std::uint8_t>(1U << (place & kLaneMask));
     std::uint8_t& lanes = movedLanes_[place >> kLaneBits];
+    if (lanes == 0) { movedNodes_.push_back(place >> kLaneBits); }
     movedCount_ += (lanes & bit) == 0 ? 1 : 0;
     lanes |= bit;
 }
@@ -162,12 +163,20 @@ void WideTree::settleJumps(std::span<std::uint32_t> places) {
     jumped_.clear();
 }
 
-/// Whether eight nodes in a row are at rest, seen at a glance; false near the end.
-bool WideTree::noneMoved(const std::uint8_t* lanes, std::size_t left) {
-    std::uint64_t together = 0;
-    if (left < sizeof together) { return false; }
-    std::memcpy(&together, lanes, sizeof together);
-    return together == 0;
+/// Ascending, each once, without those whose marks are gone.
+void WideTree::sortMovedNodes() {
+    // A pass over all nodes costs as much as sorting one of so many.
+    constexpr std::size_t kNodesPerSorted = 16;
+    if (movedNodes_.size() * kNodesPerSorted < movedLanes_.size()) {
+        std::sort(movedNodes_.begin(), movedNodes_.end());
+        movedNodes_.erase(std::unique(movedNodes_.begin(), movedNodes_.end()), movedNodes_.end());
+        std::erase_if(movedNodes_, [this](std::uint32_t node) { return movedLanes_[node] == 0; });
+        return;
+    }
+    movedNodes_.clear();
+    for (std::uint32_t node = 0; node < movedLanes_.size(); ++node) {
+        if (movedLanes_[node] != 0) { movedNodes_.push_back(node); }
+    }
 }
 
 /// From below: exact boxes above all that moved, and the list of it.
@@ -175,13 +184,9 @@ void WideTree::refit() {
     for (std::vector<MovedNode>& list : moved_) { list.clear(); }
     if (movedCount_ == 0) { return; }
     std::vector<MovedNode>& lowest = moved_[0];
-    for (std::uint32_t node = 0; node < movedLanes_.size(); ++node) {
-        if (node % kWide == 0 && noneMoved(&movedLanes_[node], movedLanes_.size() - node)) {
-            node += kLaneMask;
-            continue;
-        }
+    sortMovedNodes();
+    for (const std::uint32_t node : movedNodes_) {
         std::uint32_t lanes = movedLanes_[node];
-        if (lanes == 0) { continue; }
         Aabb hull = kNoBox;
         for (; lanes != 0; lanes &= lanes - 1) {
             hull = hullOf(hull, levels_[0][node].box(static_cast<std::uint32_t>(std::countr_zero(lanes))));
@@ -222,11 +227,12 @@ void WideTree::finishJoin() {
         known_[moved.node] = levels_[0][moved.node];
         movedLanes_[moved.node] = 0;
     }
+    movedNodes_.clear();
     movedCount_ = 0;
 }
 
 std::size_t WideTree::memoryBytes() const {
-    std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(jumpedLanes_) + bytesOf(jumped_) +
+    std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(jumpedLanes_) + bytesOf(jumped_) + bytesOf(movedNodes_) +
                       bytesOf(nodeSpreads_) + bytesOf(items_) + bytesOf(oldBoxes_) +
                       bytesOf(oldKnown_) + bytesOf(oldSlots_) + bytesOf(oldMoved_);
     for (const auto& level : levels_) { sum += bytesOf(level); }

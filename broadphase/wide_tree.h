@@ -107,7 +107,7 @@ private:
     void include(std::uint32_t place, const Aabb& box);
     void mark(std::uint32_t place);
     void settleJumps(std::span<std::uint32_t> places);
-    static bool noneMoved(const std::uint8_t* lanes, std::size_t left);
+    void sortMovedNodes();
     void refit();
     bool isWorthRebuilding() const;
     void rebuild(std::span<std::uint32_t> places);
@@ -119,6 +119,7 @@ private:
     std::vector<WideBoxes> known_;
     std::vector<std::uint32_t> slots_;
     std::vector<std::uint8_t> movedLanes_;
+    std::vector<std::uint32_t> movedNodes_;  // those with marks, and maybe others, and maybe twice
     std::vector<std::uint8_t> jumpedLanes_;  // those that left the box of their node in one move
     std::vector<std::uint32_t> jumped_;      // their places
     std::vector<double> nodeSpreads_;        // of the lowest nodes when they were built; 0: not known yet

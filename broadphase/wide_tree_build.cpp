@@ -125,6 +125,10 @@ void WideTree::layOut(std::span<std::uint32_t> places) {
         const std::uint32_t moved = (oldMoved_[from >> kLaneBits] >> (from & kLaneMask)) & 1U;
         movedLanes_[node] |= static_cast<std::uint8_t>(moved << (place & kLaneMask));
     }
+    movedNodes_.clear();
+    for (std::uint32_t node = 0; node < nodes; ++node) {
+        if (movedLanes_[node] != 0) { movedNodes_.push_back(node); }
+    }
 }
 
 void WideTree::buildLevels() {
