@@ -41,10 +41,8 @@ Rod rodOf(DistanceConstraint& joint, BodyState& a, BodyState& b, const SolverBod
 
 void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
     if (!(rod.mass > 0)) { return; }  // nothing to move; and 0 kg times the room of a limit at infinity is no number
-    // Once per sub-step: solved again in relaxation, with the length that it has just made, the spring would pull twice.
-    if (joint.hasSpring && useBias) {
-        const Real change = springChange(rod.mass, rod.speed(), rod.length - joint.length, joint.springImpulse,
-                                         joint.spring);
+    if (joint.hasSpring && useBias) {  // once per sub-step
+        const Real change = joint.spring.drag * (joint.springImpulse - rod.mass * rod.speed());
         joint.springImpulse += change;
         rod.apply(change);
     }
@@ -69,7 +67,6 @@ void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
 }  // namespace
 
 void prepare(DistanceConstraint& joint, std::span<const BodyInertia>) {
-    if (!joint.hasSpring) { joint.springImpulse = 0; }
     if (!joint.isRigid) { joint.rigidImpulse = 0; }
     if (!joint.hasLimits) { joint.lowerImpulse = joint.upperImpulse = 0; }
 }
@@ -78,7 +75,10 @@ void warmStart(std::span<DistanceConstraint> joints, const SolverBodies& bodies)
     for (DistanceConstraint& joint : joints) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
-        rodOf(joint, a, b, bodies).apply(joint.impulse());
+        const Rod rod = rodOf(joint, a, b, bodies);
+        const Real stretch = rod.length - joint.length;
+        joint.springImpulse = joint.hasSpring ? -rod.mass * (joint.spring.push * stretch) : Real(0);
+        rod.apply(joint.impulse());
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }

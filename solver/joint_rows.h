@@ -95,12 +95,6 @@ constexpr Vec2 heldChange(const HeldRows& held, const JointPair& pair, Vec2 erro
     return -used.massScale * solve(held.matrix, speedsOf(held, pair) + bias) - used.impulseScale * accumulated;
 }
 
-/// The two-dimensional `springChange`.
-constexpr Vec2 springChange(const PointMatrix& matrix, Vec2 speed, Vec2 error, Vec2 accumulated,
-                            const SpringGains& gains) {
-    return -solve(matrix, gains.position * error + gains.velocity * speed) - (1 - gains.velocity) * accumulated;
-}
-
 /// A row that is pushed while held rows stay as they are: each unit of impulse on it brings `answer` on the held ones. Such
 /// a block is solved exactly, however long the arms; and a spring between hinged bodies has the inertia that it really moves.
 struct GuidedRow {
@@ -167,7 +161,7 @@ struct FreedomParts {
     bool hasLimits = false;
     bool hasMotor = false;
     bool hasSpring = false;
-    /// Accumulated; warm start in, result out. N·s or N·m·s per sub-step.
+    /// Accumulated; warm start in (but for the spring), result out. N·s or N·m·s per sub-step.
     Real lowerImpulse = 0;
     Real upperImpulse = 0;
     Real motorImpulse = 0;
@@ -177,20 +171,23 @@ struct FreedomParts {
 };
 
 constexpr void dropUnused(FreedomParts& parts) {
-    if (!parts.hasSpring) { parts.springImpulse = 0; }
     if (!parts.hasMotor) { parts.motorImpulse = 0; }
     if (!parts.hasLimits) { parts.lowerImpulse = parts.upperImpulse = 0; }
 }
 
-/// Spring, motor and limits in this order: limits have the last word. @param speed  the present one, called anew for each
+/// The spring's push, at the start of a sub-step: part of warm starting, where it takes the place of an old impulse.
+constexpr void pushSpring(FreedomParts& parts, Real mass, Real place) {
+    parts.springImpulse = parts.hasSpring ? -mass * (parts.spring.push * place) : Real(0);
+}
+
+/// Drag of the spring, motor and limits in this order: limits have the last word. @param speed  the present one, called anew for each
 /// @param push  applies an impulse
 template <class SpeedNow, class Push>
 void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& softness, Real h, bool useBias,
                   SpeedNow&& speed, Push&& push) {
     if (!(mass > 0)) { return; }  // nothing to move; and 0 times the room of a limit at infinity is no number
-    // Once per sub-step: solved again in relaxation, with the place that it has just made, the spring would pull twice.
-    if (parts.hasSpring && useBias) {
-        const Real change = springChange(mass, speed(), place, parts.springImpulse, parts.spring);
+    if (parts.hasSpring && useBias) {  // once per sub-step
+        const Real change = parts.spring.drag * (parts.springImpulse - mass * speed());
         parts.springImpulse += change;
         push(change);
     }

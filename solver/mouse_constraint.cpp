@@ -3,20 +3,32 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-void solveOne(MouseConstraint& joint, const JointPair& pair, Real, bool useBias) {
-    if (joint.hasSpring && !useBias) { return; }  // once per sub-step
-    const Vec2 arm = rotate(pair.b.deltaRotation, joint.anchorB);
-    const HeldRows point = heldPoint(pair, {}, arm);
+Vec2 limited(Vec2 impulse, Real most) {
+    const UnitAndLength wanted = normalized(impulse);
+    return wanted.length > most ? most * wanted.unit : impulse;
+}
+
+HeldRows gripOf(const MouseConstraint& joint, const JointPair& pair) {
+    return heldPoint(pair, {}, rotate(pair.b.deltaRotation, joint.anchorB));
+}
+
+/// The push of the spring takes the place of its old impulse.
+void pushSpring(MouseConstraint& joint, const JointPair& pair, const HeldRows& grip) {
     const Vec2 gap = anchorOffset(joint, pair.a, pair.b);
+    joint.linearImpulse = limited(-joint.spring.push * solve(grip.matrix, gap), joint.maxImpulse);
+}
+
+void solveOne(MouseConstraint& joint, const JointPair& pair, Real, bool useBias) {
+    if (joint.hasSpring && !useBias) { return; }  // drags once per sub-step
+    const HeldRows grip = gripOf(joint, pair);
     Vec2 total = joint.linearImpulse;
     if (joint.hasSpring) {
-        total += springChange(point.matrix, speedsOf(point, pair), gap, total, joint.spring);
+        total += joint.spring.drag * (total - solve(grip.matrix, speedsOf(grip, pair)));
     } else {
-        total += heldChange(point, pair, gap, total, joint.softness, useBias);
+        total += heldChange(grip, pair, anchorOffset(joint, pair.a, pair.b), total, joint.softness, useBias);
     }
-    const UnitAndLength wanted = normalized(total);
-    if (wanted.length > joint.maxImpulse) { total = joint.maxImpulse * wanted.unit; }
-    apply(point, pair, total - joint.linearImpulse);
+    total = limited(total, joint.maxImpulse);
+    apply(grip, pair, total - joint.linearImpulse);
     joint.linearImpulse = total;
 }
 
@@ -29,7 +41,9 @@ void warmStart(std::span<MouseConstraint> joints, const SolverBodies& bodies) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        applyImpulse(b, pair.inertiaB, joint.linearImpulse, rotate(b.deltaRotation, joint.anchorB));
+        const HeldRows grip = gripOf(joint, pair);
+        if (joint.hasSpring) { pushSpring(joint, pair, grip); }
+        apply(grip, pair, joint.linearImpulse);
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }

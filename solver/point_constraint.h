@@ -36,9 +36,4 @@ constexpr Real scalarChange(Real mass, Real speed, Real error, Real accumulated,
     return -softness.massScale * mass * (speed + softness.biasRate * error) - softness.impulseScale * accumulated;
 }
 
-/// The same for a spring, once in a sub-step: warm starting has applied the impulse of the one before, which is taken back.
-constexpr Real springChange(Real mass, Real speed, Real error, Real accumulated, const SpringGains& gains) {
-    return -mass * (gains.position * error + gains.velocity * speed) - (1 - gains.velocity) * accumulated;
-}
-
 }  // namespace swept::inline SWEPT_PRECISION

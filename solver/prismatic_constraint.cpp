@@ -23,18 +23,23 @@ Slide slideOf(PrismaticConstraint& joint, const JointPair& pair) {
             heldSlide(pair, rowAlong(leftPerp(joint.axisNow), armA, armB))};
 }
 
+bool canTurn(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0; }
+
+/// Speed along the axis per impulse, while the bodies neither turn against each other nor part.
+Real inverseMassOf(const Slide& slide, const JointPair& pair) {
+    return canTurn(pair) ? fullDeterminant(pair, slide.armA, slide.armB) / slide.held.matrix.determinant
+                         : pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
+}
+
 void solveOne(PrismaticConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Slide slide = slideOf(joint, pair);
     const Real angle = joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
-    const bool turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0;
-    const Vec2 error{cross(joint.axisNow, slide.offset), turns ? angle : Real(0)};
+    const Vec2 error{cross(joint.axisNow, slide.offset), canTurn(pair) ? angle : Real(0)};
     const Vec2 change = heldChange(slide.held, pair, error, joint.heldImpulse, joint.softness, useBias);
     joint.heldImpulse += change;
     apply(slide.held, pair, change);
     if (!joint.hasSpring && !joint.hasMotor && !joint.hasLimits) { return; }
-    const Real inverseMass = turns ? fullDeterminant(pair, slide.armA, slide.armB) / slide.held.matrix.determinant
-                                   : pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
-    const GuidedRow along = guidedBy(slide.held, slide.along, pair, inverseMass);
+    const GuidedRow along = guidedBy(slide.held, slide.along, pair, inverseMassOf(slide, pair));
     solveFreedom(
         joint, along.mass, dot(joint.axisNow, slide.offset), joint.softness, h, useBias,
         [&] { return speedOf(along.row, pair); },
@@ -52,6 +57,8 @@ void warmStart(std::span<PrismaticConstraint> joints, const SolverBodies& bodies
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
         const Slide slide = slideOf(joint, pair);
         apply(slide.held, pair, joint.heldImpulse);
+        const Real inverseMass = inverseMassOf(slide, pair);
+        pushSpring(joint, inverseMass > 0 ? 1 / inverseMass : Real(0), dot(joint.axisNow, slide.offset));
         apply(slide.along, pair, joint.impulse());
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }

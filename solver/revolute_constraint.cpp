@@ -3,6 +3,10 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+Real angleOf(const RevoluteConstraint& joint, const JointPair& pair) {
+    return joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
+}
+
 void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Vec2 armA = rotate(pair.a.deltaRotation, joint.anchorA);
     const Vec2 armB = rotate(pair.b.deltaRotation, joint.anchorB);
@@ -14,9 +18,8 @@ void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool use
     if (!joint.hasSpring && !joint.hasMotor && !joint.hasLimits) { return; }
     // The angle last, but guided: the point stays as it was just solved.
     const GuidedRow spin = guidedSpin(point, pair, armA, armB);
-    const Real angle = joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
     solveFreedom(
-        joint, spin.mass, angle, joint.softness, h, useBias, [&] { return speedOf(spin.row, pair); },
+        joint, spin.mass, angleOf(joint, pair), joint.softness, h, useBias, [&] { return speedOf(spin.row, pair); },
         [&](Real impulse) { apply(spin, point, pair, impulse, joint.linearImpulse); });
 }
 
@@ -25,12 +28,16 @@ void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool use
 void prepare(RevoluteConstraint& joint, std::span<const BodyInertia>) { dropUnused(joint); }
 
 void warmStart(std::span<RevoluteConstraint> joints, const SolverBodies& bodies) {
-    for (const RevoluteConstraint& joint : joints) {
+    for (RevoluteConstraint& joint : joints) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, rotate(a.deltaRotation, joint.anchorA));
-        applyImpulse(b, pair.inertiaB, joint.linearImpulse, rotate(b.deltaRotation, joint.anchorB));
+        const Vec2 armA = rotate(a.deltaRotation, joint.anchorA);
+        const Vec2 armB = rotate(b.deltaRotation, joint.anchorB);
+        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, armA);
+        applyImpulse(b, pair.inertiaB, joint.linearImpulse, armB);
+        const Real mass = joint.hasSpring ? guidedSpin(heldPoint(pair, armA, armB), pair, armA, armB).mass : Real(0);
+        pushSpring(joint, mass, angleOf(joint, pair));
         apply(kSpinRow, pair, joint.impulse());
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }

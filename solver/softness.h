@@ -31,30 +31,35 @@ constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
     return softnessOf(kTwoPi * cycles / h, dampingRatio, h);
 }
 
-/// A spring that a user gave, over one sub-step: the velocity falls by `position`·C + `velocity`·v, times what `mass` it holds.
+/// A spring that a user gave, over one sub-step, in two parts: at its start a push of `push`·C, a force that is known before
+/// anything is solved, and within the solve a drag that takes the part `drag` of the velocity that there is without the push.
+/// (Warm-started with the impulse of the sub-step before, eight stiff springs at one body fed on each other.)
 ///
 /// With θ = ω·h and D = (1 + ζθ)² the step (x, v) → (x + h·v₁, v₁), v₁ = (v − h·ω²·x)/D, has determinant 1/D: an undamped
 /// spring is symplectic and keeps its amplitude for ever (implicit Euler takes e^(−ωθ·t/2) from it), a critical one has the
 /// double root 1/(1 + θ), and a load at rest is carried with the exact deflection. Frequency and decay are right to ζθ/2
 /// and θ²/24. An explicit force needs θ² < 4 over all springs that pull at a body: what is stiffer than `kUndampedPhase` is
-/// damped by D = (1 + ζθ)² + θ² − kUndampedPhase², which is implicit Euler in the limit, and stable however stiff.
+/// damped by D = (1 + ζθ)² + θ² − kUndampedPhase², close to implicit Euler, and what is stiffer than `kStiffestPhase` is not
+/// made any stiffer.
 struct SpringGains {
-    Real position = 0;  ///< 1/s
-    Real velocity = 0;  ///< 0 … 1
+    Real push = 0;  ///< 1/s
+    Real drag = 0;  ///< 0 … 1
 };
 
 /// Radians of oscillation in a sub-step up to which a spring is undamped unless it is told otherwise: 25 sub-steps a period
 /// (38 Hz at 960 sub-steps a second). Its square leaves room for 64 such springs at one body.
 inline constexpr Real kUndampedPhase = Real(1) / 4;
-/// Stiffer, or more strongly damped, is the same: rigid.
-inline constexpr Real kRigidPhase = 65536;
+/// A load g then rests h²·g beside its place, 10 µm at 960 sub-steps a second on earth.
+inline constexpr Real kStiffestPhase = 1;
+/// More strongly damped is the same: no speed is left.
+inline constexpr Real kStrongestDamping = 65536;
 
 /// @param angularFrequency  2π·hertz, rad/s, greater than 0
 /// @param dampingRatio      at least 0
 /// @param h                 length of the sub-step, s
 constexpr SpringGains springGainsOf(Real angularFrequency, Real dampingRatio, Real h) {
-    const Real phase = angularFrequency * h < kRigidPhase ? angularFrequency * h : kRigidPhase;
-    const Real damped = dampingRatio * phase < kRigidPhase ? dampingRatio * phase : kRigidPhase;
+    const Real phase = angularFrequency * h < kStiffestPhase ? angularFrequency * h : kStiffestPhase;
+    const Real damped = dampingRatio * phase < kStrongestDamping ? dampingRatio * phase : kStrongestDamping;
     const Real beyond = phase > kUndampedPhase ? phase * phase - kUndampedPhase * kUndampedPhase : Real(0);
     const Real loss = damped * (2 + damped) + beyond;  // D − 1
     return {phase * phase / ((1 + loss) * h), loss / (1 + loss)};

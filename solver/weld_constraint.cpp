@@ -21,14 +21,14 @@ Seam seamOf(const WeldConstraint& joint, const JointPair& pair) {
 
 Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
 
-/// The angle's own change: of the spring, once per sub-step, or rigid.
+/// The angle's own change: drag of the spring, once per sub-step, or rigid.
 Real angleChange(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, Real mass, bool useBias) {
     const Real speed = speedOf(kSpinRow, pair);
     if (!joint.hasAngularSpring) {
         return scalarChange(mass, speed, useBias ? seam.angle : Real(0), joint.angularImpulse,
                             useBias ? joint.softness : kRigid);
     }
-    return useBias ? springChange(mass, speed, seam.angle, joint.angularImpulse, joint.angularSpring) : Real(0);
+    return useBias ? joint.angularSpring.drag * (joint.angularImpulse - mass * speed) : Real(0);
 }
 
 /// The point rigid, then the angle while the point stays.
@@ -61,37 +61,47 @@ PointMatrix matrixAtAngle(const Seam& seam, const JointPair& pair) {
             mass * (mass + both * lengthSquared(arm))};
 }
 
-/// The angle rigid, then the spring of the point while the angle stays.
-void springAtAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
-    const Vec2 change = springChange(matrixAtAngle(seam, pair), speedsOf(seam.point, pair), seam.gap,
-                                     joint.linearImpulse, joint.linearSpring);
+/// What the linear spring moves: the points while the angle is held, or while it is a spring, too, as they like.
+PointMatrix linearMatrix(const WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    return joint.hasAngularSpring ? seam.point.matrix : matrixAtAngle(seam, pair);
+}
+
+/// Inertia that the angular spring moves.
+Real angularMass(const WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    const Real turn = turnOf(pair);
+    if (!(turn > 0)) { return 0; }
+    return joint.hasLinearSpring ? 1 / turn : guidedSpin(seam.point, pair, seam.armA, seam.armB).mass;
+}
+
+void dragPoint(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    const Vec2 wanted = joint.linearImpulse - solve(linearMatrix(joint, seam, pair), speedsOf(seam.point, pair));
+    const Vec2 change = joint.linearSpring.drag * wanted;
     joint.linearImpulse += change;
     apply(seam.point, pair, change);
     const Real turn = turnOf(pair);
-    if (!(turn > 0)) { return; }
+    if (joint.hasAngularSpring || !(turn > 0)) { return; }
+    // A rigid angle stays as it was solved.
     const Real turned = pair.inertiaA.inverseInertia * cross(seam.armA, change) +
                         pair.inertiaB.inverseInertia * cross(seam.armB, change);
     joint.angularImpulse -= turned / turn;
     apply(kSpinRow, pair, -turned / turn);
 }
 
-void springFreely(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
-    const Vec2 change = springChange(seam.point.matrix, speedsOf(seam.point, pair), seam.gap, joint.linearImpulse,
-                                     joint.linearSpring);
-    joint.linearImpulse += change;
-    apply(seam.point, pair, change);
+/// The pushes of the springs take the place of their old impulses.
+void pushSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    if (joint.hasLinearSpring) {
+        joint.linearImpulse = -joint.linearSpring.push * solve(linearMatrix(joint, seam, pair), seam.gap);
+    }
+    if (joint.hasAngularSpring) {
+        joint.angularImpulse = -angularMass(joint, seam, pair) * (joint.angularSpring.push * seam.angle);
+    }
 }
 
 void solveOne(WeldConstraint& joint, const JointPair& pair, Real, bool useBias) {
     const Seam seam = seamOf(joint, pair);
     if (!joint.hasLinearSpring) { return solveAtPoint(joint, seam, pair, useBias); }
     solveAngle(joint, seam, pair, useBias);
-    if (!useBias) { return; }
-    if (joint.hasAngularSpring) {
-        springFreely(joint, seam, pair);
-    } else {
-        springAtAngle(joint, seam, pair);
-    }
+    if (useBias) { dragPoint(joint, seam, pair); }
 }
 
 }  // namespace
@@ -103,8 +113,9 @@ void warmStart(std::span<WeldConstraint> joints, const SolverBodies& bodies) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        apply(heldPoint(pair, rotate(a.deltaRotation, joint.anchorA), rotate(b.deltaRotation, joint.anchorB)), pair,
-              joint.linearImpulse);
+        const Seam seam = seamOf(joint, pair);
+        pushSprings(joint, seam, pair);
+        apply(seam.point, pair, joint.linearImpulse);
         apply(kSpinRow, pair, joint.angularImpulse);
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }

@@ -23,6 +23,13 @@ Axle axleOf(WheelConstraint& joint, const JointPair& pair) {
             heldLine(pair, rowAlong(leftPerp(joint.axisNow), armA, armB))};
 }
 
+/// Speed along the axis per impulse, while nothing moves across it; 0 when nothing can move.
+Real inverseMassOf(const Axle& axle, const JointPair& pair) {
+    const Real across = axle.held.matrix.xx;
+    if (!(across > 0)) { return 0; }
+    return pointMatrix(pair.inertiaA, axle.armA, pair.inertiaB, axle.armB).determinant / across;
+}
+
 void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair) {
     const Real across = axle.held.matrix.xx;
     const Real inverse = across > 0 ? heldSlide(pair, axle.held.first).matrix.determinant / across
@@ -42,10 +49,8 @@ void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBia
     apply(axle.held, pair, change);
     const bool turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0;
     if (joint.hasMotor && turns) { driveSpin(joint, axle, pair); }
-    const Real across = axle.held.matrix.xx;
-    if (!(across > 0) || (!joint.suspension.hasSpring && !joint.suspension.hasLimits)) { return; }
-    const Real inverse = pointMatrix(pair.inertiaA, axle.armA, pair.inertiaB, axle.armB).determinant / across;
-    const GuidedRow along = guidedBy(axle.held, axle.along, pair, inverse);
+    if (!joint.suspension.hasSpring && !joint.suspension.hasLimits) { return; }
+    const GuidedRow along = guidedBy(axle.held, axle.along, pair, inverseMassOf(axle, pair));
     solveFreedom(
         joint.suspension, along.mass, dot(joint.axisNow, axle.offset), joint.softness, h, useBias,
         [&] { return speedOf(along.row, pair); },
@@ -66,6 +71,8 @@ void warmStart(std::span<WheelConstraint> joints, const SolverBodies& bodies) {
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
         const Axle axle = axleOf(joint, pair);
         apply(axle.held, pair, joint.heldImpulse);
+        const Real inverseMass = inverseMassOf(axle, pair);
+        pushSpring(joint.suspension, inverseMass > 0 ? 1 / inverseMass : Real(0), dot(joint.axisNow, axle.offset));
         apply(axle.along, pair, joint.suspension.impulse());
         apply(kSpinRow, pair, joint.motorImpulse);
         storePair(bodies, joint.slotA, a, joint.slotB, b);

@@ -43,8 +43,8 @@ void visitSoftness(Softness& softness, Visit&& visit) {
 
 template <class Visit>
 void visitGains(SpringGains& gains, Visit&& visit) {
-    visit(gains.position, kRate);
-    visit(gains.velocity, kNumber);
+    visit(gains.push, kRate);
+    visit(gains.drag, kNumber);
 }
 
 template <class Visit>

@@ -1,0 +1,511 @@
+#include "world_support.h"
+
+/// Every kind of joint against a closed form: periods, deflections, accelerations, speeds, momenta.
+
+namespace swept::test {
+namespace {
+
+/// Times at which a value changes its sign, and its peaks between them.
+struct Crossings {
+    std::vector<double> times;
+    std::vector<double> peaks;
+
+    void add(double time, double value) {
+        if (started_ && before_ * value < 0) {
+            times.push_back(time - kStep * value / (value - before_));
+            peaks.push_back(peak_);
+            peak_ = 0;
+        }
+        peak_ = std::max(peak_, std::abs(value));
+        before_ = value;
+        started_ = true;
+    }
+    double hertz() const { return (static_cast<double>(times.size()) - 1) / (2 * (times.back() - times.front())); }
+    /// Change of the amplitude from the first whole swings to the last, relative; peaks fall between steps now and
+    /// then, so the largest of the first and the last quarter are compared.
+    double loss() const {
+        const auto quarter = static_cast<std::ptrdiff_t>(peaks.size() / 4);
+        const double first = *std::max_element(peaks.begin() + 1, peaks.begin() + 1 + quarter);
+        const double last = *std::max_element(peaks.end() - quarter, peaks.end());
+        return std::abs(last / first - 1);
+    }
+
+private:
+    double before_ = 0;
+    double peak_ = 0;
+    bool started_ = false;
+};
+
+JointDef between(BodyId a, BodyId b) {
+    JointDef def;
+    def.bodyA = a;
+    def.bodyB = b;
+    return def;
+}
+
+BodyId anchorOf(World& world) { return must(world.createBody(bodyAt(BodyType::fixed, {}))); }
+
+template <class Read>
+Crossings swing(World& world, double seconds, Read&& read) {
+    Crossings crossings;
+    crossings.add(0, read());
+    for (int i = 1; i <= static_cast<int>(std::lround(seconds / kStep)); ++i) {
+        must(world.step(kStep));
+        crossings.add(i * kStep, read());
+    }
+    return crossings;
+}
+
+TEST(JointKinds, UndampedSpringKeepsItsAmplitude) {
+    for (const double hertz : {0.5, 1.0, 4.0, 7.3}) {
+        World world = makeWorld(0);
+        const BodyId wall = anchorOf(world);
+        const BodyId mass = addBody(world, dynamicAt({1.25, 0}), circle(0.1));
+        DistanceJointDef spring;
+        spring.base = between(wall, mass);
+        spring.anchorB = {1.25, 0};
+        spring.length = real(1);
+        spring.spring = Spring{real(hertz), 0};
+        must(world.createJoint(spring));
+        const Crossings crossings = swing(world, 10, [&] { return world.position(mass).x - 1; });
+        expectAtMost("hertz of " + std::to_string(hertz), std::abs(crossings.hertz() / hertz - 1), 1e-3);
+        expectAtMost("loss at " + std::to_string(hertz), crossings.loss(), 0.01);
+    }
+}
+
+/// A block on a rail of 30°, against a spring: g·sin 30° pulls it down by g sin 30°/ω² about which it swings.
+TEST(JointKinds, PrismaticBlockOnAnIncline) {
+    const double hertz = 1.5;
+    const double slope = kPi / 6;
+    World world = makeWorld();
+    const BodyId ramp = anchorOf(world);
+    const DVec2 up{std::cos(slope), std::sin(slope)};
+    const BodyId block = addBody(world, dynamicAt(2 * up), box(0.2, 0.1));
+    PrismaticJointDef rail;
+    rail.base = between(ramp, block);
+    rail.anchor = 2 * up;
+    rail.axis = 3 * up;
+    rail.spring = Spring{real(hertz), 0};
+    const JointId joint = must(world.createJoint(rail));
+    const double sag = kGravity * std::sin(slope) / std::pow(2 * kPi * hertz, 2);
+    const Crossings crossings =
+        swing(world, 10, [&] { return static_cast<double>(world.jointTranslation(joint)) + sag; });
+    expectAtMost("hertz", std::abs(crossings.hertz() / hertz - 1), 1e-3);
+    expectAtMost("loss", crossings.loss(), 0.01);
+    expectAtMost("gap", static_cast<double>(world.jointError(joint)), 1e-4);
+    expectAtMost("angle", static_cast<double>(world.jointAngleError(joint)), 1e-4);
+    must(world.setSpring(joint, Spring{real(hertz), 1}));
+    runFor(world, 5);
+    expectAtMost("rest", std::abs(static_cast<double>(world.jointTranslation(joint)) / -sag - 1), 1e-3);
+    const Vec2 force = world.jointForce(joint);
+    expectAtMost("reaction", std::abs(static_cast<double>(force.y) / (world.mass(block) * kGravity) - 1), 1e-3);
+}
+
+TEST(JointKinds, PrismaticMotorAndLimits) {
+    World world = makeWorld(0);
+    const BodyId base = anchorOf(world);
+    const BodyId block = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5));
+    PrismaticJointDef rail;
+    rail.base = between(base, block);
+    rail.limits = TranslationLimits{-1, 2};
+    rail.motor = LinearMotor{3, 4};  // 4 m/s² with 1 kg
+    const JointId joint = must(world.createJoint(rail));
+    runFor(world, 0.5);
+    expectAtMost("speed under full force", std::abs(velocityOf(world, block).x / 2 - 1), 1e-3);
+    expectAtMost("force", std::abs(static_cast<double>(world.jointForce(joint).x) / 4 - 1), 1e-3);
+    runFor(world, 3);
+    expectAtMost("upper", std::abs(static_cast<double>(world.jointTranslation(joint)) - 2), 1e-3);
+    must(world.setLinearMotor(joint, LinearMotor{-3, 4}));
+    runFor(world, 4);
+    expectAtMost("lower", std::abs(static_cast<double>(world.jointTranslation(joint)) + 1), 1e-3);
+}
+
+/// Chassis of mass M, held from turning, on a wheel of mass m that stands: ω² = k/M, with the k that the joint derives
+/// from the hertz of the two bodies alone, k = ω_joint²·Mm/(M + m).
+TEST(JointKinds, WheelSuspensionSwingsAtItsFrequency) {
+    const double hertz = 3;
+    World world = makeWorld();
+    const BodyId ground = addStatic(world, box(5, 0.5), material(1), {0, -0.5});
+    (void)ground;
+    BodyDef body = dynamicAt({0, 1.2});
+    body.fixedRotation = true;
+    const BodyId chassis = addBody(world, body, box(1, 0.2));
+    const BodyId wheel = addBody(world, dynamicAt({0, 0.5}), circle(0.5));
+    WheelJointDef suspension;
+    suspension.base = between(chassis, wheel);
+    suspension.anchor = {0, 0.5};
+    suspension.spring = Spring{real(hertz), 0};
+    must(world.createJoint(suspension));
+    const double reduced = world.mass(chassis) * world.mass(wheel) / (world.mass(chassis) + world.mass(wheel));
+    const double stiffness = std::pow(2 * kPi * hertz, 2) * reduced;
+    const double sag = world.mass(chassis) * kGravity / stiffness;
+    const double wanted = std::sqrt(stiffness / world.mass(chassis)) / (2 * kPi);
+    const Crossings crossings = swing(world, 8, [&] { return world.position(chassis).y - 1.2 + sag; });
+    ASSERT_GT(crossings.times.size(), 8U);
+    expectAtMost("hertz", std::abs(crossings.hertz() / wanted - 1), 0.01);
+}
+
+TEST(JointKinds, WheelMotorDrivesAndItsAxisHolds) {
+    World world = makeWorld(0);
+    const BodyId base = anchorOf(world);
+    const BodyId wheel = addBody(world, dynamicAt({1, 0}), circle(0.5));
+    WheelJointDef def;
+    def.base = between(base, wheel);
+    def.anchor = {1, 0};
+    def.motor = AngularMotor{5, real(0.1)};
+    const JointId joint = must(world.createJoint(def));
+    runFor(world, 0.5);
+    expectAtMost("spin", std::abs(spinOf(world, wheel) / (0.05 / world.inertia(wheel)) - 1), 1e-3);
+    expectAtMost("torque", std::abs(static_cast<double>(world.jointTorque(joint)) / 0.1 - 1), 1e-3);
+    must(world.applyImpulse(wheel, vec(1, 0), {1, 0}));
+    runFor(world, 10);
+    expectAtMost("final spin", std::abs(spinOf(world, wheel) / 5 - 1), 1e-3);
+    expectAtMost("across", std::abs(world.position(wheel).x - 1), 1e-3);
+}
+
+/// A rod welded to the wall at its end by an angular spring: it swings with the hertz given, and hangs down by τ/k.
+TEST(JointKinds, WeldedBeamBendsByItsSpring) {
+    const double hertz = 2;
+    World world = makeWorld(0);
+    const BodyId wall = anchorOf(world);
+    BodyDef def = dynamicAt({0.5, 0}, {}, 0.2);
+    const BodyId beam = addBody(world, def, box(0.5, 0.02));
+    WeldJointDef weld;
+    weld.base = between(wall, beam);
+    weld.angularSpring = Spring{real(hertz), 0};
+    const JointId joint = must(world.createJoint(weld));
+    const Crossings crossings = swing(world, 10, [&] { return world.angle(beam); });
+    expectAtMost("hertz", std::abs(crossings.hertz() / hertz - 1), 1e-3);
+    expectAtMost("loss", crossings.loss(), 0.01);
+    expectAtMost("gap", static_cast<double>(world.jointError(joint)), 1e-4);
+    must(world.setWeldSprings(joint, std::nullopt, Spring{real(hertz), 1}));
+    must(world.configure(awakeSettings(0.5)));
+    runFor(world, 6);
+    const double inertia = world.inertia(beam) + 0.25 * world.mass(beam);
+    const double stiffness = std::pow(2 * kPi * hertz, 2) * inertia;
+    const double angle = world.angle(beam);
+    const double torque = world.mass(beam) * 0.5 * 0.5 * std::cos(angle);
+    expectAtMost("deflection", std::abs(-angle * stiffness / torque - 1), 1e-3);
+    expectAtMost("torque", std::abs(static_cast<double>(world.jointTorque(joint)) / torque - 1), 1e-3);
+}
+
+TEST(JointKinds, RigidWeldCarriesACantilever) {
+    World world = makeWorld();
+    const BodyId wall = anchorOf(world);
+    BodyId before = wall;
+    std::vector<JointId> joints;
+    double mass = 0;
+    for (int i = 0; i < 4; ++i) {
+        const BodyId piece = addBody(world, dynamicAt({0.5 + i, 0}), box(0.5, 0.1));
+        mass += world.mass(piece);
+        WeldJointDef weld;
+        weld.base = between(before, piece);
+        weld.anchor = {static_cast<double>(i), 0};
+        joints.push_back(must(world.createJoint(weld)));
+        before = piece;
+    }
+    runFor(world, 5);
+    expectAtMost("force", std::abs(static_cast<double>(world.jointForce(joints[0]).y) / (mass * kGravity) - 1), 2e-3);
+    expectAtMost("torque", std::abs(static_cast<double>(world.jointTorque(joints[0])) / (mass * kGravity * 2) - 1),
+                 2e-3);
+    expectAtMost("sag of 4 m", -world.position(before).y, 0.02);
+}
+
+/// A free pair, both parts of the weld springs: the centre of mass does not move, and momentum is conserved.
+TEST(JointKinds, SoftWeldConservesMomentum) {
+    World world = makeWorld(0);
+    const BodyId a = addBody(world, dynamicAt({0, 0}, vec(0, 1), 1), box(0.5, 0.1));
+    const BodyId b = addBody(world, dynamicAt({1, 0}), box(0.5, 0.2));
+    WeldJointDef weld;
+    weld.base = between(a, b);
+    weld.anchor = {0.5, 0};
+    weld.linearSpring = Spring{3, real(0.2)};
+    weld.angularSpring = Spring{2, real(0.2)};
+    must(world.createJoint(weld));
+    const BodyId both[] = {a, b};
+    const DVec2 before = momentumOf(world, both);
+    runFor(world, 5);
+    expectAtMost("momentum", length(momentumOf(world, both) - before), 1e-5);
+    expectAtMost("they turn as one", std::abs(spinOf(world, a) - spinOf(world, b)), 0.02);
+}
+
+/// Weight mg against a motor of force F < mg: it sinks by g − F/m; F > mg holds it where it is to be.
+TEST(JointKinds, MotorForceAgainstWeight) {
+    World world = makeWorld();
+    const BodyId base = anchorOf(world);
+    const BodyId load = addBody(world, dynamicAt({0, 5}), box(0.5, 0.5));
+    MotorJointDef def;
+    def.base = between(base, load);
+    def.drive.maxForce = real(6);
+    def.drive.maxTorque = real(5);
+    const JointId joint = must(world.createJoint(def));
+    runFor(world, 0.5);
+    expectAtMost("sinks", std::abs(velocityOf(world, load).y / -2 - 1), 1e-3);
+    expectAtMost("force", std::abs(static_cast<double>(world.jointForce(joint).y) / 6 - 1), 1e-3);
+    MotorDrive drive;
+    drive.maxForce = real(30);
+    drive.maxTorque = real(5);
+    drive.linearOffset = vec(2, 4);
+    drive.angularOffset = real(1.5);
+    must(world.setDrive(joint, drive));
+    double highest = 0;
+    for (int i = 0; i < 240; ++i) {
+        must(world.step(kStep));
+        highest = std::max(highest, world.angle(load));
+    }
+    expectAtMost("place", length(world.position(load) - DVec2{2, 4}), 1e-3);
+    expectAtMost("angle", std::abs(world.angle(load) - 1.5), 1e-3);
+    expectAtMost("overshoot", highest - 1.5, 0.01);
+    drive = {};
+    drive.maxForce = real(30);
+    drive.linearVelocity = vec(-1, 0.5);
+    must(world.setDrive(joint, drive));
+    runFor(world, 1);
+    expectAtMost("velocity", length(velocityOf(world, load) - DVec2{-1, 0.5}), 1e-3);
+}
+
+/// A critical pull on the centre: (1 + ωt) e^−ωt of the way is left. A target that moves at v drags it 2v/ω behind.
+TEST(JointKinds, MousePullsCritically) {
+    const double hertz = 2;
+    const double w = 2 * kPi * hertz;
+    World world = makeWorld(0);
+    const BodyId base = anchorOf(world);
+    const BodyId ball = addBody(world, dynamicAt({0, 0}), circle(0.5));
+    MouseJointDef def;
+    def.base = between(base, ball);
+    def.anchor = DVec2{0, 0};
+    def.target = {1, 2};
+    def.spring = Spring{real(hertz), 1};
+    const JointId joint = must(world.createJoint(def));
+    double worst = 0;
+    for (int i = 1; i <= 90; ++i) {
+        must(world.step(kStep));
+        const double t = i * kStep;
+        const double left = (1 + w * t) * std::exp(-w * t);
+        worst = std::max(worst, length(world.position(ball) - (1 - left) * DVec2{1, 2}) / std::sqrt(5));
+    }
+    expectAtMost("deviation from the critical return", worst, 0.005);
+    for (int i = 1; i <= 300; ++i) {
+        must(world.setTarget(joint, {1 + i * kStep, 2}));
+        must(world.step(kStep));
+    }
+    // The target stands still within a step: on average it is half a step behind where it was last put.
+    const double lag = 1 + 300 * kStep - world.position(ball).x;
+    expectAtMost("lag", std::abs(lag / (2 / w) - 1), 0.07);
+}
+
+TEST(JointKinds, MouseForceIsLimitedAndCarriesWeight) {
+    World world = makeWorld();
+    const BodyId base = anchorOf(world);
+    const BodyId box1 = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5));
+    MouseJointDef def;
+    def.base = between(base, box1);
+    def.target = {0, 0};
+    def.spring = Spring{2, 1};
+    def.maxForce = real(8);
+    const JointId joint = must(world.createJoint(def));
+    runFor(world, 2);
+    expectAtMost("sinks by g − F/m", std::abs(velocityOf(world, box1).y / -(2 * 2.0) - 1), 0.12);
+    expectAtMost("force", std::abs(static_cast<double>(world.jointForce(joint).y) / 8 - 1), 1e-3);
+}
+
+/// Two wheels of one gear, first + ratio·second = constant; the torques at the teeth are as 1 : ratio.
+TEST(JointKinds, GearCouplesSpinsAndConservesWhatItMust) {
+    const double ratio = 2.5;
+    World world = makeWorld(0);
+    const BodyId base = anchorOf(world);
+    const BodyId first = addBody(world, dynamicAt({0, 0}, {}, 4), circle(0.5));
+    const BodyId second = addBody(world, dynamicAt({3, 0}), circle(1));
+    const auto hinge = [&](BodyId wheel, double x) {
+        RevoluteJointDef def;
+        def.base = between(base, wheel);
+        def.anchor = {x, 0};
+        return must(world.createJoint(def));
+    };
+    GearJointDef def;
+    def.jointA = hinge(first, 0);
+    def.jointB = hinge(second, 3);
+    def.ratio = real(ratio);
+    const JointId gear = must(world.createJoint(def));
+    const double i1 = world.inertia(first);
+    const double i2 = world.inertia(second);
+    const double momentum = i1 * 4 - i2 * 0 / ratio;
+    runFor(world, 2);
+    // ω₂ = −ω₁/ratio; the impulse J on the first and ratio·J on the second: I₁ω₁ − I₂ω₂/ratio is kept.
+    expectAtMost("ratio", std::abs(spinOf(world, first) + ratio * spinOf(world, second)), 1e-4);
+    expectAtMost("momentum", std::abs((i1 * spinOf(world, first) - i2 * spinOf(world, second) / ratio) / momentum - 1),
+                 1e-4);
+    expectAtMost("slip", static_cast<double>(world.jointAngleError(gear)), 1e-4);
+    must(world.applyTorque(first, real(0.5)));
+    const double before = spinOf(world, first);
+    must(world.step(kStep));
+    const double effective = i1 + i2 / (ratio * ratio);
+    expectAtMost("torque through the teeth", std::abs((spinOf(world, first) - before) / (0.5 * kStep / effective) - 1),
+                 2e-3);
+    // Without one of its joints there is no gear.
+    EXPECT_EQ(world.jointCount(), 3U);
+    must(world.destroyBody(second));
+    EXPECT_EQ(world.jointCount(), 1U);
+    EXPECT_FALSE(world.isValid(gear));
+}
+
+/// Rack and pinion, on a common frame that moves freely: what the pinion turns, the rack slides.
+TEST(JointKinds, GearOfRackAndPinionOnAFreeFrame) {
+    World world = makeWorld(0);
+    const BodyId frame = addBody(world, dynamicAt({0, 0}), box(2, 0.5));
+    const BodyId pinion = addBody(world, dynamicAt({0, 1}, {}, 3), circle(0.5));
+    const BodyId rack = addBody(world, dynamicAt({1, 2}), box(1, 0.1));
+    RevoluteJointDef hinge;
+    hinge.base = between(frame, pinion);
+    hinge.anchor = {0, 1};
+    PrismaticJointDef rail;
+    rail.base = between(frame, rack);
+    rail.anchor = {1, 2};
+    GearJointDef def;
+    def.jointB = must(world.createJoint(hinge));
+    def.jointA = must(world.createJoint(rail));
+    def.ratio = real(0.5);
+    const JointId gear = must(world.createJoint(def));
+    const BodyId all[] = {frame, pinion, rack};
+    const DVec2 momentum = momentumOf(world, all);
+    const double angular = angularMomentumOf(world, all);
+    runFor(world, 2);
+    expectAtMost("slip", static_cast<double>(world.jointError(gear)), 1e-3);
+    EXPECT_GT(std::abs(world.jointTranslation(def.jointA)), real(0.1)) << "it slides";
+    expectAtMost("momentum", length(momentumOf(world, all) - momentum), 1e-4);
+    expectAtMost("angular momentum", std::abs(angularMomentumOf(world, all) / angular - 1), 2e-3);
+}
+
+/// Atwood's machine: a = (m₁ − m₂)·g/(m₁ + m₂), tension 2·m₁·m₂·g/(m₁ + m₂); with a ratio, the forces are as 1 : ratio.
+TEST(JointKinds, PulleyIsAnAtwoodMachine) {
+    for (const double ratio : {1.0, 2.0}) {
+        World world = makeWorld();
+        const BodyId left = addBody(world, dynamicAt({-1, 0}), box(0.5, 0.5));
+        const BodyId right = addBody(world, dynamicAt({1, 0}), box(0.5, 0.25));
+        PulleyJointDef def;
+        def.base = between(left, right);
+        def.groundA = {-1, 5};
+        def.groundB = {1, 5};
+        def.anchorA = {-1, 0.5};
+        def.anchorB = {1, 0.25};
+        def.ratio = real(ratio);
+        const JointId joint = must(world.createJoint(def));
+        const double m1 = world.mass(left);
+        const double m2 = world.mass(right);
+        // lengthA + r·lengthB constant: a₂ = −a₁/r; m₁a₁ = m₁g − T, m₂a₂ = m₂g − rT (downwards).
+        const double down = kGravity * (m1 - m2 / ratio) / (m1 + m2 / (ratio * ratio));
+        const double tension = m1 * (kGravity - down);
+        run(world, 30);
+        const double t = 30 * kStep;
+        expectAtMost("acceleration", std::abs(velocityOf(world, left).y / (-down * t) - 1), 2e-3);
+        expectAtMost("other side", std::abs(velocityOf(world, right).y / (down / ratio * t) - 1), 2e-3);
+        expectAtMost("tension", std::abs(static_cast<double>(world.jointForce(joint).y) / (ratio * tension) - 1), 2e-3);
+        expectAtMost("rope", static_cast<double>(world.jointError(joint)), 1e-3);
+        // A rope does not push: what is thrown up flies freely.
+        must(world.setVelocity(left, vec(0, 3), 0));
+        must(world.setVelocity(right, vec(0, 3), 0));
+        must(world.step(kStep));
+        EXPECT_NEAR(velocityOf(world, left).y, 3 - kGravity * kStep, 1e-4);
+        EXPECT_EQ(length(world.jointForce(joint)), 0);
+    }
+}
+
+TEST(JointKinds, FilterOnlyKeepsApart) {
+    for (const bool filtered : {true, false}) {
+        World world = makeWorld();
+        const BodyId floor = addStatic(world, box(5, 0.5), material(1), {0, -0.5});
+        const BodyId ball = addBody(world, dynamicAt({0, 2}), circle(0.5));
+        JointId joint;
+        if (filtered) {
+            FilterJointDef def;
+            def.base = between(floor, ball);
+            joint = must(world.createJoint(def));
+        }
+        run(world, 60);
+        if (!filtered) {
+            EXPECT_NEAR(world.position(ball).y, 0.5, 0.01);
+            continue;
+        }
+        EXPECT_NEAR(world.position(ball).y, 2 - 5, 1e-4) << "free flight, to the end of the parabola";
+        EXPECT_EQ(world.counters().solvedBodies, 0U) << "a filter holds nothing";
+        must(world.setPose(ball, {0, 2}, 0));
+        must(world.setVelocity(ball, {}, 0));
+        must(world.destroyJoint(joint));
+        run(world, 120);
+        EXPECT_NEAR(world.position(ball).y, 0.5, 0.01) << "and they collide again";
+    }
+}
+
+/// Four springs of every stiffness, hung one below the other, and many at one body: nothing gains energy.
+TEST(JointKinds, StiffSpringsAreStable) {
+    for (const double hertz : {30.0, 45.0, 150.0, 1e6}) {
+        for (const double damping : {0.0, 1.0, 10.0, 1e6}) {
+            World world = makeWorld(0);
+            const BodyId hub = addBody(world, dynamicAt({0, 0}, vec(1, 0.3), 1), box(0.3, 0.2));
+            std::vector<BodyId> all{hub};
+            for (int i = 0; i < 8; ++i) {
+                const double angle = kPi / 4 * i;
+                const BodyId rim = addBody(world, dynamicAt({2 * std::cos(angle), 2 * std::sin(angle)}), box(0.3, 0.3));
+                DistanceJointDef spring;
+                spring.base = between(hub, rim);
+                spring.anchorA = {0.2 * std::cos(angle), 0.2 * std::sin(angle)};
+                spring.anchorB = world.position(rim);
+                spring.spring = Spring{real(hertz), real(damping)};
+                must(world.createJoint(spring));
+                all.push_back(rim);
+            }
+            const double start = energyOf(world, all, 0);
+            double most = 0;
+            for (int i = 0; i < 120; ++i) {
+                must(world.step(kStep));
+                most = std::max(most, energyOf(world, all, 0));
+            }
+            // What a symplectic step conserves is the energy up to θ/2 of it, θ ≤ 1/4.
+            expectAtMost("energy at " + std::to_string(hertz) + ", " + std::to_string(damping), most / start, 1.05);
+        }
+    }
+}
+
+/// A joint that holds a sleeping body wakes it when it is told something new.
+TEST(JointKinds, SettersWake) {
+    WorldSettings settings = awakeSettings();
+    settings.sleep = true;
+    World world = makeWorld(settings);
+    const BodyId base = anchorOf(world);
+    const BodyId bar = addBody(world, dynamicAt({0, -1}), box(0.1, 1));
+    RevoluteJointDef hinge;
+    hinge.base = between(base, bar);
+    const JointId joint = must(world.createJoint(hinge));
+    run(world, 300);
+    ASSERT_FALSE(world.isAwake(bar));
+    must(world.setAngularMotor(joint, AngularMotor{1, 100}));
+    EXPECT_TRUE(world.isAwake(bar));
+    runFor(world, 0.5);
+    expectAtMost("it turns", std::abs(world.jointAngle(joint) / 0.5 - 1), 0.01);
+    EXPECT_EQ(world.setLinearMotor(joint, LinearMotor{1, 1}).code, StatusCode::wrongJointType);
+    EXPECT_EQ(world.setTarget(joint, {0, 0}).code, StatusCode::wrongJointType);
+    EXPECT_EQ(world.setAngleLimits(joint, AngleLimits{1, 0}).code, StatusCode::outOfRange);
+}
+
+TEST(JointKinds, EveryKindBreaks) {
+    const auto breaksAt = [](double force) {
+        World world = makeWorld();
+        const BodyId base = anchorOf(world);
+        const BodyId load = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5));  // 10 N
+        WeldJointDef weld;
+        weld.base = between(base, load);
+        weld.base.breakForce = real(force);
+        must(world.createJoint(weld));
+        bool broken = false;
+        for (int i = 0; i < 30; ++i) {
+            must(world.step(kStep));
+            broken = broken || !world.jointBreaks().empty();
+        }
+        return broken;
+    };
+    EXPECT_TRUE(breaksAt(9.5));
+    EXPECT_FALSE(breaksAt(10.5));
+}
+
+}  // namespace
+}  // namespace swept::test
