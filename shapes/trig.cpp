@@ -124,12 +124,12 @@ SinCos sinCos(double angle) {
     if (std::fabs(angle) > kLargestExactAngle) { angle = std::fmod(angle, kTwoPi); }
     const double quadrant = std::floor(angle * kTwoOverPi + 0.5);
     const SinCos near = quadrant == 0 ? sinCosOfReduced({angle, 0}) : sinCosOfReduced(reduced(angle, quadrant));
-    switch (static_cast<int>(quadrant) & 3) {
-        case 0: return near;
-        case 1: return {near.cos, -near.sin};
-        case 2: return {-near.sin, -near.cos};
-        default: return {-near.cos, near.sin};
-    }
+    // By tables: nobody can predict the quadrant of an angle, and a wrong guess costs more than all the rest.
+    constexpr std::array<double, 4> kSignOfSine = {1, 1, -1, -1};
+    constexpr std::array<double, 4> kSignOfCosine = {1, -1, -1, 1};
+    const std::array<double, 2> both = {near.sin, near.cos};
+    const auto q = static_cast<std::size_t>(static_cast<int>(quadrant) & 3);
+    return {kSignOfSine[q] * both[q & 1], kSignOfCosine[q] * both[1 - (q & 1)]};
 }
 
 double arcTangent2(double y, double x) {

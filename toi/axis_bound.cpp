@@ -7,19 +7,21 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Bodies turn by no more than this against the axis within one window, radians. Up to √2 the walk of the deepest
-/// vertex is contained in the walk up to the direction (1 − θ²/2, θ), which is past θ; and beyond, the third derivative
-/// rules.
+/// Bodies turn by no more than this against the axis within one window,
+/// radians. Up to √2 the walk of the deepest vertex is contained in the walk up
+/// to the direction (1 − θ²/2, θ), which is past θ; and beyond, the third
+/// derivative rules.
 constexpr double kWidestTurn = 1.25;
 /// A window is narrowed when the step fills less than this part of it.
 constexpr double kFilled = 0.25;
 constexpr int kWindows = 3;
+/// The window reaches so far past the guess, as a factor of it.
+constexpr double kAhead = 1.125;
 
-double cube(double x) { return x * x * x; }
-
-/// Which vertices can become the farthest along `axis` (frame of the body) while the body turns by `angle` against it.
+/// Which vertices can become the farthest along `axis` (frame of the body)
+/// while the body turns by `angle` against it.
 /// @param from  the farthest one now.
-VertexRun walk(const CenteredPolygon& body, int from, Vec2 axis, double angle) {
+[[gnu::always_inline]] inline VertexRun walk(const CenteredPolygon& body, int from, Vec2 axis, double angle) {
     VertexRun run{from, 1, angle > 0 ? -1 : 1};
     if (angle == 0 || body.count() == 1) {
         return run;
@@ -60,73 +62,71 @@ int farthestOf(const CenteredPolygon& body, const VertexRun& run, Vec2 axis, dou
     return best;
 }
 
-/// What the bounds of one axis at one pose have in common.
-struct AxisProblem {
-    const MovingPair& pair;
-    const HeldAxis& axis;
-    double turnA;  ///< rates of the bodies against the axis, radians per unit of fraction
-    double turnB;
-    double centers;      ///< separation of the centres along the axis less radii and level
-    double centersRate;  ///< and its derivatives now
-    double centersCurve;
-    double distance;  ///< of the centres
-    double curvature;
-
-    AxisProblem(const MovingPair& movingPair, const PairPose& pose, const HeldAxis& held, double level)
-        : pair(movingPair), axis(held), turnA(pair.motion.spinA - held.spin), turnB(pair.motion.spinB - held.spin) {
-        const RelativeMotion& motion = pair.motion;
-        const DVec2 v = motion.velocityAt(pose.fraction);
-        const Vec2 velocity{v.x, v.y};
-        const Vec2 bend{motion.curvature.x, motion.curvature.y};
-        const double along = dot(axis.normal, pose.offset);
-        centers = along - (level + pair.radii);
-        centersRate = dot(axis.normal, velocity) + axis.spin * cross(axis.normal, pose.offset);
-        centersCurve = 2 * dot(axis.normal, bend) + axis.spin * (2 * cross(axis.normal, velocity) - axis.spin * along);
-        distance = axis.spin != 0 ? length(pose.offset) : 0;
-        curvature = axis.spin != 0 ? length(bend) : 0;
-    }
-
-    /// Lower bound for a pair of vertices; `bend` is what both orders allow.
-    Parabola of(Vec2 a, Vec2 b, double second, double third) const {
-        const double highA = dot(axis.inA, a);
-        const double lowB = dot(axis.inB, b);
-        const double rate = turnB * cross(b, axis.inB) - turnA * cross(a, axis.inA);
-        const double bend = turnB * turnB * lowB - turnA * turnA * highA - centersCurve + third;
-        return {centers + (lowB - highA), centersRate + rate, bend < second ? bend : second};
-    }
-    double secondOrder(double window) const {
-        const double turning = turnA * turnA * pair.a.reach() + turnB * turnB * pair.b.reach();
-        if (axis.spin == 0) {
-            return turning - centersCurve;
-        }
-        const double w = std::fabs(axis.spin);
-        return turning + w * w * (distance + window * pair.fastest) + 2 * w * pair.fastest + 2 * curvature;
-    }
-    /// A third of the window times the bound of the third derivative.
-    double thirdOrder(double window) const {
-        double third = cube(std::fabs(turnA)) * pair.a.reach() + cube(std::fabs(turnB)) * pair.b.reach();
-        if (axis.spin != 0) {
-            const double w = std::fabs(axis.spin);
-            third += w * (w * (w * (distance + window * pair.fastest) + 3 * pair.fastest) + 6 * curvature);
-        }
-        return (1.0 / 3) * window * third;
-    }
-    /// First root of the lowest of all parabolas of a window.
-    double firstRootWithin(double window, const VertexRun& runA, const VertexRun& runB) const {
-        const double second = secondOrder(window);
-        const double third = thirdOrder(window);
-        double step = window;
-        int i = runA.first;
-        for (int k = 0; k < runA.count; ++k, i = after(pair.a, i, runA.step)) {
-            const Vec2 a = pair.a.vertex(i);
-            int j = runB.first;
-            for (int l = 0; l < runB.count; ++l, j = after(pair.b, j, runB.step)) {
-                step = firstRoot(of(a, pair.b.vertex(j), second, third), step);
-            }
-        }
-        return step;
-    }
+/// Value, rate and bend of one body's part of a pair's parabola.
+struct Part {
+    double value;
+    double rate;
+    double bend;
 };
+
+Part partOfA(const HeldAxis& axis, Vec2 vertex, double turn) {
+    const double high = dot(axis.inA, vertex);
+    return {-high, -turn * cross(vertex, axis.inA), -turn * turn * high};
+}
+
+Part partOfB(const HeldAxis& axis, Vec2 vertex, double turn) {
+    const double low = dot(axis.inB, vertex);
+    return {low, turn * cross(vertex, axis.inB), turn * turn * low};
+}
+
+Parabola sum(const Part& centers, const Part& a, const Part& b) {
+    return {centers.value + (a.value + b.value), centers.rate + (a.rate + b.rate), centers.bend + (a.bend + b.bend)};
+}
+
+/// Bounds of the second derivative and of the third, as they grow with the
+/// window.
+struct Bounds {
+    double second;
+    double secondPerWindow;
+    double third;
+    double thirdPerWindow;
+};
+
+Bounds boundsOf(const MovingPair& pair, const PairPose& pose, double spin, double turnA, double turnB, double bend) {
+    const double squareA = turnA * turnA * pair.a.reach();
+    const double squareB = turnB * turnB * pair.b.reach();
+    Bounds bounds{squareA + squareB + bend, 0, std::fabs(turnA) * squareA + std::fabs(turnB) * squareB, 0};
+    if (spin == 0) {
+        return bounds;
+    }
+    const double w = std::fabs(spin);
+    const double distance = length(pose.offset);
+    const double curvature = length(pair.motion.curvature);
+    bounds.second = squareA + squareB + (w * (w * distance + 2 * pair.fastest) + 2 * curvature);
+    bounds.secondPerWindow = w * w * pair.fastest;
+    bounds.third += w * (w * (w * distance + 3 * pair.fastest) + 6 * curvature);
+    bounds.thirdPerWindow = w * w * w * pair.fastest;
+    return bounds;
+}
+
+/// First root of the lowest of all parabolas of two runs.
+/// @param second, third  what both orders allow as bend, the third on top of a
+/// pair's own.
+double firstRootOfRuns(const MovingPair& pair, const HeldAxis& axis, const Part& centers, double turnA, double turnB,
+                       const SafeAdvance& runs, double second, double third, double window) {
+    double step = window;
+    int i = runs.a.first;
+    for (int k = 0; k < runs.a.count; ++k, i = after(pair.a, i, runs.a.step)) {
+        const Part a = partOfA(axis, pair.a.vertex(i), turnA);
+        int j = runs.b.first;
+        for (int l = 0; l < runs.b.count; ++l, j = after(pair.b, j, runs.b.step)) {
+            Parabola bound = sum(centers, a, partOfB(axis, pair.b.vertex(j), turnB));
+            bound.bend = std::min(bound.bend + third, second);
+            step = firstRoot(bound, step);
+        }
+    }
+    return step;
+}
 
 void setHolder(const MovingPair& pair, HeldAxis& axis, AxisOwner holder) {
     axis.holder = holder;
@@ -178,26 +178,40 @@ HeldAxis hold(const MovingPair& pair, const PairPose& pose, Vec2 normal, AxisOwn
 
 SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const HeldAxis& axis, double level,
                         double limit) {
-    const AxisProblem problem(pair, pose, axis, level);
+    const RelativeMotion& motion = pair.motion;
+    const double turnA = motion.spinA - axis.spin;
+    const double turnB = motion.spinB - axis.spin;
+    const DVec2 velocity = motion.velocityAt(pose.fraction);
+    const double along = dot(axis.normal, pose.offset);
+    const double across = cross(axis.normal, Vec2{velocity.x, velocity.y});
+    const Part centers{along - (level + pair.radii),
+                       dot(axis.normal, Vec2{velocity.x, velocity.y}) + axis.spin * cross(axis.normal, pose.offset),
+                       axis.spin * (axis.spin * along - 2 * across) -
+                           2 * dot(axis.normal, Vec2{motion.curvature.x, motion.curvature.y})};
     const Parabola now =
-        problem.of(pair.a.vertex(axis.a), pair.b.vertex(axis.b), std::numeric_limits<double>::infinity(), 0);
-    SafeAdvance best{0, {axis.a, 1, 1}, {axis.b, 1, 1}, false};
-    best.approaches = now.rate < 0;
-    double window = std::min(limit, 1.125 * firstRoot(now, limit));
-    const double turn = std::max(std::fabs(problem.turnA), std::fabs(problem.turnB));
+        sum(centers, partOfA(axis, pair.a.vertex(axis.a), turnA), partOfB(axis, pair.b.vertex(axis.b), turnB));
+    const Bounds bounds = boundsOf(pair, pose, axis.spin, turnA, turnB, centers.bend);
+
+    SafeAdvance best{0, {axis.a, 1, 1}, {axis.b, 1, 1}, now.rate < 0};
+    double window = std::min(limit, kAhead * firstRoot(now, limit));
+    const double turn = std::max(std::fabs(turnA), std::fabs(turnB));
     if (turn * window > kWidestTurn) {
         window = kWidestTurn / turn;
     }
     for (int round = 0; round < kWindows; ++round) {
-        const VertexRun runA = walk(pair.a, axis.a, axis.inA, problem.turnA * window);
-        const VertexRun runB = walk(pair.b, axis.b, -axis.inB, problem.turnB * window);
-        const double step = problem.firstRootWithin(window, runA, runB);
-        if (step > best.step) {
-            best.step = step;
-            best.a = runA;
-            best.b = runB;
+        SafeAdvance next{0, walk(pair.a, axis.a, axis.inA, turnA * window),
+                         walk(pair.b, axis.b, -axis.inB, turnB * window), best.approaches};
+        const double second = bounds.second + window * bounds.secondPerWindow;
+        const double third = (1.0 / 3) * window * (bounds.third + window * bounds.thirdPerWindow);
+        if (next.a.count + next.b.count == 2) {
+            next.step = firstRoot({now.value, now.rate, std::min(now.bend + third, second)}, window);
+        } else {
+            next.step = firstRootOfRuns(pair, axis, centers, turnA, turnB, next, second, third, window);
         }
-        if (!(step < kFilled * window)) {
+        if (next.step > best.step) {
+            best = next;
+        }
+        if (!(next.step < kFilled * window)) {
             break;
         }
         window = 2 * best.step;
@@ -238,8 +252,9 @@ double advanceOfCircles(const MovingPair& pair, double fraction, double level, d
     if (!(approach > 0)) {
         return limit;
     }
-    // |offset + s·velocity| = reach. The distance at which the centres pass each other comes from the cross product,
-    // whose error is a rounding of the distance; the usual discriminant would lose twice the digits.
+    // |offset + s·velocity| = reach. The distance at which the centres pass each
+    // other comes from the cross product, whose error is a rounding of the
+    // distance; the usual discriminant would lose twice the digits.
     const double aside = cross(offset, velocity);
     const double discriminant = dot(velocity, velocity) * (reach * reach) - aside * aside;
     if (discriminant < 0) {

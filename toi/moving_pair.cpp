@@ -21,7 +21,8 @@ double largestCoordinate(const ToiPolygon& polygon, DVec2 center) {
     return largest + length(center);
 }
 
-/// Beyond it, or below its inverse, products of four coordinates leave the range of double.
+/// Beyond it, or below its inverse, products of four coordinates leave the
+/// range of double.
 constexpr double kLargestProduct = 0x1p200;
 
 Polygon withNormals(const Polygon& polygon) {
@@ -39,7 +40,8 @@ Polygon withNormals(const Polygon& polygon) {
     return result;
 }
 
-/// A simplex of one vertex of B and an edge of A holds a face of A, and the other way round; two edges are either's.
+/// A simplex of one vertex of B and an edge of A holds a face of A, and the
+/// other way round; two edges are either's.
 AxisOwner ownerOf(const GjkResult& gjk) {
     if (gjk.count < 2) {
         return AxisOwner::world;
@@ -69,7 +71,7 @@ MovingPair::MovingPair(const ToiPolygon& polygonA, const Sweep& sweepA, const To
       b(polygonB, sweepB.localCenter),
       motion(sweepA, sweepB),
       radii(polygonA.radius + polygonB.radius),
-      fastest(motion.fastestWithin(0, 1)) {
+      fastest(length(motion.change) + (motion.curvature != DVec2{} ? length(motion.curvature) : 0)) {
     const double largest = std::max({a.reach(), b.reach(), sumNorm(motion.start), sumNorm(motion.change)});
     isExtreme_ = !(largest < kLargestProduct && largest > 1 / kLargestProduct);
 }
@@ -136,12 +138,14 @@ CorePoints MovingPair::witnessesOf(const PairPose& pose, const Closest& closest)
 }
 
 double roundingSlack(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB) {
-    // A coordinate goes through at most some 20 roundings of half an epsilon: differences, the turn into the frame of A
-    // (cosine, sine, two products, a sum; twice for B), the distance's own 8, the projection on the axis.
+    // A coordinate goes through at most some 20 roundings of half an epsilon:
+    // differences, the turn into the frame of A (cosine, sine, two products, a
+    // sum; twice for B), the distance's own 8, the projection on the axis.
     constexpr double kRoundings = 16;
     const RelativeMotion motion(sweepA, sweepB);
     const double centers = length(motion.start) + length(sweepB.c1 - sweepA.c1) + length(sweepA.k) + length(sweepB.k);
-    // An angle of many radians is uncertain by its own last place, and moves a vertex by that much times its reach.
+    // An angle of many radians is uncertain by its own last place, and moves a
+    // vertex by that much times its reach.
     const double reachA = largestCoordinate(a, sweepA.localCenter) * (1 + largestAngle(sweepA) / 4);
     const double reachB = largestCoordinate(b, sweepB.localCenter) * (1 + largestAngle(sweepB) / 4);
     return kRoundings * std::numeric_limits<double>::epsilon() * (centers + reachA + reachB + a.radius + b.radius);

@@ -9,12 +9,14 @@
 namespace swept {
 namespace {
 
-/// Each step is certified and gains time. Two or three distances are typical. Beyond the budget the answer is `failed`.
+/// Each step is certified and gains time. Two or three distances are typical.
+/// Beyond the budget the answer is `failed`.
 constexpr int kMaxDistances = 1024;
 /// After so many looks along one axis the next distance will know a better one.
 constexpr int kLooksPerAxis = 8;
-/// A first step of this part of the time that is left is good enough not to look at other holders of the axis.
-constexpr double kGoodStep = 1.0 / 64;
+/// A first step of this part of the time that is left is good enough not to
+/// look at other holders of the axis.
+constexpr double kGoodStep = 1.0 / 512;
 
 DVec2 toWorld(Rotation rotation, DVec2 v) {
     const Vec2 world = rotate(rotation, {v.x, v.y});
@@ -75,8 +77,9 @@ private:
 
     void setTarget(double target) {
         target_ = target;
-        // Steps aim half a tolerance below the target and end half a tolerance above it: the band between is wide
-        // enough for the last step to land in, and what is left on either side is for rounding.
+        // Steps aim half a tolerance below the target and end half a tolerance
+        // above it: the band between is wide enough for the last step to land in,
+        // and what is left on either side is for rounding.
         level_ = target - 0.5 * settings_.tolerance;
         closeEnough_ = target + 0.5 * settings_.tolerance;
     }
@@ -137,8 +140,9 @@ private:
         closest_.exactPoints.a = closest_.exactPoints.b + (-closest_.separation) * normal;
     }
 
-    /// The axis to follow: held where the closest feature says it is held best, since a face normal turns with its
-    /// body; by someone else where that gains little.
+    /// The axis to follow: held where the closest feature says it is held best,
+    /// since a face normal turns with its body; by someone else where that gains
+    /// little.
     SafeAdvance chooseAxis(double rest) {
         if (inContact_ && !closest_.isApart()) {
             axis_ = remembered_;
@@ -205,8 +209,9 @@ private:
         }
     }
 
-    /// Along the axis the pair touches. Where the axis is the normal of a face and the other's deepest vertex stands
-    /// over that face, this is the distance.
+    /// Along the axis the pair touches. Where the axis is the normal of a face
+    /// and the other's deepest vertex stands over that face, this is the
+    /// distance.
     End atEndOfAxis() {
         if (!closest_.isApart() || closest_.gjk.count < 2 || axis_.holder == AxisOwner::world) {
             return End::newAxis;
@@ -214,7 +219,8 @@ private:
         const SupportPair& p = closest_.gjk.simplex[0];
         const SupportPair& q = closest_.gjk.simplex[1];
         const bool ofA = axis_.holder == AxisOwner::a;
-        // Where the cores cross the line of the face only the distance knows how deep they are in each other.
+        // Where the cores cross the line of the face only the distance knows how
+        // deep they are in each other.
         if (closest_.owner != axis_.holder || !(axis_.gap > 0)) {
             return End::newAxis;
         }
@@ -370,8 +376,9 @@ Toi timeOfImpactInContact(const ToiPolygon& a, const Sweep& sweepA, const ToiPol
 
 Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
               const ToiSettings& settings) {
-    // Without spin the bound along the closest direction is the exact motion: each step is the ray cast of the relative
-    // path against the supporting line, as in van den Bergen's GJK ray cast (2004), with parabolas for paths.
+    // Without spin the bound along the closest direction is the exact motion:
+    // each step is the ray cast of the relative path against the supporting line,
+    // as in van den Bergen's GJK ray cast (2004), with parabolas for paths.
     return timeOfImpact(a, withoutRotation(sweepA), b, withoutRotation(sweepB), settings);
 }
 
