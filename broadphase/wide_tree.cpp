@@ -181,6 +181,7 @@ void WideTree::sortMovedNodes() {
 
 /// From below: exact boxes above all that moved, and the list of it.
 void WideTree::refit() {
+    if (movedCount_ == 0 && !anyMoved()) { return; }
     for (std::vector<MovedNode>& list : moved_) { list.clear(); }
     if (movedCount_ == 0) { return; }
     std::vector<MovedNode>& lowest = moved_[0];

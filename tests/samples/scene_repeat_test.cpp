@@ -10,6 +10,7 @@ namespace swept::test {
 namespace {
 
 constexpr std::int64_t kSteps = 120;
+constexpr std::int64_t kStepsPerBroadphase = 60;
 constexpr SceneBroadphase kOthers[] = {SceneBroadphase::sortAndSweep, SceneBroadphase::quadtree, SceneBroadphase::grid,
                                        SceneBroadphase::bvh, SceneBroadphase::wideBvh};
 
@@ -29,10 +30,10 @@ TEST_P(SceneRepeat, DoesNotDependOnTheBroadphase) {
     for (const BuiltinScene& entry : builtinScenes()) {
         SceneDescription scene = entry.make();
         scene.settings.broadphase = SceneBroadphase::allPairs;
-        const Trace pairs = runOf(scene, GetParam(), kSteps).trace;
+        const Trace pairs = runOf(scene, GetParam(), kStepsPerBroadphase).trace;
         for (const SceneBroadphase other : kOthers) {
             scene.settings.broadphase = other;
-            const Trace trace = runOf(scene, GetParam(), kSteps).trace;
+            const Trace trace = runOf(scene, GetParam(), kStepsPerBroadphase).trace;
             EXPECT_EQ(firstDifference(trace, pairs), "") << entry.name << " " << static_cast<int>(other);
         }
     }
