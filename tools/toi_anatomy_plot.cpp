@@ -317,7 +317,8 @@ std::string curvesOf(const ToiAnatomy& anatomy) {
     const double high = 1.12 * highest;
     std::string script = panel(kCurveBottom, kCurveTop) +
                          "set xtics nomirror auto\nset ytics nomirror auto\nset border 3 lc rgb '#555555'\n"
-                         "set key at screen 0.5,0.43 center horizontal reverse Left samplen 2.5 width 2\nset xlabel 'fraction of the step'\n"
+                         "set key at screen 0.5,0.43 center horizontal reverse Left samplen 2.5 width 2\n"
+                         "set xlabel 'fraction of the step'\n"
                          "set ylabel 'separation, m'\nset xrange [0:" +
                          text(q.settings.tMax) + "]\nset yrange [" + text(low) + ':' + text(high) + "]\n";
     script += "set object 1 rectangle from 0," + text(q.settings.target - q.settings.tolerance) + " to " +
@@ -368,7 +369,8 @@ std::string anatomyScript(const ToiAnatomy& anatomy, const std::string& picture)
     return "set terminal pngcairo size " + text(kWidth) + ',' + text(kHeight) +
            " font 'sans,12' background rgb 'white'\nset output '" + quoted + "'\nset encoding utf8\nset multiplot\n" +
            "set label 100 '" + wordFor(answer.state) + " at " + roundedText(answer.fraction, 6) + ", after " +
-           std::to_string(looks) + (looks == 1 ? " look" : " looks") + "' at screen 0.5,0.968 center font ',15'\n" + sceneOf(anatomy) + curvesOf(anatomy) + "unset multiplot\n";
+           std::to_string(looks) + (looks == 1 ? " look" : " looks") +
+           "' at screen 0.5,0.968 center font ',15'\n" + sceneOf(anatomy) + curvesOf(anatomy) + "unset multiplot\n";
 }
 
 }  // namespace swept
