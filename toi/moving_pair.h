@@ -10,8 +10,7 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A polygon with the centre of mass as its origin. Without normals: what needs
-/// them makes them.
+/// A polygon with the centre of mass as its origin. Without normals: what needs them makes them.
 class CenteredPolygon {
 public:
     CenteredPolygon(const ToiPolygon& source, DVec2 center);
@@ -23,15 +22,13 @@ public:
     double reach() const { return reach_; }
 
 private:
-    /// Bytes, because a `Polygon` clears itself, and that costs as much as a
-    /// tenth of a query. The bytes begin the life of an aggregate whose vertices
-    /// up to the count are written at once; nothing else of it is ever read.
+    /// Bytes, because a `Polygon` clears itself, and that costs as much as a tenth of a query. The bytes begin the life
+    /// of an aggregate whose vertices up to the count are written at once; nothing else of it is ever read.
     alignas(Polygon) std::array<std::byte, sizeof(Polygon)> storage_;
     double reach_ = 0;
 };
 
-/// Whose face the closest direction is normal to: the line between two vertices
-/// belongs to the world.
+/// Whose face the closest direction is normal to: the line between two vertices belongs to the world.
 enum class AxisOwner : std::uint8_t { world, a, b };
 
 /// Where the pair stands at one fraction, in world axes.
@@ -42,19 +39,16 @@ struct PairPose {
     Vec2 offset;  ///< centre of B minus centre of A, metres
 };
 
-/// Separation at a pose with all that goes with it, in the frame of A: origin
-/// at its centre, axes turned with it.
+/// Separation at a pose with all that goes with it, in the frame of A: origin at its centre, axes turned with it.
 struct Closest {
     double separation = 0;      ///< radii included, metres
     double coreSeparation = 0;  ///< without radii; not above 0 when the cores overlap
     Vec2 normal;                ///< unit, from A to B
     AxisOwner owner = AxisOwner::world;
     GjkResult gjk;
-    CorePoints exactPoints;  ///< on the rounded surfaces; only where an overlap or
-                             ///< a touch was measured
+    CorePoints exactPoints;  ///< on the rounded surfaces; only where an overlap or a touch was measured
 
-    /// An overlap whose depth, normal and points are not measured yet:
-    /// `measureOverlap` does it.
+    /// An overlap whose depth, normal and points are not measured yet: `measureOverlap` does it.
     bool isDeep() const { return gjk.encloses; }
     bool isApart() const { return gjk.outcome == GjkOutcome::apart; }
     bool coresOverlap() const { return gjk.encloses || coreSeparation <= 0; }
@@ -66,8 +60,7 @@ struct MovingPair {
     CenteredPolygon b;
     RelativeMotion motion;
     double radii;    ///< both, metres
-    double fastest;  ///< greatest speed of the centres' difference in the whole
-                     ///< sweep, metres per unit of fraction
+    double fastest;  ///< no less than the speed of the centres' difference anywhere in the sweep, metres per unit of fraction
 
     MovingPair(const ToiPolygon& polygonA, const Sweep& sweepA, const ToiPolygon& polygonB, const Sweep& sweepB);
 
@@ -75,9 +68,8 @@ struct MovingPair {
     /// The same, from another pose: what does not turn keeps its rotation.
     void moveTo(double fraction, PairPose& pose) const;
 
-    /// Distance at a pose. `cache` carries the simplex from one evaluation to the
-    /// next. Where the cores overlap the depth is not measured:
-    /// `closest.separation` is 0.
+    /// Distance at a pose. `cache` carries the simplex from one evaluation to the next. Where the cores overlap the
+    /// depth is not measured: `closest.separation` is 0.
     void findClosest(const PairPose& pose, SimplexCache& cache, Closest& closest) const;
     /// Penetration, where `findClosest` found an overlap.
     void measureOverlap(const PairPose& pose, Closest& closest) const;
@@ -92,9 +84,8 @@ private:
     bool isExtreme_ = false;
 };
 
-/// How far a separation computed by this folder, or a bound on it, may be from
-/// the true one by rounding, anywhere in the sweep. Metres. A-priori: a count
-/// of roundings, each relative to the largest coordinate it touches.
+/// How far a separation computed by this folder, or a bound on it, may be from the true one by rounding, anywhere in
+/// the sweep. Metres. A-priori: a count of roundings, each relative to the largest coordinate it touches.
 double roundingSlack(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -45,7 +45,12 @@ public:
         q->settings.detail = ToiDetail::event;
         return q;
     }
-    void load(std::span<const ToiQuery> queries) override { method_.load(queries); }
+    /// Engines tell the event and no more: so does this.
+    void load(std::span<const ToiQuery> queries) override {
+        std::vector<ToiQuery> events(queries.begin(), queries.end());
+        for (ToiQuery& q : events) { q.settings.detail = ToiDetail::event; }
+        method_.load(events);
+    }
     void answerAll(std::span<Toi> answers) override { method_.answerAll(answers); }
 
 private:
