@@ -38,14 +38,9 @@ public:
     std::string name() const override { return name_; }
 
     std::optional<ToiQuery> understood(const ToiQuery& query) const override {
-        std::optional<ToiQuery> q = engine_->understood(query);
-        if (!q || !validateToi(q->a, q->sweepA, q->b, q->sweepB, q->settings).ok()) {
-            return std::nullopt;
-        }
-        q->settings.detail = ToiDetail::event;
-        return q;
+        const std::optional<ToiQuery> q = engine_->understood(query);
+        return q && validateToi(q->a, q->sweepA, q->b, q->sweepB, q->settings).ok() ? q : std::nullopt;
     }
-    /// Engines tell the event and no more: so does this.
     void load(std::span<const ToiQuery> queries) override {
         std::vector<ToiQuery> events(queries.begin(), queries.end());
         for (ToiQuery& q : events) { q.settings.detail = ToiDetail::event; }
