@@ -5,7 +5,7 @@
 namespace swept {
 namespace {
 
-constexpr std::array<BuiltinScene, 14> kScenes{{
+constexpr std::array<BuiltinScene, 19> kScenes{{
     {"falling-shapes", "every kind of shape falls into a tray and comes to rest", scenes::fallingShapes, 8},
     {"pyramid", "210 boxes stand still on each other, then a heavy ball arrives", scenes::pyramid, 10},
     {"tall-stack", "20 boxes stand; so do a ladder of planks and boxes that get heavier upwards", scenes::tallStack,
@@ -22,6 +22,14 @@ constexpr std::array<BuiltinScene, 14> kScenes{{
     {"paddle-drum", "a kinematic paddle stirs a drum; a sensor watches who passes", scenes::paddleDrum, 12},
     {"bullet-curtain", "bullets of 25 to 1600 m/s against walls of 1 cm and of no thickness at all",
      scenes::bulletCurtain, 3},
+    {"continuous-off", "mode off: four fast shots at a thin wall pass through it", scenes::continuousOff, 1},
+    {"continuous-speed-limit", "mode speedLimit: the same shots, slowed to what the wall can hold",
+     scenes::continuousSpeedLimit, 1},
+    {"continuous-speculative", "mode speculative: the shots that the wall holds, and one stopped by nothing",
+     scenes::continuousSpeculative, 1},
+    {"continuous-stop", "mode stop: held at the wall, and the rest of the step lost", scenes::continuousStop, 1},
+    {"continuous-sub-step", "mode subStep: off the wall within the step, and nothing lost", scenes::continuousSubStep,
+     1},
     {"spinning-bars", "thin bars spin at up to 60 rad/s into a field of pins", scenes::spinningBars, 8},
     {"slender-and-tiny", "a table of 90 cm: rods 2 mm thin, shot of 4 mm, a shelf without thickness",
      scenes::slenderAndTiny, 4},

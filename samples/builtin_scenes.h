@@ -35,6 +35,11 @@ SceneDescription hangingChain();
 SceneDescription terrain();
 SceneDescription paddleDrum();
 SceneDescription bulletCurtain();
+SceneDescription continuousOff();
+SceneDescription continuousSpeedLimit();
+SceneDescription continuousSpeculative();
+SceneDescription continuousStop();
+SceneDescription continuousSubStep();
 SceneDescription spinningBars();
 SceneDescription slenderAndTiny();
 }  // namespace scenes

@@ -32,6 +32,35 @@ struct ImpactFrame {
     double angle = 0;
 };
 
+/// A pose at a fraction of the step.
+struct PoseFrame {
+    DVec2 position;
+    double angle = 0;
+    double fraction = 0;
+};
+
+/// The way of a body through the last step: start, impacts, end.
+struct WayFrame {
+    int body = 0;
+    std::vector<PoseFrame> poses;
+    double lostSeconds = 0;
+};
+
+/// An impact of the last step.
+struct HitFrame {
+    DVec2 point;
+    DVec2 normal;  ///< from a to b
+};
+
+/// What continuous collision did in the last step.
+struct SweepWork {
+    std::uint64_t sweeps = 0;
+    std::uint64_t toiCalls = 0;
+    std::uint64_t toiIterations = 0;
+    std::uint64_t impacts = 0;
+    double lostSeconds = 0;
+};
+
 /// The state after `step` steps; bodies in scene order.
 struct Frame {
     std::int64_t step = 0;
@@ -39,6 +68,10 @@ struct Frame {
     std::vector<BodyFrame> bodies;
     std::vector<ContactFrame> contacts;
     std::vector<ImpactFrame> impacts;
+    // Only where `RunnerOptions::ways` asked for them:
+    std::vector<WayFrame> ways;  ///< of all bodies that moved
+    std::vector<HitFrame> hits;
+    SweepWork work;
 };
 
 enum class SceneEventType : std::uint8_t { begin, end, hit, sensorBegin, sensorEnd, jointBreak };

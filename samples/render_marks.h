@@ -16,4 +16,11 @@ void drawVelocities(Paint& paint, const PixelView& view, const SceneDrawing& sce
 /// The bodies at the poses at which they met something within the step.
 void drawImpacts(Paint& paint, const PixelView& view, const SceneDrawing& scene, const Frame& frame);
 
+/// What the bodies that met something, or moved farther than they are wide, swept within the step; below the bodies.
+void drawSweptAreas(Paint& paint, const PixelView& view, const SceneDrawing& scene, const Frame& frame);
+/// Where they were at the start and at their impacts, and the normals of those; on top of the bodies.
+void drawSweptPoses(Paint& paint, const PixelView& view, const SceneDrawing& scene, const Frame& frame);
+/// "lost 4.2 ms" beside each body that did not use its whole step.
+void drawLostTimes(Paint& paint, const PixelView& view, const Frame& frame, double textHeight);
+
 }  // namespace swept

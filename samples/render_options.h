@@ -24,6 +24,8 @@ struct RenderOptions {
     bool contacts = false;    ///< points and normals of `Frame::contacts`
     bool velocities = false;  ///< arrows as long as the way of `velocitySeconds`
     bool ghosts = false;      ///< bodies at the poses of `Frame::impacts`
+    bool sweeps = false;      ///< the ways of `Frame::ways`, poses at impacts, normals, lost time, and what it cost
+    bool sweepWork = true;    ///< the last of these; only with `sweeps`
     bool trails = false;      ///< what `SceneRenderer::addTrail` and `addStrobe` have collected
     bool labels = false;      ///< names of the bodies
 

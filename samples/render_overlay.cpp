@@ -136,7 +136,12 @@ std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const Rend
     if (any([&](const BodyDescription& b) { return std::any_of(b.shapes.begin(), b.shapes.end(), isSensor); })) {
         entries.push_back({withAlpha(style::kSensor, 32), style::kSensor, "sensor", true, false, {}});
     }
-    if (options.ghosts) {
+    if (options.sweeps) {
+        const Color tone = mix(style::kBackground, style::paletteColor(0), style::kSweptTone);
+        entries.push_back({tone, style::paletteColor(0), "swept", false, false, {}});
+        add({style::kContact, style::kContact}, "impact normal");
+    }
+    if (options.ghosts || options.sweeps) {
         entries.push_back({withAlpha(style::kGhost, 36), style::kGhost, "at impact", true, false, {}});
     }
     if (options.contacts) {
@@ -235,6 +240,22 @@ void drawLegend(Paint& paint, const OverlayMetrics& m, std::span<const LegendEnt
         drawText(paint, entries[i].label, {x + 1.55 * size, middle - m.text / 2}, m.text, style::kText);
         x += widthOf(entries[i]) + gap;
     }
+}
+
+void drawSweepWork(Paint& paint, const OverlayMetrics& m, const SweepWork& work) {
+    const auto count = [](std::uint64_t number) { return fixedDecimals(static_cast<double>(number), 0); };
+    const std::array<std::string, 2> lines{
+        count(work.sweeps) + (work.sweeps == 1 ? " sweep \u00B7 " : " sweeps \u00B7 ") + count(work.toiCalls) +
+            " TOI \u00B7 " + count(work.toiIterations) + " iterations",
+        count(work.impacts) + (work.impacts == 1 ? " impact \u00B7 " : " impacts \u00B7 ") + "lost " +
+            fixedDecimals(1000 * work.lostSeconds, 1) + " ms"};
+    const double width = std::max(textWidth(lines[0], m.text), textWidth(lines[1], m.text));
+    const DVec2 size{width + 2 * m.padding, 2.9 * m.text + 2 * m.padding};
+    const double top = paint.box().high.y - 1.5 * m.margin - (m.title + 2 * m.padding);
+    const PixelBox box = panel(paint, m, {m.margin, top - size.y}, size);
+    drawText(paint, lines[0], box.low + DVec2{m.padding, m.padding + 1.9 * m.text}, m.text, style::kText);
+    drawText(paint, lines[1], box.low + DVec2{m.padding, m.padding}, m.text,
+             work.lostSeconds > 0 ? style::kWarning : style::kText);
 }
 
 void drawWarning(Paint& paint, const OverlayMetrics& m, const std::string& text) {

@@ -69,6 +69,8 @@ void drawTime(Paint& paint, const OverlayMetrics& metrics, const std::string& la
 void drawScaleBar(Paint& paint, const OverlayMetrics& metrics, const ScaleBar& bar);
 /// In the lower right corner, in as many rows as needed beside the scale bar.
 void drawLegend(Paint& paint, const OverlayMetrics& metrics, std::span<const LegendEntry> entries);
+/// Below the title: what continuous collision did in the last step.
+void drawSweepWork(Paint& paint, const OverlayMetrics& metrics, const SweepWork& work);
 /// In the middle of the upper edge, in red.
 void drawWarning(Paint& paint, const OverlayMetrics& metrics, const std::string& text);
 

@@ -18,6 +18,9 @@ constexpr double kThinnest = 1.6;
 /// Thinner shapes show their edge only.
 constexpr double kThinnestWithFill = 2.6;
 constexpr double kSegmentThickness = 2.2;
+/// A sweep that turns is drawn in pieces of so many radians, which differ from the true one by less than a line's width.
+constexpr double kSweptTurn = 0.08;
+constexpr int kMostSweptPieces = 400;
 
 ShapeCore coreInPixels(const PixelPose& pose, const ShapeCore& core, double thinnest = kThinnest) {
     ShapeCore pixels{{}, core.radius * pose.scale()};
@@ -256,6 +259,27 @@ void SceneDrawing::drawGhost(Paint& paint, const PixelView& view, std::size_t bo
         const std::vector<DVec2> outline = roundedOutline(coreInPixels(pose, shape.core), paint.box());
         paint.fillConvex(outline, withAlpha(color, 36));
         paint.dashed(outline, true, 1.4 * pose.pen(), 4 * pose.pen(), 3 * pose.pen(), color);
+    }
+}
+
+void SceneDrawing::drawSwept(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& from,
+                             const BodyFrame& to) const {
+    // Opaque, so that the pieces of a turning sweep do not add up where they overlap.
+    const Color tone = mix(style::kBackground, styleOf(body, true).fill, style::kSweptTone);
+    const double turn = std::fabs(to.angle - from.angle);
+    const int pieces = std::clamp(static_cast<int>(std::ceil(turn / kSweptTurn)), 1, kMostSweptPieces);
+    const auto poseAt = [&](int i) {
+        const double t = static_cast<double>(i) / pieces;
+        return PixelPose(view, from.position + t * (to.position - from.position),
+                         from.angle + t * (to.angle - from.angle));
+    };
+    for (const ShapeDrawing& shape : bodies_[body].shapes) {
+        for (int i = 0; i < pieces; ++i) {
+            std::vector<DVec2> both = roundedOutline(coreInPixels(poseAt(i), shape.core), paint.box());
+            const std::vector<DVec2> next = roundedOutline(coreInPixels(poseAt(i + 1), shape.core), paint.box());
+            both.insert(both.end(), next.begin(), next.end());
+            paint.fillConvex(convexHull(std::move(both)), tone);
+        }
     }
 }
 

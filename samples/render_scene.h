@@ -27,6 +27,9 @@ public:
     void drawPale(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state, double strength) const;
     /// One body as a translucent fill with a dashed outline.
     void drawGhost(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state, Color color) const;
+    /// What one body sweeps between two states, turning steadily, in a pale tone of its own colour.
+    void drawSwept(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& from,
+                   const BodyFrame& to) const;
     void drawJoints(Paint& paint, const PixelView& view, const Frame& frame) const;
     void drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const;
 

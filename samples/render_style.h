@@ -23,6 +23,9 @@ inline constexpr Color kReference = rgb(0xC2255C);
 inline constexpr Color kWarning = rgb(0xC92A2A);
 inline constexpr Color kSensor = rgb(0xB08900);
 
+/// How much of its own colour a body leaves on what it swept.
+inline constexpr double kSweptTone = 0.38;
+
 /// Pixels in a picture of 960 × 540; see `PixelView::pen`.
 inline constexpr double kEdgeWidth = 1.6;
 

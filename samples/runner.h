@@ -31,6 +31,7 @@ struct RunnerOptions {
     Precision precision = Precision::f32;
     bool collectEvents = false;
     bool measure = false;  ///< deepest penetration, joint error and energies for the report
+    bool ways = false;     ///< `Frame::ways`, `hits` and `work`: what happened within the last step
 };
 
 /// Builds our world from a scene that `validateScene` accepts.

@@ -58,6 +58,9 @@ Image SceneRenderer::drawFrame(const Frame& frame, const Reference* reference) {
     if (options_.trails) {
         trails_.draw(paint_, view_, drawing_);
     }
+    if (options_.sweeps) {
+        drawSweptAreas(paint_, view_, drawing_, frame);
+    }
     drawing_.drawBodies(paint_, view_, frame);
     if (options_.joints) {
         drawing_.drawJoints(paint_, view_, frame);
@@ -74,6 +77,10 @@ void SceneRenderer::drawMarks(const Frame& frame) {
     if (options_.ghosts) {
         drawImpacts(paint_, view_, drawing_, frame);
     }
+    if (options_.sweeps) {
+        drawSweptPoses(paint_, view_, drawing_, frame);
+        drawLostTimes(paint_, view_, frame, 0.9 * metrics_.text);
+    }
     if (options_.velocities) {
         drawVelocities(paint_, view_, drawing_, frame, options_.velocitySeconds);
     }
@@ -88,6 +95,9 @@ void SceneRenderer::drawMarks(const Frame& frame) {
 void SceneRenderer::drawOverlay(const Frame& frame, const Reference* reference) {
     if (options_.title && !title_.empty()) {
         drawTitle(paint_, metrics_, title_);
+    }
+    if (options_.sweeps && options_.sweepWork) {
+        drawSweepWork(paint_, metrics_, frame.work);
     }
     if (options_.time) {
         drawTime(paint_, metrics_, timeLabel(frame.time, dt_));

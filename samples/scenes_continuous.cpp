@@ -27,6 +27,42 @@ SceneDescription bulletCurtain() {
     return scene;
 }
 
+namespace {
+
+/// One step of this shows what a mode does: a ball, a capsule and a spinning bar meet a wall of 2 cm, and a ball passes by
+/// the corner of a post that it does not touch.
+SceneDescription thinWall(const std::string& name, SceneContinuous mode) {
+    constexpr std::uint32_t kPasserBy = 2;  ///< the only one whom the post may meet
+    SceneDescription scene = build::scene(name, {-0.6, -0.1}, 3.05);
+    scene.gravity = {0, 0};
+    scene.settings.continuous = mode;
+    addFixed(scene, "wall", {0, 0}, {box({0.01, 1.45}, {0, -0.1})});
+    ShapeDescription post = box({0.13, 0.13});
+    post.filter.mask = kPasserBy;
+    addFixed(scene, "post", {-0.85, 0.6}, {post});
+    const auto shoot = [&scene](const char* shot, double y, DVec2 velocity, double spin, ShapeDescription shape) {
+        BodyDescription& body =
+            addDynamic(scene, shot, {-1.45, y}, {withRestitution(withFriction(std::move(shape), 0.2), 0.7)});
+        body.velocity = velocity;
+        body.angularVelocity = spin;
+        body.shapes[0].filter.group = -1;  // they do not see each other
+    };
+    shoot("passer-by", 0.88, {66, 0}, 0, circle(0.1));
+    scene.bodies.back().shapes[0].filter.category = kPasserBy;
+    shoot("ball", 0.2, {125, 0}, 0, circle(0.12));
+    shoot("capsule", -0.35, {110, -12}, 0, capsule({-0.14, 0}, {0.14, 0}, 0.06));
+    shoot("bar", -1.05, {100, 0}, 110, box({0.3, 0.025}));
+    return scene;
+}
+
+}  // namespace
+
+SceneDescription continuousOff() { return thinWall("continuous: off", SceneContinuous::off); }
+SceneDescription continuousSpeedLimit() { return thinWall("continuous: speedLimit", SceneContinuous::speedLimit); }
+SceneDescription continuousSpeculative() { return thinWall("continuous: speculative", SceneContinuous::speculative); }
+SceneDescription continuousStop() { return thinWall("continuous: stop", SceneContinuous::stop); }
+SceneDescription continuousSubStep() { return thinWall("continuous: subStep", SceneContinuous::subStep); }
+
 SceneDescription spinningBars() {
     SceneDescription scene = build::scene("spinning bars", {0, 4}, 10.6);
     addFixed(scene, "tray", {0, 0}, {box({7.4, 0.2}, {0, -0.2}), box({0.2, 2}, {-7.2, 2}), box({0.2, 2}, {7.2, 2})});

@@ -50,6 +50,7 @@ public:
     }
 
     void step() override {
+        if (options_.ways) { keepStarts(); }
         (void)built_.world.step(scene_.settings.dt);  // dt and masses were validated with the scene
         ++steps_;
         addCounters(sums_, built_.world.counters());
@@ -69,6 +70,7 @@ public:
             frame.bodies.push_back({world.position(id), world.angle(id), toDouble(world.velocity(id)),
                                     static_cast<double>(world.angularVelocity(id)), world.isAwake(id)});
         }
+        if (options_.ways) { readWays(frame); }
         if (!withContacts) { return; }
         world.visitContacts([&frame](const ContactView& contact) {
             frame.contacts.push_back({contact.point, toDouble(contact.normal),
@@ -120,6 +122,39 @@ private:
             totals.angularMomentum += mass * cross(center, velocity) + inertia * spin;
         }
         return totals;
+    }
+
+    void keepStarts() {
+        starts_.clear();
+        for (const BodyId id : built_.bodies) {
+            starts_.push_back({built_.world.position(id), built_.world.angle(id), 0});
+        }
+    }
+
+    void readWays(Frame& frame) const {
+        const World& world = built_.world;
+        frame.ways.clear();
+        frame.hits.clear();
+        const StepCounters& counters = world.counters();
+        frame.work = {counters.sweeps, counters.toiCalls, counters.toiIterations, counters.impacts, 0};
+        for (std::size_t i = 0; i < starts_.size(); ++i) {
+            const BodyId id = built_.bodies[i];
+            const PoseFrame end{world.position(id), world.angle(id), 1};
+            if (end.position == starts_[i].position && end.angle == starts_[i].angle) { continue; }
+            WayFrame way{static_cast<int>(i), {starts_[i]}, 0};
+            for (const ImpactPose& pose : world.impactPoses()) {
+                if (pose.body == id) { way.poses.push_back({pose.position, pose.angle, pose.fraction}); }
+            }
+            way.poses.push_back(end);
+            for (const LostTimeEntry& entry : world.lostTime()) {
+                if (entry.body == id) { way.lostSeconds += entry.seconds; }
+            }
+            frame.work.lostSeconds += way.lostSeconds;
+            frame.ways.push_back(std::move(way));
+        }
+        for (const ContactEvent& event : world.contactEvents()) {
+            if (event.type == ContactEventType::hit) { frame.hits.push_back({event.point, toDouble(event.normal)}); }
+        }
     }
 
     void noteLostTime(const LostTimeEntry& entry) {
@@ -176,6 +211,7 @@ private:
     std::int64_t steps_ = 0;
     StepCounters sums_;
     std::vector<std::vector<std::pair<LostTimeReason, double>>> lost_;
+    std::vector<PoseFrame> starts_;  ///< before the last step
     std::vector<SceneEvent> events_;
     RunReport report_;
 };

@@ -124,6 +124,7 @@ void addBenchCommand(CLI::App& app, int& exitCode) {
     CLI::App* const all = app.add_subcommand("bench", "Measure what is claimed");
     all->require_subcommand(1);
     CLI::App* const toi = all->add_subcommand("toi", "Every time-of-impact method on every family of queries");
+    addContinuousBench(*all, exitCode);
     const auto arguments = std::make_shared<BenchArguments>();
     addToiOptions(*toi, *arguments);
     toi->callback([arguments, &exitCode] {

@@ -186,7 +186,8 @@ int runScene(const RunArguments& arguments) {
         return refuse(error);
     }
     const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
-    const auto runner = makeRunner(loaded->scene, {loaded->precision, needsEvents, true}, error);
+    const RunnerOptions options{loaded->precision, needsEvents, true, arguments.pictures.sweeps};
+    const auto runner = makeRunner(loaded->scene, options, error);
     if (!runner) {
         return refuse(loaded->source + ": " + error);
     }

@@ -41,6 +41,7 @@ RenderOptions renderOptions(const PictureArguments& arguments, PictureSize size)
     options.contacts = arguments.contacts;
     options.velocities = arguments.velocities;
     options.ghosts = arguments.ghosts;
+    options.sweeps = arguments.sweeps;
     return options;
 }
 
@@ -148,8 +149,9 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
         return "--sheet: needs --png DIR, into which it writes sheet.png";
     }
     const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
-    if (!draws && (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts)) {
-        return "--trails, --contacts, --velocities and --ghosts need --png or --webp";
+    if (!draws && (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts ||
+                   arguments.sweeps)) {
+        return "--trails, --contacts, --velocities, --ghosts and --sweeps need --png or --webp";
     }
     if (!arguments.webp.empty() && duration * 1000 > std::numeric_limits<int>::max() / 2.0) {
         return "--webp: the run is too long for an animation";
@@ -170,6 +172,8 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
     command.add_flag("--trails", arguments.trails, "Draw where the bodies have been");
     command.add_flag("--contacts", arguments.contacts, "Draw contact points and normals");
     command.add_flag("--velocities", arguments.velocities, "Draw velocity vectors");
+    command.add_flag("--sweeps", arguments.sweeps,
+                     "Draw the last step: what moved, its impacts and their normals, lost time, what it cost");
     command.add_flag("--ghosts", arguments.ghosts, "Draw the bodies where they met something within the step");
 }
 

@@ -25,6 +25,7 @@ struct PictureArguments {
     bool contacts = false;
     bool velocities = false;
     bool ghosts = false;
+    bool sweeps = false;
 };
 
 /// Width and height in pixels.

@@ -28,6 +28,19 @@ picture ragdolls 75
 picture newtons-cradle 120 --trails
 picture terrain 120 --trails
 
+say "continuous-modes.png"
+quietly picture-modes "$swept" modes continuous-off --steps 1 --png "$pictures/continuous-modes.png" ||
+    fail "the scene continuous-off failed"
+
+say "continuous-step.png"
+quietly picture-step "$swept" run continuous-sub-step --steps 1 --png "$scratch/step" --size 960x540 --sweeps ||
+    fail "the scene continuous-sub-step failed"
+mv "$scratch/step/frame_000001.png" "$pictures/continuous-step.png"
+
+say "wall-thickness.png"
+quietly picture-wall "$swept" bench continuous --plots "$scratch/wall" || fail "bench continuous failed"
+[ ! -f "$scratch/wall/wall-thickness.png" ] || mv "$scratch/wall/wall-thickness.png" "$pictures/wall-thickness.png"
+
 say "dominoes.webp"
 quietly picture-dominoes "$swept" run dominoes --duration 6 --every 4 --webp "$pictures/dominoes.webp" --size 640x360 ||
     fail "the scene dominoes failed"

@@ -1,0 +1,78 @@
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "bench/continuous_bench.h"
+#include "bench/machine.h"
+#include "commands.h"
+#include "output_files.h"
+#include "progress.h"
+
+namespace swept {
+namespace {
+
+struct ContinuousArguments {
+    bench::ContinuousBenchSettings settings;
+    std::string csv;
+    std::string plots;
+};
+
+int measure(const ContinuousArguments& arguments) {
+    OutputFiles files;
+    files.addFile("--csv", arguments.csv);
+    if (!arguments.plots.empty()) {
+        files.addDirectory("--plots", arguments.plots);
+    }
+    std::string error;
+    if (!files.open(error)) {
+        return refuse(error);
+    }
+    std::cout << bench::machineText() << "\nbench continuous: f32, 60 Hz, accurate, " << arguments.settings.shots
+              << " shots a shape and speed, seed " << arguments.settings.seed << "\n\n"
+              << std::flush;
+    std::vector<bench::ModeRow> modes;
+    std::vector<bench::ThicknessRow> walls;
+    {
+        Progress progress("bench continuous", 9);
+        modes = bench::benchModes(arguments.settings, [&](int done) { progress.update(done); });
+        walls = bench::benchThickness(arguments.settings, [&](int done) { progress.update(5 + done); });
+    }
+    bench::writeModeTable(std::cout, modes);
+    std::cout << '\n';
+    bench::writeThicknessTable(std::cout, walls);
+    if (std::ostream* const csv = files.stream(arguments.csv)) {
+        bench::writeContinuousCsv(*csv, modes, walls);
+    }
+    if (!files.close(error)) {
+        return refuse(error);
+    }
+    if (!arguments.plots.empty()) {
+        const std::string told = bench::plotThickness(arguments.plots, walls, error);
+        if (!error.empty()) {
+            return refuse(error);
+        }
+        std::cout << '\n' << told << '\n';
+    }
+    return kExitDone;
+}
+
+}  // namespace
+
+void addContinuousBench(CLI::App& bench, int& exitCode) {
+    CLI::App* const command =
+        bench.add_subcommand("continuous", "Every continuous mode: what it misses, makes up, loses and costs");
+    const auto arguments = std::make_shared<ContinuousArguments>();
+    command->add_option("--count", arguments->settings.shots, "Shots a shape and speed [100]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 2000));
+    command->add_option("--seed", arguments->settings.seed, "The same seed gives the same shots [1]")
+        ->type_name("S")
+        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+    command->add_option("--csv", arguments->csv, "Write the tables, a record for each number")->type_name("FILE");
+    command->add_option("--plots", arguments->plots, "Draw how thick a wall must be, if gnuplot is there")
+        ->type_name("DIR");
+    command->callback([arguments, &exitCode] { exitCode = measure(*arguments); });
+}
+
+}  // namespace swept

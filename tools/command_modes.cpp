@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <swept/samples/contact_sheet.h>
+#include <swept/samples/image_png.h>
+#include <swept/samples/scene_names.h>
+#include <swept/samples/scene_renderer.h>
+
+#include "commands.h"
+#include "number_text.h"
+#include "output_files.h"
+#include "picture_output.h"
+#include "scene_source.h"
+
+namespace swept {
+namespace {
+
+constexpr SceneContinuous kModes[] = {SceneContinuous::off, SceneContinuous::speedLimit, SceneContinuous::speculative,
+                                      SceneContinuous::stop, SceneContinuous::subStep};
+
+struct ModesArguments {
+    SceneArguments scene;
+    std::string png;
+    std::string size = "420x440";
+};
+
+/// One mode's run of the scene.
+struct ModeRun {
+    std::string name;
+    Frame frame;
+    RunReport report;
+    double wallSeconds = 0;
+    double lostSeconds = 0;
+
+    double counter(const char* wanted) const {
+        for (const NamedNumber& number : report.counters) {
+            if (number.name == wanted) {
+                return number.value;
+            }
+        }
+        return 0;
+    }
+};
+
+/// All bodies in one mode: what they say themselves is overruled.
+SceneDescription inMode(SceneDescription scene, SceneContinuous mode) {
+    scene.settings.continuous = mode;
+    for (BodyDescription& body : scene.bodies) {
+        body.continuous.reset();
+    }
+    return scene;
+}
+
+bool runMode(const LoadedScene& loaded, SceneContinuous mode, ModeRun& run, std::string& error) {
+    run.name = namesOf<SceneContinuous>()[static_cast<std::size_t>(mode)];
+    const auto runner = makeRunner(inMode(loaded.scene, mode), {loaded.precision, false, true, true}, error);
+    if (!runner) {
+        return false;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    for (std::int64_t step = 0; step < loaded.steps; ++step) {
+        runner->step();
+    }
+    run.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    runner->read(run.frame, false);
+    run.report = runner->report();
+    for (const LostTime& entry : run.report.lostTime) {
+        run.lostSeconds += entry.seconds;
+    }
+    return true;
+}
+
+void printTable(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
+    std::cout << loaded.source << ": " << loaded.steps << " steps in each mode\n"
+              << "mode         impacts   sweeps      TOI  lost (ms)  energy end/start  deepest (mm)  us a step\n";
+    for (const ModeRun& run : runs) {
+        const auto steps = static_cast<double>(std::max<std::int64_t>(loaded.steps, 1));
+        const double energy = run.report.startEnergy != 0 ? run.report.endEnergy / run.report.startEnergy : 1;
+        std::cout << std::left << std::setw(12) << run.name << std::right << std::setw(8)
+                  << roundedText(run.counter("impacts"), 9) << std::setw(9) << roundedText(run.counter("sweeps"), 9)
+                  << std::setw(9) << roundedText(run.counter("toiCalls"), 9) << std::setw(11)
+                  << roundedText(1000 * run.lostSeconds) << std::setw(18) << roundedText(energy) << std::setw(14)
+                  << roundedText(1000 * run.report.deepestPenetration, 3) << std::setw(11)
+                  << roundedText(1e6 * run.wallSeconds / steps, 3) << '\n';
+    }
+}
+
+std::string captionOf(const ModeRun& run) {
+    if (run.lostSeconds > 0) {
+        return run.name + " \u00B7 lost " + roundedText(1000 * run.lostSeconds, 3) + " ms";
+    }
+    return run.counter("impacts") > 0 ? run.name + " \u00B7 nothing lost" : run.name;
+}
+
+/// All modes side by side.
+bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const ModesArguments& arguments,
+          std::string& error) {
+    PictureSize size;
+    if (!parseSize(arguments.size, size, error)) {
+        return false;
+    }
+    RenderOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.sweeps = true;
+    options.sweepWork = false;
+    options.title = options.legend = options.time = false;
+    std::vector<Image> tiles;
+    std::vector<std::string> captions;
+    for (const ModeRun& run : runs) {
+        const auto renderer = SceneRenderer::create(loaded.scene, options, error);
+        if (!renderer) {
+            return false;
+        }
+        tiles.push_back(renderer->draw(run.frame));
+        captions.push_back(captionOf(run));
+    }
+    const auto sheet = contactSheet(tiles, captions, static_cast<int>(tiles.size()), error);
+    return sheet && writePng(*sheet, arguments.png, error);
+}
+
+int compareModes(const ModesArguments& arguments) {
+    std::string error;
+    const auto loaded = loadScene(arguments.scene, error);
+    if (!loaded) {
+        return refuse(error);
+    }
+    std::vector<ModeRun> runs;
+    for (const SceneContinuous mode : kModes) {
+        if (!runMode(*loaded, mode, runs.emplace_back(), error)) {
+            return refuse(loaded->source + ": " + error);
+        }
+    }
+    if (!arguments.png.empty() && !draw(*loaded, runs, arguments, error)) {
+        return refuse(error);
+    }
+    printTable(*loaded, runs);
+    return kExitDone;
+}
+
+}  // namespace
+
+void addModesCommand(CLI::App& app, int& exitCode) {
+    CLI::App* const command =
+        app.add_subcommand("modes", "Run a scene in every continuous mode: a table, and the last step side by side");
+    const auto arguments = std::make_shared<ModesArguments>();
+    addSceneArguments(*command, arguments->scene);
+    command->add_option("--png", arguments->png, "Draw the last step of each mode, side by side")->type_name("FILE");
+    command->add_option("--size", arguments->size, "Pixels of each of them [420x440]")->type_name("WxH");
+    command->callback([arguments, &exitCode] { exitCode = compareModes(*arguments); });
+}
+
+}  // namespace swept
