@@ -1,7 +1,6 @@
 #include "render_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
@@ -31,37 +30,6 @@ ShapeCore coreInPixels(const PixelPose& pose, const ShapeCore& core, double thin
     return pixels;
 }
 
-/// A zigzag between two points, with straight ends.
-std::vector<DVec2> springPath(DVec2 p, DVec2 q, double pen) {
-    constexpr int kTurns = 12;
-    const DVec2 along = q - p;
-    const double size = std::hypot(along.x, along.y);
-    if (!(size > 0) || !std::isfinite(size)) {
-        return {p, q};
-    }
-    const DVec2 side = std::min(5 * pen, size / 8) / size * DVec2{-along.y, along.x};
-    std::vector<DVec2> path{p, p + 0.12 * along};
-    for (int i = 0; i < kTurns; ++i) {
-        const double t = 0.12 + 0.76 * (i + 0.5) / kTurns;
-        path.push_back(p + t * along + (i % 2 == 0 ? 1.0 : -1.0) * side);
-    }
-    path.push_back(p + 0.88 * along);
-    path.push_back(q);
-    return path;
-}
-
-void pin(Paint& paint, DVec2 p, double radius) {
-    paint.disc(p, radius, style::kJoint);
-    paint.disc(p, radius * 0.48, rgb(0xFFFFFF));
-}
-
-DVec2 toLocal(const BodyDescription& body, DVec2 world) {
-    const DVec2 d = world - body.position;
-    const double c = std::cos(body.angle);
-    const double s = std::sin(body.angle);
-    return {c * d.x + s * d.y, c * d.y - s * d.x};
-}
-
 }  // namespace
 
 SceneDrawing::SceneDrawing(const SceneDescription& scene) {
@@ -76,7 +44,9 @@ SceneDrawing::SceneDrawing(const SceneDescription& scene) {
         bodies_.push_back(std::move(drawing));
     }
     for (const JointDescription& joint : scene.joints) {
-        addJoint(scene, joint);
+        if (const auto drawing = jointDrawing(scene, joint)) {
+            joints_.push_back(*drawing);
+        }
     }
 }
 
@@ -91,32 +61,6 @@ SceneDrawing::ShapeDrawing SceneDrawing::shapeDrawing(const ShapeDescription& sh
         drawing.kind = Kind::segment;
     }
     return drawing;
-}
-
-void SceneDrawing::addJoint(const SceneDescription& scene, const JointDescription& joint) {
-    const auto indexOf = [this](const std::string& name) {
-        const auto found =
-            std::find_if(bodies_.begin(), bodies_.end(), [&name](const BodyDrawing& b) { return b.name == name; });
-        return static_cast<std::size_t>(found - bodies_.begin());
-    };
-    const std::size_t a = indexOf(joint.bodyA);
-    const std::size_t b = indexOf(joint.bodyB);
-    if (a == bodies_.size() || b == bodies_.size()) {
-        return;
-    }
-    JointDrawing drawing;
-    drawing.bodyA = static_cast<int>(a);
-    drawing.bodyB = static_cast<int>(b);
-    if (const auto* revolute = std::get_if<RevoluteDescription>(&joint.joint)) {
-        drawing.localA = toLocal(scene.bodies[a], revolute->anchor);
-        drawing.localB = toLocal(scene.bodies[b], revolute->anchor);
-    } else if (const auto* distance = std::get_if<DistanceDescription>(&joint.joint)) {
-        drawing.localA = toLocal(scene.bodies[a], distance->anchorA);
-        drawing.localB = toLocal(scene.bodies[b], distance->anchorB);
-        drawing.revolute = false;
-        drawing.spring = distance->hertz.value_or(0) > 0;
-    }
-    joints_.push_back(drawing);
 }
 
 style::BodyStyle SceneDrawing::styleOf(std::size_t body, bool awake) const {
@@ -285,44 +229,16 @@ void SceneDrawing::drawSwept(Paint& paint, const PixelView& view, std::size_t bo
 
 void SceneDrawing::drawJoints(Paint& paint, const PixelView& view, const Frame& frame) const {
     for (const JointDrawing& joint : joints_) {
-        drawJoint(paint, view, frame, joint);
-    }
-}
-
-void SceneDrawing::drawJoint(Paint& paint, const PixelView& view, const Frame& frame, const JointDrawing& joint) const {
-    const auto a = static_cast<std::size_t>(joint.bodyA);
-    const auto b = static_cast<std::size_t>(joint.bodyB);
-    if (std::max(a, b) >= frame.bodies.size()) {
-        return;
-    }
-    const PixelPose poseA(view, frame.bodies[a].position, frame.bodies[a].angle);
-    const PixelPose poseB(view, frame.bodies[b].position, frame.bodies[b].angle);
-    if (!poseA.finite() || !poseB.finite()) {
-        return;
-    }
-    const DVec2 anchorA = poseA.toPixels(joint.localA);
-    const DVec2 anchorB = poseB.toPixels(joint.localB);
-    const double pen = view.pen;
-    if (joint.revolute) {
-        // The arms from body to pin; a static body has none, its origin may be anywhere.
-        if (moves(a)) {
-            paint.line(poseA.origin(), anchorA, 1.1 * pen, style::kJoint);
+        const auto a = static_cast<std::size_t>(joint.bodyA);
+        const auto b = static_cast<std::size_t>(joint.bodyB);
+        if (std::max(a, b) >= frame.bodies.size()) {
+            continue;
         }
-        if (moves(b)) {
-            paint.line(poseB.origin(), anchorB, 1.1 * pen, style::kJoint);
+        const PixelPose poseA(view, frame.bodies[a].position, frame.bodies[a].angle);
+        const PixelPose poseB(view, frame.bodies[b].position, frame.bodies[b].angle);
+        if (poseA.finite() && poseB.finite()) {
+            drawJoint(paint, view, {joint, poseA, poseB, moves(a), moves(b)});
         }
-        paint.line(anchorA, anchorB, 2 * pen, style::kWarning);  // of no length unless the joint is torn apart
-        pin(paint, anchorA, 3 * pen);
-        return;
-    }
-    const std::array<DVec2, 2> ends{anchorA, anchorB};
-    if (joint.spring) {
-        paint.polyline(springPath(anchorA, anchorB, pen), false, 1.3 * pen, style::kJoint);
-    } else {
-        paint.polyline(ends, false, 1.3 * pen, style::kJoint);
-    }
-    for (const DVec2 end : ends) {
-        pin(paint, end, 2.6 * pen);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame.h"
+#include "render_joints.h"
 #include "render_outline.h"
 #include "render_paint.h"
 #include "render_style.h"
@@ -54,22 +55,12 @@ private:
         std::size_t paletteIndex = 0;
         std::vector<ShapeDrawing> shapes;
     };
-    struct JointDrawing {
-        int bodyA = 0;
-        int bodyB = 0;
-        DVec2 localA;
-        DVec2 localB;
-        bool revolute = true;
-        bool spring = false;
-    };
 
     static ShapeDrawing shapeDrawing(const ShapeDescription& shape);
-    void addJoint(const SceneDescription& scene, const JointDescription& joint);
     void drawConvex(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, const style::BodyStyle& look) const;
     void drawChain(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, const style::BodyStyle& look) const;
     void drawSensor(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape) const;
     void drawOutline(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, Color color) const;
-    void drawJoint(Paint& paint, const PixelView& view, const Frame& frame, const JointDrawing& joint) const;
 
     std::vector<BodyDrawing> bodies_;
     std::vector<JointDrawing> joints_;

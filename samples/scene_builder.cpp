@@ -103,6 +103,61 @@ DistanceDescription& rod(SceneDescription& scene, const std::string& a, const st
     return addJoint(scene, a, b, members);
 }
 
+PrismaticDescription& slider(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchor,
+                             DVec2 axis) {
+    PrismaticDescription members;
+    members.anchor = anchor;
+    members.axis = axis;
+    return addJoint(scene, a, b, members);
+}
+WheelDescription& wheel(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchor, DVec2 axis) {
+    WheelDescription members;
+    members.anchor = anchor;
+    members.axis = axis;
+    return addJoint(scene, a, b, members);
+}
+WeldDescription& weld(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchor) {
+    WeldDescription members;
+    members.anchor = anchor;
+    return addJoint(scene, a, b, members);
+}
+MotorDescription& motor(SceneDescription& scene, const std::string& a, const std::string& b) {
+    return addJoint(scene, a, b, MotorDescription{});
+}
+MouseDescription& mouse(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 target) {
+    MouseDescription members;
+    members.target = target;
+    return addJoint(scene, a, b, members);
+}
+GearDescription& gear(SceneDescription& scene, const std::string& jointA, const std::string& jointB, double ratio) {
+    const auto movedBy = [&scene](const std::string& name) {
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            if (jointName(scene, i) == name) {
+                return scene.joints[i].bodyB;
+            }
+        }
+        return std::string();
+    };
+    GearDescription members;
+    members.jointA = jointA;
+    members.jointB = jointB;
+    members.ratio = ratio;
+    return addJoint(scene, movedBy(jointA), movedBy(jointB), members);
+}
+PulleyDescription& pulley(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchorA,
+                          DVec2 anchorB, double height) {
+    PulleyDescription members;
+    members.groundA = {anchorA.x, height};
+    members.groundB = {anchorB.x, height};
+    members.anchorA = anchorA;
+    members.anchorB = anchorB;
+    return addJoint(scene, a, b, members);
+}
+void keepApart(SceneDescription& scene, const std::string& a, const std::string& b) {
+    addJoint(scene, a, b, FilterJointDescription{});
+}
+
+std::string lastJoint(const SceneDescription& scene) { return jointName(scene, scene.joints.size() - 1); }
 std::string lastBody(const SceneDescription& scene) { return bodyName(scene, scene.bodies.size() - 1); }
 
 }  // namespace swept::build

@@ -57,6 +57,21 @@ RevoluteDescription& hinge(SceneDescription& scene, const std::string& a, const 
 DistanceDescription& rod(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchorA,
                          DVec2 anchorB);
 
+PrismaticDescription& slider(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchor,
+                             DVec2 axis);
+WheelDescription& wheel(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchor, DVec2 axis);
+WeldDescription& weld(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchor);
+MotorDescription& motor(SceneDescription& scene, const std::string& a, const std::string& b);
+MouseDescription& mouse(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 target);
+/// Couples two revolute or prismatic joints that exist, by name.
+GearDescription& gear(SceneDescription& scene, const std::string& jointA, const std::string& jointB, double ratio);
+/// Each rope goes straight up from its anchor to a wheel at this height.
+PulleyDescription& pulley(SceneDescription& scene, const std::string& a, const std::string& b, DVec2 anchorA,
+                          DVec2 anchorB, double height);
+void keepApart(SceneDescription& scene, const std::string& a, const std::string& b);
+/// The name of the joint that was added last.
+std::string lastJoint(const SceneDescription& scene);
+
 /// The name of the body that was added last.
 std::string lastBody(const SceneDescription& scene);
 

@@ -115,7 +115,67 @@ struct DistanceDescription {
 
     bool operator==(const DistanceDescription&) const = default;
 };
-using JointGeometry = std::variant<RevoluteDescription, DistanceDescription>;
+struct PrismaticDescription {
+    DVec2 anchor;
+    DVec2 axis;
+    std::optional<double> lower, upper;
+    std::optional<double> motorSpeed, maxMotorForce;
+    std::optional<double> hertz, dampingRatio;
+
+    bool operator==(const PrismaticDescription&) const = default;
+};
+struct WheelDescription {
+    DVec2 anchor;
+    DVec2 axis;
+    std::optional<double> lower, upper;
+    std::optional<double> motorSpeed, maxMotorTorque;
+    std::optional<double> hertz, dampingRatio;
+
+    bool operator==(const WheelDescription&) const = default;
+};
+struct WeldDescription {
+    DVec2 anchor;
+    std::optional<double> linearHertz, angularHertz;  ///< omitted: rigid
+    std::optional<double> dampingRatio;
+
+    bool operator==(const WeldDescription&) const = default;
+};
+struct MotorDescription {
+    std::optional<DVec2> linearOffset;  ///< in the frame of A; omitted: the initial one
+    std::optional<double> angularOffset;
+    std::optional<DVec2> linearVelocity;  ///< instead of an offset
+    std::optional<double> angularVelocity;
+    std::optional<double> maxForce, maxTorque;
+
+    bool operator==(const MotorDescription&) const = default;
+};
+struct MouseDescription {
+    DVec2 target;
+    std::optional<DVec2> anchor;  ///< omitted: the point of B at the target
+    std::optional<double> hertz, dampingRatio;
+    std::optional<double> maxForce;
+
+    bool operator==(const MouseDescription&) const = default;
+};
+struct GearDescription {
+    std::string jointA, jointB;
+    double ratio = 1;
+
+    bool operator==(const GearDescription&) const = default;
+};
+struct PulleyDescription {
+    DVec2 groundA, groundB;
+    DVec2 anchorA, anchorB;
+    double ratio = 1;
+
+    bool operator==(const PulleyDescription&) const = default;
+};
+struct FilterJointDescription {
+    bool operator==(const FilterJointDescription&) const = default;
+};
+using JointGeometry =
+    std::variant<RevoluteDescription, DistanceDescription, PrismaticDescription, WheelDescription, WeldDescription,
+                 MotorDescription, MouseDescription, GearDescription, PulleyDescription, FilterJointDescription>;
 
 struct JointDescription {
     std::string name;  ///< empty: `joint<index>`

@@ -171,6 +171,69 @@ inline constexpr auto kFields<DistanceDescription> =
                     field("hertz", &DistanceDescription::hertz, units::kRate, bounds::kPositive),
                     field("dampingRatio", &DistanceDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
 
+template <>
+inline constexpr auto kFields<PrismaticDescription> =
+    std::make_tuple(required(field("anchor", &PrismaticDescription::anchor, units::kLength)),
+                    required(field("axis", &PrismaticDescription::axis)),
+                    field("lower", &PrismaticDescription::lower, units::kLength),
+                    field("upper", &PrismaticDescription::upper, units::kLength),
+                    field("motorSpeed", &PrismaticDescription::motorSpeed, units::kSpeed),
+                    field("maxMotorForce", &PrismaticDescription::maxMotorForce, units::kForce, bounds::kNotNegative),
+                    field("hertz", &PrismaticDescription::hertz, units::kRate, bounds::kPositive),
+                    field("dampingRatio", &PrismaticDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+
+template <>
+inline constexpr auto kFields<WheelDescription> =
+    std::make_tuple(required(field("anchor", &WheelDescription::anchor, units::kLength)),
+                    required(field("axis", &WheelDescription::axis)),
+                    field("lower", &WheelDescription::lower, units::kLength),
+                    field("upper", &WheelDescription::upper, units::kLength),
+                    field("motorSpeed", &WheelDescription::motorSpeed, units::kRate),
+                    field("maxMotorTorque", &WheelDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
+                    field("hertz", &WheelDescription::hertz, units::kRate, bounds::kPositive),
+                    field("dampingRatio", &WheelDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+
+template <>
+inline constexpr auto kFields<WeldDescription> =
+    std::make_tuple(required(field("anchor", &WeldDescription::anchor, units::kLength)),
+                    field("linearHertz", &WeldDescription::linearHertz, units::kRate, bounds::kPositive),
+                    field("angularHertz", &WeldDescription::angularHertz, units::kRate, bounds::kPositive),
+                    field("dampingRatio", &WeldDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+
+template <>
+inline constexpr auto kFields<MotorDescription> =
+    std::make_tuple(field("linearOffset", &MotorDescription::linearOffset, units::kLength),
+                    field("angularOffset", &MotorDescription::angularOffset),
+                    field("linearVelocity", &MotorDescription::linearVelocity, units::kSpeed),
+                    field("angularVelocity", &MotorDescription::angularVelocity, units::kRate),
+                    field("maxForce", &MotorDescription::maxForce, units::kForce, bounds::kNotNegative),
+                    field("maxTorque", &MotorDescription::maxTorque, units::kTorque, bounds::kNotNegative));
+
+template <>
+inline constexpr auto kFields<MouseDescription> =
+    std::make_tuple(required(field("target", &MouseDescription::target, units::kLength)),
+                    field("anchor", &MouseDescription::anchor, units::kLength),
+                    field("hertz", &MouseDescription::hertz, units::kRate, bounds::kPositive),
+                    field("dampingRatio", &MouseDescription::dampingRatio, units::kNumber, bounds::kNotNegative),
+                    field("maxForce", &MouseDescription::maxForce, units::kForce, bounds::kNotNegative));
+
+/// The unit of `ratio` follows from the types of the two joints: see `gearRatioUnit`.
+template <>
+inline constexpr auto kFields<GearDescription> =
+    std::make_tuple(required(field("jointA", &GearDescription::jointA)),
+                    required(field("jointB", &GearDescription::jointB)), field("ratio", &GearDescription::ratio));
+
+template <>
+inline constexpr auto kFields<PulleyDescription> =
+    std::make_tuple(required(field("groundA", &PulleyDescription::groundA, units::kLength)),
+                    required(field("groundB", &PulleyDescription::groundB, units::kLength)),
+                    required(field("anchorA", &PulleyDescription::anchorA, units::kLength)),
+                    required(field("anchorB", &PulleyDescription::anchorB, units::kLength)),
+                    field("ratio", &PulleyDescription::ratio, units::kNumber, bounds::kPositive));
+
+template <>
+inline constexpr auto kFields<FilterJointDescription> = std::make_tuple();
+
 /// Besides these, a joint has `type` and the members of that type.
 template <>
 inline constexpr auto kFields<JointDescription> = std::make_tuple(

@@ -287,11 +287,6 @@ private:
                 return true;
             }
         }
-        for (const std::string_view future : futureJointTypeNames()) {
-            if (future == word) {
-                return fail(place, word + " joints are not available yet; use " + listOf(names));
-            }
-        }
         return fail(place, "unknown joint type " + inQuotes(word) + suggestion(word, names));
     }
 

@@ -15,9 +15,8 @@ constexpr std::array<std::string_view, 2> kProfiles{"accurate", "fast"};
 constexpr std::array<std::string_view, 7> kBroadphases{"automatic", "allPairs", "sortAndSweep", "quadtree",
                                                        "grid",      "bvh",      "wideBvh"};
 constexpr std::array<std::string_view, 6> kGeometries{"box", "circle", "capsule", "segment", "polygon", "chain"};
-constexpr std::array<std::string_view, 2> kJointTypes{"revolute", "distance"};
-constexpr std::array<std::string_view, 8> kFutureJointTypes{"prismatic", "wheel", "weld",   "motor",
-                                                            "mouse",     "gear",  "pulley", "filter"};
+constexpr std::array<std::string_view, 10> kJointTypes{"revolute", "distance", "prismatic", "wheel",  "weld",
+                                                       "motor",    "mouse",    "gear",      "pulley", "filter"};
 static_assert(kGeometries.size() == std::variant_size_v<Geometry>);
 static_assert(kJointTypes.size() == std::variant_size_v<JointGeometry>);
 
@@ -71,7 +70,6 @@ std::span<const std::string_view> namesOf<SceneBroadphase>() {
 
 std::span<const std::string_view> geometryNames() { return kGeometries; }
 std::span<const std::string_view> jointTypeNames() { return kJointTypes; }
-std::span<const std::string_view> futureJointTypeNames() { return kFutureJointTypes; }
 
 std::string listOf(std::span<const std::string_view> names) {
     std::string list;

@@ -27,8 +27,6 @@ std::span<const std::string_view> namesOf<SceneBroadphase>();
 std::span<const std::string_view> geometryNames();
 /// Joint types that a scene can hold, in the order of the alternatives of `JointGeometry`.
 std::span<const std::string_view> jointTypeNames();
-/// Joint types of the format that no engine simulates yet.
-std::span<const std::string_view> futureJointTypeNames();
 
 /// `"a", "b" or "c"`.
 std::string listOf(std::span<const std::string_view> names);

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "scene_names.h"
+#include "scene_reader.h"
 
 namespace swept {
 namespace {
@@ -109,16 +110,23 @@ private:
 
     template <class... Alternatives>
     void listAlternatives(const std::string& at, const std::variant<Alternatives...>*) {
-        (listFields<Alternatives>(at), ...);
+        std::size_t kind = 0;
+        ((jointType_ = jointTypeNames()[kind++], listFields<Alternatives>(at)), ...);
     }
 
     void listValue(const double*, const std::string& at, const Dimension& d) {
+        // Joint types share members: those of the same unit are one row, with their type where the unit is another.
+        std::string field = at;
         for (const FieldUnit& row : rows) {
-            if (row.field == at) {
+            if (row.field != at) {
+                continue;
+            }
+            if (row.dimension == d) {
                 return;
-            }  // joint types share members: hertz, dampingRatio
+            }
+            field = at + " (" + jointType_ + ")";
         }
-        rows.push_back({at, d});
+        rows.push_back({field, d});
     }
     void listValue(const DVec2*, const std::string& at, const Dimension& d) { listValue(kScalar, at, d); }
     void listValue(const std::array<DVec2, 2>*, const std::string& at, const Dimension& d) {
@@ -138,6 +146,7 @@ private:
     }  // no unit
 
     static constexpr const double* kScalar = nullptr;
+    std::string jointType_;
 };
 
 void appendUnit(std::string& text, const char* unit, int power) {
@@ -174,9 +183,26 @@ std::string unitText(const Dimension& d) {
     return below.empty() ? above : above + "/" + below;
 }
 
+Dimension gearRatioUnit(const SceneDescription& scene, const GearDescription& gear) {
+    const auto slides = [&scene](const std::string& name) {
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            if (jointName(scene, i) == name) {
+                return std::holds_alternative<PrismaticDescription>(scene.joints[i].joint) ? 1 : 0;
+            }
+        }
+        return 0;
+    };
+    return {slides(gear.jointA) - slides(gear.jointB), 0, 0};
+}
+
 SceneDescription scaled(const SceneDescription& scene, int lengthPower, int massPower, int timePower) {
     SceneDescription result = scene;
     Scaler(lengthPower, massPower, timePower).apply(result, Dimension{});
+    for (JointDescription& joint : result.joints) {
+        if (auto* gear = std::get_if<GearDescription>(&joint.joint)) {
+            gear->ratio = std::ldexp(gear->ratio, lengthPower * gearRatioUnit(result, *gear).length);
+        }
+    }
     return result;
 }
 

@@ -161,21 +161,33 @@ std::optional<Spring> springOf(const std::optional<double>& hertz, const std::op
     return Spring{real(*hertz), real(dampingRatio.value_or(0))};
 }
 
+/// Limits of a translation, or of an angle.
+template <class Limits>
+std::optional<Limits> limitsOf(const std::optional<double>& lower, const std::optional<double>& upper) {
+    constexpr Real kUnlimited = std::numeric_limits<Real>::max();
+    if (!lower && !upper) { return std::nullopt; }
+    return Limits{real(lower).value_or(-kUnlimited), real(upper).value_or(kUnlimited)};
+}
+
+template <class Motor>
+std::optional<Motor> motorOf(const std::optional<double>& speed, const std::optional<double>& strength) {
+    if (!speed && !strength) { return std::nullopt; }
+    return Motor{real(speed.value_or(0)), real(strength.value_or(0))};
+}
+
+using JointNames = std::map<std::string, JointId, std::less<>>;
+
 struct JointMaker {
     World& world;
     JointDef base;
+    const JointNames& joints;
 
     Result<JointId> operator()(const RevoluteDescription& given) const {
-        constexpr Real kUnlimited = std::numeric_limits<Real>::max();
         RevoluteJointDef def;
         def.base = base;
         def.anchor = given.anchor;
-        if (given.lower || given.upper) {
-            def.limits = AngleLimits{real(given.lower).value_or(-kUnlimited), real(given.upper).value_or(kUnlimited)};
-        }
-        if (given.motorSpeed || given.maxMotorTorque) {
-            def.motor = AngularMotor{real(given.motorSpeed.value_or(0)), real(given.maxMotorTorque.value_or(0))};
-        }
+        def.limits = limitsOf<AngleLimits>(given.lower, given.upper);
+        def.motor = motorOf<AngularMotor>(given.motorSpeed, given.maxMotorTorque);
         def.spring = springOf(given.hertz, given.dampingRatio);
         return world.createJoint(def);
     }
@@ -191,6 +203,82 @@ struct JointMaker {
         }
         def.spring = springOf(given.hertz, given.dampingRatio);
         return world.createJoint(def);
+    }
+    Result<JointId> operator()(const PrismaticDescription& given) const {
+        PrismaticJointDef def;
+        def.base = base;
+        def.anchor = given.anchor;
+        def.axis = given.axis;
+        def.limits = limitsOf<TranslationLimits>(given.lower, given.upper);
+        def.motor = motorOf<LinearMotor>(given.motorSpeed, given.maxMotorForce);
+        def.spring = springOf(given.hertz, given.dampingRatio);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const WheelDescription& given) const {
+        WheelJointDef def;
+        def.base = base;
+        def.anchor = given.anchor;
+        def.axis = given.axis;
+        def.limits = limitsOf<TranslationLimits>(given.lower, given.upper);
+        def.motor = motorOf<AngularMotor>(given.motorSpeed, given.maxMotorTorque);
+        def.spring = springOf(given.hertz, given.dampingRatio);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const WeldDescription& given) const {
+        WeldJointDef def;
+        def.base = base;
+        def.anchor = given.anchor;
+        def.linearSpring = springOf(given.linearHertz, given.dampingRatio);
+        def.angularSpring = springOf(given.angularHertz, given.dampingRatio);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const MotorDescription& given) const {
+        MotorJointDef def;
+        def.base = base;
+        if (given.linearOffset) { def.drive.linearOffset = toReal(*given.linearOffset); }
+        if (given.linearVelocity) { def.drive.linearVelocity = toReal(*given.linearVelocity); }
+        def.drive.angularOffset = real(given.angularOffset);
+        def.drive.angularVelocity = real(given.angularVelocity);
+        def.drive.maxForce = real(given.maxForce);
+        def.drive.maxTorque = real(given.maxTorque);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const MouseDescription& given) const {
+        MouseJointDef def;
+        def.base = base;
+        def.target = given.target;
+        def.anchor = given.anchor;
+        def.spring = springOf(given.hertz, given.dampingRatio);
+        def.maxForce = real(given.maxForce);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const GearDescription& given) const {
+        GearJointDef def;
+        def.base = base;
+        def.jointA = jointNamed(given.jointA);
+        def.jointB = jointNamed(given.jointB);
+        def.ratio = real(given.ratio);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const PulleyDescription& given) const {
+        PulleyJointDef def;
+        def.base = base;
+        def.groundA = given.groundA;
+        def.groundB = given.groundB;
+        def.anchorA = given.anchorA;
+        def.anchorB = given.anchorB;
+        def.ratio = real(given.ratio);
+        return world.createJoint(def);
+    }
+    Result<JointId> operator()(const FilterJointDescription&) const {
+        FilterJointDef def;
+        def.base = base;
+        return world.createJoint(def);
+    }
+
+    JointId jointNamed(const std::string& name) const {
+        const auto found = joints.find(name);
+        return found != joints.end() ? found->second : JointId{};
     }
 };
 
@@ -208,23 +296,35 @@ BodyId bodyNamed(const BodyNames& names, const std::string& name) {
     return found != names.end() ? found->second : BodyId{};
 }
 
+Result<JointId> buildJoint(const JointDescription& given, std::size_t index, const BodyNames& bodies,
+                           const JointNames& joints, World& world) {
+    JointMaker maker{world, {}, joints};
+    maker.base.bodyA = bodyNamed(bodies, given.bodyA);
+    maker.base.bodyB = bodyNamed(bodies, given.bodyB);
+    maker.base.collideConnected = given.collideConnected;
+    maker.base.breakForce = real(given.breakForce);
+    maker.base.breakTorque = real(given.breakTorque);
+    maker.base.userData = index;
+    return std::visit(maker, given.joint);
+}
+
+/// Gears come last: their joints may stand behind them in the scene.
 bool buildJoints(const SceneDescription& scene, SceneWorld& built, std::string& error) {
-    const BodyNames names = namesOfBodies(scene, built);
-    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
-        const JointDescription& given = scene.joints[i];
-        JointMaker maker{built.world, {}};
-        maker.base.bodyA = bodyNamed(names, given.bodyA);
-        maker.base.bodyB = bodyNamed(names, given.bodyB);
-        maker.base.collideConnected = given.collideConnected;
-        maker.base.breakForce = real(given.breakForce);
-        maker.base.breakTorque = real(given.breakTorque);
-        maker.base.userData = i;
-        const Result<JointId> joint = std::visit(maker, given.joint);
-        if (!joint.ok()) {
-            error = refusal("/joints/" + std::to_string(i), joint.status());
-            return false;
+    const BodyNames bodies = namesOfBodies(scene, built);
+    JointNames joints;
+    built.joints.resize(scene.joints.size());
+    for (const bool gears : {false, true}) {
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            const JointDescription& given = scene.joints[i];
+            if (std::holds_alternative<GearDescription>(given.joint) != gears) { continue; }
+            const Result<JointId> joint = buildJoint(given, i, bodies, joints, built.world);
+            if (!joint.ok()) {
+                error = refusal("/joints/" + std::to_string(i), joint.status());
+                return false;
+            }
+            joints.emplace(jointName(scene, i), joint.value());
+            built.joints[i] = joint.value();
         }
-        built.joints.push_back(joint.value());
     }
     return true;
 }

@@ -220,6 +220,92 @@ private:
         return d;
     }
 
+    /// Members that prismatic and wheel joints have in common.
+    template <class Members>
+    void fillSlide(Members& m, std::optional<double>& strength) {
+        m.anchor = vector();
+        m.axis = vector();
+        m.lower = maybe(-positive());
+        m.upper = maybe(positive());
+        strength = maybe(positive());
+        if (strength) {
+            m.motorSpeed = maybe(number());
+        }
+        m.hertz = maybe(positive());
+        if (m.hertz) {
+            m.dampingRatio = maybe(positive());
+        }
+    }
+
+    MotorDescription motor() {
+        MotorDescription m;
+        m.maxForce = positive();
+        m.maxTorque = positive();
+        if (often()) {
+            m.linearOffset = vector();
+        } else {
+            m.linearVelocity = vector();
+        }
+        if (often()) {
+            m.angularOffset = number();
+        } else {
+            m.angularVelocity = number();
+        }
+        return m;
+    }
+
+    MouseDescription mouse() {
+        MouseDescription m;
+        m.target = vector();
+        if (often()) {
+            m.anchor = vector();
+        }
+        m.hertz = maybe(positive());
+        if (m.hertz) {
+            m.dampingRatio = maybe(positive());
+        }
+        m.maxForce = maybe(positive());
+        return m;
+    }
+
+    // Gears need joints of certain types: other tests have them.
+    JointGeometry geometryOfJoint() {
+        switch (random_.integer(0, 8)) {
+            case 0:
+                return revolute();
+            case 1:
+                return distance();
+            case 2: {
+                PrismaticDescription m;
+                fillSlide(m, m.maxMotorForce);
+                return m;
+            }
+            case 3: {
+                WheelDescription m;
+                fillSlide(m, m.maxMotorTorque);
+                return m;
+            }
+            case 4: {
+                WeldDescription m;
+                m.anchor = vector();
+                m.linearHertz = maybe(positive());
+                m.angularHertz = maybe(positive());
+                if (m.linearHertz || m.angularHertz) {
+                    m.dampingRatio = maybe(positive());
+                }
+                return m;
+            }
+            case 5:
+                return motor();
+            case 6:
+                return mouse();
+            case 7:
+                return PulleyDescription{vector(), vector(), vector(), vector(), positive()};
+            default:
+                return FilterJointDescription{};
+        }
+    }
+
     JointDescription joint(const SceneDescription& scene, int index) {
         JointDescription j;
         if (often()) {
@@ -236,10 +322,13 @@ private:
         j.collideConnected = often();
         j.breakForce = maybe(positive());
         j.breakTorque = maybe(positive());
-        if (often()) {
-            j.joint = revolute();
-        } else {
-            j.joint = distance();
+        j.joint = geometryOfJoint();
+        if (std::holds_alternative<FilterJointDescription>(j.joint)) {
+            j.collideConnected = false;
+            j.breakForce = j.breakTorque = std::nullopt;
+        }
+        if (std::holds_alternative<MouseDescription>(j.joint) && j.bodyB != nameOf(0)) {
+            std::swap(j.bodyA, j.bodyB);  // the first body is dynamic
         }
         return j;
     }

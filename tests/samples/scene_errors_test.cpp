@@ -135,7 +135,7 @@ TEST(SceneErrors, WrongTypesAndMissingMembers) {
         {shape(R"("polygon": [[0, 0], [1]])"), "/bodies/0/shapes/0/polygon/1", "two numbers"},
         {shape(R"("chain": {"loop": true})"), "/bodies/0/shapes/0/chain/points", "is missing"},
         {shape(R"("chain": [[0, 0], [1, 0]])"), "/bodies/0/shapes/0/chain", "must be an object"},
-        {joint(R"("bodyA": "floor", "bodyB": "ball")"), "/joints/0/type", "is missing: \"revolute\" or \"distance\""},
+        {joint(R"("bodyA": "floor", "bodyB": "ball")"), "/joints/0/type", "is missing: \"revolute\", \"distance\""},
         {joint(R"("type": "revolute", "bodyA": "floor", "anchor": [0, 0])"), "/joints/0/bodyB", "is missing"},
         {joint(R"("type": "revolute", "bodyA": "floor", "bodyB": "ball")"), "/joints/0/anchor", "is missing"},
         {joint(R"("type": "distance", "bodyA": "floor", "bodyB": "ball", "anchorA": [0, 0])"), "/joints/0/anchorB",
@@ -172,15 +172,40 @@ TEST(SceneErrors, WordsAndWholeNumbers) {
         {joint(R"("type": "revolut", "bodyA": "floor", "bodyB": "ball")"), "/joints/0/type",
          "unknown joint type \"revolut\"; did you mean \"revolute\"?"},
         {joint(R"("type": "elastic")"), "/joints/0/type", "unknown joint type \"elastic\""},
-        {joint(R"("type": 3)"), "/joints/0/type", "must be \"revolute\" or \"distance\", not a number"},
+        {joint(R"("type": 3)"), "/joints/0/type", "\"pulley\" or \"filter\", not a number"},
     });
 }
 
-TEST(SceneErrors, JointTypesOfTheFormatThatAreStillToCome) {
-    for (const std::string type : {"prismatic", "wheel", "weld", "motor", "mouse", "gear", "pulley", "filter"}) {
-        expectErrors({{joint(R"("axis": [0, 1], "type": ")" + type + "\""), "/joints/0/type",
-                       type + " joints are not available yet; use \"revolute\" or \"distance\""}});
-    }
+std::string ofType(const std::string& type, const std::string& members) {
+    return joint(R"("bodyA": "floor", "bodyB": "ball", "type": ")" + type + "\"" + members);
+}
+
+TEST(SceneErrors, EveryTypeOfJoint) {
+    const std::string at = R"(, "anchor": [0, 0])";
+    const std::string gear = R"(, "jointA": "hinge", "jointB": "rod")";
+    expectErrors({
+        {ofType("prismatic", at), "/joints/0/axis", "is missing"},
+        {ofType("prismatic", at + R"(, "axis": [0, 0])"), "/joints/0/axis", "must have a direction"},
+        {ofType("wheel", at + R"(, "axis": [0, 1], "lower": 1, "upper": 0)"), "/joints/0/upper", "below lower"},
+        {ofType("wheel", at + R"(, "axis": [0, 1], "motorSpeed": 1)"), "/joints/0/motorSpeed", "maxMotorTorque"},
+        {ofType("prismatic", at + R"(, "axis": [0, 1], "motorSpeed": 1)"), "/joints/0/motorSpeed", "maxMotorForce"},
+        {ofType("weld", at + R"(, "dampingRatio": 1)"), "/joints/0/dampingRatio", "no spring"},
+        {ofType("motor", ""), "/joints/0", "needs \"maxForce\" or \"maxTorque\""},
+        {ofType("motor", R"(, "maxTorque": 1, "linearOffset": [0, 1])"), "/joints/0/linearOffset", "maxForce"},
+        {ofType("motor", R"(, "maxTorque": 1, "angularOffset": 1, "angularVelocity": 1)"),
+         "/joints/0/angularVelocity", "one aim"},
+        {ofType("mouse", R"(, "target": [0, 1], "dampingRatio": 1)"), "/joints/0/dampingRatio", "no spring"},
+        {ofType("mouse", R"(, "target": [0, 1], "maxForce": -1)"), "/joints/0/maxForce", "at least 0"},
+        {joint(R"("type": "mouse", "bodyA": "ball", "bodyB": "floor", "target": [0, 1])"), "/joints/0/bodyB",
+         "must be dynamic"},
+        {ofType("gear", gear), "/joints/0/jointA", "there is no joint"},
+        {ofType("gear", gear + R"(, "ratio": 0)"), "/joints/0/ratio", "must not be 0"},
+        {ofType("pulley", R"(, "groundA": [0, 5], "groundB": [1, 5], "anchorA": [0, 0], "anchorB": [1, 0], "ratio": 0)"),
+         "/joints/0/ratio", "greater than 0"},
+        {ofType("filter", R"(, "collideConnected": true)"), "/joints/0/collideConnected", "keep its bodies"},
+        {ofType("filter", R"(, "breakForce": 1)"), "/joints/0/breakForce", "bears no force"},
+        {ofType("filter", at), "/joints/0/anchor", "unknown key"},
+    });
 }
 
 TEST(SceneErrors, Ranges) {

@@ -97,6 +97,13 @@ TEST(ScenePage, NamesEveryMemberWhereItBelongs) {
     expectNamed("### Joint", keysOf<JointDescription>());
     expectNamed("### Joint", keysOf<RevoluteDescription>());
     expectNamed("### Joint", keysOf<DistanceDescription>());
+    expectNamed("### Joint", keysOf<PrismaticDescription>());
+    expectNamed("### Joint", keysOf<WheelDescription>());
+    expectNamed("### Joint", keysOf<WeldDescription>());
+    expectNamed("### Joint", keysOf<MotorDescription>());
+    expectNamed("### Joint", keysOf<MouseDescription>());
+    expectNamed("### Joint", keysOf<GearDescription>());
+    expectNamed("### Joint", keysOf<PulleyDescription>());
     expectNamed("### Settings", keysOf<SettingsDescription>());
 }
 
@@ -104,7 +111,6 @@ TEST(ScenePage, NamesEveryWordWhereItBelongs) {
     expectNamed("### Body", namesOf<SceneBodyType>());
     expectNamed("### Shape", geometryNames());
     expectNamed("### Joint", jointTypeNames());
-    expectNamed("### Joint", futureJointTypeNames());
     expectNamed("### Settings", namesOf<SceneProfile>());
     expectNamed("### Settings", namesOf<SceneBroadphase>());
     expectNamed("## Continuous collision", namesOf<SceneContinuous>());

@@ -71,6 +71,23 @@ TEST(SceneUnits, AreThoseOfPhysics) {
         {"/joints/*/length", "m"},
         {"/joints/*/minLength", "m"},
         {"/joints/*/maxLength", "m"},
+        {"/joints/*/axis", "1"},
+        {"/joints/*/lower (prismatic)", "m"},
+        {"/joints/*/upper (prismatic)", "m"},
+        {"/joints/*/motorSpeed (prismatic)", "m/s"},
+        {"/joints/*/maxMotorForce", "kg·m/s²"},
+        {"/joints/*/linearHertz", "1/s"},
+        {"/joints/*/angularHertz", "1/s"},
+        {"/joints/*/linearOffset", "m"},
+        {"/joints/*/angularOffset", "1"},
+        {"/joints/*/linearVelocity", "m/s"},
+        {"/joints/*/angularVelocity", "1/s"},
+        {"/joints/*/maxForce", "kg·m/s²"},
+        {"/joints/*/maxTorque", "kg·m²/s²"},
+        {"/joints/*/target", "m"},
+        {"/joints/*/ratio", "1"},
+        {"/joints/*/groundA", "m"},
+        {"/joints/*/groundB", "m"},
     };
     EXPECT_EQ(units.size(), expected.size());
     for (const auto& [field, unit] : expected) {
@@ -81,7 +98,9 @@ TEST(SceneUnits, AreThoseOfPhysics) {
 }
 
 // "/bodies/3/velocity/0" → "/bodies/*/velocity": the index of a component is no part of the field.
-std::string fieldOf(const std::string& pointer, const std::map<std::string, Dimension>& units) {
+// Where a member has another unit in some joint types, the row that has the unit of this joint's type.
+std::string fieldOf(const std::string& pointer, const SceneDescription& scene,
+                    const std::map<std::string, Dimension>& units) {
     std::string field;
     for (std::size_t i = 0; i < pointer.size();) {
         const std::size_t end = std::min(pointer.find('/', i + 1), pointer.size());
@@ -90,7 +109,17 @@ std::string fieldOf(const std::string& pointer, const std::map<std::string, Dime
         i = end;
     }
     const std::string parent = field.substr(0, field.rfind('/'));
-    return units.count(parent) != 0 ? parent : field;
+    if (units.count(parent) != 0) {
+        return parent;
+    }
+    if (field.starts_with("/joints/*/")) {
+        const JointGeometry& joint = scene.joints[std::stoul(pointer.substr(8))].joint;
+        const bool slides = std::holds_alternative<PrismaticDescription>(joint) ||
+                            (std::holds_alternative<WheelDescription>(joint) && !field.ends_with("motorSpeed"));
+        const std::string sliding = field + " (prismatic)";
+        return slides && units.count(sliding) != 0 ? sliding : field;
+    }
+    return field;
 }
 
 // Every number in the text of a scene, by its pointer.
@@ -123,7 +152,7 @@ TEST(SceneUnits, ScalingMultipliesEveryNumberByItsPowerOfTwo) {
         const auto before = numbersOf(scene);
         const auto after = numbersOf(scaled(scene, l, m, t));
         for (const auto& [pointer, value] : before) {
-            const std::string field = fieldOf(pointer, units);
+            const std::string field = fieldOf(pointer, scene, units);
             ASSERT_TRUE(units.count(field) == 1 || counts.count(field) == 1) << pointer << " is not in the table";
             const Dimension d = units.count(field) != 0 ? units.at(field) : Dimension{};
             const double expected = std::ldexp(value, l * d.length + m * d.mass + t * d.time);

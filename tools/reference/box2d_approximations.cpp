@@ -36,6 +36,20 @@ bool hasSpringOnRevolute(const SceneDescription& scene) {
     });
 }
 
+template <class Kind>
+bool hasAny(const SceneDescription& scene) {
+    return std::any_of(scene.joints.begin(), scene.joints.end(),
+                       [](const JointDescription& joint) { return std::holds_alternative<Kind>(joint.joint); });
+}
+
+bool hasSpringOnPrismatic(const SceneDescription& scene) {
+    return std::any_of(scene.joints.begin(), scene.joints.end(), [](const JointDescription& joint) {
+        const auto* const slide = std::get_if<PrismaticDescription>(&joint.joint);
+        const auto* const weld = std::get_if<WeldDescription>(&joint.joint);
+        return (slide != nullptr && slide->hertz) || (weld != nullptr && weld->linearHertz);
+    });
+}
+
 bool isBreakable(const JointDescription& joint) { return joint.breakForce || joint.breakTorque; }
 
 bool isOfUnsupportedMode(SceneContinuous mode) {
@@ -95,6 +109,15 @@ void addWaysWithJoints(const SceneDescription& scene, std::vector<std::string>& 
     }
     if (hasSpringOnRevolute(scene)) {
         sentences.push_back("Springs of revolute joints are left out.");
+    }
+    if (hasSpringOnPrismatic(scene)) {
+        sentences.push_back("Springs of prismatic joints, and linear ones of welds, are left out.");
+    }
+    if (hasAny<PulleyDescription>(scene)) {
+        sentences.push_back("The rope of a pulley pushes, too.");
+    }
+    if (hasAny<MotorDescription>(scene)) {
+        sentences.push_back("Motors drive to a pose only, by 0.3 of the way in a step; the velocities are ignored.");
     }
     if (std::any_of(scene.joints.begin(), scene.joints.end(), isBreakable)) {
         sentences.push_back("Joints break by the reaction of the whole step, judged after it.");

@@ -61,6 +61,7 @@ struct Box2dWorld::Parts {
 
     void addBodies();
     void addJoints();
+    void destroyGearsOn(std::size_t joint);
     void breakJoints();
     void readBodies(Box2dSample& sample) const;
     void readContacts(Box2dSample& sample) const;
@@ -103,8 +104,27 @@ void Box2dWorld::Parts::addJoints() {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         byName[bodyName(scene, i)] = bodies[i];
     }
-    for (const JointDescription& joint : scene.joints) {
-        joints.push_back(addJoint(world, joint, byName));
+    std::map<std::string, b2Joint*> jointByName;
+    joints.resize(scene.joints.size());
+    for (const bool gears : {false, true}) {  // gears come last: they name other joints
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            if (std::holds_alternative<GearDescription>(scene.joints[i].joint) == gears) {
+                joints[i] = addJoint(world, scene.joints[i], byName, jointByName);
+                jointByName.emplace(jointName(scene, i), joints[i]);
+            }
+        }
+    }
+}
+
+/// A gear must go before its joints.
+void Box2dWorld::Parts::destroyGearsOn(std::size_t joint) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const auto* const gear = std::get_if<GearDescription>(&scene.joints[i].joint);
+        const std::string name = jointName(scene, joint);
+        if (joints[i] != nullptr && gear != nullptr && (gear->jointA == name || gear->jointB == name)) {
+            world.DestroyJoint(joints[i]);
+            joints[i] = nullptr;
+        }
     }
 }
 
@@ -113,6 +133,7 @@ void Box2dWorld::Parts::breakJoints() {
         if (joints[i] == nullptr || !breaks(*joints[i], scene.joints[i], scene.settings.dt)) {
             continue;
         }
+        destroyGearsOn(i);
         world.DestroyJoint(joints[i]);
         joints[i] = nullptr;
         ++brokenJoints;
