@@ -104,7 +104,7 @@ void writeMarginScript(std::ostream& out, std::span<const MarginRow> rows) {
     const auto lines = distinct(rows, [](const MarginRow& row) { return std::to_string(row.rule.stepsAhead); }).size();
     writeGrid(out, "broadphase-margin", scenes.size(), std::min<std::size_t>(scenes.size(), 2));
     out << "set logscale x\nset xlabel 'boxes renewed, % of those that moved'\nset ylabel 'false pairs per true one'\n"
-           "set key top right\nset yrange [0:4]\n";
+           "set key bottom left\nset xrange [2:110]\nset yrange [0:6]\n";
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         out << "set title '" << scenes[i] << ": margins 0 to 1 extent'\nplot for [i=0:" << lines - 1
             << "] 'broadphase-margin.dat' index (i+" << i * lines

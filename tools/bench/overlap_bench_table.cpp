@@ -21,38 +21,42 @@ std::vector<std::string> distinct(std::span<const OverlapRow> rows, const Get& g
     return values;
 }
 
-/// One block for each rung: ns a pair, % false, family.
+const auto kFamily = [](const OverlapRow& row) { return row.family; };
+
+/// One block for each family: ns a pair, % false, volume.
 void writeData(std::ostream& out, std::span<const OverlapRow> rows) {
-    constexpr double kNone = 0.1;  // where "none" stands on the logarithmic axis
-    for (const std::string& rung : distinct(rows, [](const OverlapRow& row) { return row.rung; })) {
-        out << '"' << rung << "\"\n";
+    for (const std::string& family : distinct(rows, kFamily)) {
+        out << '"' << family << "\"\n";
         for (const OverlapRow& row : rows) {
-            if (row.rung == rung) {
-                out << roundedText(row.nanoseconds, 6) << ' ' << roundedText(std::max(kNone, 100 * row.falseShare), 6)
-                    << " \"" << row.family << "\"\n";
+            if (row.family == family) {
+                out << roundedText(row.nanoseconds, 6) << ' ' << roundedText(100 * row.falseShare, 6) << " \"" << row.rung
+                    << "\"\n";
             }
         }
         out << "\n\n";
     }
 }
 
+/// A panel for each family, names beside the points.
 void writeScript(std::ostream& out, std::span<const OverlapRow> rows) {
-    const auto rungs = distinct(rows, [](const OverlapRow& row) { return row.rung; });
+    const auto families = distinct(rows, kFamily);
     out << kPlotStyle
-        << "set output 'overlap.png'\nset title 'Bounding volumes: cost against false positives'\n"
-           "set logscale xy\nset xlabel 'ns per pair'\nset ylabel 'pairs apart that pass, %'\nset yrange [0.08:150]\n"
-           "set ytics ('none' 0.1, '1' 1, '3' 3, '10' 10, '30' 30, '100' 100)\nset key outside right top\n"
-           "plot for [i=0:"
-        << rungs.size() - 1
-        << "] 'overlap.dat' index i using 1:2 with points ls (i+1) lw 2 ps 1.8 title columnheader(1), \\\n"
-           "     for [i=0:"
-        << rungs.size() - 1 << "] '' index i using 1:2:3 with labels offset 0,0.9 font ',9' notitle\n";
+        << "set terminal pngcairo size 1440,760 font 'sans,11'\nset output 'overlap.png'\nset multiplot layout 2,3\n"
+           "set logscale x\nset xrange [3:20000]\nset yrange [-5:110]\nset xlabel 'ns per pair'\n"
+           "set ylabel 'pairs apart that pass, %'\nunset key\n";
+    for (std::size_t i = 0; i < families.size(); ++i) {
+        out << "set title '" << families[i] << "'\nplot 'overlap.dat' index " << i
+            << " using 1:2 with points ls 5 ps 1.8, '' index " << i
+            << " every 2 using 1:2:3 with labels left offset 0.9,-0.6, '' index " << i
+            << " every 2::1 using 1:2:3 with labels left offset 0.9,0.8\n";
+    }
+    out << "unset multiplot\n";
 }
 
 }  // namespace
 
 void writeOverlapTable(std::ostream& out, std::span<const OverlapRow> rows) {
-    for (const std::string& family : distinct(rows, [](const OverlapRow& row) { return row.family; })) {
+    for (const std::string& family : distinct(rows, kFamily)) {
         out << '\n' << family << '\n';
         TextTable table({"", "ns a pair", "passing", "false", "ns with GJK behind it"});
         for (const OverlapRow& row : rows) {
