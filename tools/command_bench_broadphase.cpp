@@ -22,7 +22,7 @@ namespace {
 
 struct BroadphaseArguments {
     bench::BroadphaseBenchSettings settings;
-    std::uint32_t maxCount = 100'000;
+    std::uint32_t maxCount = 10'000;
     std::uint32_t count = 0;
     std::string csv;
     std::string marginCsv;
@@ -147,7 +147,7 @@ CLI::Range seeds() { return {std::int64_t{0}, std::numeric_limits<std::int64_t>:
 void addBroadphaseOptions(CLI::App& app, BroadphaseArguments& arguments) {
     constexpr std::uint32_t kMost = 1'000'000;
     CLI::Option* const most =
-        app.add_option("--max-count", arguments.maxCount, "Most proxies of the distributions, in powers of ten [100000]")
+        app.add_option("--max-count", arguments.maxCount, "Most proxies of the distributions, in powers of ten [10000]")
             ->type_name("N")
             ->check(CLI::Range(100U, kMost));
     app.add_option("--count", arguments.count, "Instead: so many and no others")
@@ -165,7 +165,7 @@ void addBroadphaseOptions(CLI::App& app, BroadphaseArguments& arguments) {
     app.add_option("--seed", arguments.settings.seed, "The same seed gives the same boxes [1]")
         ->type_name("S")
         ->check(seeds());
-    app.add_option("--seconds", arguments.settings.secondsPerCase, "For each implementation on each case [0.15]")
+    app.add_option("--seconds", arguments.settings.secondsPerCase, "For each implementation on each case [0.05]")
         ->type_name("S")
         ->check(CLI::Range(0.0, 60.0));
     app.add_option("--csv", arguments.csv, "Write a record for each implementation, scene and size")->type_name("FILE");
