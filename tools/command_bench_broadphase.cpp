@@ -83,7 +83,7 @@ void writeAll(const BroadphaseResults& results) {
         const bench::MachineLimits limits = bench::measureLimits();
         std::vector<bench::BroadphaseRow> chosen;
         std::copy_if(results.peers.begin(), results.peers.end(), std::back_inserter(chosen),
-                     [](const auto& row) { return row.method == bench::nameOf(BroadphaseKind::automatic); });
+                     [](const auto& row) { return row.method == bench::kDefaultBroadphase; });
         bench::writeRoofline(std::cout, bench::rooflineOf(chosen, limits), limits);
     }
     if (!results.margins.empty()) { bench::writeMarginTable(std::cout, results.margins); }

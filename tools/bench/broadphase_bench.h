@@ -11,6 +11,9 @@
 
 namespace swept::bench {
 
+/// Name of what a world takes if it is not told otherwise.
+inline constexpr const char* kDefaultBroadphase = "automatic";
+
 struct BroadphaseBenchSettings {
     std::vector<std::uint32_t> counts = {100, 1000, 10'000};  ///< proxies, ascending
     std::vector<std::string> kinds;   ///< names of contestants; empty: all
