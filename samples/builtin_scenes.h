@@ -32,6 +32,8 @@ SceneDescription dominoes();
 SceneDescription newtonsCradle();
 SceneDescription ragdolls();
 SceneDescription hangingChain();
+SceneDescription machineRoom();
+SceneDescription car();
 SceneDescription terrain();
 SceneDescription paddleDrum();
 SceneDescription bulletCurtain();
