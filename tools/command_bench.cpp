@@ -9,6 +9,7 @@
 #include "bench/toi_bench_plots.h"
 #include "bench/toi_bench_table.h"
 #include "bench/toi_certify.h"
+#include "command_bench_accuracy.h"
 #include "command_bench_broadphase.h"
 #include "commands.h"
 #include "output_files.h"
@@ -131,6 +132,7 @@ void addBenchCommand(CLI::App& app, int& exitCode) {
         exitCode = arguments->certify > 0 ? certify(*arguments) : measure(*arguments);
     });
     addBenchBroadphase(*all, exitCode);
+    addBenchAccuracy(*all, exitCode);
 }
 
 }  // namespace swept

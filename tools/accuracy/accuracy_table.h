@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "accuracy_bench.h"
+
+namespace swept::accuracy {
+
+/// For a terminal: a table for each group, a line for each measure, a column for each contestant. Where a run did not hold,
+/// the word for it stands in place of its numbers.
+void writeTables(std::ostream& out, std::span<const Row> rows);
+
+/// For a terminal: scene by scene, what each contestant's error costs, cheapest first.
+void writeTradeTables(std::ostream& out, std::span<const Row> rows);
+
+/// A record for each value, under a header; runs without values have one record with their verdict.
+void writeCsv(std::ostream& out, std::span<const Row> rows);
+
+/// Error against cost, both logarithmic, a panel for each scene. @return what was drawn, or why not
+std::string plotTrade(const std::string& directory, std::span<const Row> rows, std::string& error);
+
+}  // namespace swept::accuracy

@@ -1,0 +1,140 @@
+#include "command_bench_accuracy.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "accuracy/accuracy_bench.h"
+#include "accuracy/accuracy_table.h"
+#include "bench/machine.h"
+#include "commands.h"
+#include "output_files.h"
+#include "progress.h"
+
+namespace swept {
+namespace {
+
+struct AccuracyArguments {
+    std::vector<std::string> scenes;
+    bool isLong = false;
+    bool trade = false;
+    std::string csv;
+    std::string plots;
+};
+
+/// Steps a second and sub-steps of a step, as the trade is measured.
+struct Effort {
+    double hertz;
+    int subSteps;
+};
+constexpr std::array<Effort, 10> kEfforts{{{30, 8}, {30, 16}, {30, 32}, {60, 4}, {60, 8},
+                                           {60, 16}, {60, 32}, {60, 64}, {120, 16}, {240, 16}}};
+
+bool isWanted(const accuracy::Case& c, const AccuracyArguments& arguments) {
+    if (arguments.scenes.empty()) {
+        return arguments.isLong || !c.isLong;
+    }
+    return std::any_of(arguments.scenes.begin(), arguments.scenes.end(),
+                       [&](const std::string& name) { return name == c.name || name == c.group; });
+}
+
+/// Every case that the arguments ask for, at every effort.
+std::vector<accuracy::Case> casesOf(const AccuracyArguments& arguments) {
+    std::vector<accuracy::Case> cases;
+    for (const accuracy::Case& c : arguments.trade ? accuracy::tradeCases() : accuracy::allCases()) {
+        if (!isWanted(c, arguments)) {
+            continue;
+        }
+        if (!arguments.trade) {
+            cases.push_back(c);
+            continue;
+        }
+        for (const Effort& effort : kEfforts) {
+            cases.push_back(accuracy::refined(c, effort.hertz, effort.subSteps));
+        }
+    }
+    return cases;
+}
+
+std::vector<accuracy::Row> measureAll(const std::vector<accuracy::Case>& cases, bool trade) {
+    std::vector<accuracy::Contestant> contestants = accuracy::allContestants();
+    if (trade) {  // what cannot be timed, and what has no sub-steps, has no place in the trade
+        std::erase_if(contestants, [](const accuracy::Contestant& contestant) { return !contestant.inProcess; });
+    }
+    Progress progress("bench", static_cast<std::int64_t>(cases.size() * contestants.size()));
+    std::vector<accuracy::Row> rows;
+    for (const accuracy::Case& c : cases) {
+        for (const accuracy::Contestant& contestant : contestants) {
+            rows.push_back(accuracy::measure(c, contestant));
+            progress.update(static_cast<std::int64_t>(rows.size()));
+        }
+    }
+    return rows;
+}
+
+int measureAccuracy(const AccuracyArguments& arguments) {
+    OutputFiles files;
+    files.addFile("--csv", arguments.csv);
+    if (!arguments.plots.empty()) {
+        files.addDirectory("--plots", arguments.plots);
+    }
+    std::string error;
+    if (!files.open(error)) {
+        return refuse(error);
+    }
+    std::cout << bench::machineText()
+              << "\nbench accuracy: g = 10 m/s^2, 60 Hz unless said, no sleep, density 1\n"
+              << std::flush;
+    const std::vector<accuracy::Row> rows = measureAll(casesOf(arguments), arguments.trade);
+    if (arguments.trade) {
+        accuracy::writeTradeTables(std::cout, rows);
+    } else {
+        accuracy::writeTables(std::cout, rows);
+    }
+    if (std::ostream* const csv = files.stream(arguments.csv)) {
+        accuracy::writeCsv(*csv, rows);
+    }
+    if (!files.close(error)) {
+        return refuse(error);
+    }
+    if (!arguments.plots.empty()) {
+        const std::string told = accuracy::plotTrade(arguments.plots, rows, error);
+        if (!error.empty()) {
+            return refuse(error);
+        }
+        std::cout << told << '\n';
+    }
+    return kExitDone;
+}
+
+std::vector<std::string> knownNames() {
+    std::vector<std::string> names;
+    for (const accuracy::Case& c : accuracy::allCases()) {
+        if (std::find(names.begin(), names.end(), c.group) == names.end()) {
+            names.push_back(c.group);
+        }
+        names.push_back(c.name);
+    }
+    return names;
+}
+
+}  // namespace
+
+void addBenchAccuracy(CLI::App& bench, int& exitCode) {
+    CLI::App* const command =
+        bench.add_subcommand("accuracy", "Scenes whose outcome is known: how far each engine is from it");
+    const auto arguments = std::make_shared<AccuracyArguments>();
+    command->add_option("--scenes", arguments->scenes, "Only these scenes or groups, separated by commas")
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->check(CLI::IsMember(knownNames()));
+    command->add_flag("--long", arguments->isLong, "Also the scenes that take minutes (stacks of 200 to 1000)");
+    command->add_flag("--trade", arguments->trade, "Error against cost, over steps and sub-steps, for seven scenes");
+    command->add_option("--csv", arguments->csv, "Write a record for each number")->type_name("FILE");
+    command->add_option("--plots", arguments->plots, "Draw error against cost (with --trade), if gnuplot is there")
+        ->type_name("DIR");
+    command->callback([arguments, &exitCode] { exitCode = measureAccuracy(*arguments); });
+}
+
+}  // namespace swept
