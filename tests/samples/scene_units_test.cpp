@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <swept/samples/builtin_scenes.h>
+#include <swept/samples/scene_names.h>
 #include <swept/samples/scene_reader.h>
 #include <swept/samples/scene_units.h>
 
@@ -74,6 +75,8 @@ TEST(SceneUnits, AreThoseOfPhysics) {
         {"/joints/*/axis", "1"},
         {"/joints/*/lower (prismatic)", "m"},
         {"/joints/*/upper (prismatic)", "m"},
+        {"/joints/*/lower (wheel)", "m"},
+        {"/joints/*/upper (wheel)", "m"},
         {"/joints/*/motorSpeed (prismatic)", "m/s"},
         {"/joints/*/maxMotorForce", "kg·m/s²"},
         {"/joints/*/linearHertz", "1/s"},
@@ -114,10 +117,8 @@ std::string fieldOf(const std::string& pointer, const SceneDescription& scene,
     }
     if (field.starts_with("/joints/*/")) {
         const JointGeometry& joint = scene.joints[std::stoul(pointer.substr(8))].joint;
-        const bool slides = std::holds_alternative<PrismaticDescription>(joint) ||
-                            (std::holds_alternative<WheelDescription>(joint) && !field.ends_with("motorSpeed"));
-        const std::string sliding = field + " (prismatic)";
-        return slides && units.count(sliding) != 0 ? sliding : field;
+        const std::string own = field + " (" + std::string(jointTypeNames()[joint.index()]) + ")";
+        return units.count(own) != 0 ? own : field;
     }
     return field;
 }

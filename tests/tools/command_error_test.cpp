@@ -119,9 +119,7 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
 }
 
 TEST_F(CommandError, CommandsOfLaterDaysAreNotThere) {
-    for (const char* const command : {"tune", "inspect"}) {
-        expectRefusal({command, scene_}, command);
-    }
+    expectRefusal({"tune", scene_}, "tune");
 }
 
 }  // namespace
