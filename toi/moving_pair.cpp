@@ -63,6 +63,10 @@ CenteredPolygon::CenteredPolygon(const ToiPolygon& source, DVec2 center) {
         polygon.vertices[i] = {r.x, r.y};
         farthest = std::max(farthest, dot(r, r));
     }
+    // GJK's first look multiplies all places at once: without value they could underflow, or be slow subnormals.
+    for (std::size_t i = static_cast<std::size_t>(source.count); i < polygon.vertices.size(); ++i) {
+        polygon.vertices[i] = {0, 0};
+    }
     reach_ = (1 + 4 * kEpsilon) * std::sqrt(farthest);
 }
 

@@ -23,7 +23,7 @@ public:
 
 private:
     /// Bytes, because a `Polygon` clears itself, and that costs as much as a tenth of a query. The bytes begin the life
-    /// of an aggregate whose vertices up to the count are written at once; nothing else of it is ever read.
+    /// of an aggregate whose vertices are written at once; its normals are never read.
     alignas(Polygon) std::array<std::byte, sizeof(Polygon)> storage_;
     double reach_ = 0;
 };
