@@ -233,13 +233,17 @@ SWEPT_HOT bool walk(const PairView& pair, Features f, GjkResult& r) {
 }
 
 /// One run; see `runGjk`. Sets all of `r` that its outcome promises.
-SWEPT_HOT void run(const PairView& pair, const SimplexCache* warm, GjkResult& r) {
-    if (walk(pair, start(pair, warm), r)) {
+/// @param begin  from `start`, with the same cache.
+SWEPT_HOT void runFrom(const PairView& pair, const Features& begin, const SimplexCache* warm, GjkResult& r) {
+    if (walk(pair, begin, r)) {
         r.encloses = false;
         r.outcome = GjkOutcome::apart;
     } else {
         runLoop(pair, warm, r);
     }
+}
+SWEPT_HOT void run(const PairView& pair, const SimplexCache* warm, GjkResult& r) {
+    runFrom(pair, start(pair, warm), warm, r);
 }
 
 #undef SWEPT_HOT

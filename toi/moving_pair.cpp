@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "../shapes/distance.h"
-#include "../shapes/gjk_run.h"
+#include "../shapes/gjk_enclosure.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -49,6 +49,15 @@ AxisOwner ownerOf(const GjkResult& gjk) {
     return gjk.simplex[0].a == gjk.simplex[1].a ? AxisOwner::b : AxisOwner::a;
 }
 
+/// Whether it pays to look for a proof of overlap before the distance: shapes of like size with their centres near each
+/// other. Beside a wide floor centres are near without any overlap, and the look would be in vain.
+bool mayOverlapDeeply(const MovingPair& pair, DVec2 offset) {
+    constexpr double kLikeSize = 3;
+    const double smaller = std::min(pair.a.reach(), pair.b.reach());
+    const double larger = std::max(pair.a.reach(), pair.b.reach());
+    return larger < kLikeSize * smaller && dot(offset, offset) < smaller * smaller;
+}
+
 double largestAngle(const Sweep& sweep) { return std::max(std::fabs(sweep.a0), std::fabs(sweep.a1)); }
 
 }  // namespace
@@ -57,16 +66,17 @@ CenteredPolygon::CenteredPolygon(const ToiPolygon& source, DVec2 center) {
     Polygon& polygon = *std::launder(reinterpret_cast<Polygon*>(storage_.data()));
     polygon.count = source.count;
     polygon.radius = source.radius;
+    // GJK's first look multiplies all places at once: without value they could underflow, or be slow subnormals.
+    polygon.vertices = {};
     double farthest = 0;
+    DVec2 sum{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(source.count); ++i) {
         const DVec2 r = source.vertices[i] - center;
         polygon.vertices[i] = {r.x, r.y};
         farthest = std::max(farthest, dot(r, r));
+        sum += r;
     }
-    // GJK's first look multiplies all places at once: without value they could underflow, or be slow subnormals.
-    for (std::size_t i = static_cast<std::size_t>(source.count); i < polygon.vertices.size(); ++i) {
-        polygon.vertices[i] = {0, 0};
-    }
+    middle_ = (1.0 / source.count) * sum;
     reach_ = (1 + 4 * kEpsilon) * std::sqrt(farthest);
 }
 
@@ -108,7 +118,17 @@ void MovingPair::findClosest(const PairPose& pose, SimplexCache& cache, Closest&
     gjk.encloses = false;
     closest.owner = AxisOwner::world;
     if (!isExtreme_) {
-        gjk::run(PairView(a.polygon(), b.polygon(), bInA(pose)), &cache, gjk);
+        const PairView view(a.polygon(), b.polygon(), bInA(pose));
+        const gjk::Features begin = gjk::start(view, &cache);
+        const double extent = 2 * (a.reach() + b.reach()) + sumNorm(view.translation);
+        if (cache.count == 0 && mayOverlapDeeply(*this, view.translation) &&
+            gjk::provesOverlap(view, begin, a.middle(), b.middle(), extent)) {
+            gjk.outcome = GjkOutcome::touching;
+            gjk.encloses = true;
+            closest.separation = 0;
+            return;
+        }
+        gjk::runFrom(view, begin, &cache, gjk);
         remember(gjk, cache);
     }
     if (gjk.outcome == GjkOutcome::apart) {

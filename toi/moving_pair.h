@@ -20,12 +20,15 @@ public:
     int count() const { return polygon().count; }
     /// Of the farthest vertex from the centre, metres; rounded up.
     double reach() const { return reach_; }
+    /// A point inside: the mean of the vertices.
+    DVec2 middle() const { return middle_; }
 
 private:
     /// Bytes, because a `Polygon` clears itself, and that costs as much as a tenth of a query. The bytes begin the life
     /// of an aggregate whose vertices are written at once; its normals are never read.
     alignas(Polygon) std::array<std::byte, sizeof(Polygon)> storage_;
     double reach_ = 0;
+    DVec2 middle_;
 };
 
 /// Whose face the closest direction is normal to: the line between two vertices belongs to the world.
