@@ -68,7 +68,7 @@ if [ "$sanitizers" = yes ]; then
     export UBSAN_OPTIONS="print_stacktrace=1:${UBSAN_OPTIONS:-}"
     build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick" quick
     if [ "$long" = yes ]; then
-        build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick_f64" quick_f64
+        build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick_long" quick_long
     fi
     build_and_test tsan "clang 14, thread sanitizer, tests labelled parallel" parallel
 fi

@@ -2,7 +2,7 @@
 include(GoogleTest)
 
 # All suites with one label, to be built without the rest.
-foreach(label quick quick_f64 parallel)
+foreach(label quick quick_long parallel)
     add_custom_target(swept_tests_${label})
 endforeach()
 
@@ -31,7 +31,7 @@ function(swept_configure_test target)
 endfunction()
 
 # swept_add_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
-# One executable, discovered by ctest. Labels: quick (also run with sanitizers), quick_f64 (the same in the long run only),
+# One executable, discovered by ctest. Labels: quick (also run with sanitizers), quick_long (the same in the long run only),
 # parallel (also run with thread sanitizer), long (in the long run only).
 function(swept_add_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
@@ -57,7 +57,7 @@ endfunction()
 
 # swept_add_layer_test(NAME SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
 # The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64. What is quick in
-# f32 is labelled quick_f64 in f64: sanitizers see the same sources twice only in the long run.
+# f32 is labelled quick_long in f64: sanitizers see the same sources twice only in the long run.
 function(swept_add_layer_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
     foreach(precision f32 f64)
@@ -67,7 +67,7 @@ function(swept_add_layer_test name)
         endforeach()
         set(labels ${TEST_LABELS})
         if(precision STREQUAL f64)
-            list(TRANSFORM labels REPLACE "^quick$" "quick_f64")
+            list(TRANSFORM labels REPLACE "^quick$" "quick_long")
         endif()
         swept_add_test(${name}_${precision} SOURCES ${TEST_SOURCES} LIBRARIES ${libraries} LABELS ${labels})
     endforeach()
