@@ -166,29 +166,152 @@ Impulses withoutEnergyGain(const ImpactProblem& problem, const Impulses& full) {
     return mix(plastic, full, low);
 }
 
+/// Which points take part in an impact, and how.
+struct Approach {
+    Scalars speed{};        ///< m/s; of points that take no part, too
+    Scalars restitution{};
+    std::array<bool, 2> active{};
+
+    bool any() const { return active[0] || active[1]; }
+};
+
+Approach approachOf(const ImpactProblem& problem, const ImpactRule& rule) {
+    const ContactConstraint& contact = problem.contact;
+    Approach approach;
+    for (int i = 0; i < contact.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
+        approach.speed[k] = speed;
+        if (contact.points[k].normalMass <= 0 || speed <= kRoundingRatio * problem.speedScale(i)) { continue; }
+        const bool bounces = contact.restitution > 0 && speed > rule.restitutionThreshold;
+        const bool meets = rule.horizon <= 0 || currentSeparation(contact, contact.points[k], problem.a, problem.b) <=
+                                                    speed * rule.horizon;
+        approach.active[k] = meets && (bounces || rule.resolvePlastic);
+        approach.restitution[k] = bounces ? contact.restitution : Real(0);
+    }
+    return approach;
+}
+
+ImpactProblem problemOf(const ContactConstraint& contact, const SolverBodies& bodies) {
+    return {contact, bodies.states[contact.slotA], bodies.states[contact.slotB], bodies.inertias[contact.slotA],
+            bodies.inertias[contact.slotB]};
+}
+
+/// Lists what approaches now. @return whether two of them share a body that can be moved, and none differs in restitution
+bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
+                     ImpactScratch& scratch) {
+    scratch.approaching.clear();
+    scratch.speeds.clear();
+    scratch.seen.resize(std::max(scratch.seen.size(), bodies.states.size()), 0);
+    ++scratch.round;
+    bool shared = false;
+    bool alike = true;
+    for (ContactConstraint* contact : contacts) {
+        const Approach approach = approachOf(problemOf(*contact, bodies), rule);
+        if (!approach.any()) { continue; }
+        alike = alike && (scratch.approaching.empty() || scratch.approaching[0]->restitution == contact->restitution);
+        scratch.approaching.push_back(contact);
+        scratch.speeds.push_back(
+            {approach.active[0] ? approach.speed[0] : Real(0), approach.active[1] ? approach.speed[1] : Real(0)});
+        for (const BodySlot slot : {contact->slotA, contact->slotB}) {
+            const BodyInertia& inertia = bodies.inertias[slot];
+            if (!(inertia.inverseMass > 0) && !(inertia.inverseInertia > 0)) { continue; }
+            shared = shared || scratch.seen[slot] == scratch.round;
+            scratch.seen[slot] = scratch.round;
+        }
+    }
+    return shared && alike;
+}
+
+/// Sweeps of the projection: each takes an impact one contact further, and the soft tail does not matter, since the energy is
+/// made right at the end.
+constexpr int kProjectionSweeps = 64;
+
+/// One Gauss–Seidel sweep of the projection. @return the largest change of a normal velocity, relative to that before
+Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
+    Real largest = 0;
+    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
+        const ContactConstraint& contact = *scratch.approaching[c];
+        ImpactProblem problem = problemOf(contact, bodies);
+        for (int i = 0; i < contact.count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const Real before = scratch.speeds[c][k];
+            if (!(before > 0)) { continue; }
+            const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
+            Real& impulse = scratch.impulses[c][k];
+            const Real total = std::max(impulse + contact.points[k].normalMass * speed, Real(0));
+            problem.apply(i, (total - impulse) * contact.normal);
+            largest = std::max(largest, std::fabs(total - impulse) / (contact.points[k].normalMass * before));
+            impulse = total;
+        }
+        storePair(bodies, contact.slotA, problem.a, contact.slotB, problem.b);
+    }
+    return largest;
+}
+
+/// Factor on the impulses of the projection that makes them a reflection: work done is (1 − e²) of what a plastic impact takes,
+/// as if the projection had converged. (Impulses λ, speeds before −v: work of s·λ is s·v·λ + s²·q/2, q = λ·(change of v).)
+Real reflectionFactor(const SolverBodies& bodies, const ImpactScratch& scratch) {
+    Real given = 0;
+    Real change = 0;
+    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
+        const ContactConstraint& contact = *scratch.approaching[c];
+        const ImpactProblem problem = problemOf(contact, bodies);
+        for (int i = 0; i < contact.count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const Real impulse = scratch.impulses[c][k];
+            const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
+            given += impulse * scratch.speeds[c][k];
+            change += impulse * (scratch.speeds[c][k] - speed);
+        }
+    }
+    return change > 0 ? (1 + scratch.approaching[0]->restitution) * (given / change) : Real(1);
+}
+
+/// The rest of the reflection, and friction within its cone against the slip that remains.
+void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScratch& scratch) {
+    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
+        const ContactConstraint& contact = *scratch.approaching[c];
+        ImpactProblem problem = problemOf(contact, bodies);
+        for (int i = 0; i < contact.count; ++i) {
+            problem.apply(i, ((factor - 1) * scratch.impulses[c][static_cast<std::size_t>(i)]) * contact.normal);
+        }
+        storePair(bodies, contact.slotA, problem.a, contact.slotB, problem.b);
+    }
+    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
+        ContactConstraint& contact = *scratch.approaching[c];
+        ImpactProblem problem = problemOf(contact, bodies);
+        const Vec2 tangent = rightPerp(contact.normal);
+        for (int i = 0; i < contact.count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const Real impulse = factor * scratch.impulses[c][k];
+            const Real limit = contact.friction * impulse;
+            const Real slip = dot(problem.relativeVelocity(i), tangent);
+            problem.apply(i, std::clamp(-contact.points[k].tangentMass * slip, -limit, limit) * tangent);
+            contact.points[k].totalNormalImpulse += impulse;
+            contact.points[k].bounceApproach = std::max(contact.points[k].bounceApproach, scratch.speeds[c][k]);
+        }
+        storePair(bodies, contact.slotA, problem.a, contact.slotB, problem.b);
+    }
+}
+
+void reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch) {
+    scratch.impulses.assign(scratch.approaching.size(), {});
+    for (int sweep = 0; sweep < kProjectionSweeps; ++sweep) {
+        if (projectOnce(bodies, scratch) <= kRoundingRatio) { break; }
+    }
+    finishReflection(bodies, reflectionFactor(bodies, scratch), scratch);
+}
+
 }  // namespace
 
 bool resolveImpact(ContactConstraint& contact, const SolverBodies& bodies, const ImpactRule& rule) {
-    ImpactProblem problem{contact,
-                          bodies.states[contact.slotA],
-                          bodies.states[contact.slotB],
-                          bodies.inertias[contact.slotA],
-                          bodies.inertias[contact.slotB]};
-    Scalars restitution{};
-    Scalars approach{};
-    for (int i = 0; i < contact.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        approach[k] = -dot(problem.relativeVelocity(i), contact.normal);
-        if (contact.points[k].normalMass <= 0 || approach[k] <= kRoundingRatio * problem.speedScale(i)) { continue; }
-        const bool bounces = contact.restitution > 0 && approach[k] > rule.restitutionThreshold;
-        const bool meets = rule.horizon <= 0 || currentSeparation(contact, contact.points[k], problem.a, problem.b) <=
-                                                    approach[k] * rule.horizon;
-        problem.active[k] = meets && (bounces || rule.resolvePlastic);
-        restitution[k] = bounces ? contact.restitution : Real(0);
-    }
-    if (!problem.active[0] && !problem.active[1]) { return false; }
+    ImpactProblem problem = problemOf(contact, bodies);
+    const Approach approach = approachOf(problem, rule);
+    if (!approach.any()) { return false; }
+    problem.active = approach.active;
 
-    const Impulses impulses = withoutEnergyGain(problem, impulsesFor(problem, restitution));
+    const Impulses impulses = withoutEnergyGain(problem, impulsesFor(problem, approach.restitution));
     bool applied = false;
     for (int i = 0; i < contact.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -196,7 +319,7 @@ bool resolveImpact(ContactConstraint& contact, const SolverBodies& bodies, const
         problem.apply(i, impulses[k]);
         const Real normalImpulse = dot(impulses[k], contact.normal);
         contact.points[k].totalNormalImpulse += normalImpulse;
-        contact.points[k].bounceApproach = std::max(contact.points[k].bounceApproach, approach[k]);
+        contact.points[k].bounceApproach = std::max(contact.points[k].bounceApproach, approach.speed[k]);
         applied = applied || normalImpulse > 0;
     }
     storePair(bodies, contact.slotA, problem.a, contact.slotB, problem.b);
@@ -208,6 +331,20 @@ int resolveImpacts(std::span<ContactConstraint* const> contacts, const SolverBod
     for (int round = 0; round < maxRounds; ++round) {
         bool applied = false;
         for (ContactConstraint* contact : contacts) { applied = resolveImpact(*contact, bodies, rule) || applied; }
+        if (!applied) { return round; }
+    }
+    return maxRounds;
+}
+
+int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
+                   int maxRounds, ImpactScratch& scratch) {
+    for (int round = 0; round < maxRounds; ++round) {
+        if (listApproaching(contacts, bodies, rule, scratch)) {
+            reflectTogether(bodies, scratch);
+            continue;
+        }
+        bool applied = false;
+        for (ContactConstraint* contact : scratch.approaching) { applied = resolveImpact(*contact, bodies, rule) || applied; }
         if (!applied) { return round; }
     }
     return maxRounds;

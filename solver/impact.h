@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "contact_constraint.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -27,6 +30,22 @@ bool resolveImpact(ContactConstraint& contact, const SolverBodies& bodies, const
 /// approach (the contact solver then treats them as plastic).
 int resolveImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
                    int maxRounds);
+
+/// What `reflectImpacts` needs; kept for its capacity.
+struct ImpactScratch {
+    std::vector<ContactConstraint*> approaching;
+    std::vector<std::array<Real, 2>> impulses;  ///< by approaching contact and point, N·s
+    std::vector<std::array<Real, 2>> speeds;    ///< approach speeds before, m/s; 0: the point takes no part
+    std::vector<std::uint32_t> seen;            ///< by slot: the round in which a contact was found there
+    std::uint32_t round = 0;
+};
+
+/// Like `resolveImpacts`, but contacts that approach at the same time and share a body are reflected together, whatever their
+/// order: the velocities are projected onto those at which none of them approaches, and then changed as much again, times the
+/// restitution (generalised reflections: Smith, Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on Simultaneous Impact",
+/// 2012). Keeps symmetry, and energy for restitution 1. Contacts of different restitution are taken in turn.
+int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
+                   int maxRounds, ImpactScratch& scratch);
 
 /// Rounds inside a sub-step: a row of so many touching bodies passes an impact on at once; longer rows take more sub-steps.
 inline constexpr int kMaxBounceRounds = 32;

@@ -96,7 +96,7 @@ SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings) {
         // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice, and
         // a ball would rise by 2·speed·h with every bounce.
         if (!bouncing_.empty()) {
-            report.bounceRounds += resolveImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds);
+            report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
         }
         report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
         warmStart(batch);

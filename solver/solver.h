@@ -39,6 +39,7 @@ private:
 
     ConstraintGraph graph_;
     std::vector<ContactConstraint*> bouncing_;
+    ImpactScratch impactScratch_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION
