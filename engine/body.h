@@ -23,6 +23,7 @@ enum class BodyRole : std::uint8_t {
     idle,    ///< static or asleep
     free,    ///< nothing holds it: one step of its parabola
     solved,  ///< tied to others by contacts or joints: the sub-stepped solver
+    together,  ///< in an island with something fast: the same solver, from impact to impact of the whole island
     flyer,   ///< fast, with nothing but static and kinematic things in its way: the impact loop
 };
 
@@ -48,7 +49,11 @@ struct Body {
     bool touchesDynamic = false;  ///< this step: contact points with a dynamic body
     bool hasContact = false;      ///< this step: contact points with anything solid
     bool deepContact = false;     ///< this step: overlaps something static too far to be swept out of it
-    bool fast = false;            ///< this step: some point may move more than a quarter of the extent
+    bool bounces = false;         ///< this step: comes back from something static or kinematic, or is about to
+    bool rests = false;           ///< this step: something static or kinematic carries it
+    bool strikes = false;         ///< gets to something static or kinematic within this step, and not slowly
+    bool startled = false;        ///< this step: a kinematic body may move over it
+    bool fast = false;            ///< this step: startled, or some point may move more than a quarter of the extent
     BodyRole role = BodyRole::idle;
     std::uint32_t slot = 0;       ///< in the solver, this step
     DVec2 startCenter{};            ///< at the start of this step

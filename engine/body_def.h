@@ -40,7 +40,7 @@ struct BodyDef {
     Real mass = 0;             ///< replaces the mass of the shapes; 0: take theirs
     Real inertia = 0;          ///< about the centre of mass; replaces that of the shapes; 0: take theirs
     bool fixedRotation = false;
-    bool bullet = false;       ///< reserved for sweeps against dynamic bodies
+    bool bullet = false;       ///< in mode `subStep`, also swept against dynamic bodies, in order of time
     bool awake = true;
     std::optional<ContinuousMode> continuous{};  ///< empty: the world's
     std::uint64_t userData = 0;

@@ -51,7 +51,7 @@ struct ContactEvent {
     Real impulse = 0;        ///< N·s of a hit, along the normal
 };
 
-/// A pose at which a body met something within the step.
+/// A pose at which a body met something within the step, or at which its island ended a part of the step.
 struct ImpactPose {
     BodyId body{};
     DVec2 position{};  ///< body origin

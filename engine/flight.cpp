@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "constraint_builder.h"
+#include "flight_state.h"
 #include "ghosts.h"
 #include "sweep_obstacles.h"
 #include "tolerances.h"
@@ -15,20 +16,6 @@ namespace {
 /// approaches after that many is stopped plastically.
 constexpr int kMaxImpactRounds = 64;
 constexpr BodySlot kFlyerSlot = 1;
-
-/// A body in flight: its own copy of its motion, and how much of the step has passed.
-struct Flight {
-    WorldState& world;
-    std::uint32_t slot;
-    FlightScratch& scratch;
-    BodyMotion motion;
-    double dt;
-    double elapsed = 0;
-    Real threshold = 0;
-
-    const Body& body() const { return world.bodies[slot]; }
-    double remaining() const { return dt - elapsed; }
-};
 
 /// Acceleration and damping over a time, exactly.
 struct Drift {
@@ -42,11 +29,144 @@ Drift driftOf(const Flight& flight, double time) {
     const Body& body = flight.body();
     return {dampedMotion(static_cast<double>(body.def.linearDamping) * time),
             dampedMotion(static_cast<double>(body.def.angularDamping) * time),
-            toDouble(accelerationOf(flight.world, body)), static_cast<double>(angularAccelerationOf(body))};
+            toDouble(accelerationOf(*flight.world, body)), static_cast<double>(angularAccelerationOf(body))};
 }
 
-/// The rest of the step as a sweep: the parabola through its exact end points with the present velocity. Exact without
-/// damping.
+/// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
+/// between two impacts of a sliding body is undone by it.
+void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, Real target, Real tolerance) {
+    Real deepest = target;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
+        deepest = std::min(deepest, manifold.points[i].separation);
+    }
+    if (deepest >= target - tolerance) { return; }
+    flight.motion.center += toDouble((target - deepest) * normal);
+    flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
+}
+
+void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t source) {
+    const Shape& own = flight.world->shapes[obstacle.own];
+    const Shape& other = flight.world->shapes[obstacle.other];
+    const Body& otherBody = flight.world->bodies[other.body];
+    const Sweep otherSweep = obstacleSweep(*flight.world, other.body, flight.elapsed, flight.dt);
+    const BodyMotion otherMotion = motionAt(otherSweep, 0, otherBody.localCenter);
+    const auto target = static_cast<Real>(targetOf(*flight.world, obstacle));
+    const auto tolerance = static_cast<Real>(toleranceOf(*flight.world, obstacle));
+    const Manifold manifold =
+        obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, target + 3 * tolerance);
+    if (manifold.count == 0) { return; }
+    ContactConstraint constraint =
+        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion,
+                     std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
+                     std::max(own.def.restitution, other.def.restitution), 0);
+    constraint.source = source;
+    constraint.slotB = kFlyerSlot;
+    if (otherBody.def.type == BodyType::kinematic) {
+        const BodyMotion& moving = flight.world->motions[other.body];
+        constraint.slotA = static_cast<BodySlot>(flight.scratch->states.size());
+        flight.scratch->states.push_back({.velocity = moving.velocity, .angularVelocity = moving.angularVelocity});
+        flight.scratch->inertias.push_back({});
+    }
+    setBack(flight, manifold, constraint.normal, target, tolerance);
+    flight.scratch->constraints.push_back(constraint);
+}
+
+void report(Flight& flight, const ContactConstraint& constraint) {
+    const ContactConstraintPoint& first = constraint.points[0];
+    const ContactConstraintPoint& second = constraint.points[1];
+    const Real speed = std::max(first.bounceApproach, second.bounceApproach);
+    if (!(speed > flight.threshold)) { return; }
+    const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
+    const Shape& other = flight.world->shapes[obstacle.other];
+    const Vec2 arm = second.totalNormalImpulse > first.totalNormalImpulse ? second.anchorB : first.anchorB;
+    flight.scratch->events.push_back(
+        {.type = ContactEventType::hit,
+         .shapeA = flight.world->shapes.idOf(other.head),
+         .shapeB = flight.world->shapes.idOf(flight.world->shapes[obstacle.own].head),
+         .bodyA = flight.world->bodies.idOf(other.body),
+         .bodyB = flight.world->bodies.idOf(flight.slot),
+         .fraction = flight.elapsed / flight.dt,
+         .point = flight.motion.center + toDouble(arm),
+         .normal = constraint.normal,
+         .approachSpeed = speed,
+         .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
+}
+
+/// What the body is pressed against, and does not bounce off, carries it: it may sag there until its next impact.
+void noteCarrier(Flight& flight, const ContactConstraint& constraint) {
+    const Real pull = -dot(accelerationOf(*flight.world, flight.body()), constraint.normal);
+    const Real fastest = std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach);
+    if (!(pull > 0) || fastest > flight.threshold) { return; }
+    const auto isSame = [&](Vec2 normal) { return dot(normal, constraint.normal) > kSameNormal; };
+    const auto last = flight.carriers.begin() + flight.carrierCount;
+    if (last == flight.carriers.end() || std::any_of(flight.carriers.begin(), last, isSame)) { return; }
+    flight.carriers[static_cast<std::size_t>(flight.carrierCount++)] = constraint.normal;
+}
+
+GroundContact groundContactOf(const Flight& flight, const ContactConstraint& constraint) {
+    const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
+    const Shape& other = flight.world->shapes[obstacle.other];
+    const Sweep otherSweep = obstacleSweep(*flight.world, other.body, flight.elapsed, flight.dt);
+    return {.ground = other.polygon,
+            .own = flight.world->shapes[obstacle.own].polygon,
+            .groundPose = motionAt(otherSweep, 0, flight.world->bodies[other.body].localCenter).pose,
+            .ownPose = flight.motion.pose,
+            .normal = constraint.normal,
+            .count = constraint.count,
+            .slop = slopOf(*flight.world, obstacle)};
+}
+
+/// Drops the constraints that another one's normal shows to be ghosts (ghosts.h).
+void dropGhosts(Flight& flight) {
+    std::vector<ContactConstraint>& all = flight.scratch->constraints;
+    for (int rank = 0; rank < kGhostRanks && all.size() > 1; ++rank) {
+        for (std::size_t i = 0; i < all.size();) {
+            const GroundContact contact = groundContactOf(flight, all[i]);
+            const auto hidesIt = [&](const ContactConstraint& stands) {
+                return &stands != &all[i] && hides(groundContactOf(flight, stands), contact);
+            };
+            if (ghostRank(contact) == rank && std::any_of(all.begin(), all.end(), hidesIt)) {
+                all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+            } else {
+                ++i;
+            }
+        }
+    }
+}
+
+/// Flies until the step is used up or the budget is.
+void flyThrough(Flight& flight) {
+    FlightScratch& scratch = *flight.scratch;
+    resolveStanding(flight);  // only then may the sweeps look for lower separations
+    for (int impacts = 0; flight.remaining() > 0; ++impacts) {
+        const Sweep sweep = sweepOf(flight);
+        const FirstImpact first = nextImpact(flight, sweep);
+        if (!first.hit) {
+            advance(flight, sweep, 1);
+            return;
+        }
+        if (impacts == flight.world->settings.maxImpacts) {
+            const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
+            enterLedger(flight, reason);
+            return;
+        }
+        advance(flight, sweep, first.fraction);
+        resolveHere(flight);
+        notePose(flight);
+        ++scratch.impacts;
+    }
+}
+
+}  // namespace
+
+const Body& Flight::body() const { return world->bodies[slot]; }
+
+Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+    Flight flight{.world = &world, .slot = slot, .scratch = &scratch, .motion = world.motions[slot], .dt = dt};
+    flight.threshold = bounceThreshold(world, world.bodies[slot], static_cast<Real>(dt));
+    return flight;
+}
+
 Sweep sweepOf(const Flight& flight) {
     const double time = flight.remaining();
     const Drift drift = driftOf(flight, time);
@@ -79,100 +199,15 @@ void advance(Flight& flight, const Sweep& sweep, double fraction) {
     flight.elapsed = fraction >= 1 ? flight.dt : flight.elapsed + time;
 }
 
-/// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
-/// between two impacts of a sliding body is undone by it.
-void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, Real target, Real tolerance) {
-    Real deepest = target;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        deepest = std::min(deepest, manifold.points[i].separation);
-    }
-    if (deepest >= target - tolerance) { return; }
-    flight.motion.center += toDouble((target - deepest) * normal);
-    flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
+FirstImpact nextImpact(const Flight& flight, const Sweep& sweep) {
+    findObstacles(*flight.world, flight.slot, sweep, *flight.scratch);
+    const auto count = static_cast<std::size_t>(flight.carrierCount);
+    if (count > 0) { allowSag(*flight.world, sweep, {flight.carriers.data(), count}, *flight.scratch); }
+    return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch);
 }
 
-void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t source) {
-    const Shape& own = flight.world.shapes[obstacle.own];
-    const Shape& other = flight.world.shapes[obstacle.other];
-    const Body& otherBody = flight.world.bodies[other.body];
-    const Sweep otherSweep = obstacleSweep(flight.world, other.body, flight.elapsed, flight.dt);
-    const BodyMotion otherMotion = motionAt(otherSweep, 0, otherBody.localCenter);
-    const auto target = static_cast<Real>(targetOf(flight.world, obstacle));
-    const auto tolerance = static_cast<Real>(toleranceOf(flight.world, obstacle));
-    const Manifold manifold =
-        obstacleManifold(flight.world, obstacle, otherMotion.pose, flight.motion.pose, target + 2 * tolerance);
-    if (manifold.count == 0) { return; }
-    ContactConstraint constraint =
-        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion,
-                     std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
-                     std::max(own.def.restitution, other.def.restitution), 0);
-    constraint.source = source;
-    constraint.slotB = kFlyerSlot;
-    if (otherBody.def.type == BodyType::kinematic) {
-        const BodyMotion& moving = flight.world.motions[other.body];
-        constraint.slotA = static_cast<BodySlot>(flight.scratch.states.size());
-        flight.scratch.states.push_back({.velocity = moving.velocity, .angularVelocity = moving.angularVelocity});
-        flight.scratch.inertias.push_back({});
-    }
-    setBack(flight, manifold, constraint.normal, target, tolerance);
-    flight.scratch.constraints.push_back(constraint);
-}
-
-void report(Flight& flight, const ContactConstraint& constraint) {
-    const ContactConstraintPoint& first = constraint.points[0];
-    const ContactConstraintPoint& second = constraint.points[1];
-    const Real speed = std::max(first.bounceApproach, second.bounceApproach);
-    if (!(speed > flight.threshold)) { return; }
-    const FlightObstacle& obstacle = flight.scratch.obstacles[constraint.source];
-    const Shape& other = flight.world.shapes[obstacle.other];
-    const Vec2 arm = second.totalNormalImpulse > first.totalNormalImpulse ? second.anchorB : first.anchorB;
-    flight.scratch.events.push_back(
-        {.type = ContactEventType::hit,
-         .shapeA = flight.world.shapes.idOf(other.head),
-         .shapeB = flight.world.shapes.idOf(flight.world.shapes[obstacle.own].head),
-         .bodyA = flight.world.bodies.idOf(other.body),
-         .bodyB = flight.world.bodies.idOf(flight.slot),
-         .fraction = flight.elapsed / flight.dt,
-         .point = flight.motion.center + toDouble(arm),
-         .normal = constraint.normal,
-         .approachSpeed = speed,
-         .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
-}
-
-GroundContact groundContactOf(const Flight& flight, const ContactConstraint& constraint) {
-    const FlightObstacle& obstacle = flight.scratch.obstacles[constraint.source];
-    const Shape& other = flight.world.shapes[obstacle.other];
-    const Sweep otherSweep = obstacleSweep(flight.world, other.body, flight.elapsed, flight.dt);
-    return {.ground = other.polygon,
-            .own = flight.world.shapes[obstacle.own].polygon,
-            .groundPose = motionAt(otherSweep, 0, flight.world.bodies[other.body].localCenter).pose,
-            .ownPose = flight.motion.pose,
-            .normal = constraint.normal,
-            .count = constraint.count,
-            .slop = static_cast<Real>(targetOf(flight.world, obstacle))};
-}
-
-/// Drops the constraints that another one's normal shows to be ghosts (ghosts.h).
-void dropGhosts(Flight& flight) {
-    std::vector<ContactConstraint>& all = flight.scratch.constraints;
-    for (int rank = 0; rank < kGhostRanks && all.size() > 1; ++rank) {
-        for (std::size_t i = 0; i < all.size();) {
-            const GroundContact contact = groundContactOf(flight, all[i]);
-            const auto hidesIt = [&](const ContactConstraint& stands) {
-                return &stands != &all[i] && hides(groundContactOf(flight, stands), contact);
-            };
-            if (ghostRank(contact) == rank && std::any_of(all.begin(), all.end(), hidesIt)) {
-                all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
-            } else {
-                ++i;
-            }
-        }
-    }
-}
-
-/// All contacts of this moment together: approaching velocities are reflected, slow ones stopped.
 void resolveHere(Flight& flight) {
-    FlightScratch& scratch = flight.scratch;
+    FlightScratch& scratch = *flight.scratch;
     const Body& body = flight.body();
     scratch.states.assign(2, {});
     scratch.inertias.assign(2, {});
@@ -198,15 +233,23 @@ void resolveHere(Flight& flight) {
     }
     flight.motion.velocity = scratch.states[kFlyerSlot].velocity;
     flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
-    for (const ContactConstraint& constraint : scratch.constraints) { report(flight, constraint); }
+    for (const ContactConstraint& constraint : scratch.constraints) {
+        report(flight, constraint);
+        noteCarrier(flight, constraint);
+    }
 }
 
-void enterLedger(FlightScratch& scratch, BodyId body, double seconds, LostTimeReason reason) {
-    scratch.lostTime.push_back({.body = body, .seconds = seconds, .reason = reason});
+void resolveStanding(Flight& flight) {
+    const DVec2 center = flight.motion.center;
+    const double angle = flight.motion.angle;
+    const Sweep standing{
+        .localCenter = toDouble(flight.body().localCenter), .c0 = center, .c1 = center, .a0 = angle, .a1 = angle};
+    findObstacles(*flight.world, flight.slot, standing, *flight.scratch);
+    resolveHere(flight);
 }
 
-void notePose(Flight& flight) {
-    flight.scratch.impactPoses.push_back({.body = flight.world.bodies.idOf(flight.slot),
+void notePose(const Flight& flight) {
+    flight.scratch->impactPoses.push_back({.body = flight.world->bodies.idOf(flight.slot),
                                           .position = flight.motion.pose.position,
                                           .angle = flight.motion.angle,
                                           .fraction = flight.elapsed / flight.dt});
@@ -214,48 +257,25 @@ void notePose(Flight& flight) {
 
 void limitSpeed(Flight& flight) {
     const Real speed = length(flight.motion.velocity);
-    const Real limit = flight.world.settings.maxSpeed;
+    const Real limit = flight.world->settings.maxSpeed;
     if (!(speed > limit)) { return; }
     flight.motion.velocity = (limit / speed) * flight.motion.velocity;
-    ++flight.scratch.speedsLimited;
+    ++flight.scratch->speedsLimited;
 }
 
-/// Resolves what touches already at the start of the step: only then may the sweeps look for lower separations.
-void resolveAtStart(Flight& flight) {
-    const DVec2 center = flight.motion.center;
-    const double angle = flight.motion.angle;
-    const Sweep standing{
-        .localCenter = toDouble(flight.body().localCenter), .c0 = center, .c1 = center, .a0 = angle, .a1 = angle};
-    findObstacles(flight.world, flight.slot, standing, flight.scratch);
-    resolveHere(flight);
+void enterLedger(const Flight& flight, LostTimeReason reason) {
+    flight.scratch->lostTime.push_back(
+        {.body = flight.world->bodies.idOf(flight.slot), .seconds = flight.remaining(), .reason = reason});
 }
 
-/// Flies until the step is used up or the budget is.
-void flyThrough(Flight& flight) {
-    FlightScratch& scratch = flight.scratch;
-    resolveAtStart(flight);
-    for (int impacts = 0; flight.remaining() > 0; ++impacts) {
-        const Sweep sweep = sweepOf(flight);
-        findObstacles(flight.world, flight.slot, sweep, scratch);
-        const FirstImpact first = firstImpact(flight.world, sweep, flight.elapsed, flight.dt, scratch);
-        if (!first.hit) {
-            advance(flight, sweep, 1);
-            return;
-        }
-        if (impacts == flight.world.settings.maxImpacts) {
-            const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
-            enterLedger(scratch, flight.world.bodies.idOf(flight.slot), flight.remaining(), reason);
-            return;
-        }
-        advance(flight, sweep, first.fraction);
-        resolveHere(flight);
-        notePose(flight);
-        ++scratch.impacts;
-    }
+void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+    Flight flight = flightOf(world, slot, dt, scratch);
+    limitSpeed(flight);
+    flyThrough(flight);
+    limitSpeed(flight);
+    world.motions[slot] = flight.motion;
 }
 
-/// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it
-/// moves along it. Kept, that speed would be energy without a height to pay for it.
 void takeBackFall(WorldState& world, std::uint32_t slot, double seconds) {
     Vec2& velocity = world.motions[slot].velocity;
     const Vec2 acceleration = accelerationOf(world, world.bodies[slot]);
@@ -264,41 +284,24 @@ void takeBackFall(WorldState& world, std::uint32_t slot, double seconds) {
     velocity -= std::min(static_cast<Real>(seconds), along / lengthSquared(acceleration)) * acceleration;
 }
 
-}  // namespace
-
-void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
-    Flight flight{world, slot, scratch, world.motions[slot], dt};
-    flight.threshold = length(world.settings.gravity) * static_cast<Real>(dt);
-    limitSpeed(flight);
-    flyThrough(flight);
-    limitSpeed(flight);
-    world.motions[slot] = flight.motion;
-}
-
-void clampAtImpact(WorldState& world, std::uint32_t slot, double dt, LostTimeReason reason, FlightScratch& scratch) {
+void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, LostTimeReason reason,
+                   FlightScratch& scratch) {
     const Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
-    const Sweep sweep{.localCenter = toDouble(body.localCenter),
-                      .c0 = body.startCenter,
-                      .c1 = motion.center,
-                      .a0 = body.startAngle,
-                      .a1 = motion.angle};
-    findObstacles(world, slot, sweep, scratch);
-    allowSlack(world, sweep, dt, scratch);
-    const FirstImpact first = firstImpact(world, sweep, 0, dt, scratch);
+    const FirstImpact first = impactOfPath(world, slot, part.length, 1, scratch);
     if (!first.hit) { return; }
-    const BodyMotion stopped = motionAt(sweep, first.fraction, body.localCenter);
+    const BodyMotion stopped = motionAt(pathOf(world, slot), first.fraction, body.localCenter);
     motion.center = stopped.center;
     motion.angle = stopped.angle;
     motion.pose = stopped.pose;
     ++scratch.impacts;
-    const double lost = (1 - first.fraction) * dt;
+    const double lost = (1 - first.fraction) * part.length;
     takeBackFall(world, slot, lost);
-    enterLedger(scratch, world.bodies.idOf(slot), lost, reason);
+    scratch.lostTime.push_back({.body = world.bodies.idOf(slot), .seconds = lost, .reason = reason});
     scratch.impactPoses.push_back({.body = world.bodies.idOf(slot),
                                    .position = motion.pose.position,
                                    .angle = motion.angle,
-                                   .fraction = first.fraction});
+                                   .fraction = (part.begin + first.fraction * part.length) / part.dt});
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

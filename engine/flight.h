@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "../solver/contact_constraint.h"
 #include "../toi/time_of_impact.h"
+#include "body.h"
 #include "events.h"
+#include "step_part.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -38,13 +41,33 @@ struct FlightScratch {
     std::uint64_t speedsLimited = 0;
 };
 
+/// A body in flight: its own copy of its motion, and how much of the step has passed.
+struct Flight {
+    WorldState* world;
+    std::uint32_t slot;
+    FlightScratch* scratch;
+    BodyMotion motion;
+    double dt;
+    double elapsed = 0;   ///< seconds
+    Real threshold = 0;   ///< slower approaches do not bounce, m/s
+    std::array<Vec2, 4> carriers{};  ///< normals of what carries it
+    int carrierCount = 0;
+
+    const Body& body() const;
+    double remaining() const { return dt - elapsed; }
+};
+
 /// Integrates the whole step of a flyer: free flight to its first impact, the impact with all contacts of that moment, and
 /// on through the remaining time. Touches only the body's own state and the scratch, so flyers may run in any order.
 void fly(WorldState& world, std::uint32_t body, double dt, FlightScratch& scratch);
 
-/// Sweeps a body from its start pose of this step to its present pose; at an impact with something static or kinematic it
-/// stays there, keeps its velocity (less what it gained by falling in the time it lost), and the rest of the step enters
-/// the ledger.
-void clampAtImpact(WorldState& world, std::uint32_t body, double dt, LostTimeReason reason, FlightScratch& scratch);
+/// Sweeps a body from its start pose of this part of the step to its present pose; at an impact with something static or
+/// kinematic it stays there, keeps its velocity (less what it gained by falling in the time it lost), and the rest of the
+/// part enters the ledger.
+void clampAtImpact(WorldState& world, std::uint32_t body, const StepPart& part, LostTimeReason reason,
+                   FlightScratch& scratch);
+/// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it
+/// moves along it. Kept, that speed would be energy without a height to pay for it.
+void takeBackFall(WorldState& world, std::uint32_t slot, double seconds);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -38,9 +38,10 @@ bool isFaceContact(const GroundContact& contact) {
 }
 
 /// @return whether the contact is hidden by another one of the same body
-bool isGhost(const WorldState& world, std::uint32_t index, const GroundContact& contact, std::uint32_t first) {
+bool isGhost(const WorldState& world, std::span<const Contact> contacts, std::uint32_t index,
+             const GroundContact& contact, std::uint32_t first) {
     for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-        const Contact& stands = world.contacts[i];
+        const Contact& stands = contacts[i];
         if (i == index || !stands.isSolid()) { continue; }
         if (deepestSeparation(stands.manifold) > kEndRatio * stands.extent) { continue; }
         if (hides(groundContactOf(world, stands), contact)) { return true; }
@@ -48,14 +49,14 @@ bool isGhost(const WorldState& world, std::uint32_t index, const GroundContact& 
     return false;
 }
 
-void dropGhostsOf(WorldState& world, std::uint32_t first) {
+void dropGhostsOf(const WorldState& world, std::span<Contact> contacts, std::uint32_t first) {
     // What was dropped hides nothing, so one of each pair stays.
     for (int rank = 0; rank < kGhostRanks; ++rank) {
         for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-            Contact& contact = world.contacts[i];
+            Contact& contact = contacts[i];
             if (!contact.isSolid()) { continue; }
             const GroundContact seen = groundContactOf(world, contact);
-            if (ghostRank(seen) == rank && isGhost(world, i, seen, first)) { contact.manifold.count = 0; }
+            if (ghostRank(seen) == rank && isGhost(world, contacts, i, seen, first)) { contact.manifold.count = 0; }
         }
     }
 }
@@ -82,25 +83,29 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
     return dot(direction, toReal(poseB.position - poseA.position) + (bottom - top)) - a.radius - b.radius;
 }
 
-void dropGhosts(WorldState& world) {
-    // Lists of the ground contacts of each body, through arrays that keep their capacity.
-    world.firstGroundContact.assign(world.bodies.slotCount(), kNoIndex);
-    world.nextGroundContact.assign(world.contacts.size(), kNoIndex);
+void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> bodies) {
+    // Lists of the ground contacts of each body, through arrays that keep their capacity; empty before and after.
+    std::vector<std::uint32_t>& firstOf = world.firstGroundContact;
+    firstOf.resize(world.bodies.slotCount(), kNoIndex);
+    world.nextGroundContact.assign(contacts.size(), kNoIndex);
+    const auto bodyOf = [&world](const Contact& contact) {
+        return world.bodies[contact.bodyA].isDynamic() ? contact.bodyA : contact.bodyB;
+    };
     bool anyTwo = false;
-    for (std::uint32_t i = 0; i < world.contacts.size(); ++i) {
-        const Contact& contact = world.contacts[i];
-        if (!isGroundContact(world, contact)) { continue; }
-        const std::uint32_t body = world.bodies[contact.bodyA].isDynamic() ? contact.bodyA : contact.bodyB;
-        anyTwo = anyTwo || world.firstGroundContact[body] != kNoIndex;
-        world.nextGroundContact[i] = world.firstGroundContact[body];
-        world.firstGroundContact[body] = i;
+    for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+        if (!isGroundContact(world, contacts[i])) { continue; }
+        std::uint32_t& first = firstOf[bodyOf(contacts[i])];
+        anyTwo = anyTwo || first != kNoIndex;
+        world.nextGroundContact[i] = first;
+        first = i;
     }
-    if (!anyTwo) { return; }
-    for (const std::uint32_t slot : world.awake) {
-        const std::uint32_t first = world.firstGroundContact[slot];
-        if (first == kNoIndex || world.nextGroundContact[first] == kNoIndex) { continue; }
-        dropGhostsOf(world, first);
+    for (const std::uint32_t slot : bodies) {
+        const std::uint32_t first = firstOf[slot];
+        if (anyTwo && first != kNoIndex && world.nextGroundContact[first] != kNoIndex) {
+            dropGhostsOf(world, contacts, first);
+        }
     }
+    for (const Contact& contact : contacts) { firstOf[bodyOf(contact)] = kNoIndex; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "world_state.h"
 
 /// Ghost collisions: a body that slides from one flush piece of ground to the next meets the side or the corner of the
@@ -37,7 +39,7 @@ bool hides(const GroundContact& stands, const GroundContact& other);
 Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygon& b, const WorldTransform& poseB,
                      Vec2 direction);
 
-/// Drops the ghosts among the contacts of awake dynamic bodies with static and kinematic shapes.
-void dropGhosts(WorldState& world);
+/// Drops the ghosts among new contacts of these bodies (slots) with static and kinematic shapes.
+void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> bodies);
 
 }  // namespace swept::inline SWEPT_PRECISION

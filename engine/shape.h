@@ -18,6 +18,7 @@ struct Shape {
     ChainSegment segment;  ///< only when `isChainSegment`
     ShapeDef def;
     Real extent = 0;
+    Real size = 0;         ///< largest coordinate of a vertex plus radius: what the rounding of its poses is relative to
     std::uint32_t body = kNoIndex;
     std::uint32_t head = kNoIndex;         ///< slot of the shape that the user knows
     std::uint32_t nextInChain = kNoIndex;

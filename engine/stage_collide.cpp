@@ -62,6 +62,17 @@ Manifold manifoldOf(const Shape& a, const Shape& b, const Transform& bInA, Real 
                             : collide(a.polygon, b.polygon, bInA, margin);
 }
 
+}  // namespace
+
+void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
+    const Contact before = contact;
+    const Transform bInA = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
+    contact.manifold = manifoldOf(world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin);
+    carryImpulses(before, contact);
+}
+
+namespace {
+
 /// Writes only to the contact: contacts may be updated in any order.
 void updateContact(const WorldState& world, Contact& contact) {
     contact.updated = isMoving(world, contact);
@@ -70,15 +81,14 @@ void updateContact(const WorldState& world, Contact& contact) {
     const Shape& b = world.shapes[contact.shapeB];
     contact.apart = !overlaps(world.broadphase->box(a.proxy), world.broadphase->box(b.proxy));
     if (contact.apart) { return; }
-    const Transform bInA = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
-    const Contact before = contact;
     if (contact.sensor) {
+        const Transform bInA =
+            relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
         contact.manifold.count = distance(a.polygon, b.polygon, bInA).distance <= 0 ? 1 : 0;
         contact.manifold.points[0].separation = 0;
         return;
     }
-    contact.manifold = manifoldOf(a, b, bInA, contactReach(world, a) + contactReach(world, b));
-    carryImpulses(before, contact);
+    refreshManifold(world, contact, contactReach(world, a) + contactReach(world, b));
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
 }
@@ -152,7 +162,7 @@ void collideContacts(WorldState& world) {
     world.tasks->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
     });
-    dropGhosts(world);
+    dropGhosts(world, world.contacts, world.awake);
     wakeAcrossJoints(world);
     bool anyApart = false;
     for (Contact& contact : world.contacts) {

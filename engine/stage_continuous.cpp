@@ -1,7 +1,9 @@
-#include <cmath>
+#include <algorithm>
 
+#include "bullets.h"
 #include "modes.h"
 #include "step.h"
+#include "sweep_obstacles.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -10,20 +12,12 @@ namespace {
 /// Bodies per task: one sweep is work enough.
 constexpr std::size_t kFlyerGrain = 4;
 
-/// Whether the solver moved a body as far as only a fast one may: something hit it within the step.
-bool wasFlung(const WorldState& world, std::uint32_t slot) {
-    const Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    const auto extent = static_cast<double>(body.extent);
-    const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
-    return body.role == BodyRole::solved && extent > 0 &&
-           length(motion.center - body.startCenter) + turned > static_cast<double>(kFastRatio) * extent;
-}
-
+/// What is fast, or was flung: the solver moved it as far as only a fast body may, since something hit it within the step.
 bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
-    if (!body.isDynamic() || body.role == BodyRole::flyer || !isSwept(modeOf(world, body))) { return false; }
-    return body.fast || wasFlung(world, slot);
+    const bool done = body.role == BodyRole::flyer || body.role == BodyRole::together;
+    if (!body.isDynamic() || done || !isSwept(modeOf(world, body))) { return false; }
+    return body.fast || (body.role == BodyRole::solved && movedFast(world, slot));
 }
 
 LostTimeReason reasonOf(const WorldState& world, const Body& body) {
@@ -49,13 +43,24 @@ void merge(WorldState& world, FlightScratch& scratch) {
 
 }  // namespace
 
+void reachWithKinematicBodies(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) {
+        if (world.bodies[slot].def.type == BodyType::kinematic) { updateProxies(world, slot, false); }
+    }
+}
+
 void sweepFastBodies(WorldState& world, double dt) {
+    if (world.bullets > 0) {
+        if (world.flightScratch.empty()) { world.flightScratch.resize(1); }
+        flyBullets(world, dt, world.flightScratch[0]);
+    }
     for (const std::uint32_t slot : world.awake) {
         if (isHeldAtImpacts(world, slot)) { world.flyers.push_back(slot); }
     }
-    if (world.flyers.empty()) { return; }
-    world.counters.sweeps = world.flyers.size();
-    world.flightScratch.resize(static_cast<std::size_t>(world.tasks->workerCount()));
+    if (world.flyers.empty() && !world.fastIslands.any && world.bullets == 0) { return; }
+    world.counters.sweeps += world.flyers.size();
+    const auto workers = static_cast<std::size_t>(world.tasks->workerCount());
+    world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
     world.tasks->run(world.flyers.size(), kFlyerGrain, [&](std::size_t begin, std::size_t end, int worker) {
         FlightScratch& scratch = world.flightScratch[static_cast<std::size_t>(worker)];
         for (std::size_t i = begin; i < end; ++i) {
@@ -64,7 +69,7 @@ void sweepFastBodies(WorldState& world, double dt) {
             if (body.role == BodyRole::flyer) {
                 fly(world, slot, dt, scratch);
             } else {
-                clampAtImpact(world, slot, dt, reasonOf(world, body), scratch);
+                clampAtImpact(world, slot, {.length = dt, .dt = dt}, reasonOf(world, body), scratch);
             }
         }
     });

@@ -15,7 +15,10 @@ bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     return a < b;
 }
 
+}  // namespace
+
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second) {
+    if (!comesFirst(world, first, second)) { std::swap(first, second); }
     const Shape& a = world.shapes[first];
     const Shape& b = world.shapes[second];
     Contact contact;
@@ -31,11 +34,8 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     return contact;
 }
 
-}  // namespace
-
 bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (!mayTouch(world, world.shapes[a], world.shapes[b]) || !world.pairs.insert(a, b)) { return false; }
-    if (!comesFirst(world, a, b)) { std::swap(a, b); }
     world.contacts.push_back(contactOf(world, a, b));
     ++world.counters.pairsFound;
     return true;

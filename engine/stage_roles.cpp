@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "modes.h"
 #include "step.h"
@@ -11,18 +12,98 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
     body.touchesDynamic = body.hasContact = body.deepContact = false;
+    body.bounces = body.rests = body.strikes = body.startled = false;
     body.fast = body.extent > 0 && motionBound(world, slot, dt) > kFastRatio * body.extent;
     body.startCenter = motion.center;
     body.startAngle = motion.angle;
 }
 
+/// A moving kinematic body passes over what rests as fast as that could pass under it: everything in the box of its coming
+/// step is awake and fast.
+void startleNearKinematicBodies(WorldState& world, Real dt) {
+    for (const Contact& contact : world.contacts) {
+        const bool kinematicIsA = world.bodies[contact.bodyA].def.type == BodyType::kinematic;
+        const std::uint32_t kinematic = kinematicIsA ? contact.bodyA : contact.bodyB;
+        const std::uint32_t other = kinematicIsA ? contact.bodyB : contact.bodyA;
+        const Body& mover = world.bodies[kinematic];
+        if (contact.sensor || mover.def.type != BodyType::kinematic || !mover.awake) { continue; }
+        Body& body = world.bodies[other];
+        if (!body.isDynamic() || !(body.extent > 0)) { continue; }
+        if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) { continue; }
+        const std::size_t before = world.awake.size();
+        wake(world, other);
+        for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], dt); }
+        body.fast = body.startled = true;
+    }
+}
+
+/// Contact of a body with something static or kinematic, as far as it decides how the body is moved.
+struct Footing {
+    bool bounces = false;  ///< it will, or did and is on its way
+    bool rests = false;    ///< it is carried, at least at one point
+    bool strikes = false;  ///< a point gets there within this step, and not slowly
+};
+
+/// A bouncing body flies from impact to impact on a parabola, however slow it is: what comes down from the separation that
+/// there is now is faster than what does not bounce. A body that is carried is moved by the solver, however fast it slides,
+/// until it strikes something: the solver shares such a blow among the contacts less well, and may throw the body up.
+Footing footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact, Real dt) {
+    Footing footing;
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const BodyMotion& other = world.motions[otherSlot];
+    const Vec2 fromA = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    const Vec2 normal = contact.bodyB == slot ? fromA : -fromA;
+    const Real pull = -dot(accelerationOf(world, body), normal);
+    // What is pulled so hard that the pull alone makes it fast would sink into a soft contact.
+    const bool carries = pull > 0 && pull * square(dt) <= kFastRatio * body.extent;
+    const Real threshold = bounceThreshold(world, body, dt);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const DVec2 point = apply(world.motions[contact.bodyA].pose, contact.manifold.points[i].point);
+        const Vec2 velocity = motion.velocity + cross(motion.angularVelocity, toReal(point - motion.center)) -
+                              other.velocity - cross(other.angularVelocity, toReal(point - other.center));
+        const Real approach = -dot(velocity, normal);
+        const Real gap = std::max(contact.manifold.points[i].separation, Real(0));
+        const bool returns = pull > 0 || approach * dt > gap;
+        const bool isSlow = square(approach) + 2 * std::max(pull, Real(0)) * gap <= square(threshold);
+        footing.bounces = footing.bounces || (contact.restitution > 0 && returns && !isSlow);
+        footing.strikes = footing.strikes || (approach * dt > gap && !isSlow);
+        footing.rests = footing.rests || (carries && isSlow && gap <= kEndRatio * contact.extent);
+    }
+    return footing;
+}
+
+/// Dynamic bodies that are near each other, one of them fast, but will not meet in this step do not hold each other.
+void dropPassers(WorldState& world, Contact& contact, Real dt) {
+    const Body& a = world.bodies[contact.bodyA];
+    const Body& b = world.bodies[contact.bodyB];
+    if (!a.isDynamic() || !b.isDynamic() || (!a.fast && !b.fast)) { return; }
+    const Real gap = deepestSeparation(contact.manifold);
+    if (gap <= kEndRatio * contact.extent) { return; }
+    const BodyMotion& motionA = world.motions[contact.bodyA];
+    const BodyMotion& motionB = world.motions[contact.bodyB];
+    const Vec2 normal = rotate(motionA.pose.rotation, contact.manifold.normal);
+    const Vec2 pull = accelerationOf(world, b) - accelerationOf(world, a);
+    const Real turning = std::fabs(motionA.angularVelocity) * a.radius + std::fabs(motionB.angularVelocity) * b.radius;
+    const Real closing = turning - dot(motionB.velocity - motionA.velocity, normal) + dt * length(pull);
+    if (closing * dt < gap) { contact.manifold.count = 0; }
+}
+
 /// What the contacts tell about one of their bodies.
-void noteContact(Body& body, const Body& other, const Contact& contact) {
+void noteContact(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact, Real dt) {
+    Body& body = world.bodies[slot];
+    const Body& other = world.bodies[otherSlot];
     if (!body.awake) { return; }
     body.hasContact = true;
     if (other.isDynamic()) {
         body.touchesDynamic = true;
         return;
+    }
+    if (body.isDynamic() && (contact.restitution > 0 || body.fast)) {
+        const Footing footing = footingOf(world, slot, otherSlot, contact, dt);
+        body.bounces = body.bounces || footing.bounces;
+        body.rests = body.rests || footing.rests;
+        body.strikes = body.strikes || footing.strikes;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         body.deepContact =
@@ -34,7 +115,8 @@ BodyRole roleOf(const WorldState& world, const Body& body) {
     if (!body.isDynamic()) { return BodyRole::free; }
     const ContinuousMode mode = modeOf(world, body);
     const bool alone = body.holdingJoints == 0 && !body.touchesDynamic;
-    if (alone && body.fast && !body.deepContact && mode == ContinuousMode::subStep) { return BodyRole::flyer; }
+    const bool flies = body.bounces || (body.fast && (body.strikes || !body.rests));
+    if (alone && flies && !body.deepContact && mode == ContinuousMode::subStep) { return BodyRole::flyer; }
     return body.holdingJoints == 0 && !body.hasContact ? BodyRole::free : BodyRole::solved;
 }
 
@@ -60,14 +142,21 @@ void listActiveJoints(WorldState& world) {
 }  // namespace
 
 void assignRoles(WorldState& world, Real dt) {
-    for (const std::uint32_t slot : world.awake) { resetBody(world, slot, dt); }
-    for (const Contact& contact : world.contacts) {
+    bool anyKinematic = false;
+    world.bullets = 0;
+    for (const std::uint32_t slot : world.awake) {
+        resetBody(world, slot, dt);
+        world.bullets += world.bodies[slot].def.bullet ? 1 : 0;
+        anyKinematic = anyKinematic || world.bodies[slot].def.type == BodyType::kinematic;
+    }
+    if (anyKinematic) { startleNearKinematicBodies(world, dt); }
+    for (Contact& contact : world.contacts) {
+        if (!contact.isSolid()) { continue; }
+        dropPassers(world, contact, dt);
         if (!contact.isSolid()) { continue; }
         ++world.counters.touching;
-        Body& a = world.bodies[contact.bodyA];
-        Body& b = world.bodies[contact.bodyB];
-        noteContact(a, b, contact);
-        noteContact(b, a, contact);
+        noteContact(world, contact.bodyA, contact.bodyB, contact, dt);
+        noteContact(world, contact.bodyB, contact.bodyA, contact, dt);
     }
     world.flyers.clear();
     for (const std::uint32_t slot : world.awake) {

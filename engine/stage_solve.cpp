@@ -6,6 +6,7 @@
 #include "modes.h"
 #include "profile.h"
 #include "step.h"
+#include "tied_group.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -52,21 +53,18 @@ BodyDrive driveOf(const WorldState& world, const Body& body, Real h) {
 
 /// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic one
 /// takes part with its velocity and its pose at the start of the step.
-void addBodies(WorldState& world, Real h) {
-    for (const std::uint32_t slot : world.awake) {
+void addBodies(WorldState& world, const TiedGroup& group, Real h) {
+    for (const std::uint32_t slot : group.bodies) {
         Body& body = world.bodies[slot];
-        const bool takesPart = body.role == BodyRole::solved || body.def.type == BodyType::kinematic;
-        if (!takesPart) { continue; }
+        if (body.role != group.role && body.def.type != BodyType::kinematic) { continue; }
         const BodyMotion& motion = world.motions[slot];
         const BodyState state{.velocity = motion.velocity, .angularVelocity = motion.angularVelocity};
         body.slot = world.batch.addBody(state, {body.inverseMass, body.inverseInertia}, driveOf(world, body, h));
     }
 }
 
-bool isSolved(const WorldState& world, const Contact& contact) {
-    const BodyRole a = world.bodies[contact.bodyA].role;
-    const BodyRole b = world.bodies[contact.bodyB].role;
-    return contact.isSolid() && (a == BodyRole::solved || b == BodyRole::solved);
+bool isSolved(const WorldState& world, const Contact& contact, BodyRole role) {
+    return contact.isSolid() && (world.bodies[contact.bodyA].role == role || world.bodies[contact.bodyB].role == role);
 }
 
 Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& batch) {
@@ -80,11 +78,14 @@ Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& bat
     return fastest;
 }
 
-void addContacts(WorldState& world, Real dt, Real h) {
-    const Softness softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, h);
-    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-        Contact& contact = world.contacts[i];
-        if (!isSolved(world, contact)) { continue; }
+/// @param h  seconds of a sub-step. In one shorter than the world's, overlap is pushed out no faster than in that: what the
+/// relaxation leaves of the push would be energy.
+void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h) {
+    const Real usual = dt / static_cast<Real>(subStepsOf(world.settings));
+    const Softness softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
+    for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+        Contact& contact = group.contacts[i];
+        if (!isSolved(world, contact, group.role)) { continue; }
         ContactConstraint constraint =
             constraintOf(contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
                          world.motions[contact.bodyB], contact.friction, contact.restitution,
@@ -106,14 +107,14 @@ void addContacts(WorldState& world, Real dt, Real h) {
     }
 }
 
-void addJoints(WorldState& world, Real h, Real dt) {
-    for (const std::uint32_t i : world.activeJoints) { addConstraint(world.batch, world, i, h, dt); }
+void addJoints(WorldState& world, std::span<const std::uint32_t> joints, Real h, Real dt) {
+    for (const std::uint32_t i : joints) { addConstraint(world.batch, world, i, h, dt); }
 }
 
-void readBodies(WorldState& world) {
-    for (const std::uint32_t slot : world.awake) {
+void readBodies(WorldState& world, const TiedGroup& group) {
+    for (const std::uint32_t slot : group.bodies) {
         const Body& body = world.bodies[slot];
-        if (body.role != BodyRole::solved) { continue; }
+        if (body.role != group.role) { continue; }
         const BodyState& state = world.batch.states[body.slot];
         BodyMotion& motion = world.motions[slot];
         motion.center += toDouble(state.deltaPosition);
@@ -125,7 +126,8 @@ void readBodies(WorldState& world) {
 }
 
 /// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.
-void noteHit(WorldState& world, const Contact& contact, const ContactConstraint& constraint, Real threshold, Real dt) {
+void noteHit(WorldState& world, const Contact& contact, const ContactConstraint& constraint, Real threshold,
+             const StepPart& part) {
     const ContactConstraintPoint& first = constraint.points[0];
     const ContactConstraintPoint& second = constraint.points[1];
     const Real bounce = std::max(first.bounceApproach, second.bounceApproach);
@@ -135,23 +137,24 @@ void noteHit(WorldState& world, const Contact& contact, const ContactConstraint&
     const std::size_t k = second.totalNormalImpulse > first.totalNormalImpulse ? 1 : 0;
     const BodyMotion& a = world.motions[contact.bodyA];
     // The gap closes at the approach speed: a first-order estimate of when in the step.
-    const Real wait = std::max(contact.manifold.points[k].separation, Real(0)) / (speed * dt);
+    const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
+    const double wait = std::min(gap / static_cast<double>(speed), part.length);
     world.contactEvents.push_back({.type = ContactEventType::hit,
                                    .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
                                    .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
                                    .bodyA = world.bodies.idOf(contact.bodyA),
                                    .bodyB = world.bodies.idOf(contact.bodyB),
-                                   .fraction = static_cast<double>(std::min(wait, Real(1))),
+                                   .fraction = (part.begin + wait) / part.dt,
                                    .point = apply(a.pose, contact.manifold.points[k].point),
                                    .normal = constraint.normal,
                                    .approachSpeed = speed,
                                    .impulse = impulse});
 }
 
-void readContacts(WorldState& world, Real threshold, Real dt) {
+void readContacts(WorldState& world, std::span<Contact> contacts, Real threshold, const StepPart& part) {
     for (const ContactConstraint& constraint : world.batch.contacts) {
-        Contact& contact = world.contacts[constraint.source];
-        noteHit(world, contact, constraint, threshold, dt);
+        Contact& contact = contacts[constraint.source];
+        noteHit(world, contact, constraint, threshold, part);
         contact.pressed = false;
         for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
             contact.normalImpulse[k] = constraint.points[k].normalImpulse;
@@ -171,29 +174,42 @@ void moveFreeBodies(WorldState& world, double dt) {
     }
 }
 
-void solveTiedBodies(WorldState& world, Real dt) {
-    if (world.counters.solvedBodies == 0) { return; }
-    const int subSteps = subStepsOf(world.settings);
-    const Real h = dt / static_cast<Real>(subSteps);
+void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part) {
+    const auto dt = static_cast<Real>(part.dt);
+    const auto time = static_cast<Real>(part.length);
+    const Real h = time / static_cast<Real>(part.subSteps);
     const Real threshold = length(world.settings.gravity) * dt;
     world.batch.clear();
-    addBodies(world, h);
-    addContacts(world, dt, h);
-    addJoints(world, h, dt);
+    addBodies(world, group, h);
+    addContacts(world, group, dt, h);
+    addJoints(world, group.joints, h, time);
     const SolveReport report =
-        world.solver.solve(world.batch, {.dt = dt,
-                                         .subSteps = subSteps,
+        world.solver.solve(world.batch, {.dt = time,
+                                         .subSteps = part.subSteps,
                                          .relaxPasses = relaxPassesOf(world.settings),
                                          .restitutionThreshold = threshold,
                                          .maxSpeed = world.settings.maxSpeed});
-    readContacts(world, threshold, dt);
-    readBodies(world);
-    readConstraints(world.batch, world, dt);
-    world.counters.subSteps = static_cast<std::uint64_t>(subSteps);
-    world.counters.colours = static_cast<std::uint64_t>(report.colours);
-    world.counters.bounceRounds = static_cast<std::uint64_t>(report.bounceRounds);
-    world.counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
-    world.counters.constraints = world.batch.contacts.size() + world.activeJoints.size();
+    readContacts(world, group.contacts, threshold, part);
+    readBodies(world, group);
+    readConstraints(world.batch, world, time);
+    StepCounters& counters = world.counters;
+    counters.subSteps += static_cast<std::uint64_t>(part.subSteps);
+    counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
+    counters.bounceRounds += static_cast<std::uint64_t>(report.bounceRounds);
+    counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
+    counters.constraints += world.batch.contacts.size() + group.joints.size();
+}
+
+void solveTiedBodies(WorldState& world, double dt) {
+    if (world.counters.solvedBodies == 0) { return; }
+    world.tiedJoints.clear();
+    for (const std::uint32_t i : world.activeJoints) {
+        const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
+        const auto isSolvedHere = [&](std::uint32_t slot) { return world.bodies[slot].role == BodyRole::solved; };
+        if (std::any_of(bodies.begin(), bodies.end(), isSolvedHere)) { world.tiedJoints.push_back(i); }
+    }
+    solveGroup(world, {.bodies = world.awake, .contacts = world.contacts, .joints = world.tiedJoints},
+               {.length = dt, .dt = dt, .subSteps = subStepsOf(world.settings)});
 }
 
 void moveKinematicBodies(WorldState& world, double dt) {

@@ -12,6 +12,8 @@ void limitSpeeds(WorldState& world, double dt);
 void reachAhead(WorldState& world);
 /// Mode `speedLimit` again, after the solve: what other bodies pushed does not go farther than it may either.
 void limitWays(WorldState& world, double dt);
+/// The boxes of kinematic bodies span their coming step, whatever their velocity was when the last one ended.
+void reachWithKinematicBodies(WorldState& world);
 /// Pairs of boxes that began to overlap become contacts (stage_pairs.cpp).
 void findPairs(WorldState& world);
 /// @return false when the two may not touch, or have a contact already
@@ -21,9 +23,12 @@ void collideContacts(WorldState& world);
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
 void assignRoles(WorldState& world, Real dt);
 void findIslands(WorldState& world);
+void findFastIslands(WorldState& world);
 /// Free flight, and the sub-stepped solve of all that is tied together (stage_solve.cpp).
 void moveFreeBodies(WorldState& world, double dt);
-void solveTiedBodies(WorldState& world, Real dt);
+void solveTiedBodies(WorldState& world, double dt);
+/// Islands with something fast, from impact to impact (stage_islands.cpp).
+void advanceFastIslands(WorldState& world, double dt);
 /// After the sweeps, which see kinematic bodies at the start of their step.
 void moveKinematicBodies(WorldState& world, double dt);
 /// Flyers, and fast bodies held at their impacts (stage_continuous.cpp).

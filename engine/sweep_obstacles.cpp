@@ -84,7 +84,25 @@ StartContact contactAtStart(const WorldState& world, const FlightObstacle& obsta
 
 /// How far a body may sink into what the solver holds it off, metres.
 double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return targetOf(world, obstacle) * static_cast<double>(kSlackRatio / kTargetRatio);
+    return static_cast<double>(slopOf(world, obstacle) * (kSlackRatio / kTargetRatio));
+}
+
+/// Ground flush with what the body stands on, along any of these normals: it may sink into it along the same normal, or the
+/// side of the next piece would stop it. @param slops  how far
+void liftFlush(const WorldState& world, const Sweep& sweep, double slops, std::span<const Vec2> normals,
+               FlightScratch& scratch) {
+    const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
+    for (FlightObstacle& obstacle : scratch.obstacles) {
+        const Shape& other = world.shapes[obstacle.other];
+        const Real slop = slopOf(world, obstacle);
+        for (const Vec2 normal : normals) {
+            const Real clear = separationAlong(other.polygon, world.motions[other.body].pose,
+                                               world.shapes[obstacle.own].polygon, pose, normal);
+            if (clear < -slop) { continue; }
+            obstacle.lift = slops * static_cast<double>(slop) * toDouble(normal);
+            break;
+        }
+    }
 }
 
 /// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
@@ -127,16 +145,21 @@ Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, do
 }
 
 double targetOf(const WorldState& world, const FlightObstacle& obstacle) {
-    const Real extent = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
-    return static_cast<double>(kTargetRatio * extent);
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const Real extent = std::min(own.extent, other.extent);
+    const Real rounding = kFlightRoundings * kEpsilon * (own.size + other.size);
+    return static_cast<double>(std::clamp(rounding, kFlightTargetRatio * extent, kTargetRatio * extent));
 }
 
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle) {
-    if (world.settings.toiTolerance > 0) {
-        return std::min(static_cast<double>(world.settings.toiTolerance), targetOf(world, obstacle) / 2);
-    }
-    const Real extent = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
-    return static_cast<double>(kToleranceRatio * extent);
+    const double target = targetOf(world, obstacle);
+    const auto wanted = static_cast<double>(world.settings.toiTolerance);
+    return wanted > 0 ? std::min(wanted, target / 2) : target / 4;
+}
+
+Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
+    return kTargetRatio * std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
 }
 
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
@@ -185,36 +208,61 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
             scratch.normals.push_back(contact.normal);
         }
     }
-    // Ground flush with what the body stands on: the same slack along the same normal, or its side would stop the body.
-    const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
-    for (FlightObstacle& obstacle : scratch.obstacles) {
-        const Shape& other = world.shapes[obstacle.other];
-        for (const Vec2 normal : scratch.normals) {
-            const Real clear = separationAlong(other.polygon, world.motions[other.body].pose,
-                                               world.shapes[obstacle.own].polygon, pose, normal);
-            if (static_cast<double>(clear) < -targetOf(world, obstacle)) { continue; }
-            obstacle.lift = slackOf(world, obstacle) * toDouble(normal);
-            break;
-        }
-    }
+    liftFlush(world, sweep, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, scratch);
 }
 
-FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch) {
-    FirstImpact first;
+void allowSag(const WorldState& world, const Sweep& sweep, std::span<const Vec2> normals, FlightScratch& scratch) {
+    liftFlush(world, sweep, kSagSlops, normals, scratch);
+}
+
+FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
+                            FlightObstacle& obstacle, double limit, FlightScratch& scratch) {
+    Toi toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch);
+    if (toi.state == ToiState::overlapped) {
+        obstacle.lift = liftOf(world, obstacle, sweep, otherSweep);
+        obstacle.level = targetOf(world, obstacle);
+        toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch);
+    }
+    const bool blocked = toi.state == ToiState::overlapped || toi.state == ToiState::failed;
+    return {.hit = toi.state == ToiState::hit || blocked, .fraction = toi.fraction};
+}
+
+FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
+                        double limit) {
+    FirstImpact first{.fraction = limit};
     for (std::size_t i = 0; i < scratch.obstacles.size() && first.fraction > 0; ++i) {
         FlightObstacle& obstacle = scratch.obstacles[i];
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
-        Toi toi = impactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
-        if (toi.state == ToiState::overlapped) {
-            obstacle.lift = liftOf(world, obstacle, sweep, otherSweep);
-            obstacle.level = targetOf(world, obstacle);
-            toi = impactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
-        }
-        const bool blocked = toi.state == ToiState::overlapped || toi.state == ToiState::failed;
-        if (toi.state != ToiState::hit && !blocked) { continue; }
-        first = {.hit = true, .fraction = toi.fraction, .obstacle = i};
+        const FirstImpact impact = firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
+        if (impact.hit) { first = impact; }
     }
     return first;
+}
+
+Sweep pathOf(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    return {.localCenter = toDouble(body.localCenter),
+            .c0 = body.startCenter,
+            .c1 = motion.center,
+            .a0 = body.startAngle,
+            .a1 = motion.angle};
+}
+
+bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const auto extent = static_cast<double>(body.extent);
+    const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
+    const double slow = share * static_cast<double>(kFastRatio) * extent;
+    return extent > 0 && length(motion.center - body.startCenter) + turned > slow;
+}
+
+FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit, FlightScratch& scratch) {
+    const Sweep path = pathOf(world, slot);
+    findObstacles(world, slot, path, scratch);
+    allowSlack(world, path, time, scratch);
+    return firstImpact(world, path, 0, time, scratch, limit);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "flight.h"
 #include "world_state.h"
 
@@ -11,9 +13,12 @@ BodyMotion motionAt(const Sweep& sweep, double fraction, Vec2 localCenter);
 /// Motion of a static or kinematic body within [from, to] seconds of the step, from its pose at the start of the step.
 Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, double to);
 
-/// Target and tolerance of a pair, metres.
+/// Separation at which an impact is resolved, and how exactly it is met, metres.
 double targetOf(const WorldState& world, const FlightObstacle& obstacle);
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle);
+/// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
+/// carries it, metres.
+Real slopOf(const WorldState& world, const FlightObstacle& obstacle);
 
 /// Static and kinematic shapes in the way of a sweep of the body, in order of their slots.
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch);
@@ -26,15 +31,34 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
 /// sunk into by a part of the extent: the solver is soft, and a body that rolls or tips about a contact must not stop there.
 void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch);
 
+/// How far a body sags between two impacts of what carries it, in slops.
+inline constexpr double kSagSlops = 0.5;
+
+/// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of the
+/// slop.
+void allowSag(const WorldState& world, const Sweep& sweep, std::span<const Vec2> normals, FlightScratch& scratch);
+
 struct FirstImpact {
     bool hit = false;
     double fraction = 1;
-    std::size_t obstacle = 0;  ///< index in the scratch
 };
+
+/// One obstacle: the first fraction, not after `limit`, at which the sweep meets it; see `firstImpact`.
+FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
+                            FlightObstacle& obstacle, double limit, FlightScratch& scratch);
 
 /// First obstacle that the sweep meets. Obstacles within their target at the start are looked for at a lower separation
 /// (their approach was dealt with before), overlapping ones relative to the surface (`lift`).
 /// @param from, to  the part of the step that the sweep covers, seconds
-FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch);
+/// @param limit  nothing after this fraction is looked for
+FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
+                        double limit = 1);
+
+/// From `Body::startCenter` and `startAngle` to the present pose.
+Sweep pathOf(const WorldState& world, std::uint32_t body);
+/// Whether that path is longer than a body that is not fast moves in this share of a step.
+bool movedFast(const WorldState& world, std::uint32_t body, double share = 1);
+/// First impact on that path of what the contact solver moved within `time` seconds, with the slack that this has.
+FirstImpact impactOfPath(const WorldState& world, std::uint32_t body, double time, double limit, FlightScratch& scratch);
 
 }  // namespace swept::inline SWEPT_PRECISION

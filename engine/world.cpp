@@ -74,15 +74,18 @@ void advance(WorldState& world, double dt) {
         limitSpeeds(world, dt);
         reachAhead(world);
     }
+    reachWithKinematicBodies(world);
     findPairs(world);
     clock.stop(world.stageTimes.pairs);
     collideContacts(world);
     clock.stop(world.stageTimes.collide);
     assignRoles(world, step);
     findIslands(world);
+    findFastIslands(world);
     clock.stop(world.stageTimes.islands);
     moveFreeBodies(world, dt);
-    solveTiedBodies(world, step);
+    solveTiedBodies(world, dt);
+    advanceFastIslands(world, dt);
     putBackOverflown(world);
     if (watched) { limitWays(world, dt); }
     clock.stop(world.stageTimes.solve);

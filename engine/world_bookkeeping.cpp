@@ -130,6 +130,10 @@ Vec2 accelerationOf(const WorldState& world, const Body& body) {
     return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
 }
 
+Real bounceThreshold(const WorldState& world, const Body& body, Real dt) {
+    return dt * std::max(length(world.settings.gravity), length(accelerationOf(world, body)));
+}
+
 Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
 
 Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {

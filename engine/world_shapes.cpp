@@ -47,6 +47,7 @@ void remember(WorldState& world, ProxyId proxy, std::uint32_t shape) {
 Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     shape.body = body;
     shape.extent = extentOf(shape.polygon);
+    shape.size = radiusAbout(shape.polygon, {});
     world.thinnestWall.reset();
     const ProxyKind kind = kindOf(shape, world.bodies[body].def.type);
     const Aabb box = fatBox(world, shape);

@@ -7,7 +7,9 @@
 #include "../solver/island_finder.h"
 #include "../solver/solver.h"
 #include "body.h"
+#include "bullet_work.h"
 #include "contact.h"
+#include "fast_islands.h"
 #include "flight.h"
 #include "joint.h"
 #include "pair_table.h"
@@ -73,12 +75,16 @@ struct WorldState {
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
     PairTable pairs;  ///< of shape slots that have a contact
 
+    std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
+    FastIslands fastIslands;
     SolverBatch batch;
     Solver solver;
     IslandFinder islands;
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
     std::vector<std::uint32_t> flyers;
+    std::uint32_t bullets = 0;  ///< awake ones
+    BulletWork bulletWork;
     std::vector<FlightScratch> flightScratch;  ///< one per worker
 
     std::vector<ContactEvent> contactEvents;
@@ -92,6 +98,13 @@ struct WorldState {
     double lastDt = 0;  ///< of the last step, s; predicts how far boxes must reach
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
+
+// --- contacts (stage_pairs.cpp, stage_collide.cpp)
+
+/// A contact of two shapes, still without manifold; which of them is A is decided here.
+Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
+/// Manifold at the present poses; points that were there before keep their impulses.
+void refreshManifold(const WorldState& world, Contact& contact, Real margin);
 
 // --- bookkeeping shared by the stages (world_bookkeeping.cpp)
 
@@ -122,6 +135,8 @@ Real contactReach(const WorldState& world, const Shape& shape);
 Real motionBound(const WorldState& world, std::uint32_t body, Real dt);
 /// Acceleration of a dynamic body: gravity and force, m/s²; angular, rad/s².
 Vec2 accelerationOf(const WorldState& world, const Body& body);
+/// Approach speed up to which a body does not bounce, m/s: what gravity, or all that pulls the body, gives it in a step.
+Real bounceThreshold(const WorldState& world, const Body& body, Real dt);
 Real angularAccelerationOf(const Body& body);
 
 }  // namespace swept::inline SWEPT_PRECISION

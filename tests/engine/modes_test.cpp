@@ -371,7 +371,7 @@ TEST(SensorSweeps, FollowTheWayThroughItsImpacts) {
 TEST(SensorSweeps, WhatBeginsEnds) {
     Random random(12);
     std::size_t seen = 0;
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < 48; ++round) {
         World world = makeWorld(settingsOf(round % 2 == 0 ? ContinuousMode::subStep : ContinuousMode::stop, kGravity));
         for (const double side : {-1.0, 1.0}) {
             addStatic(world, segment(2 * side, -2, 2 * side, 2), material(0.2, 0.9));

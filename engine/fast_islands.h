@@ -1,0 +1,45 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "body.h"
+#include "contact.h"
+#include "joint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A body, contact or joint, and the island that it belongs to.
+struct IslandItem {
+    std::uint32_t root = 0;
+    std::uint32_t order = 0;  ///< of the item in its list: that of waking, of finding, of slots
+    std::uint32_t item = 0;   ///< slot, or index of a contact
+    auto operator<=>(const IslandItem&) const = default;
+};
+
+/// Islands with something fast in them, and what one of them needs while it advances. Kept for its capacity.
+struct FastIslands {
+    bool any = false;                   ///< this step
+    std::vector<std::uint8_t> isFast;   ///< by root
+    std::vector<IslandItem> bodies;     ///< sorted, as the others
+    std::vector<IslandItem> contacts;
+    std::vector<IslandItem> joints;
+    std::vector<std::uint32_t> kinematics;      ///< awake ones
+    std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
+
+    // One island at a time.
+    std::vector<std::uint32_t> members;      ///< dynamic, slots
+    std::vector<std::uint32_t> group;        ///< members, then kinematic bodies
+    std::vector<std::uint32_t> jointSlots;
+    std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
+    std::vector<std::uint32_t> sources;      ///< by held contact: its index in the world, or none
+    std::vector<std::uint64_t> heldPairs;    ///< of shape slots, sorted
+    std::vector<std::uint32_t> found;
+    std::vector<BodyMotion> membersAtStart;  ///< of the step
+    std::vector<BodyMotion> membersBefore;   ///< before the part that is being tried
+    std::vector<Contact> heldBefore;
+    std::vector<Joint> jointsBefore;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

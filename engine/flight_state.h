@@ -1,0 +1,25 @@
+#pragma once
+
+#include "sweep_obstacles.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Of a body as it is at the start of the step.
+Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch);
+/// The rest of the step as a sweep: the parabola through its exact end points with the present velocity. Exact without
+/// damping.
+Sweep sweepOf(const Flight& flight);
+/// First static or kinematic shape that the rest of the step meets.
+FirstImpact nextImpact(const Flight& flight, const Sweep& sweep);
+/// On to a fraction of the rest of the step, velocities too.
+void advance(Flight& flight, const Sweep& sweep, double fraction);
+/// Contacts of this moment with static and kinematic shapes, all together: approaching velocities are reflected, slow ones
+/// stopped. The first one takes those that the last search found; the second one looks for them.
+void resolveHere(Flight& flight);
+void resolveStanding(Flight& flight);
+void notePose(const Flight& flight);
+void limitSpeed(Flight& flight);
+/// The rest of the step is lost.
+void enterLedger(const Flight& flight, LostTimeReason reason);
+
+}  // namespace swept::inline SWEPT_PRECISION

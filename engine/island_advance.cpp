@@ -1,0 +1,311 @@
+#include "island_advance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ghosts.h"
+#include "modes.h"
+#include "profile.h"
+#include "sweep_obstacles.h"
+#include "tied_group.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// The shortest part of a step, as a share of it.
+constexpr double kShortestPart = 1.0 / 128;
+/// After so many tries, or once the budget of impacts is used up, what is left of the step is gone through in so many parts.
+/// Each try moves all members: a large island has fewer of them.
+constexpr std::size_t kMaxTries = 64;
+constexpr std::size_t kMinTries = 8;
+constexpr std::size_t kMaxMemberTries = 1024;
+constexpr int kLastParts = 8;
+/// Radians that a member may turn in a part: sweeps go straight from pose to pose.
+constexpr double kMaxTurn = 0.5;
+/// Radians in the shortest part beyond which no turn is followed: the rest of the step is one part.
+constexpr double kHopelessTurn = 1024;
+/// Radians in a sub-step that joints still follow well.
+constexpr double kMaxTurnOfSubStep = 1.0 / 16;
+/// A part that was already made to fit, and still ends at an impact, is cut there if that leaves at least so much of it.
+constexpr double kGoodFit = 0.5;
+/// After an impact the next part may be so many times as long as the one before.
+constexpr double kGrowth = 4;
+
+struct Island {
+    WorldState& world;
+    FastIslands& fast;
+    FlightScratch& scratch;
+    double dt;
+    double elapsed = 0;
+    double shortest = 0;
+    std::size_t eventsBefore = 0;
+};
+
+std::uint64_t pairKey(std::uint32_t a, std::uint32_t b) {
+    return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
+}
+
+void listHeldPairs(FastIslands& fast) {
+    fast.heldPairs.clear();
+    for (const Contact& contact : fast.held) { fast.heldPairs.push_back(pairKey(contact.shapeA, contact.shapeB)); }
+    std::sort(fast.heldPairs.begin(), fast.heldPairs.end());
+}
+
+double fastestSpin(const Island& island) {
+    double fastest = 0;
+    for (const std::uint32_t slot : island.fast.members) {
+        fastest = std::max(fastest, std::fabs(static_cast<double>(island.world.motions[slot].angularVelocity)));
+    }
+    return fastest;
+}
+
+/// Kinematic bodies stand where they are at that time.
+void placeKinematics(Island& island, double time) {
+    for (std::size_t i = 0; i < island.fast.kinematics.size(); ++i) {
+        const std::uint32_t slot = island.fast.kinematics[i];
+        const BodyMotion& start = island.fast.kinematicsAtStart[i];
+        BodyMotion& motion = island.world.motions[slot];
+        motion.center = start.center + time * toDouble(start.velocity);
+        motion.angle = start.angle + time * static_cast<double>(start.angularVelocity);
+        updatePose(island.world, slot);
+    }
+}
+
+Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
+    if (world.bodies[shape.body].def.type == BodyType::fixed) { return 0; }
+    const Real motion = motionBound(world, shape.body, time);
+    return std::clamp(motion, kMinReachRatio * shape.extent, kMaxReachRatio * shape.extent);
+}
+
+/// Static and kinematic shapes within reach that no contact knows yet: the island left the boxes of the start of the step.
+void findGround(Island& island, const Shape& own, std::uint32_t slot, Real time) {
+    WorldState& world = island.world;
+    FastIslands& fast = island.fast;
+    const Aabb box = boundsOf(own.polygon, world.motions[own.body].pose);
+    fast.found.clear();
+    world.broadphase->query(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
+        fast.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
+        return true;
+    });
+    std::sort(fast.found.begin(), fast.found.end());
+    for (const std::uint32_t found : fast.found) {
+        const Shape& other = world.shapes[found];
+        if (world.bodies[other.body].isDynamic() || other.def.sensor || !mayTouch(world, own, other)) { continue; }
+        const std::uint64_t key = pairKey(slot, found);
+        const auto place = std::lower_bound(fast.heldPairs.begin(), fast.heldPairs.end(), key);
+        if (place != fast.heldPairs.end() && *place == key) { continue; }
+        fast.heldPairs.insert(place, key);
+        fast.held.push_back(contactOf(world, slot, found));
+        fast.sources.push_back(kNoIndex);
+    }
+}
+
+void collideHeld(Island& island, double time) {
+    WorldState& world = island.world;
+    const auto length = static_cast<Real>(time);
+    for (const std::uint32_t member : island.fast.members) {
+        for (const std::uint32_t slot : world.bodies[member].shapes) {
+            const Shape& own = world.shapes[slot];
+            if (!own.def.sensor) { findGround(island, own, slot, length); }
+        }
+    }
+    for (Contact& contact : island.fast.held) {
+        const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
+                           reachWithin(world, world.shapes[contact.shapeB], length);
+        refreshManifold(world, contact, reach);
+        contact.updated = true;
+        contact.apart = false;
+    }
+    dropGhosts(world, island.fast.held, island.fast.members);
+    world.counters.manifolds += island.fast.held.size();
+}
+
+/// Impulses of contacts are kept for the sub-steps that the whole world takes; shorter ones have smaller impulses.
+void scaleImpulses(FastIslands& fast, double factor) {
+    if (factor == 1) { return; }
+    const auto scale = static_cast<Real>(factor);
+    for (Contact& contact : fast.held) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            contact.normalImpulse[k] *= scale;
+            contact.tangentImpulse[k] *= scale;
+        }
+    }
+}
+
+int subStepsFor(const Island& island, double time) {
+    const int standard = subStepsOf(island.world.settings);
+    const double turns = std::ceil(fastestSpin(island) * time / kMaxTurnOfSubStep);
+    const double share = std::ceil(standard * time / island.dt * (1 - kShortestPart));
+    return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), 1, standard);
+}
+
+void solvePart(Island& island, double time) {
+    FastIslands& fast = island.fast;
+    const StepPart part{
+        .begin = island.elapsed, .length = time, .dt = island.dt, .subSteps = subStepsFor(island, time)};
+    const double scale = (time / part.subSteps) / (island.dt / subStepsOf(island.world.settings));
+    scaleImpulses(fast, scale);
+    solveGroup(island.world,
+               {.role = BodyRole::together, .bodies = fast.group, .contacts = fast.held, .joints = fast.jointSlots}, part);
+    scaleImpulses(fast, 1 / scale);
+}
+
+void remember(Island& island) {
+    FastIslands& fast = island.fast;
+    fast.membersBefore.clear();
+    for (const std::uint32_t slot : fast.members) {
+        const BodyMotion& motion = island.world.motions[slot];
+        fast.membersBefore.push_back(motion);
+        island.world.bodies[slot].startCenter = motion.center;
+        island.world.bodies[slot].startAngle = motion.angle;
+    }
+    fast.heldBefore = fast.held;
+    fast.jointsBefore.clear();
+    for (const std::uint32_t slot : fast.jointSlots) { fast.jointsBefore.push_back(island.world.joints[slot]); }
+    island.eventsBefore = island.world.contactEvents.size();
+}
+
+void takeBack(Island& island) {
+    FastIslands& fast = island.fast;
+    for (std::size_t i = 0; i < fast.members.size(); ++i) { island.world.motions[fast.members[i]] = fast.membersBefore[i]; }
+    for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { island.world.joints[fast.jointSlots[i]] = fast.jointsBefore[i]; }
+    fast.held = fast.heldBefore;
+    fast.sources.resize(fast.held.size());
+    auto& events = island.world.contactEvents;
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(island.eventsBefore), events.end());
+}
+
+/// @param share  of the step that the part takes
+bool isSweptMember(const WorldState& world, std::uint32_t slot, double share) {
+    const Body& body = world.bodies[slot];
+    return isSwept(modeOf(world, body)) && (body.startled || movedFast(world, slot, share));
+}
+
+/// Fraction of the part at which the first member meets something; 1: none does.
+double firstImpactOf(Island& island, double time) {
+    double first = 1;
+    for (const std::uint32_t slot : island.fast.members) {
+        if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
+        ++island.world.counters.sweeps;
+        const FirstImpact impact = impactOfPath(island.world, slot, time, first, island.scratch);
+        if (impact.hit) { first = impact.fraction; }
+    }
+    return first;
+}
+
+/// All members stand where they were at a fraction of the part, and did not fall in the rest of it.
+void cutPart(Island& island, double time, double fraction) {
+    FastIslands& fast = island.fast;
+    for (std::size_t i = 0; i < fast.members.size(); ++i) {
+        const BodyMotion& before = fast.membersBefore[i];
+        BodyMotion& motion = island.world.motions[fast.members[i]];
+        motion.center = before.center + fraction * (motion.center - before.center);
+        motion.angle = before.angle + fraction * (motion.angle - before.angle);
+        updatePose(island.world, fast.members[i]);
+        takeBackFall(island.world, fast.members[i], (1 - fraction) * time);
+    }
+}
+
+/// Where a part ends within the step the way may bend: what watches it needs to know (sensors).
+void notePoses(Island& island, double time) {
+    for (const std::uint32_t slot : island.fast.members) {
+        const BodyMotion& motion = island.world.motions[slot];
+        if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
+        island.scratch.impactPoses.push_back({.body = island.world.bodies.idOf(slot),
+                                              .position = motion.pose.position,
+                                              .angle = motion.angle,
+                                              .fraction = island.elapsed / island.dt});
+    }
+}
+
+void holdMembers(Island& island, double time) {
+    const StepPart part{.begin = island.elapsed, .length = time, .dt = island.dt};
+    for (const std::uint32_t slot : island.fast.members) {
+        if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
+        const bool stops = modeOf(island.world, island.world.bodies[slot]) == ContinuousMode::stop;
+        clampAtImpact(island.world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, island.scratch);
+    }
+}
+
+void begin(Island& island) {
+    FastIslands& fast = island.fast;
+    fast.kinematicsAtStart.clear();
+    for (const std::uint32_t slot : fast.kinematics) { fast.kinematicsAtStart.push_back(island.world.motions[slot]); }
+    fast.membersAtStart.clear();
+    for (const std::uint32_t slot : fast.members) { fast.membersAtStart.push_back(island.world.motions[slot]); }
+    fast.group = fast.members;
+    fast.group.insert(fast.group.end(), fast.kinematics.begin(), fast.kinematics.end());
+}
+
+/// What the next step and its report need: poses at the start of the step, kinematic bodies there, contacts.
+void finish(Island& island) {
+    FastIslands& fast = island.fast;
+    for (std::size_t i = 0; i < fast.kinematics.size(); ++i) {
+        island.world.motions[fast.kinematics[i]] = fast.kinematicsAtStart[i];
+    }
+    for (std::size_t i = 0; i < fast.members.size(); ++i) {
+        Body& body = island.world.bodies[fast.members[i]];
+        body.startCenter = fast.membersAtStart[i].center;
+        body.startAngle = fast.membersAtStart[i].angle;
+    }
+    for (std::size_t i = 0; i < fast.held.size(); ++i) {
+        if (fast.sources[i] != kNoIndex) { island.world.contacts[fast.sources[i]] = fast.held[i]; }
+    }
+}
+
+int triesFor(std::size_t members) {
+    return static_cast<int>(std::clamp(kMaxMemberTries / std::max<std::size_t>(members, 1), kMinTries, kMaxTries));
+}
+
+/// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
+double tryPart(Island& island, double time, bool fits, double& next) {
+    remember(island);
+    placeKinematics(island, island.elapsed);
+    listHeldPairs(island.fast);
+    collideHeld(island, time);
+    solvePart(island, time);
+    const double fraction = firstImpactOf(island, time);
+    next = std::max(kGrowth * time, kGrowth * island.shortest);
+    if (!(fraction < 1)) { return time; }
+    ++island.scratch.impacts;
+    if (time < 2 * island.shortest) {
+        holdMembers(island, time);
+        return time;
+    }
+    if (fits && fraction >= kGoodFit && fraction * time >= island.shortest) {
+        cutPart(island, time, fraction);
+        return fraction * time;
+    }
+    takeBack(island);
+    next = std::max(fraction * time, island.shortest);
+    return 0;
+}
+
+}  // namespace
+
+void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
+    Island island{world, world.fastIslands, scratch, dt};
+    island.shortest = kShortestPart * dt;
+    begin(island);
+    double next = dt;
+    const int mostTries = std::min(triesFor(island.fast.members.size()), world.settings.maxImpacts);
+    int tries = 0;
+    bool fits = false;
+    while (island.elapsed < dt) {
+        const double rest = dt - island.elapsed;
+        if (tries++ == mostTries) { island.shortest = std::max(island.shortest, rest / kLastParts); }
+        const double spin = fastestSpin(island);
+        if (spin * island.shortest > kHopelessTurn) { island.shortest = rest; }
+        double time = std::max(next, island.shortest);
+        if (spin * time > kMaxTurn) { time = std::max(kMaxTurn / spin, island.shortest); }
+        if (time > rest - 0.5 * island.shortest) { time = rest; }
+        const double gained = tryPart(island, time, fits, next);
+        fits = gained <= 0;
+        island.elapsed = gained >= rest ? dt : island.elapsed + gained;
+        if (gained > 0 && island.elapsed < dt) { notePoses(island, gained); }
+    }
+    finish(island);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

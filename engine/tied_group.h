@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include "step_part.h"
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Bodies that contacts and joints tie together, with these contacts and joints: what one solve is about.
+struct TiedGroup {
+    BodyRole role = BodyRole::solved;       ///< of what is moved; others stand by
+    std::span<const std::uint32_t> bodies;  ///< slots, those of kinematic bodies that may touch among them
+    std::span<Contact> contacts;
+    std::span<const std::uint32_t> joints;  ///< slots
+};
+
+/// Moves the bodies of a group through a part of the step: the sub-stepped solve. Impulses, totals and hits go into the
+/// contacts and events. Contacts of which neither body has the role are skipped.
+void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part);
+
+}  // namespace swept::inline SWEPT_PRECISION

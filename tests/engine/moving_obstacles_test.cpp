@@ -1,0 +1,123 @@
+#include <array>
+
+#include "../support/random.h"
+#include "world_support.h"
+
+/// Kinematic bodies, however fast, do not pass what rests, sleeps, is stacked or jointed.
+
+namespace swept::test {
+namespace {
+
+enum class Target { ball, boxOnFloor, stack, jointedPair };
+
+struct Swing {
+    World world;
+    std::vector<BodyId> targets;
+    BodyId paddle;
+
+    Swing(Target kind, bool asleep, double speed, double restitution, std::uint64_t seed) {
+        const bool onFloor = kind == Target::boxOnFloor || kind == Target::stack;
+        WorldSettings settings = awakeSettings(onFloor ? kGravity : 0);
+        settings.sleep = true;
+        world = makeWorld(settings);
+        if (onFloor) { addStatic(world, segment(-10, 0, 10 + 2 * speed, 0), material(0.3)); }
+        const ShapeDef surface = material(0.3, restitution);
+        const Polygon polygon = kind == Target::ball ? circle(0.1) : box(0.1, 0.1);
+        targets.push_back(addBody(world, dynamicAt({0, 0.1}), polygon, surface));
+        if (kind == Target::stack) { targets.push_back(addBody(world, dynamicAt({0, 0.3}), polygon, surface)); }
+        if (kind == Target::jointedPair) {
+            targets.push_back(addBody(world, dynamicAt({0.1, 0.4}), polygon, surface));
+            RevoluteJointDef hinge;
+            hinge.base.bodyA = targets[0];
+            hinge.base.bodyB = targets[1];
+            hinge.anchor = {0.05, 0.25};
+            must(world.createJoint(hinge));
+        }
+        run(world, onFloor ? 5 : 0);
+        if (asleep) {
+            for (const BodyId target : targets) { must(world.setAwake(target, false)); }
+        }
+        Random random(seed);
+        BodyDef def = bodyAt(BodyType::kinematic, {-0.5 - random.uniform() * speed * kStep, 0.32});
+        def.velocity = vec(speed, 0);
+        paddle = addBody(world, def, box(0.02, 0.3), surface);
+    }
+    /// @return how many of them the paddle has left behind
+    int leftBehind() {
+        runFor(world, 0.4);
+        const double x = world.position(paddle).x;
+        return static_cast<int>(std::count_if(targets.begin(), targets.end(), [&](BodyId target) {
+            return !(world.centerOfMass(target).x > x) && std::abs(world.centerOfMass(target).y - 0.3) < 2;
+        }));
+    }
+};
+
+TEST(MovingObstacles, APaddlePassesNothing) {
+    for (const Target kind : {Target::ball, Target::boxOnFloor, Target::stack, Target::jointedPair}) {
+        for (const bool asleep : {false, true}) {
+            for (const double restitution : {0.0, 1.0}) {
+                for (const double speed : {10.0, 30.0, 100.0, 300.0}) {
+                    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+                        EXPECT_EQ(Swing(kind, asleep, speed, restitution, seed).leftBehind(), 0)
+                            << "target " << static_cast<int>(kind) << (asleep ? " asleep, " : ", ") << speed
+                            << " m/s, e " << restitution << ", seed " << seed;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(MovingObstacles, APaddlePassesOnItsSpeed) {
+    for (const double restitution : {0.0, 0.5, 1.0}) {
+        for (const double speed : {10.0, 100.0, 300.0}) {
+            Swing swing(Target::ball, true, speed, restitution, 1);
+            EXPECT_EQ(swing.leftBehind(), 0);
+            EXPECT_NEAR(velocityOf(swing.world, swing.targets[0]).x / ((1 + restitution) * speed), 1, 1e-5) << speed;
+        }
+    }
+}
+
+/// Its velocity was set after the last step: its box is that of the old one.
+TEST(MovingObstacles, APaddleThatIsSentOffPassesNothing) {
+    World world = makeWorld(0);
+    const BodyId ball = addBody(world, dynamicAt({0, 0}), circle(0.1), material(0));
+    const BodyId paddle = addBody(world, bodyAt(BodyType::kinematic, {-1, 0}), box(0.02, 0.3), material(0));
+    run(world, 5);
+    must(world.setVelocity(paddle, vec(200, 0), 0));
+    run(world, 3);
+    EXPECT_GT(world.position(ball).x, world.position(paddle).x);
+}
+
+/// Two plates that close on a ball, and go on when there is no room left for it.
+TEST(MovingObstacles, PlatesCloseOnABall) {
+    for (const double speed : {0.0, 10.0, 100.0, 1000.0}) {
+        World world = makeWorld(0);
+        std::array<BodyId, 2> plates{};
+        for (const int side : {0, 1}) {
+            BodyDef def = bodyAt(BodyType::kinematic, {side == 0 ? -5.0 : 5.0, 0});
+            def.velocity = vec(side == 0 ? 5 : -5, 0);
+            plates[static_cast<std::size_t>(side)] = addBody(world, def, segment(0, -50, 0, 50), material(0, 1));
+        }
+        const BodyId ball = addBody(world, dynamicAt({0.3, 0}, vec(speed, 0)), circle(0.2), material(0, 1));
+        double lost = 0;
+        bool crowded = false;  // from the first step on with more bounces than its budget is sure to hold
+        for (int i = 0; i < 90; ++i) {
+            must(world.step(kStep));
+            ASSERT_TRUE(std::isfinite(world.position(ball).x) && std::isfinite(velocityOf(world, ball).x));
+            ASSERT_LE(world.counters().impacts, 300U);
+            const double gap = world.position(plates[1]).x - world.position(plates[0]).x;
+            for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+            const double bounces = std::abs(velocityOf(world, ball).x) * kStep / (gap - 0.4);  // a step
+            crowded = crowded || gap <= 1 || bounces >= 0.5 * world.settings().maxImpacts;
+            if (!crowded) {
+                ASSERT_LT(std::abs(world.position(ball).x), 0.5 * gap) << speed << " m/s, gap " << gap;
+                ASSERT_EQ(lost, 0) << speed << " m/s, gap " << gap;
+            }
+        }
+        EXPECT_GT(lost, 0) << "there was no room left: it must say so";
+    }
+}
+
+}  // namespace
+}  // namespace swept::test

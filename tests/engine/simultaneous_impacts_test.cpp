@@ -1,0 +1,97 @@
+#include <array>
+
+#include "../support/random.h"
+#include "world_support.h"
+
+/// Many bodies, one moment: cradles, break shots, gas.
+
+namespace swept::test {
+namespace {
+
+/// Newton's cradle without the strings: five touching balls are hit by a sixth.
+TEST(SimultaneousImpacts, OnlyTheLastBallLeavesACradle) {
+    for (const double speed : {1.0, 5.0, 10.0}) {
+        World world = makeWorld(0);
+        std::vector<BodyId> balls;
+        for (int i = 0; i < 5; ++i) { balls.push_back(addBody(world, dynamicAt({i * 0.4, 0}), circle(0.2), material(0, 1))); }
+        const BodyId hitter = addBody(world, dynamicAt({-1, 0}, vec(speed, 0)), circle(0.2), material(0, 1));
+        runFor(world, 1 + 1 / speed);
+        const std::string name = std::to_string(speed) + " m/s: ";
+        EXPECT_GE(velocityOf(world, balls[4]).x, 0.99 * speed) << name;
+        expectAtMost(name + "hitter", std::abs(velocityOf(world, hitter).x) / speed, 0.01);
+        for (std::size_t i = 0; i < 4; ++i) {
+            expectAtMost(name + "speed of ball " + std::to_string(i), std::abs(velocityOf(world, balls[i]).x) / speed, 0.01);
+            expectAtMost(name + "way of ball " + std::to_string(i),
+                         std::abs(world.position(balls[i]).x - 0.4 * static_cast<double>(i)), 0.4 / 1024);
+        }
+    }
+}
+
+/// Fifteen touching balls in a triangle are hit at the tip: what is a mirror image stays one, and no energy is lost.
+TEST(SimultaneousImpacts, ABreakShotIsSymmetric) {
+    constexpr double kRadius = 0.1;
+    for (const double speed : {1.0, 3.0, 10.0}) {
+        World world = makeWorld(0);
+        std::vector<std::vector<BodyId>> rows;
+        std::vector<BodyId> all;
+        for (int row = 0; row < 5; ++row) {
+            rows.emplace_back();
+            for (int k = 0; k <= row; ++k) {
+                const DVec2 place{row * std::sqrt(3.0) * kRadius, (2 * k - row) * kRadius};
+                rows.back().push_back(addBody(world, dynamicAt(place), circle(kRadius), material(0, 1)));
+                all.push_back(rows.back().back());
+            }
+        }
+        all.push_back(addBody(world, dynamicAt({-1, 0}, vec(speed, 0)), circle(kRadius), material(0, 1)));
+        const double before = energyOf(world, all, 0);
+        runFor(world, 1 / speed + 0.25);
+        const std::string name = std::to_string(speed) + " m/s: ";
+        double off = std::abs(velocityOf(world, all.back()).y);
+        for (const std::vector<BodyId>& row : rows) {
+            for (std::size_t k = 0; k < row.size(); ++k) {
+                const DVec2 a = velocityOf(world, row[k]);
+                const DVec2 b = velocityOf(world, row[row.size() - 1 - k]);
+                off = std::max(off, length(a - DVec2{b.x, -b.y}));
+            }
+        }
+        expectAtMost(name + "asymmetry", off / speed, 0.01);
+        expectAtMost(name + "energy", std::abs(energyOf(world, all, 0) / before - 1), 1e-3);
+    }
+}
+
+TEST(SimultaneousImpacts, AGasKeepsItsEnergy) {
+    for (const double spread : {5.0, 20.0}) {
+        World world = makeWorld(0);
+        for (int side = 0; side < 4; ++side) {
+            const double turn = side * kPi / 2;
+            addStatic(world, segment(0, -5, 0, 5), material(0, 1), turned({5, 0}, turn), turn);
+        }
+        Random random(2);
+        const auto normal = [&random] {  // Box and Muller
+            const double u = 1 - random.uniform();
+            return std::sqrt(-2 * std::log(u)) * std::cos(2 * kPi * random.uniform());
+        };
+        std::vector<BodyId> disks;
+        for (int i = 0; i < 100; ++i) {
+            const DVec2 place{-4.5 + i % 10, -4.5 + static_cast<double>(i / 10)};
+            const double x = spread * normal();
+            disks.push_back(addBody(world, dynamicAt(place, vec(x, spread * normal())), circle(0.2), material(0, 1)));
+        }
+        const double before = energyOf(world, disks, 0);
+        double lost = 0;
+        for (int i = 0; i < 1200; ++i) {
+            must(world.step(kStep));
+            for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+        }
+        const std::string name = std::to_string(spread) + " m/s: ";
+        expectAtMost(name + "energy", std::abs(energyOf(world, disks, 0) / before - 1), 0.01);
+        expectAtMost(name + "lost time", lost / (100 * 1200 * kStep), 0.01);  // of disks that touch near a wall
+        for (const BodyId disk : disks) {
+            const DVec2 p = world.position(disk);
+            EXPECT_LT(std::max(std::abs(p.x), std::abs(p.y)), 5) << name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace swept::test
