@@ -27,6 +27,8 @@ picture falling-shapes 54
 picture ragdolls 75
 picture newtons-cradle 120 --trails
 picture terrain 120 --trails
+picture machine-room 150
+picture car 250 --trails
 
 say "continuous-modes.png"
 quietly picture-modes "$swept" modes continuous-off --steps 1 --png "$pictures/continuous-modes.png" ||
