@@ -30,7 +30,7 @@ BodyDescription body(SceneBodyType type, DVec2 position, const ShapeDescription&
 
 std::unique_ptr<Box2dRunner> start(const SceneDescription& scene) {
     std::string error;
-    auto runner = makeBox2dRunner(scene, error, SWEPT_PROGRAM);
+    auto runner = makeBox2dRunner(scene, error, {}, SWEPT_PROGRAM);
     EXPECT_NE(runner, nullptr) << error;
     return runner;
 }
@@ -208,13 +208,13 @@ TEST(Box2dRunner, SeveralRunSideBySide) {
 
 TEST(Box2dRunner, RefusesAProgramThatIsNotThere) {
     std::string error;
-    EXPECT_EQ(makeBox2dRunner(SceneDescription{}, error, "/does/not/exist"), nullptr);
+    EXPECT_EQ(makeBox2dRunner(SceneDescription{}, error, {}, "/does/not/exist"), nullptr);
     EXPECT_NE(error.find("/does/not/exist"), std::string::npos) << error;
 }
 
 TEST(Box2dRunner, AProgramThatDoesNotTalkIsAResultToo) {
     std::string error;
-    const auto runner = makeBox2dRunner(SceneDescription{}, error, "/bin/true");
+    const auto runner = makeBox2dRunner(SceneDescription{}, error, {}, "/bin/true");
     ASSERT_NE(runner, nullptr) << error;
     ASSERT_TRUE(runner->aborted());
     EXPECT_EQ(*runner->aborted(), "Box2D ended with exit code 0 while the world was built");

@@ -52,6 +52,10 @@ void weigh(PlacedBody& body, const std::vector<PlacedPiece>& pieces) {
     }
     body.center = apply(body.pose, center);
     body.mass = body.isDynamic() ? body.description->mass.value_or(sum.mass) : 0;
+    if (body.isDynamic()) {
+        const double scaled = sum.mass > 0 ? sum.inertia * (body.mass / sum.mass) : 0;
+        body.inertia = body.description->inertia.value_or(scaled);
+    }
     for (const PlacedPiece& piece : pieces) {
         if (piece.body == body.index) {
             body.reach = std::max(body.reach, radiusAbout(piece.polygon, center));
@@ -80,6 +84,14 @@ std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
     return pairs;
 }
 
+double separationOf(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
+    const WorldTransform& poseA = placed.bodies[static_cast<std::size_t>(a.body)].pose;
+    const WorldTransform& poseB = placed.bodies[static_cast<std::size_t>(b.body)].pose;
+    return distance(a.polygon, b.polygon, relativeTransform(poseA, poseB)).distance;
+}
+
+}  // namespace
+
 bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
     const PlacedBody& bodyA = placed.bodies[static_cast<std::size_t>(a.body)];
     const PlacedBody& bodyB = placed.bodies[static_cast<std::size_t>(b.body)];
@@ -89,13 +101,6 @@ bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPie
            filtersCollide(shapeA.filter, shapeB.filter);
 }
 
-double separationOf(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
-    const WorldTransform& poseA = placed.bodies[static_cast<std::size_t>(a.body)].pose;
-    const WorldTransform& poseB = placed.bodies[static_cast<std::size_t>(b.body)].pose;
-    return distance(a.polygon, b.polygon, relativeTransform(poseA, poseB)).distance;
-}
-
-/// A body behind an edge of a chain is ignored by it.
 bool isBehindChain(const PlacedScene& placed, const PlacedPiece& edge, const PlacedPiece& other) {
     if (edge.segment < 0) {
         return false;
@@ -107,8 +112,6 @@ bool isBehindChain(const PlacedScene& placed, const PlacedPiece& edge, const Pla
     const DVec2 to = placed.bodies[static_cast<std::size_t>(other.body)].center - p;
     return along.x * to.y - along.y * to.x > 0;  // the left-hand side is solid
 }
-
-}  // namespace
 
 PlacedScene place(const SceneDescription& scene) {
     PlacedScene placed;

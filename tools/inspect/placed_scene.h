@@ -26,6 +26,7 @@ struct PlacedBody {
     WorldTransform pose;
     DVec2 center;          ///< of mass, world; of the bounds for what has no mass
     double mass = 0;       ///< kg; 0 for what is not dynamic
+    double inertia = 0;    ///< kg·m² about the centre; 0 for what is not dynamic
     double extent = 0;     ///< of its smallest piece that is no sensor; 0 without one
     double reach = 0;      ///< farthest point from `center`, metres
     double speed = 0;      ///< largest of any of its points at the start, m/s
@@ -53,6 +54,13 @@ struct NearPair {
     double separation = 0;  ///< signed, metres
 };
 std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin);
+
+/// Whether two pieces may touch: of different bodies, one of them dynamic, no sensors, by their filters. What joints and
+/// chains keep apart is for others.
+bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b);
+
+/// Whether `edge` is of a chain, and the other piece's body on its solid side, where it is ignored.
+bool isBehindChain(const PlacedScene& placed, const PlacedPiece& edge, const PlacedPiece& other);
 
 /// Index of the body of this name; −1 when there is none.
 int bodyNamed(const PlacedScene& placed, const std::string& name);

@@ -70,7 +70,11 @@ int runBox2dChild() {
     if (!result.scene) {
         return 2;
     }
-    Box2dWorld world(*result.scene);
+    Box2dIterations iterations;
+    if (!readAll(&iterations, sizeof iterations)) {
+        return 2;
+    }
+    Box2dWorld world(*result.scene, iterations);
     std::vector<double> numbers;
     bool goesOn = answer(world, numbers);
     for (char command = 0; goesOn && readAll(&command, 1);) {

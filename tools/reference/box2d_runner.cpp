@@ -33,14 +33,16 @@ public:
     explicit ChildRunner(const SceneDescription& scene)
         : sample_(initialSample(scene)), approximations_(box2dApproximations(scene)) {}
 
-    bool start(const SceneDescription& scene, const std::string& executable, std::string& error) {
+    bool start(const SceneDescription& scene, const Box2dIterations& iterations, const std::string& executable,
+               std::string& error) {
         if (!child_.start(executable, kBox2dChildCommand, error)) {
             return false;
         }
         const std::string json = writeScene(scene);
         const std::uint64_t size = json.size();
-        const bool sent =
-            child_.send(&size, sizeof size, kPatience) && child_.send(json.data(), json.size(), kPatience);
+        const bool sent = child_.send(&size, sizeof size, kPatience) &&
+                          child_.send(json.data(), json.size(), kPatience) &&
+                          child_.send(&iterations, sizeof iterations, kPatience);
         if (!sent || !receiveSample()) {
             noteEnd("while the world was built");
         }
@@ -76,6 +78,7 @@ public:
     RunReport report() const override { return report_; }
     std::vector<std::string> approximations() const override { return approximations_; }
     const std::optional<std::string>& aborted() const override { return aborted_; }
+    double stepSeconds() const override { return sample_.stepSeconds; }
 
 private:
     bool receiveSample() {
@@ -129,12 +132,17 @@ private:
 }  // namespace
 
 std::unique_ptr<Box2dRunner> makeBox2dRunner(const SceneDescription& scene, std::string& error,
-                                             const std::string& executable) {
+                                             const Box2dIterations& iterations, const std::string& executable) {
     auto runner = std::make_unique<ChildRunner>(scene);
-    if (!runner->start(scene, executable, error)) {
+    if (!runner->start(scene, iterations, executable, error)) {
         return nullptr;
     }
     return runner;
+}
+
+Box2dIterations iterationsOf(int velocity) {
+    const Box2dIterations usual;
+    return {velocity, std::max(1, velocity * usual.position / usual.velocity)};
 }
 
 }  // namespace swept

@@ -3,7 +3,7 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kHeadNumbers = 11;
+constexpr std::size_t kHeadNumbers = 12;
 constexpr std::size_t kBodyNumbers = 7;
 constexpr std::size_t kContactNumbers = 6;
 
@@ -21,7 +21,8 @@ void encodeSample(const Box2dSample& sample, std::vector<double>& numbers) {
                sample.momentum.x,
                sample.momentum.y,
                sample.angularMomentum,
-               static_cast<double>(sample.brokenJoints)};
+               static_cast<double>(sample.brokenJoints),
+               sample.stepSeconds};
     for (const BodyFrame& body : frame.bodies) {
         numbers.insert(numbers.end(), {body.position.x, body.position.y, body.angle, body.velocity.x, body.velocity.y,
                                        body.angularVelocity, body.awake ? 1.0 : 0.0});
@@ -50,6 +51,7 @@ std::optional<Box2dSample> decodeSample(std::span<const double> numbers) {
     sample.momentum = {numbers[7], numbers[8]};
     sample.angularMomentum = numbers[9];
     sample.brokenJoints = static_cast<std::int64_t>(numbers[10]);
+    sample.stepSeconds = numbers[11];
     for (std::size_t i = 0; i < bodies; ++i) {
         const auto n = numbers.subspan(kHeadNumbers + i * kBodyNumbers, kBodyNumbers);
         sample.frame.bodies.push_back({{n[0], n[1]}, n[2], {n[3], n[4]}, n[5], n[6] != 0});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -7,6 +8,12 @@
 #include <swept/samples/frame.h>
 
 namespace swept {
+
+/// How hard Box2D tries in a step.
+struct Box2dIterations {
+    std::int32_t velocity = 8;
+    std::int32_t position = 3;
+};
 
 /// What the child process tells after each step: the state, and the measures of that moment.
 struct Box2dSample {
@@ -17,6 +24,7 @@ struct Box2dSample {
     DVec2 momentum;              ///< of dynamic bodies
     double angularMomentum = 0;  ///< about the world origin
     std::int64_t brokenJoints = 0;
+    double stepSeconds = 0;  ///< processor time of all steps so far
 };
 
 /// The sample as plain numbers, and back: both ends of the pipe are the same program.

@@ -6,14 +6,12 @@
 
 #include <swept/samples/scene_reader.h>
 
+#include "../bench/stopwatch.h"
 #include "box2d_joints.h"
 #include "box2d_shapes.h"
 
 namespace swept {
 namespace {
-
-constexpr int32 kVelocityIterations = 8;
-constexpr int32 kPositionIterations = 3;
 
 b2BodyType typeOf(SceneBodyType type) {
     switch (type) {
@@ -76,6 +74,8 @@ struct Box2dWorld::Parts {
     std::vector<b2Joint*> joints;   // null once broken
     std::int64_t steps = 0;
     std::int64_t brokenJoints = 0;
+    Box2dIterations iterations;
+    double seconds = 0;  // of processor time in Box2D's step
 };
 
 void Box2dWorld::Parts::addBodies() {
@@ -185,7 +185,9 @@ void Box2dWorld::Parts::readContacts(Box2dSample& sample) const {
     }
 }
 
-Box2dWorld::Box2dWorld(const SceneDescription& scene) : parts_(std::make_unique<Parts>(scene)) {
+Box2dWorld::Box2dWorld(const SceneDescription& scene, const Box2dIterations& iterations)
+    : parts_(std::make_unique<Parts>(scene)) {
+    parts_->iterations = iterations;
     parts_->world.SetContactFilter(&parts_->filter);
     parts_->world.SetAllowSleeping(scene.settings.sleep);
     parts_->world.SetContinuousPhysics(scene.settings.continuous != SceneContinuous::off);
@@ -196,7 +198,10 @@ Box2dWorld::Box2dWorld(const SceneDescription& scene) : parts_(std::make_unique<
 Box2dWorld::~Box2dWorld() = default;
 
 void Box2dWorld::step() {
-    parts_->world.Step(static_cast<float>(parts_->scene.settings.dt), kVelocityIterations, kPositionIterations);
+    const bench::Stopwatch watch;
+    parts_->world.Step(static_cast<float>(parts_->scene.settings.dt), parts_->iterations.velocity,
+                       parts_->iterations.position);
+    parts_->seconds += watch.seconds();
     parts_->breakJoints();
     ++parts_->steps;
 }
@@ -206,6 +211,7 @@ Box2dSample Box2dWorld::sample() const {
     sample.frame.step = parts_->steps;
     sample.frame.time = static_cast<double>(parts_->steps) * parts_->scene.settings.dt;
     sample.brokenJoints = parts_->brokenJoints;
+    sample.stepSeconds = parts_->seconds;
     parts_->readBodies(sample);
     parts_->readContacts(sample);
     for (b2Joint* const joint : parts_->joints) {

@@ -13,12 +13,12 @@ namespace swept {
 class Box2dWorld {
 public:
     /// @param scene  accepted by `validateScene`; outlives the world.
-    explicit Box2dWorld(const SceneDescription& scene);
+    Box2dWorld(const SceneDescription& scene, const Box2dIterations& iterations);
     ~Box2dWorld();
     Box2dWorld(const Box2dWorld&) = delete;
     Box2dWorld& operator=(const Box2dWorld&) = delete;
 
-    /// One step of the scene's dt with Box2D's recommended 8 velocity and 3 position iterations.
+    /// One step of the scene's dt.
     void step();
     Box2dSample sample() const;
 
