@@ -18,6 +18,7 @@ void addInspectCommand(CLI::App& app, int& exitCode);
 void addBenchCommand(CLI::App& app, int& exitCode);
 /// `swept bench continuous`, below `bench`.
 void addContinuousBench(CLI::App& bench, int& exitCode);
+void addTuneCommand(CLI::App& app, int& exitCode);
 void addModesCommand(CLI::App& app, int& exitCode);
 /// The child's side of the reference engine; not listed in the help.
 void addBox2dChildCommand(CLI::App& app, int& exitCode);

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     swept::addInspectCommand(app, exitCode);
     swept::addBenchCommand(app, exitCode);
     swept::addModesCommand(app, exitCode);
+    swept::addTuneCommand(app, exitCode);
     swept::addBox2dChildCommand(app, exitCode);
     std::vector<std::string> arguments = swept::expandOverrides({argv + std::min(argc, 1), argv + argc});
     if (arguments.empty()) {

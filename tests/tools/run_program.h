@@ -27,8 +27,10 @@ inline void quietSuppressions() {
     setenv("LSAN_OPTIONS", (std::string(given != nullptr ? given : "") + ":print_suppressions=0").c_str(), 1);
 }
 
-/// Runs the built `swept` to its end. Its streams are files, so that nothing can block.
-inline ProgramResult runSwept(std::vector<std::string> arguments, const std::string& input = "") {
+/// Runs a program (looked for on the search path where it has no slash) to its end. Its streams are files, so that nothing
+/// can block.
+inline ProgramResult runProgram(const std::string& program, std::vector<std::string> arguments,
+                                const std::string& input = "") {
     [[maybe_unused]] static const bool quiet = (quietSuppressions(), true);
     const ScratchDirectory scratch;
     const std::string in = scratch.write("in", input);
@@ -39,7 +41,7 @@ inline ProgramResult runSwept(std::vector<std::string> arguments, const std::str
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, in.c_str(), O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
-    arguments.insert(arguments.begin(), SWEPT_PROGRAM);
+    arguments.insert(arguments.begin(), program);
     std::vector<char*> pointers;
     for (std::string& argument : arguments) {
         pointers.push_back(argument.data());
@@ -48,7 +50,7 @@ inline ProgramResult runSwept(std::vector<std::string> arguments, const std::str
     ProgramResult result;
     pid_t process = -1;
     int status = 0;
-    const int failure = posix_spawn(&process, SWEPT_PROGRAM, &actions, nullptr, pointers.data(), environ);
+    const int failure = posix_spawnp(&process, program.c_str(), &actions, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (failure == 0 && waitpid(process, &status, 0) == process && WIFEXITED(status)) {
         result.exitCode = WEXITSTATUS(status);
@@ -56,6 +58,11 @@ inline ProgramResult runSwept(std::vector<std::string> arguments, const std::str
     result.out = scratch.read("out");
     result.err = scratch.read("err");
     return result;
+}
+
+/// Runs the built `swept`.
+inline ProgramResult runSwept(const std::vector<std::string>& arguments, const std::string& input = "") {
+    return runProgram(SWEPT_PROGRAM, arguments, input);
 }
 
 }  // namespace swept

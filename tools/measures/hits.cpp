@@ -8,6 +8,8 @@
 #include <swept/toi/time_of_impact.h>
 #include <swept/toi/toi_polygon.h>
 
+#include "posed_scene.h"
+
 namespace swept::measures {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "posed_scene.h"
+#include "recording.h"
 
 namespace swept::measures {
 

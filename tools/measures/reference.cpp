@@ -1,13 +1,10 @@
 #include "reference.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "../number_text.h"
 #include "closed_forms.h"
+#include "hits.h"
 #include "measure_run.h"
-#include "posed_scene.h"
+#include "scene_size.h"
 
 namespace swept::measures {
 namespace {
@@ -15,17 +12,6 @@ namespace {
 constexpr int kMostHalvings = 4;
 /// Part of the smallest extent below which a change of place no longer matters.
 constexpr double kSettled = 1.0 / 1024;
-
-double smallestExtent(const SceneDescription& scene) {
-    double smallest = std::numeric_limits<double>::infinity();
-    const PlacedScene placed = place(scene);
-    for (const PlacedBody& body : placed.bodies) {
-        if (body.isDynamic() && body.extent > 0) {
-            smallest = std::min(smallest, body.extent);
-        }
-    }
-    return smallest;
-}
 
 Reference fromClosedForm(const SceneDescription& scene, const ClosedForm& form, std::int64_t ticks) {
     Reference reference;
@@ -40,10 +26,12 @@ Reference fromClosedForm(const SceneDescription& scene, const ClosedForm& form, 
         reference.recording.samples.push_back(std::move(sample));
     }
     for (const MeasureInfo& info : allMeasures()) {
-        if (info.needsReference) {
-            reference.uncertainty[*measureNamed(info.name)] = 0;
+        const Measure measure = *measureNamed(info.name);
+        if (info.needsReference && measure != Measure::eventTime) {  // which takes velocities
+            reference.uncertainty[measure] = 0;
         }
     }
+    reference.uncertainty[Measure::missedHits] = 0;
     return reference;
 }
 
@@ -84,6 +72,11 @@ Reference makeReference(const SceneDescription& scene, std::int64_t ticks, const
         }
         coarser = std::move(reference.recording);
     }
+    double missed = 0;
+    for (const ForeseenHit& hit : foreseenHits(scene, reference.recording)) {
+        missed += hit.missed ? 1 : 0;
+    }
+    reference.uncertainty[Measure::missedHits] = missed;
     reference.source = "f64, steps of " + roundedText(1e3 * reference.dt, 3) + " ms";
     return reference;
 }

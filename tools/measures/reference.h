@@ -16,7 +16,8 @@ struct Reference {
     bool isClosedForm = false;
     double dt = 0;  ///< s, of the finest run; 0 for a closed form
     /// Of each measure that needs the reference: how much it still changes when the steps of the reference are doubled.
-    /// 0 for a closed form. Where it is large the scene is chaotic, and such a measure says little.
+    /// 0 for a closed form. Where it is large the scene is chaotic, and such a measure says little. `missedHits`: how
+    /// many the reference itself seems to miss; what is left of such judgements' own errors.
     Values uncertainty;
 };
 

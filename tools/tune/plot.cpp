@@ -1,0 +1,123 @@
+#include "plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+
+#include "../bench/plot_files.h"
+#include "../number_text.h"
+
+namespace swept::tune {
+namespace {
+
+/// How the numbers of a row go into the plot.
+class Axis {
+public:
+    Axis(const std::vector<Limit>& limits, const Knowledge& known) : limits_(limits), known_(known) {
+        const auto isAsked = [](const Limit& limit) { return !limit.implied; };
+        isOneMeasure_ = std::count_if(limits.begin(), limits.end(), isAsked) == 1;  // which is the first then
+        double least = limit() > 0 ? limit() : 1;
+        for (const Row& row : known.rows) {
+            const double error = raw(row);
+            least = std::isfinite(error) && error > 0 ? std::min(least, error) : least;
+        }
+        floor_ = least / 2;
+    }
+
+    double limit() const { return isOneMeasure_ ? limits_[0].value : 1; }
+    /// An error of 0 has no place on a logarithmic axis: it stands at the bottom.
+    double place(const Row& row) const { return std::max(raw(row), floor_); }
+    double floor() const { return floor_; }
+    bool isDrawn(const Row& row) const { return std::isfinite(raw(row)) && row.cost > 0; }
+    std::string label() const {
+        if (!isOneMeasure_) {
+            return "error, as a part of what is accepted";
+        }
+        const measures::MeasureInfo& info = measures::infoOf(limits_[0].measure);
+        return std::string(info.name) + (std::string(info.unit) == "1" ? "" : std::string(", ") + info.unit);
+    }
+
+private:
+    double raw(const Row& row) const {
+        return isOneMeasure_ && row.verdict.empty() ? row.errors[limits_[0].measure]
+                                                    : strain(row, limits_, known_.uncertainty);
+    }
+
+    const std::vector<Limit>& limits_;
+    const Knowledge& known_;
+    bool isOneMeasure_ = true;
+    double floor_ = 0;
+};
+
+/// A block of the data file: a name, and a line for each row.
+void writeBlock(std::ostream& out, const std::string& name, const std::vector<const Row*>& rows, const Axis& axis) {
+    out << "# " << name << '\n';
+    for (const Row* const row : rows) {
+        if (axis.isDrawn(*row)) {
+            out << roundedText(1e3 * row->cost, 6) << ' ' << roundedText(axis.place(*row), 6) << '\n';
+        }
+    }
+    out << "\n\n";
+}
+
+void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, const std::vector<std::string>& names) {
+    // In gnuplot a quote within a quoted text is doubled.
+    std::string title;
+    for (const char c : subject.scene.name) {
+        title += c == '\'' ? std::string("''") : std::string(1, c);
+    }
+    constexpr std::array<const char*, 6> kStyles{
+        "with steps lc rgb '#d62728' lw 1.5",          "with points lc rgb '#d62728' pt 7 ps 1.1",
+        "with points lc rgb '#9467bd' pt 5 ps 1.1",    "with points lc rgb '#1f77b4' pt 9 ps 1.3",
+        "with points lc rgb '#000000' pt 4 ps 2 lw 2", "with points lc rgb '#2ca02c' pt 6 ps 3 lw 3"};
+    out << bench::kPlotStyle << "set logscale xy\nset format y '10^{%T}'\nset key outside right top vertical\n"
+        << "set title '" << title << ": what accuracy costs' noenhanced\n"
+        << "set xlabel 'processor time, ms per simulated second'\nset ylabel '" << axis.label()
+        << "'\nset grid\nset yrange [" << roundedText(0.7 * axis.floor(), 6) << ":]\n"
+        << "do for [terminal in \"png svg\"] {\n"
+        << "    if (terminal eq 'png') { set terminal pngcairo size 1100,600 font 'sans,12'; set output 'tune.png' }\n"
+        << "    if (terminal eq 'svg') { set terminal svg size 1100,600 font 'sans,12'; set output 'tune.svg' }\n"
+        << "    plot ";
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        out << (i == 0 ? "" : ", \\\n        ") << "'tune.dat' index " << i << ' ' << kStyles[i] << " title '"
+            << names[i] << '\'';
+    }
+    if (axis.limit() > 0) {
+        out << ", \\\n        " << roundedText(axis.limit(), 6) << " with lines lc rgb '#444444' dt 2 title 'accepted'";
+    }
+    out << "\n}\n";
+}
+
+}  // namespace
+
+std::string plotRows(const std::string& directory, const Subject& subject, const std::vector<Limit>& limits,
+                     const Knowledge& known, const Verdict& verdict, std::string& error) {
+    const Axis axis(limits, known);
+    const std::vector<std::string> names{"front", "f32", "f64", "Box2D 2.4.1", "as the scene is now", "recommended"};
+    std::vector<std::vector<const Row*>> blocks(names.size());
+    for (const std::size_t i : verdict.front) {
+        blocks[0].push_back(&known.rows[i]);
+    }
+    const Config own = ownConfig(subject.scene);
+    for (const Row& row : known.rows) {
+        const std::size_t engine = row.config.engine == Engine::f32 ? 1 : (row.config.engine == Engine::f64 ? 2 : 3);
+        blocks[engine].push_back(&row);
+        if (row.config == own) {
+            blocks[4].push_back(&row);
+        }
+    }
+    if (verdict.recommended >= 0) {
+        blocks[5].push_back(&known.rows[static_cast<std::size_t>(verdict.recommended)]);
+    }
+    const auto data = [&](std::ostream& out) {
+        out << "# a block each: ms of processor time per simulated second, error\n";
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            writeBlock(out, names[i], blocks[i], axis);
+        }
+    };
+    const auto script = [&](std::ostream& out) { writeScript(out, subject, axis, names); };
+    return bench::drawPlots(directory, {{"tune", data, script}}, error);
+}
+
+}  // namespace swept::tune

@@ -1,0 +1,108 @@
+#include "run_config.h"
+
+#include <algorithm>
+
+#include "../bench/stopwatch.h"
+#include "../measures/measure_run.h"
+#include "../reference/box2d_runner.h"
+
+namespace swept::tune {
+namespace {
+
+/// Runs that are timed, of which the fastest counts: an interruption only makes one slower.
+constexpr int kTimedRuns = 3;
+/// Seconds after which no further run is timed.
+constexpr double kTimedSeconds = 4;
+
+std::unique_ptr<Runner> makeRunnerOf(const Subject& subject, const Config& config, bool measure, std::string& error) {
+    const SceneDescription scene = withConfig(subject.scene, config);
+    if (config.engine == Engine::box2d) {
+        return makeBox2dRunner(scene, error, iterationsOf(config.subSteps));
+    }
+    RunnerOptions options;
+    options.precision = config.engine == Engine::f64 ? Precision::f64 : Precision::f32;
+    options.measure = measure;
+    return makeRunner(scene, options, error);
+}
+
+/// Processor time of all steps, s.
+double timeOf(Runner& runner, std::int64_t steps) {
+    const bench::Stopwatch watch;
+    for (std::int64_t i = 0; i < steps; ++i) {
+        runner.step();
+    }
+    return watch.seconds();
+}
+
+/// Of runs that measure nothing else.
+double secondsOf(const Subject& subject, const Config& config) {
+    const std::int64_t steps = paceOf(subject.scene, config, subject.ticks).steps();
+    double best = 0;
+    double spent = 0;
+    for (int i = 0; i < kTimedRuns && spent < kTimedSeconds; ++i) {
+        std::string error;
+        const auto runner = makeRunnerOf(subject, config, false, error);
+        if (!runner) {
+            return 0;
+        }
+        const double seconds = timeOf(*runner, steps);
+        best = i == 0 ? seconds : std::min(best, seconds);
+        spent += seconds;
+    }
+    return best;
+}
+
+/// A child measures outside its steps, so that its one run tells its cost as well.
+double secondsOfChild(const Runner& runner) {
+    const auto* const child = dynamic_cast<const Box2dRunner*>(&runner);
+    return child != nullptr ? child->stepSeconds() : 0;
+}
+
+double counted(const RunReport& report, const char* name) {
+    for (const NamedNumber& counter : report.counters) {
+        if (counter.name == name) {
+            return counter.value;
+        }
+    }
+    return 0;
+}
+
+/// Nanoseconds, roughly, as `swept_bench_kernels` has them for one of each: good enough to tell a cheaper setting from
+/// a dearer one, and the same on every machine.
+double workOf(const RunReport& report, const Config& config, double duration) {
+    constexpr double kPass = 10;
+    constexpr double kManifold = 80;
+    constexpr double kToi = 400;
+    constexpr double kBody = 60;
+    constexpr double kBoxTest = 2;
+    const double passes = static_cast<double>(config.subSteps) * (2 + config.relaxPasses);
+    const double total = kPass * counted(report, "constraints") * passes + kManifold * counted(report, "manifolds") +
+                         kToi * counted(report, "toiCalls") + kBody * counted(report, "awakeBodies") +
+                         kBoxTest * counted(report, "boxTests");
+    return 1e-9 * total / duration;
+}
+
+}  // namespace
+
+Row runConfig(const Subject& subject, const Config& config, const measures::Reference& reference) {
+    Row row;
+    row.config = config;
+    std::string refusal;
+    const auto runner = makeRunnerOf(subject, config, true, refusal);
+    if (!runner) {
+        row.verdict = "refused";
+        return row;
+    }
+    const measures::Recording recording = measures::record(*runner, paceOf(subject.scene, config, subject.ticks));
+    row.verdict = recording.verdict;
+    if (!recording.isComplete()) {
+        return row;
+    }
+    row.errors = measures::measured(subject.scene, recording, reference);
+    row.work = workOf(recording.report, config, recording.duration());
+    const double seconds = config.engine == Engine::box2d ? secondsOfChild(*runner) : secondsOf(subject, config);
+    row.cost = seconds / recording.duration();
+    return row;
+}
+
+}  // namespace swept::tune

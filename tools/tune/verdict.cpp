@@ -1,0 +1,163 @@
+#include "verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ostream>
+
+#include <swept/samples/scene_names.h>
+
+#include "../bench/text_table.h"
+#include "../number_text.h"
+
+namespace swept::tune {
+namespace {
+
+bool isOurs(const Row& row) { return row.config.engine != Engine::box2d; }
+
+template <class Number>
+std::string plural(Number count, const std::string& one) {
+    return std::to_string(count) + ' ' + one + (count == 1 ? "" : (one.ends_with("pass") ? "es" : "s"));
+}
+
+std::string hertz(const Subject& subject, const Config& config) {
+    return roundedText(1 / std::ldexp(subject.scene.settings.dt, config.dtPower), 4) + " Hz";
+}
+
+std::string errorText(double value) { return std::isnan(value) ? "-" : roundedText(value, 2); }
+
+std::vector<std::string> cellsOf(const Subject& subject, const std::vector<Limit>& limits, const Row& row, double part,
+                                 char mark) {
+    const Config& config = row.config;
+    const bool isBox2d = !isOurs(row);
+    std::vector<std::string> cells{std::string(1, mark) + ' ' + nameOf(config.engine), hertz(subject, config),
+                                   std::to_string(config.subSteps), isBox2d ? "-" : std::to_string(config.relaxPasses)};
+    const auto mode = namesOf<SceneContinuous>()[static_cast<std::size_t>(config.continuous)];
+    cells.emplace_back(isBox2d ? "-" : mode);
+    cells.push_back(config.toiTolerance ? roundedText(*config.toiTolerance, 2) : "-");
+    const auto kind = namesOf<SceneBroadphase>()[static_cast<std::size_t>(config.broadphase)];
+    cells.emplace_back(isBox2d ? "-" : kind);
+    cells.push_back(row.verdict.empty() ? bench::threeDigits(1e3 * row.cost) : "-");
+    for (const Limit& limit : limits) {
+        cells.push_back(row.verdict.empty() ? errorText(row.errors[limit.measure]) : row.verdict);
+    }
+    cells.push_back(std::isinf(part) ? "-" : roundedText(100 * part, 3) + " %");
+    return cells;
+}
+
+/// Settings that differ from what the scene has.
+int changesOf(const Config& config, const Config& own) {
+    int changes = config.engine == own.engine ? 0 : 1;
+    changes += config.dtPower == own.dtPower ? 0 : 1;
+    changes += config.subSteps == own.subSteps ? 0 : 1;
+    changes += config.relaxPasses == own.relaxPasses ? 0 : 1;
+    changes += config.continuous == own.continuous ? 0 : 1;
+    changes += config.toiTolerance == own.toiTolerance ? 0 : 1;
+    return changes + (config.broadphase == own.broadphase ? 0 : 1);
+}
+
+/// Of two rows that cost the same, the one with fewer changes to the scene, or with less work, is to be preferred.
+bool isPlainer(const Row& a, const Row& b, const Config& own) {
+    const int changesA = changesOf(a.config, own);
+    const int changesB = changesOf(b.config, own);
+    return changesA != changesB ? changesA < changesB : a.work < b.work;
+}
+
+/// Rows of Box2D that no cheaper one of its own beats.
+bool isOnOwnFront(const Knowledge& known, const std::vector<Limit>& limits, const Row& row) {
+    const double part = strain(row, limits, known.uncertainty);
+    return std::none_of(known.rows.begin(), known.rows.end(), [&](const Row& other) {
+        return other.config.engine == row.config.engine && other.verdict.empty() && other.cost < row.cost &&
+               strain(other, limits, known.uncertainty) <= part;
+    });
+}
+
+}  // namespace
+
+Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<Limit>& limits) {
+    const Config own = ownConfig(subject.scene);
+    const auto strainOf = [&](std::size_t i) { return strain(known.rows[i], limits, known.uncertainty); };
+    Verdict verdict;
+    verdict.order.resize(known.rows.size());
+    std::iota(verdict.order.begin(), verdict.order.end(), std::size_t{0});
+    const auto cheaper = [&](std::size_t a, std::size_t b) {
+        const Row& rowA = known.rows[a];
+        const Row& rowB = known.rows[b];
+        if (rowA.verdict.empty() != rowB.verdict.empty()) {
+            return rowA.verdict.empty();
+        }
+        return rowA.cost < rowB.cost;
+    };
+    std::stable_sort(verdict.order.begin(), verdict.order.end(), cheaper);
+    double least = std::numeric_limits<double>::infinity();
+    double cheapest = 0;
+    for (const std::size_t i : verdict.order) {
+        const Row& row = known.rows[i];
+        const double part = strainOf(i);
+        if (!isOurs(row) || std::isinf(part)) {
+            continue;
+        }
+        if (part < least) {
+            least = part;
+            verdict.front.push_back(i);
+            if (!holds(part) || verdict.nearest < 0 || !holds(strainOf(static_cast<std::size_t>(verdict.nearest)))) {
+                verdict.nearest = static_cast<int>(i);
+            }
+        }
+        if (!holds(part)) {
+            continue;
+        }
+        if (verdict.recommended < 0) {
+            verdict.recommended = static_cast<int>(i);
+            cheapest = row.cost;
+        } else if (row.cost <= kCostNoise * cheapest &&
+                   isPlainer(row, known.rows[static_cast<std::size_t>(verdict.recommended)], own)) {
+            verdict.recommended = static_cast<int>(i);
+        }
+    }
+    return verdict;
+}
+
+void writeTable(std::ostream& out, const Subject& subject, const std::vector<Limit>& limits, const Knowledge& known,
+                const Verdict& verdict) {
+    std::vector<std::string> head{"  engine",   "step",         "sub-steps",  "passes",
+                                  "continuous", "tolerance, m", "broadphase", "ms per s"};
+    for (const Limit& limit : limits) {
+        const measures::MeasureInfo& info = measures::infoOf(limit.measure);
+        head.push_back(std::string(info.name) + (std::string(info.unit) == "1" ? "" : std::string(", ") + info.unit));
+    }
+    head.emplace_back("of what is accepted");
+    bench::TextTable table(head);
+    const Config own = ownConfig(subject.scene);
+    for (const std::size_t i : verdict.order) {
+        const Row& row = known.rows[i];
+        const bool isRecommended = static_cast<int>(i) == verdict.recommended;
+        const bool isOwn = row.config == own;
+        const bool isOnFront = std::find(verdict.front.begin(), verdict.front.end(), i) != verdict.front.end();
+        if (isRecommended || isOwn || isOnFront || (!isOurs(row) && isOnOwnFront(known, limits, row))) {
+            const char mark = isRecommended ? '>' : (isOwn ? '=' : (isOnFront ? '*' : ' '));
+            table.add(cellsOf(subject, limits, row, strain(row, limits, known.uncertainty), mark));
+        }
+    }
+    table.write(out);
+    out << "> recommended  = as the scene is now  * on the front: nothing of ours is both cheaper and nearer\n"
+        << "ms per s: processor time of the steps of a simulated second; of Box2D, sub-steps are velocity iterations\n";
+}
+
+std::string settingsText(const Subject& subject, const Config& config) {
+    std::string text = std::string(nameOf(config.engine)) + ", " + hertz(subject, config) + ", ";
+    if (config.engine == Engine::box2d) {
+        return text + plural(config.subSteps, "velocity iteration");
+    }
+    text += plural(config.subSteps, "sub-step") + " with " + plural(config.relaxPasses, "relaxation pass");
+    text += ", continuous ";
+    text += namesOf<SceneContinuous>()[static_cast<std::size_t>(config.continuous)];
+    if (config.toiTolerance) {
+        text += ", tolerance " + roundedText(*config.toiTolerance, 2) + " m";
+    }
+    text += ", broadphase ";
+    text += namesOf<SceneBroadphase>()[static_cast<std::size_t>(config.broadphase)];
+    return text;
+}
+
+}  // namespace swept::tune

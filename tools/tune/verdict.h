@@ -1,0 +1,33 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "limits.h"
+#include "row.h"
+
+namespace swept::tune {
+
+/// What follows from the rows: a pure function of them, so that the same rows, whoever ran them, give the same advice.
+struct Verdict {
+    std::vector<std::size_t> order;  ///< rows from the cheapest on, failed ones last
+    std::vector<std::size_t> front;  ///< of our rows those that no other one of ours beats in cost and in error
+    int recommended = -1;            ///< row; −1 when none keeps the limits
+    int nearest = -1;                ///< row of ours that comes nearest to it
+};
+
+/// Costs within this factor count as equal, and the settings nearest to those of the scene win: a clock does not tell
+/// more.
+inline constexpr double kCostNoise = 1.05;
+
+Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<Limit>& limits);
+
+/// The front, the recommended row (>), what the scene has now (=) and Box2D, one line each.
+void writeTable(std::ostream& out, const Subject& subject, const std::vector<Limit>& limits, const Knowledge& known,
+                const Verdict& verdict);
+
+/// "f32, 120 Hz, 4 sub-steps with 1 relaxation pass, continuous off".
+std::string settingsText(const Subject& subject, const Config& config);
+
+}  // namespace swept::tune
