@@ -1,15 +1,15 @@
-#include "command_bench_accuracy.h"
+#include "bench_accuracy.h"
 
 #include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
 
-#include "accuracy/accuracy_bench.h"
-#include "accuracy/accuracy_table.h"
-#include "bench/machine.h"
+#include "../accuracy/accuracy_bench.h"
+#include "../accuracy/accuracy_table.h"
+#include "../bench/machine.h"
+#include "../output_files.h"
 #include "commands.h"
-#include "output_files.h"
 #include "progress.h"
 
 namespace swept {
@@ -28,8 +28,8 @@ struct Effort {
     double hertz;
     int subSteps;
 };
-constexpr std::array<Effort, 10> kEfforts{{{30, 8}, {30, 16}, {30, 32}, {60, 4}, {60, 8},
-                                           {60, 16}, {60, 32}, {60, 64}, {120, 16}, {240, 16}}};
+constexpr std::array<Effort, 10> kEfforts{
+    {{30, 8}, {30, 16}, {30, 32}, {60, 4}, {60, 8}, {60, 16}, {60, 32}, {60, 64}, {120, 16}, {240, 16}}};
 
 bool isWanted(const accuracy::Case& c, const AccuracyArguments& arguments) {
     if (arguments.scenes.empty()) {
@@ -83,8 +83,7 @@ int measureAccuracy(const AccuracyArguments& arguments) {
     if (!files.open(error)) {
         return refuse(error);
     }
-    std::cout << bench::machineText()
-              << "\nbench accuracy: g = 10 m/s^2, 60 Hz unless said, no sleep, density 1\n"
+    std::cout << bench::machineText() << "\nbench accuracy: g = 10 m/s^2, 60 Hz unless said, no sleep, density 1\n"
               << std::flush;
     const std::vector<accuracy::Row> rows = measureAll(casesOf(arguments), arguments.trade);
     if (arguments.trade) {
@@ -121,20 +120,19 @@ std::vector<std::string> knownNames() {
 
 }  // namespace
 
-void addBenchAccuracy(CLI::App& bench, int& exitCode) {
-    CLI::App* const command =
-        bench.add_subcommand("accuracy", "Scenes whose outcome is known: how far each engine is from it");
+void addBenchAccuracy(Command bench) {
+    const Command command = bench.command("accuracy", "Scenes whose outcome is known: how far each engine is from it");
     const auto arguments = std::make_shared<AccuracyArguments>();
-    command->add_option("--scenes", arguments->scenes, "Only these scenes or groups, separated by commas")
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->check(CLI::IsMember(knownNames()));
-    command->add_flag("--long", arguments->isLong, "Also the scenes that take minutes (stacks of 200 to 1000)");
-    command->add_flag("--trade", arguments->trade, "Error against cost, over steps and sub-steps, for seven scenes");
-    command->add_option("--csv", arguments->csv, "Write a record for each number")->type_name("FILE");
-    command->add_option("--plots", arguments->plots, "Draw error against cost (with --trade), if gnuplot is there")
-        ->type_name("DIR");
-    command->callback([arguments, &exitCode] { exitCode = measureAccuracy(*arguments); });
+    command.option("--scenes", arguments->scenes, "Only these scenes or groups, separated by commas")
+        .type("NAME,...")
+        .separatedBy(',')
+        .oneOf(knownNames());
+    command.flag("--long", arguments->isLong, "Also the scenes that take minutes (stacks of 200 to 1000)");
+    command.flag("--trade", arguments->trade, "Error against cost, over steps and sub-steps, for seven scenes");
+    command.option("--csv", arguments->csv, "Write a record for each number").type("FILE");
+    command.option("--plots", arguments->plots, "Draw error against cost (with --trade), if gnuplot is there")
+        .type("DIR");
+    command.runs([arguments] { return measureAccuracy(*arguments); });
 }
 
 }  // namespace swept

@@ -10,14 +10,14 @@
 #include <swept/samples/image_png.h>
 #include <swept/samples/scene_renderer.h>
 
+#include "../csv_writer.h"
+#include "../deviation.h"
+#include "../number_text.h"
+#include "../output_files.h"
+#include "../reference/box2d_runner.h"
 #include "commands.h"
-#include "csv_writer.h"
-#include "deviation.h"
-#include "number_text.h"
-#include "output_files.h"
 #include "picture_output.h"
 #include "progress.h"
-#include "reference/box2d_runner.h"
 #include "scene_source.h"
 
 namespace swept {
@@ -243,21 +243,20 @@ int compareScene(const CompareArguments& arguments) {
 
 }  // namespace
 
-void addCompareCommand(CLI::App& app, int& exitCode) {
-    CLI::App* const command =
-        app.add_subcommand("compare", "Run a scene here and in Box2D 2.4.1, and tell how far they drift apart");
+void addCompareCommand(Command app) {
+    const Command command =
+        app.command("compare", "Run a scene here and in Box2D 2.4.1, and tell how far they drift apart");
     const auto arguments = std::make_shared<CompareArguments>();
-    addSceneArguments(*command, arguments->scene);
-    command->add_option("--png", arguments->png, "Picture of the last step, one engine over the other")
-        ->type_name("FILE");
-    command->add_option("--size", arguments->size, "Size of the picture in pixels [1280x720]")->type_name("WxH");
-    command->add_option("--csv", arguments->csv, "State and deviation of every dynamic body after every step")
-        ->type_name("FILE");
+    addSceneArguments(command, arguments->scene);
+    addPrecisionArgument(command, arguments->scene);
+    command.option("--png", arguments->png, "Picture of the last step, one engine over the other").type("FILE");
+    command.option("--size", arguments->size, "Size of the picture in pixels [1280x720]").type("WxH");
+    command.option("--csv", arguments->csv, "State and deviation of every dynamic body after every step").type("FILE");
     command
-        ->add_option("--scale", arguments->scale,
-                     "Deviation whose first step is reported [a tenth of the smallest dynamic body]")
-        ->type_name("METRES");
-    command->callback([arguments, &exitCode] { exitCode = compareScene(*arguments); });
+        .option("--scale", arguments->scale,
+                "Deviation whose first step is reported [a tenth of the smallest dynamic body]")
+        .type("METRES");
+    command.runs([arguments] { return compareScene(*arguments); });
 }
 
 }  // namespace swept

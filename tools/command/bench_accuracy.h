@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "options.h"
 
 namespace swept {
 
 /// `swept bench accuracy`.
-void addBenchAccuracy(CLI::App& bench, int& exitCode);
+void addBenchAccuracy(Command bench);
 
 }  // namespace swept

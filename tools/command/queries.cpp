@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "../query_lines.h"
+#include "../toi_families.h"
 #include "anatomy_output.h"
 #include "commands.h"
-#include "query_lines.h"
-#include "toi_families.h"
 
 namespace swept {
 namespace {
@@ -84,7 +84,9 @@ int drawFirst(const QueryArguments& arguments) {
 
 std::string methodNames() {
     std::string names;
-    for (const ToiMethodInfo& info : kToiMethods) { names += (names.empty() ? "" : ", ") + std::string(info.name); }
+    for (const ToiMethodInfo& info : kToiMethods) {
+        names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
     return names;
 }
 
@@ -145,56 +147,55 @@ int generateToi(const GenerateArguments& arguments) {
 }
 
 /// Options that print queries instead of answering them. @return the one that asks for it
-CLI::Option* addGenerateOptions(CLI::App& toi, GenerateArguments& arguments) {
-    CLI::Option* const generate =
-        toi.add_option("--generate", arguments.family, "Print queries of a family: " + familyNames())
-            ->type_name("FAMILY");
-    toi.add_option("--count", arguments.count, "How many [100]")
-        ->type_name("N")
-        ->check(CLI::Range(1, std::numeric_limits<int>::max()))
-        ->needs(generate);
-    toi.add_option("--seed", arguments.seed, "The same seed gives the same queries [1]")
-        ->type_name("S")
-        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
-        ->needs(generate);
+Option addGenerateOptions(Command toi, GenerateArguments& arguments) {
+    const Option generate =
+        toi.option("--generate", arguments.family, "Print queries of a family: " + familyNames()).type("FAMILY");
+    toi.option("--count", arguments.count, "How many [100]")
+        .type("N")
+        .within(1, std::numeric_limits<int>::max())
+        .needs(generate);
+    toi.option("--seed", arguments.seed, "The same seed gives the same queries [1]")
+        .type("S")
+        .within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max())
+        .needs(generate);
     return generate;
 }
 
-void addFileOption(CLI::App& command, QueryArguments& arguments) {
-    command.add_option("file", arguments.file, "Queries, one JSON object a line; standard input if left out")
-        ->type_name("FILE");
+Option addFileOption(Command command, QueryArguments& arguments) {
+    return command.option("file", arguments.file, "Queries, one JSON object a line; standard input if left out")
+        .type("FILE");
 }
 
 }  // namespace
 
-void addQueryCommands(CLI::App& app, int& exitCode) {
-    CLI::App* const toi = app.add_subcommand("toi", "Answer time-of-impact queries, one JSON line each");
+void addQueryCommands(Command app) {
+    const Command toi = app.command("toi", "Answer time-of-impact queries, one JSON line each");
     const auto toiArguments = std::make_shared<QueryArguments>();
-    addFileOption(*toi, *toiArguments);
-    toi->add_option("--method", toiArguments->method, methodHelp())->type_name("NAME");
-    toi->add_option("--precision", toiArguments->precision, "f32 or f64; the time of impact is in double in both [f64]")
-        ->type_name("P");
-    toi->add_option("--anatomy", toiArguments->anatomy,
-                    "Answer the first query only, and draw how the default method finds the answer")
-        ->type_name("FILE.png")
-        ->excludes(toi->get_option("--method"));
+    const Option file = addFileOption(toi, *toiArguments);
+    const Option method = toi.option("--method", toiArguments->method, methodHelp()).type("NAME");
+    const Option precision =
+        toi.option("--precision", toiArguments->precision, "f32 or f64; the time of impact is in double in both [f64]")
+            .type("P");
+    const Option anatomy = toi.option("--anatomy", toiArguments->anatomy,
+                                      "Answer the first query only, and draw how the default method finds the answer")
+                               .type("FILE.png")
+                               .excludes(method);
     const auto generateArguments = std::make_shared<GenerateArguments>();
-    CLI::Option* const generate = addGenerateOptions(*toi, *generateArguments);
-    for (const char* const answering : {"file", "--method", "--precision", "--anatomy"}) {
-        generate->excludes(toi->get_option(answering));
+    const Option generate = addGenerateOptions(toi, *generateArguments);
+    for (const Option& answering : {file, method, precision, anatomy}) {
+        generate.excludes(answering);
     }
-    toi->callback([toiArguments, generateArguments, generate, &exitCode] {
-        exitCode = generate->count() > 0 ? generateToi(*generateArguments) : answerToi(*toiArguments);
+    toi.runs([toiArguments, generateArguments, generate] {
+        return generate.isGiven() ? generateToi(*generateArguments) : answerToi(*toiArguments);
     });
 
-    CLI::App* const distance = app.add_subcommand("distance", "Answer distance queries (poses at fraction 0)");
+    const Command distance = app.command("distance", "Answer distance queries (poses at fraction 0)");
     const auto distanceArguments = std::make_shared<QueryArguments>();
     distanceArguments->method = "gjk";
-    addFileOption(*distance, *distanceArguments);
-    distance->add_option("--method", distanceArguments->method, "gjk [gjk]")->type_name("NAME");
-    distance->add_option("--precision", distanceArguments->precision, "Build of the distance function [f64]")
-        ->type_name("P");
-    distance->callback([distanceArguments, &exitCode] { exitCode = answerDistance(*distanceArguments); });
+    addFileOption(distance, *distanceArguments);
+    distance.option("--method", distanceArguments->method, "gjk [gjk]").type("NAME");
+    distance.option("--precision", distanceArguments->precision, "Build of the distance function [f64]").type("P");
+    distance.runs([distanceArguments] { return answerDistance(*distanceArguments); });
 }
 
 }  // namespace swept

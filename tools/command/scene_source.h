@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,6 +7,8 @@
 
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_description.h>
+
+#include "options.h"
 
 namespace swept {
 
@@ -20,7 +21,9 @@ struct SceneArguments {
     std::string precision = "f32";
 };
 
-void addSceneArguments(CLI::App& command, SceneArguments& arguments);
+void addSceneArguments(Command command, SceneArguments& arguments);
+/// For the commands that run one build.
+void addPrecisionArgument(Command command, SceneArguments& arguments);
 
 struct LoadedScene {
     SceneDescription scene;

@@ -4,15 +4,15 @@
 #include <optional>
 #include <string>
 
+#include "../csv_writer.h"
+#include "../event_writer.h"
+#include "../finite_state.h"
+#include "../number_text.h"
+#include "../output_files.h"
+#include "../report_writer.h"
 #include "commands.h"
-#include "csv_writer.h"
-#include "event_writer.h"
-#include "finite_state.h"
-#include "number_text.h"
-#include "output_files.h"
 #include "picture_output.h"
 #include "progress.h"
-#include "report_writer.h"
 #include "scene_source.h"
 
 namespace swept {
@@ -88,17 +88,17 @@ private:
     Frame frame_;
 };
 
-void addRunOptions(CLI::App& command, RunArguments& arguments) {
+void addRunOptions(Command command, RunArguments& arguments) {
     addSceneArguments(command, arguments.scene);
+    addPrecisionArgument(command, arguments.scene);
     addPictureArguments(command, arguments.pictures);
-    command.add_option("--csv", arguments.csv, "State of every body after every step")->type_name("FILE");
-    command.add_option("--events", arguments.events, "Contact, sensor and joint events as JSON lines")
-        ->type_name("FILE");
-    command.add_option("--report", arguments.report, "Totals of the run as JSON")->type_name("FILE");
+    command.option("--csv", arguments.csv, "State of every body after every step").type("FILE");
+    command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines").type("FILE");
+    command.option("--report", arguments.report, "Totals of the run as JSON").type("FILE");
     command
-        .add_option("--threads", arguments.threads,
-                    "Threads that the step may use; never changes the results, and this version uses one [1]")
-        ->type_name("N");
+        .option("--threads", arguments.threads,
+                "Threads that the step may use; never changes the results, and this version uses one [1]")
+        .type("N");
 }
 
 OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
@@ -207,11 +207,11 @@ int runScene(const RunArguments& arguments) {
 
 }  // namespace
 
-void addRunCommand(CLI::App& app, int& exitCode) {
-    CLI::App* const command = app.add_subcommand("run", "Run a scene: pictures, states, events, a report");
+void addRunCommand(Command app) {
+    const Command command = app.command("run", "Run a scene: pictures, states, events, a report");
     const auto arguments = std::make_shared<RunArguments>();
-    addRunOptions(*command, *arguments);
-    command->callback([arguments, &exitCode] { exitCode = runScene(*arguments); });
+    addRunOptions(command, *arguments);
+    command.runs([arguments] { return runScene(*arguments); });
 }
 
 }  // namespace swept

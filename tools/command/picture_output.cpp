@@ -149,8 +149,8 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
         return "--sheet: needs --png DIR, into which it writes sheet.png";
     }
     const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
-    if (!draws && (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts ||
-                   arguments.sweeps)) {
+    if (!draws &&
+        (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts || arguments.sweeps)) {
         return "--trails, --contacts, --velocities, --ghosts and --sweeps need --png or --webp";
     }
     if (!arguments.webp.empty() && duration * 1000 > std::numeric_limits<int>::max() / 2.0) {
@@ -161,20 +161,19 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
 
 }  // namespace
 
-void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
-    command.add_option("--png", arguments.directory, "Directory for pictures, frame_<step>.png")->type_name("DIR");
-    command.add_option("--every", arguments.every, "Steps from one picture to the next [1]")->type_name("N");
-    command.add_option("--size", arguments.size, "Size of the pictures in pixels [1280x720]")->type_name("WxH");
-    command.add_option("--webp", arguments.webp, "Animation of the pictures, in real time")->type_name("FILE");
-    command
-        .add_option("--sheet", arguments.sheet, "N moments of the run in one picture, sheet.png in the --png directory")
-        ->type_name("N");
-    command.add_flag("--trails", arguments.trails, "Draw where the bodies have been");
-    command.add_flag("--contacts", arguments.contacts, "Draw contact points and normals");
-    command.add_flag("--velocities", arguments.velocities, "Draw velocity vectors");
-    command.add_flag("--sweeps", arguments.sweeps,
-                     "Draw the last step: what moved, its impacts and their normals, lost time, what it cost");
-    command.add_flag("--ghosts", arguments.ghosts, "Draw the bodies where they met something within the step");
+void addPictureArguments(Command command, PictureArguments& arguments) {
+    command.option("--png", arguments.directory, "Directory for pictures, frame_<step>.png").type("DIR");
+    command.option("--every", arguments.every, "Steps from one picture to the next [1]").type("N");
+    command.option("--size", arguments.size, "Size of the pictures in pixels [1280x720]").type("WxH");
+    command.option("--webp", arguments.webp, "Animation of the pictures, in real time").type("FILE");
+    command.option("--sheet", arguments.sheet, "N moments of the run in one picture, sheet.png in the --png directory")
+        .type("N");
+    command.flag("--trails", arguments.trails, "Draw where the bodies have been");
+    command.flag("--contacts", arguments.contacts, "Draw contact points and normals");
+    command.flag("--velocities", arguments.velocities, "Draw velocity vectors");
+    command.flag("--sweeps", arguments.sweeps,
+                 "Draw the last step: what moved, its impacts and their normals, lost time, what it cost");
+    command.flag("--ghosts", arguments.ghosts, "Draw the bodies where they met something within the step");
 }
 
 bool parseSize(const std::string& text, PictureSize& size, std::string& error) {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "../inspect/inspect_scene.h"
+#include "../output_files.h"
 #include "commands.h"
-#include "inspect/inspect_scene.h"
-#include "output_files.h"
 #include "scene_source.h"
 
 namespace swept {
@@ -103,14 +103,15 @@ int inspect(const InspectArguments& arguments) {
 
 }  // namespace
 
-void addInspectCommand(CLI::App& app, int& exitCode) {
-    CLI::App* const command =
-        app.add_subcommand("inspect", "The scene doctor: what may go wrong, and what the scene needs, before it runs");
+void addInspectCommand(Command app) {
+    const Command command =
+        app.command("inspect", "The scene doctor: what may go wrong, and what the scene needs, before it runs");
     const auto arguments = std::make_shared<InspectArguments>();
-    addSceneArguments(*command, arguments->scene);
-    command->add_option("--json", arguments->json, "All findings and needs as JSON")->type_name("FILE");
-    command->add_flag("--strict", arguments->strict, "Exit code 1 when there is a warning");
-    command->callback([arguments, &exitCode] { exitCode = inspect(*arguments); });
+    addSceneArguments(command, arguments->scene);
+    addPrecisionArgument(command, arguments->scene);
+    command.option("--json", arguments->json, "All findings and needs as JSON").type("FILE");
+    command.flag("--strict", arguments->strict, "Exit code 1 when there is a warning");
+    command.runs([arguments] { return inspect(*arguments); });
 }
 
 }  // namespace swept

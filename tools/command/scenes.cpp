@@ -6,8 +6,8 @@
 #include <swept/samples/builtin_scenes.h>
 #include <swept/samples/scene_reader.h>
 
+#include "../number_text.h"
 #include "commands.h"
-#include "number_text.h"
 #include "scene_source.h"
 
 namespace swept {
@@ -41,16 +41,17 @@ int printScene(const std::string& name) {
 
 }  // namespace
 
-void addScenesCommand(CLI::App& app, int& exitCode) {
-    CLI::App* const command = app.add_subcommand("scenes", "List the built-in scenes, or print one as a file");
+void addScenesCommand(Command app) {
+    const Command command = app.command("scenes", "List the built-in scenes, or print one as a file");
     const auto name = std::make_shared<std::string>();
-    command->add_option("--json", *name, "Print this scene as JSON, to start a scene file from")->type_name("NAME");
-    command->callback([name, command, &exitCode] {
-        if (command->count("--json") > 0) {
-            exitCode = printScene(*name);
-        } else {
-            listScenes();
+    const Option json =
+        command.option("--json", *name, "Print this scene as JSON, to start a scene file from").type("NAME");
+    command.runs([name, json] {
+        if (json.isGiven()) {
+            return printScene(*name);
         }
+        listScenes();
+        return kExitDone;
     });
 }
 

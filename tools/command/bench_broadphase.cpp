@@ -1,20 +1,20 @@
-#include "command_bench_broadphase.h"
+#include "bench_broadphase.h"
 
 #include <algorithm>
 #include <iostream>
 #include <limits>
 #include <memory>
 
-#include "bench/broadphase_bench.h"
-#include "bench/broadphase_bench_plots.h"
-#include "bench/broadphase_bench_table.h"
-#include "bench/broadphase_margin.h"
-#include "bench/broadphase_peer_scenes.h"
-#include "bench/broadphase_roofline.h"
-#include "bench/machine.h"
-#include "bench/overlap_bench.h"
+#include "../bench/broadphase_bench.h"
+#include "../bench/broadphase_bench_plots.h"
+#include "../bench/broadphase_bench_table.h"
+#include "../bench/broadphase_margin.h"
+#include "../bench/broadphase_peer_scenes.h"
+#include "../bench/broadphase_roofline.h"
+#include "../bench/machine.h"
+#include "../bench/overlap_bench.h"
+#include "../output_files.h"
 #include "commands.h"
-#include "output_files.h"
 #include "progress.h"
 
 namespace swept {
@@ -44,16 +44,24 @@ struct BroadphaseResults {
 
 /// Powers of ten from a hundred on, or just one size.
 std::vector<std::uint32_t> countsOf(const BroadphaseArguments& arguments) {
-    if (arguments.count > 0) { return {arguments.count}; }
+    if (arguments.count > 0) {
+        return {arguments.count};
+    }
     std::vector<std::uint32_t> counts;
-    for (std::uint32_t count = 100; count <= arguments.maxCount; count *= 10) { counts.push_back(count); }
+    for (std::uint32_t count = 100; count <= arguments.maxCount; count *= 10) {
+        counts.push_back(count);
+    }
     return counts;
 }
 
 std::vector<std::string> sceneNames() {
     std::vector<std::string> names;
-    for (const bench::BoxScene scene : bench::kBoxScenes) { names.emplace_back(bench::nameOf(scene)); }
-    for (const bench::PeerScene scene : bench::kPeerScenes) { names.emplace_back(bench::nameOf(scene)); }
+    for (const bench::BoxScene scene : bench::kBoxScenes) {
+        names.emplace_back(bench::nameOf(scene));
+    }
+    for (const bench::PeerScene scene : bench::kPeerScenes) {
+        names.emplace_back(bench::nameOf(scene));
+    }
     names.emplace_back("margins");
     return names;
 }
@@ -66,7 +74,9 @@ BroadphaseResults measureAll(const bench::BroadphaseBenchSettings& settings) {
     const auto update = [&](const std::string&) { progress.update(done++); };
     results.distributions = bench::benchDistributions(settings, update);
     results.peers = bench::benchPeerScenes(settings, update);
-    if (bench::isWanted("margins", settings.scenes)) { results.margins = bench::benchMargins(settings, update); }
+    if (bench::isWanted("margins", settings.scenes)) {
+        results.margins = bench::benchMargins(settings, update);
+    }
     return results;
 }
 
@@ -86,7 +96,9 @@ void writeAll(const BroadphaseResults& results) {
                      [](const auto& row) { return row.method == bench::kDefaultBroadphase; });
         bench::writeRoofline(std::cout, bench::rooflineOf(chosen, limits), limits);
     }
-    if (!results.margins.empty()) { bench::writeMarginTable(std::cout, results.margins); }
+    if (!results.margins.empty()) {
+        bench::writeMarginTable(std::cout, results.margins);
+    }
     std::cout << std::flush;
 }
 
@@ -94,9 +106,13 @@ int measureBroadphase(BroadphaseArguments& arguments) {
     OutputFiles files;
     files.addFile("--csv", arguments.csv);
     files.addFile("--margin-csv", arguments.marginCsv);
-    if (!arguments.plots.empty()) { files.addDirectory("--plots", arguments.plots); }
+    if (!arguments.plots.empty()) {
+        files.addDirectory("--plots", arguments.plots);
+    }
     std::string error;
-    if (!files.open(error)) { return refuse(error); }
+    if (!files.open(error)) {
+        return refuse(error);
+    }
     arguments.settings.counts = countsOf(arguments);
     std::cout << bench::machineText() << "\nbench broadphase: float, one thread, seed " << arguments.settings.seed
               << "; the fastest of several passes in turns, step by step\n"
@@ -108,12 +124,18 @@ int measureBroadphase(BroadphaseArguments& arguments) {
         rows.insert(rows.end(), results.peers.begin(), results.peers.end());
         bench::writeBroadphaseCsv(*csv, rows);
     }
-    if (std::ostream* const csv = files.stream(arguments.marginCsv)) { bench::writeMarginCsv(*csv, results.margins); }
-    if (!files.close(error)) { return refuse(error); }
+    if (std::ostream* const csv = files.stream(arguments.marginCsv)) {
+        bench::writeMarginCsv(*csv, results.margins);
+    }
+    if (!files.close(error)) {
+        return refuse(error);
+    }
     if (!arguments.plots.empty()) {
         const std::string told =
             bench::plotBroadphase(arguments.plots, results.distributions, results.peers, results.margins, error);
-        if (!error.empty()) { return refuse(error); }
+        if (!error.empty()) {
+            return refuse(error);
+        }
         std::cout << told << '\n';
     }
     return kExitDone;
@@ -122,9 +144,13 @@ int measureBroadphase(BroadphaseArguments& arguments) {
 int measureOverlap(const OverlapArguments& arguments) {
     OutputFiles files;
     files.addFile("--csv", arguments.csv);
-    if (!arguments.plots.empty()) { files.addDirectory("--plots", arguments.plots); }
+    if (!arguments.plots.empty()) {
+        files.addDirectory("--plots", arguments.plots);
+    }
     std::string error;
-    if (!files.open(error)) { return refuse(error); }
+    if (!files.open(error)) {
+        return refuse(error);
+    }
     std::cout << bench::machineText() << "\nbench overlap: float, " << arguments.settings.count
               << " pairs a family, seed " << arguments.settings.seed << "; the fastest of several passes in turns\n"
               << std::flush;
@@ -133,70 +159,72 @@ int measureOverlap(const OverlapArguments& arguments) {
     if (std::ostream* const csv = files.stream(arguments.csv)) {
         bench::writeOverlapCsv(*csv, rows, arguments.settings);
     }
-    if (!files.close(error)) { return refuse(error); }
+    if (!files.close(error)) {
+        return refuse(error);
+    }
     if (!arguments.plots.empty()) {
         const std::string told = bench::plotOverlap(arguments.plots, rows, error);
-        if (!error.empty()) { return refuse(error); }
+        if (!error.empty()) {
+            return refuse(error);
+        }
         std::cout << told << '\n';
     }
     return kExitDone;
 }
 
-CLI::Range seeds() { return {std::int64_t{0}, std::numeric_limits<std::int64_t>::max()}; }
+constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
 
-void addBroadphaseOptions(CLI::App& app, BroadphaseArguments& arguments) {
+void addBroadphaseOptions(Command app, BroadphaseArguments& arguments) {
     constexpr std::uint32_t kMost = 1'000'000;
-    CLI::Option* const most =
-        app.add_option("--max-count", arguments.maxCount, "Most proxies of the distributions, in powers of ten [10000]")
-            ->type_name("N")
-            ->check(CLI::Range(100U, kMost));
-    app.add_option("--count", arguments.count, "Instead: so many and no others")
-        ->type_name("N")
-        ->check(CLI::Range(10U, kMost))
-        ->excludes(most);
-    app.add_option("--kinds", arguments.settings.kinds, "Only these implementations, separated by commas")
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->check(CLI::IsMember(bench::broadphaseNames()));
-    app.add_option("--scenes", arguments.settings.scenes, "Only these scenes; `margins` is one too")
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->check(CLI::IsMember(sceneNames()));
-    app.add_option("--seed", arguments.settings.seed, "The same seed gives the same boxes [1]")
-        ->type_name("S")
-        ->check(seeds());
-    app.add_option("--seconds", arguments.settings.secondsPerCase, "For each implementation on each case [0.05]")
-        ->type_name("S")
-        ->check(CLI::Range(0.0, 60.0));
-    app.add_option("--csv", arguments.csv, "Write a record for each implementation, scene and size")->type_name("FILE");
-    app.add_option("--margin-csv", arguments.marginCsv, "Write a record for each margin")->type_name("FILE");
-    app.add_option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
-        ->type_name("DIR");
+    const Option most =
+        app.option("--max-count", arguments.maxCount, "Most proxies of the distributions, in powers of ten [10000]")
+            .type("N")
+            .within(100U, kMost);
+    app.option("--count", arguments.count, "Instead: so many and no others")
+        .type("N")
+        .within(10U, kMost)
+        .excludes(most);
+    app.option("--kinds", arguments.settings.kinds, "Only these implementations, separated by commas")
+        .type("NAME,...")
+        .separatedBy(',')
+        .oneOf(bench::broadphaseNames());
+    app.option("--scenes", arguments.settings.scenes, "Only these scenes; `margins` is one too")
+        .type("NAME,...")
+        .separatedBy(',')
+        .oneOf(sceneNames());
+    app.option("--seed", arguments.settings.seed, "The same seed gives the same boxes [1]")
+        .type("S")
+        .within(std::int64_t{0}, kMostSeed);
+    app.option("--seconds", arguments.settings.secondsPerCase, "For each implementation on each case [0.05]")
+        .type("S")
+        .withinReals(0.0, 60.0);
+    app.option("--csv", arguments.csv, "Write a record for each implementation, scene and size").type("FILE");
+    app.option("--margin-csv", arguments.marginCsv, "Write a record for each margin").type("FILE");
+    app.option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
+        .type("DIR");
 }
 
-void addOverlapOptions(CLI::App& app, OverlapArguments& arguments) {
-    app.add_option("--count", arguments.settings.count, "Pairs a family [2000]")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1'000'000));
-    app.add_option("--seed", arguments.settings.seed, "The same seed gives the same pairs [1]")
-        ->type_name("S")
-        ->check(seeds());
-    app.add_option("--csv", arguments.csv, "Write a record for each volume and family")->type_name("FILE");
-    app.add_option("--plots", arguments.plots, "Write data and gnuplot script, and draw it if gnuplot is there")
-        ->type_name("DIR");
+void addOverlapOptions(Command app, OverlapArguments& arguments) {
+    app.option("--count", arguments.settings.count, "Pairs a family [2000]").type("N").within(1, 1'000'000);
+    app.option("--seed", arguments.settings.seed, "The same seed gives the same pairs [1]")
+        .type("S")
+        .within(std::int64_t{0}, kMostSeed);
+    app.option("--csv", arguments.csv, "Write a record for each volume and family").type("FILE");
+    app.option("--plots", arguments.plots, "Write data and gnuplot script, and draw it if gnuplot is there")
+        .type("DIR");
 }
 
 }  // namespace
 
-void addBenchBroadphase(CLI::App& bench, int& exitCode) {
-    CLI::App* const broadphase = bench.add_subcommand("broadphase", "Every way of finding pairs, on every kind of scene");
+void addBenchBroadphase(Command bench) {
+    const Command broadphase = bench.command("broadphase", "Every way of finding pairs, on every kind of scene");
     const auto arguments = std::make_shared<BroadphaseArguments>();
-    addBroadphaseOptions(*broadphase, *arguments);
-    broadphase->callback([arguments, &exitCode] { exitCode = measureBroadphase(*arguments); });
-    CLI::App* const overlap = bench.add_subcommand("overlap", "Bounding volumes: what they cost, what they let through");
+    addBroadphaseOptions(broadphase, *arguments);
+    broadphase.runs([arguments] { return measureBroadphase(*arguments); });
+    const Command overlap = bench.command("overlap", "Bounding volumes: what they cost, what they let through");
     const auto ladder = std::make_shared<OverlapArguments>();
-    addOverlapOptions(*overlap, *ladder);
-    overlap->callback([ladder, &exitCode] { exitCode = measureOverlap(*ladder); });
+    addOverlapOptions(overlap, *ladder);
+    overlap.runs([ladder] { return measureOverlap(*ladder); });
 }
 
 }  // namespace swept

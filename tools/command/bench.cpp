@@ -4,15 +4,15 @@
 #include <memory>
 #include <string>
 
-#include "bench/machine.h"
-#include "bench/toi_bench.h"
-#include "bench/toi_bench_plots.h"
-#include "bench/toi_bench_table.h"
-#include "bench/toi_certify.h"
-#include "command_bench_accuracy.h"
-#include "command_bench_broadphase.h"
+#include "../bench/machine.h"
+#include "../bench/toi_bench.h"
+#include "../bench/toi_bench_plots.h"
+#include "../bench/toi_bench_table.h"
+#include "../bench/toi_certify.h"
+#include "../output_files.h"
+#include "bench_accuracy.h"
+#include "bench_broadphase.h"
 #include "commands.h"
-#include "output_files.h"
 #include "progress.h"
 
 namespace swept {
@@ -97,42 +97,38 @@ int measure(const BenchArguments& arguments) {
     return kExitDone;
 }
 
-void addToiOptions(CLI::App& toi, BenchArguments& arguments) {
-    CLI::Option* const count = toi.add_option("--count", arguments.settings.count, "Queries a family [2000]")
-                                   ->type_name("N")
-                                   ->check(CLI::Range(1, 10'000'000));
-    toi.add_option("--seed", arguments.settings.seed, "The same seed gives the same queries [1]")
-        ->type_name("S")
-        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
-    CLI::Option* const csv =
-        toi.add_option("--csv", arguments.csv, "Write the table, a record for each method and family")
-            ->type_name("FILE");
-    CLI::Option* const plots =
-        toi.add_option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
-            ->type_name("DIR");
-    toi.add_option("--certify", arguments.certify,
-                   "Instead: have N answers of the default method judged; exit code 1 if one of them is wrong")
-        ->type_name("N")
-        ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()))
-        ->excludes(count)
-        ->excludes(csv)
-        ->excludes(plots);
+void addToiOptions(Command toi, BenchArguments& arguments) {
+    const Option count =
+        toi.option("--count", arguments.settings.count, "Queries a family [2000]").type("N").within(1, 10'000'000);
+    toi.option("--seed", arguments.settings.seed, "The same seed gives the same queries [1]")
+        .type("S")
+        .within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max());
+    const Option csv =
+        toi.option("--csv", arguments.csv, "Write the table, a record for each method and family").type("FILE");
+    const Option plots =
+        toi.option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
+            .type("DIR");
+    toi.option("--certify", arguments.certify,
+               "Instead: have N answers of the default method judged; exit code 1 if one of them is wrong")
+        .type("N")
+        .within(std::int64_t{1}, std::numeric_limits<std::int64_t>::max())
+        .excludes(count)
+        .excludes(csv)
+        .excludes(plots);
 }
 
 }  // namespace
 
-void addBenchCommand(CLI::App& app, int& exitCode) {
-    CLI::App* const all = app.add_subcommand("bench", "Measure what is claimed");
-    all->require_subcommand(1);
-    CLI::App* const toi = all->add_subcommand("toi", "Every time-of-impact method on every family of queries");
-    addContinuousBench(*all, exitCode);
+void addBenchCommand(Command app) {
+    const Command all = app.command("bench", "Measure what is claimed");
+    all.needsCommand();
+    const Command toi = all.command("toi", "Every time-of-impact method on every family of queries");
+    addContinuousBench(all);
     const auto arguments = std::make_shared<BenchArguments>();
-    addToiOptions(*toi, *arguments);
-    toi->callback([arguments, &exitCode] {
-        exitCode = arguments->certify > 0 ? certify(*arguments) : measure(*arguments);
-    });
-    addBenchBroadphase(*all, exitCode);
-    addBenchAccuracy(*all, exitCode);
+    addToiOptions(toi, *arguments);
+    toi.runs([arguments] { return arguments->certify > 0 ? certify(*arguments) : measure(*arguments); });
+    addBenchBroadphase(all);
+    addBenchAccuracy(all);
 }
 
 }  // namespace swept

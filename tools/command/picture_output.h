@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,7 +9,8 @@
 #include <swept/samples/frame.h>
 #include <swept/samples/scene_description.h>
 
-#include "output_files.h"
+#include "../output_files.h"
+#include "options.h"
 
 namespace swept {
 
@@ -34,7 +34,7 @@ struct PictureSize {
     int height = 0;
 };
 
-void addPictureArguments(CLI::App& command, PictureArguments& arguments);
+void addPictureArguments(Command command, PictureArguments& arguments);
 
 /// "1280x720" as numbers. @return false, and one line in `error`, when it is none or out of range.
 bool parseSize(const std::string& text, PictureSize& size, std::string& error);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "options.h"
 
 namespace swept {
 
 /// `swept bench broadphase` and `swept bench overlap`.
-void addBenchBroadphase(CLI::App& bench, int& exitCode);
+void addBenchBroadphase(Command bench);
 
 }  // namespace swept

@@ -11,9 +11,9 @@
 #include <swept/samples/scene_names.h>
 #include <swept/samples/scene_renderer.h>
 
+#include "../number_text.h"
+#include "../output_files.h"
 #include "commands.h"
-#include "number_text.h"
-#include "output_files.h"
 #include "picture_output.h"
 #include "scene_source.h"
 
@@ -145,14 +145,15 @@ int compareModes(const ModesArguments& arguments) {
 
 }  // namespace
 
-void addModesCommand(CLI::App& app, int& exitCode) {
-    CLI::App* const command =
-        app.add_subcommand("modes", "Run a scene in every continuous mode: a table, and the last step side by side");
+void addModesCommand(Command app) {
+    const Command command =
+        app.command("modes", "Run a scene in every continuous mode: a table, and the last step side by side");
     const auto arguments = std::make_shared<ModesArguments>();
-    addSceneArguments(*command, arguments->scene);
-    command->add_option("--png", arguments->png, "Draw the last step of each mode, side by side")->type_name("FILE");
-    command->add_option("--size", arguments->size, "Pixels of each of them [420x440]")->type_name("WxH");
-    command->callback([arguments, &exitCode] { exitCode = compareModes(*arguments); });
+    addSceneArguments(command, arguments->scene);
+    addPrecisionArgument(command, arguments->scene);
+    command.option("--png", arguments->png, "Draw the last step of each mode, side by side").type("FILE");
+    command.option("--size", arguments->size, "Pixels of each of them [420x440]").type("WxH");
+    command.runs([arguments] { return compareModes(*arguments); });
 }
 
 }  // namespace swept

@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include "bench/continuous_bench.h"
-#include "bench/machine.h"
+#include "../bench/continuous_bench.h"
+#include "../bench/machine.h"
+#include "../output_files.h"
 #include "commands.h"
-#include "output_files.h"
 #include "progress.h"
 
 namespace swept {
@@ -59,20 +59,17 @@ int measure(const ContinuousArguments& arguments) {
 
 }  // namespace
 
-void addContinuousBench(CLI::App& bench, int& exitCode) {
-    CLI::App* const command =
-        bench.add_subcommand("continuous", "Every continuous mode: what it misses, makes up, loses and costs");
+void addContinuousBench(Command bench) {
+    const Command command =
+        bench.command("continuous", "Every continuous mode: what it misses, makes up, loses and costs");
     const auto arguments = std::make_shared<ContinuousArguments>();
-    command->add_option("--count", arguments->settings.shots, "Shots a shape and speed [100]")
-        ->type_name("N")
-        ->check(CLI::Range(1, 2000));
-    command->add_option("--seed", arguments->settings.seed, "The same seed gives the same shots [1]")
-        ->type_name("S")
-        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
-    command->add_option("--csv", arguments->csv, "Write the tables, a record for each number")->type_name("FILE");
-    command->add_option("--plots", arguments->plots, "Draw how thick a wall must be, if gnuplot is there")
-        ->type_name("DIR");
-    command->callback([arguments, &exitCode] { exitCode = measure(*arguments); });
+    command.option("--count", arguments->settings.shots, "Shots a shape and speed [100]").type("N").within(1, 2000);
+    command.option("--seed", arguments->settings.seed, "The same seed gives the same shots [1]")
+        .type("S")
+        .within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max());
+    command.option("--csv", arguments->csv, "Write the tables, a record for each number").type("FILE");
+    command.option("--plots", arguments->plots, "Draw how thick a wall must be, if gnuplot is there").type("DIR");
+    command.runs([arguments] { return measure(*arguments); });
 }
 
 }  // namespace swept

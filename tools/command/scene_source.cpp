@@ -9,7 +9,7 @@
 #include <swept/samples/builtin_scenes.h>
 #include <swept/samples/scene_reader.h>
 
-#include "number_text.h"
+#include "../number_text.h"
 
 namespace swept {
 namespace {
@@ -90,19 +90,22 @@ std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double dt, 
 
 }  // namespace
 
-void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
-    command.add_option("scene", arguments.scene, "A scene file, or the name of a built-in scene (see: swept scenes)")
-        ->type_name("SCENE")
-        ->required();
-    command.add_option("--duration", arguments.duration, "Simulated time; runs round(S/dt) steps [10]")->type_name("S");
-    command.add_option("--steps", arguments.steps, "Number of steps, instead of --duration")->type_name("N");
+void addSceneArguments(Command command, SceneArguments& arguments) {
+    command.option("scene", arguments.scene, "A scene file, or the name of a built-in scene (see: swept scenes)")
+        .type("SCENE")
+        .required();
+    command.option("--duration", arguments.duration, "Simulated time; runs round(S/dt) steps [10]").type("S");
+    command.option("--steps", arguments.steps, "Number of steps, instead of --duration").type("N");
     command
-        .add_option("--set", arguments.overrides,
-                    "Override a member of the scene before it is checked: a JSON pointer and a JSON value, for example "
-                    "/settings/dt=0.01; may be repeated")
-        ->type_name("/PTR=JSON")
-        ->allow_extra_args(false);
-    command.add_option("--precision", arguments.precision, "Build of the engine: f32 or f64 [f32]")->type_name("P");
+        .option("--set", arguments.overrides,
+                "Override a member of the scene before it is checked: a JSON pointer and a JSON value, for example "
+                "/settings/dt=0.01; may be repeated")
+        .type("/PTR=JSON")
+        .oneValueEach();
+}
+
+void addPrecisionArgument(Command command, SceneArguments& arguments) {
+    command.option("--precision", arguments.precision, "Build of the engine: f32 or f64 [f32]").type("P");
 }
 
 std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::string& error) {

@@ -7,17 +7,19 @@
 
 #include <swept/samples/scene_reader.h>
 
-#include "bench/machine.h"
+#include "../bench/machine.h"
+#include "../number_text.h"
+#include "../tune/plot.h"
+#include "../tune/progress_bar.h"
+#include "../tune/tuner.h"
+#include "../tune/verdict.h"
 #include "commands.h"
-#include "number_text.h"
 #include "scene_source.h"
-#include "tune/plot.h"
-#include "tune/progress_bar.h"
-#include "tune/tuner.h"
-#include "tune/verdict.h"
 
 namespace swept {
 namespace {
+
+constexpr int kMostThreads = 4096;
 
 struct TuneArguments {
     SceneArguments scene;
@@ -208,32 +210,25 @@ int tuneScene(const TuneArguments& arguments) {
 
 }  // namespace
 
-void addTuneCommand(CLI::App& app, int& exitCode) {
-    CLI::App* const command = app.add_subcommand(
-        "tune", "The cheapest settings of a scene that keep an error you accept, and the whole trade");
+void addTuneCommand(Command app) {
+    const Command command =
+        app.command("tune", "The cheapest settings of a scene that keep an error you accept, and the whole trade");
     const auto arguments = std::make_shared<TuneArguments>();
-    addSceneArguments(*command, arguments->scene);
-    command->remove_option(command->get_option("--precision"));
+    addSceneArguments(command, arguments->scene);
     std::string measures;
     for (const measures::MeasureInfo& info : measures::allMeasures()) {
         measures += std::string(measures.empty() ? "" : ", ") + info.name + " [" + info.unit + "]";
     }
-    command
-        ->add_option("--max-error", arguments->limits,
-                     "An error that you accept; may be repeated. Measures: " + measures)
-        ->type_name("MEASURE=VALUE")
-        ->required()
-        ->allow_extra_args(false);
-    command->add_option("--out", arguments->out, "Directory for rows, plot and tuned scene [tune-NAME]")
-        ->type_name("DIR");
-    command->add_option("--threads", arguments->threads, "Runs at a time [all cores]")
-        ->type_name("N")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--shard", arguments->shard, "Only the i-th of n parts of the work, into a file of its own")
-        ->type_name("i/n");
-    command->add_flag("--gather", arguments->gather,
-                      "Take the rows of all shards, run what is missing, give the advice");
-    command->callback([arguments, &exitCode] { exitCode = tuneScene(*arguments); });
+    command.option("--max-error", arguments->limits, "An error that you accept; may be repeated. Measures: " + measures)
+        .type("MEASURE=VALUE")
+        .required()
+        .oneValueEach();
+    command.option("--out", arguments->out, "Directory for rows, plot and tuned scene [tune-NAME]").type("DIR");
+    command.option("--threads", arguments->threads, "Runs at a time [all cores]").type("N").within(1, kMostThreads);
+    command.option("--shard", arguments->shard, "Only the i-th of n parts of the work, into a file of its own")
+        .type("i/n");
+    command.flag("--gather", arguments->gather, "Take the rows of all shards, run what is missing, give the advice");
+    command.runs([arguments] { return tuneScene(*arguments); });
 }
 
 }  // namespace swept
