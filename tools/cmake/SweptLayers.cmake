@@ -16,6 +16,7 @@ endfunction()
 # Common to every library target of ours.
 function(swept_configure_library target export_name)
     swept_warnings(${target})
+    swept_precompile(${target})
     target_compile_features(${target} PUBLIC cxx_std_20)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name}
                                                POSITION_INDEPENDENT_CODE ON)

@@ -6,18 +6,18 @@ foreach(label quick quick_long parallel)
     add_custom_target(swept_tests_${label})
 endforeach()
 
-# Reading gtest is half of what a small suite takes to compile, so it is read once for all of them. The target has the suites'
-# compiler options and nothing of its own to compile.
-function(swept_add_test_prelude)
+# Reading gtest is half of what a small suite takes to compile, so it is read once for all of them, and once more for those
+# that read JSON. The targets have the suites' compiler options and nothing of their own to compile.
+function(swept_add_test_prelude name)
     set(nothing ${CMAKE_CURRENT_BINARY_DIR}/prelude.cpp)
     file(CONFIGURE OUTPUT ${nothing} CONTENT "// Compiled for its precompiled header only.\n")
-    add_library(swept_test_prelude OBJECT ${nothing})
-    swept_configure_test(swept_test_prelude)
-    target_compile_features(swept_test_prelude PUBLIC cxx_std_20)
-    target_compile_options(swept_test_prelude PRIVATE -ffp-contract=off)
-    target_link_libraries(swept_test_prelude PRIVATE GTest::gtest)
-    target_precompile_headers(swept_test_prelude PRIVATE <gtest/gtest.h> <algorithm> <array> <cmath> <limits> <map> <random>
-                                                         <set> <sstream> <string> <vector>)
+    add_library(${name} OBJECT ${nothing})
+    swept_configure_test(${name})
+    target_compile_features(${name} PUBLIC cxx_std_20)
+    target_compile_options(${name} PRIVATE -ffp-contract=off)
+    target_link_libraries(${name} PRIVATE GTest::gtest)
+    target_precompile_headers(${name} PRIVATE <gtest/gtest.h> <algorithm> <array> <cmath> <limits> <map> <random> <set>
+                                              <sstream> <string> <vector> ${ARGN})
 endfunction()
 
 # What all test executables are compiled with.
@@ -30,15 +30,20 @@ function(swept_configure_test target)
     endif()
 endfunction()
 
-# swept_add_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
+# swept_add_test(NAME [READS_JSON] SOURCES file... LIBRARIES target... [LABELS label...])
 # One executable, discovered by ctest. Labels: quick (also run with sanitizers), quick_long (the same in the long run only),
 # parallel (also run with thread sanitizer), long (in the long run only).
 function(swept_add_test name)
-    cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    cmake_parse_arguments(TEST "READS_JSON" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${TEST_SOURCES})
     swept_configure_test(${name})
-    target_precompile_headers(${name} REUSE_FROM swept_test_prelude)
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main)
+    if(TEST_READS_JSON)
+        target_precompile_headers(${name} REUSE_FROM swept_test_json_prelude)
+        target_link_libraries(${name} PRIVATE nlohmann_json::nlohmann_json)
+    else()
+        target_precompile_headers(${name} REUSE_FROM swept_test_prelude)
+    endif()
     foreach(label IN LISTS TEST_LABELS)
         if(TARGET swept_tests_${label})
             add_dependencies(swept_tests_${label} ${name})
