@@ -118,9 +118,7 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefusal({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");
 }
 
-TEST_F(CommandError, CommandsOfLaterDaysAreNotThere) {
-    expectRefusal({"tune", scene_}, "tune");
-}
+TEST_F(CommandError, TuneWithoutAnErrorToKeep) { expectRefusal({"tune", scene_}, "--max-error"); }
 
 }  // namespace
 }  // namespace swept
