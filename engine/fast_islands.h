@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <vector>
@@ -39,6 +40,7 @@ struct FastIslands {
     std::vector<BodyMotion> membersAtStart;  ///< of the step
     std::vector<BodyMotion> membersBefore;   ///< before the part that is being tried
     std::vector<Contact> heldBefore;
+    std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
 };
 

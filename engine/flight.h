@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -22,9 +23,17 @@ struct FlightObstacle {
     DVec2 lift{};               ///< overlap at the start, undone along the contact normal for the sweep
 };
 
+/// An obstacle by its distance from the start of a sweep.
+struct NearObstacle {
+    double distanceSquared = 0;  ///< of its box, m²
+    std::uint32_t index = 0;
+    auto operator<=>(const NearObstacle&) const = default;
+};
+
 /// What one worker needs for sweeps, and what it found: kept for its capacity, merged after the parallel loop.
 struct FlightScratch {
     std::vector<FlightObstacle> obstacles;
+    std::vector<NearObstacle> nearest;
     std::vector<std::uint32_t> found;
     std::vector<Vec2> normals;
     std::vector<BodyState> states;

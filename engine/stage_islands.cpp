@@ -7,28 +7,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Larger islands without joints that nothing kinematic runs into are solved once a step, and what is fast in them is held at
-/// its impacts: solved in parts, the push out of overlaps gave piles energy.
-constexpr std::ptrdiff_t kMaxPile = 4;
-
 bool isFastTied(const WorldState& world, const Body& body) {
     return body.role == BodyRole::solved && body.fast && modeOf(world, body) == ContinuousMode::subStep;
-}
-
-/// What `isFast` holds, by root.
-enum Fastness : std::uint8_t { kSlow, kFastPile, kFastAndHeld };
-
-/// Drops the piles from the sorted list of bodies.
-void dropPiles(FastIslands& fast) {
-    auto kept = fast.bodies.begin();
-    for (auto first = fast.bodies.begin(); first != fast.bodies.end();) {
-        const std::uint32_t root = first->root;
-        const auto isOther = [root](const IslandItem& item) { return item.root != root; };
-        const auto last = std::find_if(first, fast.bodies.end(), isOther);
-        if (fast.isFast[root] == kFastAndHeld || last - first <= kMaxPile) { kept = std::move(first, last, kept); }
-        first = last;
-    }
-    fast.bodies.erase(kept, fast.bodies.end());
 }
 
 /// Marks the islands, and gives all their bodies the role `together`.
@@ -40,9 +20,7 @@ void listBodies(WorldState& world) {
         if (!isFastTied(world, world.bodies[slot])) { continue; }
         if (!fast.any) { fast.isFast.assign(world.bodies.slotCount(), 0); }
         fast.any = true;
-        const Body& body = world.bodies[slot];
-        std::uint8_t& isFast = fast.isFast[world.islands.find(slot)];
-        isFast = std::max<std::uint8_t>(isFast, body.holdingJoints > 0 || body.startled ? kFastAndHeld : kFastPile);
+        fast.isFast[world.islands.find(slot)] = 1;
     }
     if (!fast.any) { return; }
     fast.kinematics.clear();
@@ -51,11 +29,10 @@ void listBodies(WorldState& world) {
         const Body& body = world.bodies[slot];
         if (body.def.type == BodyType::kinematic) { fast.kinematics.push_back(slot); }
         const std::uint32_t root = world.islands.find(slot);
-        if (body.role != BodyRole::solved || fast.isFast[root] == kSlow) { continue; }
+        if (body.role != BodyRole::solved || fast.isFast[root] == 0) { continue; }
         fast.bodies.push_back({root, i, slot});
     }
     std::sort(fast.bodies.begin(), fast.bodies.end());
-    dropPiles(fast);
     for (const IslandItem& item : fast.bodies) { world.bodies[item.item].role = BodyRole::together; }
 }
 

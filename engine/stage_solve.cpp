@@ -182,7 +182,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     world.batch.clear();
     addBodies(world, group, h);
     addContacts(world, group, dt, h);
-    addJoints(world, group.joints, h, time);
+    addJoints(world, group.joints, h, dt);
     const SolveReport report =
         world.solver.solve(world.batch, {.dt = time,
                                          .subSteps = part.subSteps,

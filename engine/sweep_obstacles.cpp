@@ -113,6 +113,20 @@ DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Swee
     return up * toDouble(contact.normal);
 }
 
+/// What is near is looked at first: once an impact is known, what is farther is only followed so far.
+void sortByDistance(const WorldState& world, const Sweep& sweep, FlightScratch& scratch) {
+    scratch.nearest.clear();
+    for (std::uint32_t i = 0; i < scratch.obstacles.size(); ++i) {
+        const Aabb& box = world.broadphase->box(world.shapes[scratch.obstacles[i].other].proxy);
+        const DVec2 lower = toDouble(box.lower);
+        const DVec2 upper = toDouble(box.upper);
+        const DVec2 closest{std::clamp(sweep.c0.x, lower.x, upper.x), std::clamp(sweep.c0.y, lower.y, upper.y)};
+        const DVec2 away = closest - sweep.c0;
+        scratch.nearest.push_back({dot(away, away), i});
+    }
+    std::sort(scratch.nearest.begin(), scratch.nearest.end());
+}
+
 }  // namespace
 
 ToiPolygon toiPolygonOf(const Polygon& polygon) {
@@ -230,8 +244,10 @@ FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const S
 FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
                         double limit) {
     FirstImpact first{.fraction = limit};
-    for (std::size_t i = 0; i < scratch.obstacles.size() && first.fraction > 0; ++i) {
-        FlightObstacle& obstacle = scratch.obstacles[i];
+    sortByDistance(world, sweep, scratch);
+    for (const NearObstacle& near : scratch.nearest) {
+        if (!(first.fraction > 0)) { break; }
+        FlightObstacle& obstacle = scratch.obstacles[near.index];
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
         const FirstImpact impact = firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
         if (impact.hit) { first = impact; }
