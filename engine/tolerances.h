@@ -27,6 +27,10 @@ inline constexpr Real kMaxReachRatio = Real(1) / 4;
 inline constexpr Real kMinReachRatio = Real(1) / 128;
 /// Boxes are made larger than needed by this part of the extent, to be moved more rarely.
 inline constexpr Real kBoxMarginRatio = Real(1) / 8;
+/// They also reach ahead along the body's velocity for so many steps, unless that is more than so many extents: a box of a bullet
+/// that reaches far ahead finds more than it saves.
+inline constexpr Real kBoxStepsAhead = 2;
+inline constexpr Real kMaxAheadRatio = 4;
 /// Fastest push out of an overlap: this part of the pair's extent per step.
 inline constexpr Real kPushRatio = Real(1) / 4;
 /// A flyer that overlaps something by up to this part of the extent is set back to the surface before it flies on.

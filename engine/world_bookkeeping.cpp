@@ -170,7 +170,10 @@ Aabb neededBox(const WorldState& world, const Shape& shape) {
 Aabb fatBox(const WorldState& world, const Shape& shape) {
     const Aabb needed = neededBox(world, shape);
     if (world.bodies[shape.body].def.type == BodyType::fixed) { return needed; }
-    return grown(needed, kBoxMarginRatio * shape.extent);
+    const Vec2 ahead = (kBoxStepsAhead * static_cast<Real>(world.lastDt)) * world.motions[shape.body].velocity;
+    const bool isWorthIt = length(ahead) <= kMaxAheadRatio * shape.extent;
+    const Aabb enough = isWorthIt ? hullOf(needed, {needed.lower + ahead, needed.upper + ahead}) : needed;
+    return grown(enough, kBoxMarginRatio * shape.extent);
 }
 
 void updateProxies(WorldState& world, std::uint32_t body, bool always) {
