@@ -23,6 +23,10 @@ public:
         return {toDouble(box.lower), toDouble(box.upper), translation};
     }
 
+    DVec2 lower() const { return {x_.lower, y_.lower}; }
+    DVec2 upper() const { return {x_.upper, y_.upper}; }
+    DVec2 translation() const { return {x_.speed, y_.speed}; }
+
     /// Fraction, 0 … limit, at or shortly before which the boxes first touch; `kNever` when they do not touch by then,
     /// and when a number of the sweep is NaN.
     double firstTouch(const Aabb& other, double limit) const {

@@ -41,6 +41,7 @@ public:
     bool meets(const Aabb& box) { return touch(box) != BoxSweep::kNever; }
     /// Shows a proxy that is met to the visitor.
     void show(std::uint32_t slot) { limit_ = std::min(limit_, visit_(static_cast<ProxyId>(slot), limit_)); }
+    const BoxSweep& sweep() const { return sweep_; }
     bool isOver() const { return !(limit_ > 0); }
     double limit() const { return static_cast<double>(limit_); }
     std::uint64_t tests() const { return tests_; }

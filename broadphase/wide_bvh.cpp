@@ -1,58 +1,22 @@
 #include "wide_bvh.h"
 
 namespace swept::inline SWEPT_PRECISION {
-
-namespace {
-
-/// Near children first, so that a limit that shrinks spares the far ones.
-void walkSweep(const WideTree& tree, SweepVisit& visit) {
-    struct Entry {
-        double touch;
-        std::uint32_t index;
-        std::uint32_t level;  // of the node `index`; one more than that of its lanes' boxes
-    };
-    if (tree.height() == 0) { return; }
-    std::array<Entry, WideTree::kMaxLevels * kWide> stack;
-    std::size_t size = 0;
-    stack[size++] = {0, 0, static_cast<std::uint32_t>(tree.height())};
-    while (size > 0) {
-        const Entry entry = stack[--size];
-        if (entry.touch > visit.limit()) { continue; }  // the limit has become smaller since
-        if (entry.level == 0) {
-            visit.show(tree.slots()[entry.index]);
-            if (visit.isOver()) { return; }
-            continue;
-        }
-        const WideBoxes& boxes = tree.level(entry.level - 1)[entry.index];
-        const std::size_t first = size;
-        for (std::uint32_t lane = 0; lane < kWide; ++lane) {
-            const Aabb box = boxes.box(lane);
-            if (!(box.lower.x <= box.upper.x)) { continue; }  // an empty lane
-            const double touch = visit.touch(box);
-            if (touch == BoxSweep::kNever) { continue; }
-            std::size_t place = size++;
-            for (; place > first && stack[place - 1].touch < touch; --place) { stack[place] = stack[place - 1]; }
-            stack[place] = {touch, kWide * entry.index + lane, entry.level - 1};
-        }
-    }
-}
-
-}  // namespace
-
 void WideBvh::onInsert(std::uint32_t slot) {
-    if (slot == places_.size()) { places_.push_back(0); }
+    if (slot == places_.size()) {
+        places_.push_back(0);
+    }
     treeAt(slot).insert(slot, table().boxAt(slot), places_);
 }
 
-void WideBvh::onMove(std::uint32_t slot) {
-    treeAt(slot).move(places_[slot], table().boxAt(slot));
-}
+void WideBvh::onMove(std::uint32_t slot) { treeAt(slot).move(places_[slot], table().boxAt(slot)); }
 
 void WideBvh::onRemove(std::uint32_t slot) { treeAt(slot).remove(places_[slot]); }
 
 std::uint64_t WideBvh::join(PairSink& sink) {
     for (WideTree& tree : trees_) {
-        if (tree.prepareJoin(places_)) { countRebuild(); }
+        if (tree.prepareJoin(places_)) {
+            countRebuild();
+        }
     }
     std::uint64_t tests = 0;
     for (int first = 0; first < kProxyKindCount; ++first) {
@@ -60,7 +24,9 @@ std::uint64_t WideBvh::join(PairSink& sink) {
             const WideTree& moving = trees_[static_cast<std::size_t>(first)];
             const WideTree& other = trees_[static_cast<std::size_t>(second)];
             const bool canMeetAny = canMeet(static_cast<ProxyKind>(first), static_cast<ProxyKind>(second));
-            if (!canMeetAny || !moving.anyMoved() || other.height() == 0) { continue; }
+            if (!canMeetAny || !moving.anyMoved() || other.height() == 0) {
+                continue;
+            }
             tests += kernels_.join({.moving = &moving,
                                     .other = &other,
                                     .skipMoved = first > second,
@@ -72,7 +38,9 @@ std::uint64_t WideBvh::join(PairSink& sink) {
 }
 
 void WideBvh::onPairsDone() {
-    for (WideTree& tree : trees_) { tree.finishJoin(); }
+    for (WideTree& tree : trees_) {
+        tree.finishJoin();
+    }
 }
 
 std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
@@ -80,22 +48,30 @@ std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)>
     bool goOn = true;
     for (const WideTree& tree : trees_) {
         tests += kernels_.query(tree, box, goOn, visit);
-        if (!goOn) { break; }
+        if (!goOn) {
+            break;
+        }
     }
     return tests;
 }
 
 void WideBvh::visitAlong(SweepVisit& visit) const {
     for (const WideTree& tree : trees_) {
-        walkSweep(tree, visit);
-        if (visit.isOver()) { return; }
+        kernels_.sweep(tree, visit);
+        if (visit.isOver()) {
+            return;
+        }
     }
 }
 
 std::size_t WideBvh::structureBytes() const {
     std::size_t sum = bytesOf(places_);
-    for (const WideTree& tree : trees_) { sum += tree.memoryBytes(); }
-    for (const auto& list : scratch_.candidates) { sum += bytesOf(list); }
+    for (const WideTree& tree : trees_) {
+        sum += tree.memoryBytes();
+    }
+    for (const auto& list : scratch_.candidates) {
+        sum += bytesOf(list);
+    }
     return sum;
 }
 

@@ -16,7 +16,7 @@ struct WideScratch {
 struct WideJoin {
     const WideTree* moving = nullptr;  ///< something in it has moved
     const WideTree* other = nullptr;   ///< not empty
-    bool skipMoved = false;  ///< leave out what moved in `other`: the join the other way round has it already
+    bool skipMoved = false;            ///< leave out what moved in `other`: the join the other way round has it already
     WideScratch* scratch = nullptr;
     std::vector<ProxyPair>* out = nullptr;  ///< new pairs are added, each once
 };
@@ -32,8 +32,8 @@ struct IntervalHit {
     std::uint32_t place;
 };
 
-/// Boxes in ascending order of their lower bounds along one axis; each query is compared with all from its place on until
-/// one begins beyond its end.
+/// Boxes in ascending order of their lower bounds along one axis; each query is compared with all from its place on
+/// until one begins beyond its end.
 struct IntervalScan {
     std::span<const WideBoxes> boxes;  ///< empty lanes only at the end
     std::span<const IntervalQuery> queries;
@@ -49,6 +49,8 @@ struct WideKernels {
     /// @param goOn  false when the visitor ended the walk.
     std::uint64_t (*query)(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit);
     std::uint64_t (*intervals)(const IntervalScan& scan);
+    /// Near boxes first. `visit` counts the tests itself.
+    void (*sweep)(const WideTree& tree, SweepVisit& visit);
 };
 
 /// One lane after the other, in plain C++.

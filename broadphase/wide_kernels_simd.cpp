@@ -2,7 +2,8 @@
 #include "wide_kernels.h"
 
 // Vectors are members here, which needs a size known to the compiler; what no machine of ours can test is left out.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3 | HWY_AVX3_DL | HWY_SSSE3)
+#define HWY_DISABLED_TARGETS \
+    (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3 | HWY_AVX3_DL | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wide_kernels_simd.cpp"
 #include <hwy/foreach_target.h>
@@ -52,11 +53,59 @@ private:
     Lanes upperY_;
 };
 
+/// The scalar twin's operations in the same order.
+class LaneStrip {
+    using Tag = hn::CappedTag<Real, kWide>;
+    using Lanes = hn::Vec<Tag>;
+
+public:
+    explicit LaneStrip(const SweepFilter& filter)
+        : acrossX_(hn::Set(Tag(), filter.across.x)),
+          acrossY_(hn::Set(Tag(), filter.across.y)),
+          middleX_(hn::Set(Tag(), filter.middle.x)),
+          middleY_(hn::Set(Tag(), filter.middle.y)),
+          reach_(hn::Set(Tag(), filter.reach)) {}
+
+    std::uint32_t overlapping(const WideBoxes& boxes) const {
+        const Tag tag;
+        const Lanes half = hn::Set(tag, Real(0.5));
+        const Lanes rounding = hn::Set(tag, SweepFilter::kRounding);
+        std::uint32_t lanes = 0;
+        for (std::size_t i = 0; i < kWide; i += hn::MaxLanes(tag)) {
+            const Lanes lowerX = hn::Mul(half, hn::Load(tag, boxes.lowerX.data() + i));
+            const Lanes lowerY = hn::Mul(half, hn::Load(tag, boxes.lowerY.data() + i));
+            const Lanes upperX = hn::Mul(half, hn::Load(tag, boxes.upperX.data() + i));
+            const Lanes upperY = hn::Mul(half, hn::Load(tag, boxes.upperY.data() + i));
+            const Lanes centerX = hn::Add(lowerX, upperX);
+            const Lanes centerY = hn::Add(lowerY, upperY);
+            const Lanes halfX = hn::Sub(upperX, lowerX);
+            const Lanes halfY = hn::Sub(upperY, lowerY);
+            const Lanes away = hn::Abs(
+                hn::Add(hn::Mul(acrossX_, hn::Sub(centerX, middleX_)), hn::Mul(acrossY_, hn::Sub(centerY, middleY_))));
+            const Lanes span = hn::Add(hn::Mul(hn::Abs(acrossX_), halfX), hn::Mul(hn::Abs(acrossY_), halfY));
+            const Lanes sizes = hn::Add(hn::Add(hn::Abs(centerX), hn::Abs(centerY)), hn::Add(halfX, halfY));
+            const auto misses = hn::Gt(away, hn::Add(hn::Add(span, reach_), hn::Mul(rounding, sizes)));
+            std::uint8_t bits = 0;
+            hn::StoreMaskBits(tag, hn::Not(misses), &bits);
+            lanes |= static_cast<std::uint32_t>(bits) << i;
+        }
+        return lanes;
+    }
+
+private:
+    Lanes acrossX_;
+    Lanes acrossY_;
+    Lanes middleX_;
+    Lanes middleY_;
+    Lanes reach_;
+};
+
 std::uint64_t join(const WideJoin& task) { return JoinWalk<LaneQuery>(task).run(); }
 std::uint64_t query(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
     return walkQuery<LaneQuery>(tree, box, goOn, visit);
 }
 std::uint64_t intervals(const IntervalScan& scan) { return scanIntervals<LaneQuery>(scan); }
+void sweep(const WideTree& tree, SweepVisit& visit) { SweepWalk<LaneQuery, LaneStrip>(tree, visit).run(); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION
@@ -70,6 +119,7 @@ namespace {
 HWY_EXPORT(join);
 HWY_EXPORT(query);
 HWY_EXPORT(intervals);
+HWY_EXPORT(sweep);
 
 std::uint64_t joinOnThisMachine(const WideJoin& task) { return HWY_DYNAMIC_DISPATCH(join)(task); }
 std::uint64_t queryOnThisMachine(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
@@ -78,10 +128,13 @@ std::uint64_t queryOnThisMachine(const WideTree& tree, const Aabb& box, bool& go
 
 std::uint64_t intervalsOnThisMachine(const IntervalScan& scan) { return HWY_DYNAMIC_DISPATCH(intervals)(scan); }
 
+void sweepOnThisMachine(const WideTree& tree, SweepVisit& visit) { HWY_DYNAMIC_DISPATCH(sweep)(tree, visit); }
+
 }  // namespace
 
 const WideKernels& widestKernels() {
-    static constexpr WideKernels kKernels = {"widest", joinOnThisMachine, queryOnThisMachine, intervalsOnThisMachine};
+    static constexpr WideKernels kKernels = {"widest", joinOnThisMachine, queryOnThisMachine, intervalsOnThisMachine,
+                                             sweepOnThisMachine};
     return kKernels;
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <swept/broadphase/box_sweep.h>
+#include <swept/broadphase/wide_bvh.h>
 
 #include "model.h"
 
@@ -59,6 +60,43 @@ TEST(BoxSweep, MeetsEveryBoxAroundABoxItMeets) {
         ASSERT_LE(sweep.firstTouch(outer, 1), touch) << "case " << i;
     }
     EXPECT_GT(met, 2000);
+}
+
+/// Whether a tree of that one box shows it to a sweep.
+bool isShown(WideBvh& tree, const Aabb& box, const Aabb& moving, DVec2 by, Real limit) {
+    const Result<ProxyId> proxy = tree.insert(box, ProxyKind::dynamic);
+    bool shown = false;
+    tree.sweep(moving, by, limit, [&shown](ProxyId, Real far) {
+        shown = true;
+        return far;
+    });
+    (void)tree.remove(proxy.value());
+    return shown;
+}
+
+TEST(BoxSweep, IsFilteredWithoutLoss) {
+    Random random(13);
+    WideBvh plain(scalarKernels());
+    WideBvh wide;
+    int met = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Family family = kFamilies[below(random, 7)];
+        const Aabb box = randomBox(family, random);
+        const Aabb moving = randomBox(family, random);
+        // Past one of the box's corners, as near as rounding allows; half of the time the way ends there.
+        const bool fromBelow = below(random, 2) == 0;
+        const DVec2 corner = toDouble(fromBelow ? Vec2{box.lower.x, box.upper.y} : Vec2{box.upper.x, box.lower.y});
+        const DVec2 own =
+            toDouble(fromBelow ? Vec2{moving.upper.x, moving.lower.y} : Vec2{moving.lower.x, moving.upper.y});
+        const DVec2 by = static_cast<double>(1 + below(random, 2)) * (corner - own);
+        const Real limit = below(random, 2) == 0 ? Real(1) : Real(0.5);
+        const bool isMet = BoxSweep::ofBox(moving, by).firstTouch(box, static_cast<double>(limit)) != BoxSweep::kNever;
+        met += isMet ? 1 : 0;
+        ASSERT_EQ(isShown(plain, box, moving, by, limit), isMet) << "case " << i;
+        ASSERT_EQ(isShown(wide, box, moving, by, limit), isMet) << "case " << i;
+    }
+    EXPECT_GT(met, 2000);
+    EXPECT_LT(met, 18000);
 }
 
 }  // namespace
