@@ -18,7 +18,7 @@ enum class ContinuousMode : std::uint8_t {
                   ///< thinnest wall; what is faster is slowed (and entered in the lost-time ledger). Dynamic bodies only
     speculative,  ///< contacts are made ahead, as far as the body may move in the step, and let it close the gap and no
                   ///< more; the plane of a contact has no end, so what would have passed by may be stopped (a ghost)
-    stop,         ///< the body stops at its first impact with a static or kinematic shape; the rest of its step is lost
+    stop,         ///< the body stops at its first hit of a static or kinematic shape; the rest of its step is lost
                   ///< (and entered in the lost-time ledger)
     subStep,      ///< the impact is resolved at its own time, and the body goes on through the rest of the step
 };

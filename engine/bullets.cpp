@@ -209,7 +209,8 @@ void setApart(WorldState& world, const BulletPair& pair, const Manifold& manifol
     const double gap = target - static_cast<double>(deepestSeparation(manifold));
     const double inverseFirst = first.flies ? static_cast<double>(first.flight.body().inverseMass) : 0;
     const double inverseSecond = second.flies ? static_cast<double>(second.flight.body().inverseMass) : 0;
-    if (!(gap > toleranceOf(world, pair.shapes)) || !(inverseFirst + inverseSecond > 0)) { return; }
+    const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
+    if (!(gap > noise) || !(inverseFirst + inverseSecond > 0)) { return; }
     const DVec2 way = (gap / (inverseFirst + inverseSecond)) * toDouble(normal);
     const auto shift = [](Flight& flight, DVec2 by) {
         flight.motion.center += by;
@@ -224,8 +225,8 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
     Flight& second = world.bulletWork.partners[pair.second].flight;
     const Shape& own = world.shapes[pair.shapes.own];
     const Shape& other = world.shapes[pair.shapes.other];
-    const auto margin = static_cast<Real>(targetOf(world, pair.shapes) + 3 * toleranceOf(world, pair.shapes));
-    const Manifold manifold = obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, margin);
+    const Manifold manifold =
+        obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, reachOf(world, pair.shapes));
     if (manifold.count == 0) { return; }
     ContactConstraint constraint =
         constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
@@ -294,9 +295,9 @@ bool isExhausted(const WorldState& world, BulletPartner& partner) {
 }
 
 /// It stays where it is.
-void stop(BulletPartner& partner, double time) {
+void stop(BulletPartner& partner, double time, LostTimeReason reason) {
     const Flight& flight = partner.flight;
-    enterLedger(flight, LostTimeReason::budget);
+    enterLedger(flight, reason);
     partner.path = {.localCenter = toDouble(flight.body().localCenter),
                     .c0 = flight.motion.center,
                     .c1 = flight.motion.center,
@@ -328,7 +329,7 @@ void meet(WorldState& world, BulletPair& pair, FlightScratch& scratch) {
         if (!other.flies && other.tied && partner.impacts > 1) {
             ride(partner, other, time);
         } else if (isExhausted(world, partner)) {
-            stop(partner, time);
+            stop(partner, time, LostTimeReason::budget);
         }
     }
     goOn(world, met.first, scratch);
@@ -339,11 +340,12 @@ void bounce(WorldState& world, std::uint32_t index, FlightScratch& scratch) {
     BulletPartner& partner = world.bulletWork.partners[index];
     bringTo(world, partner, partner.nextImpact);
     if (isExhausted(world, partner)) {
-        stop(partner, partner.flight.elapsed);
+        stop(partner, partner.flight.elapsed, LostTimeReason::budget);
     } else {
-        resolveStanding(partner.flight);
+        const bool isHit = resolveStanding(partner.flight);
         notePose(partner.flight);
         ++scratch.impacts;
+        if (isHit && partner.flight.stops) { stop(partner, partner.flight.elapsed, LostTimeReason::stop); }
     }
     goOn(world, index, scratch);
 }

@@ -7,7 +7,7 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Two shapes whose boxes overlap. A chain segment or a sensor is always A.
+/// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or kinematic).
 struct Contact {
     std::uint32_t shapeA = 0;  ///< slots
     std::uint32_t shapeB = 0;

@@ -45,7 +45,9 @@ struct ContactEvent {
     BodyId bodyA{};
     BodyId bodyB{};
     double fraction = 0;     ///< of the step, 0 … 1
-    DVec2 point{};             ///< world
+    /// World; of sensor events half way between the closest points, or the deepest where the two overlap; 0 where the shapes
+    /// were apart or gone already.
+    DVec2 point{};
     Vec2 normal{};             ///< unit, from A to B
     Real approachSpeed = 0;  ///< m/s before a hit
     Real impulse = 0;        ///< N·s of a hit, along the normal

@@ -6,6 +6,7 @@
 #include "constraint_builder.h"
 #include "flight_state.h"
 #include "ghosts.h"
+#include "modes.h"
 #include "sweep_obstacles.h"
 #include "tolerances.h"
 
@@ -34,14 +35,42 @@ Drift driftOf(const Flight& flight, double time) {
 
 /// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
 /// between two impacts of a sliding body is undone by it.
-void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, Real target, Real tolerance) {
+void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, const FlightObstacle& obstacle) {
+    const auto target = static_cast<Real>(targetOf(*flight.world, obstacle));
+    const auto tolerance = static_cast<Real>(toleranceOf(*flight.world, obstacle));
     Real deepest = target;
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
         deepest = std::min(deepest, manifold.points[i].separation);
     }
-    if (deepest >= target - tolerance) { return; }
+    if (deepest >= target - tolerance - roundingOf(*flight.world, obstacle)) { return; }
     flight.motion.center += toDouble((target - deepest) * normal);
     flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
+}
+
+Real deepestOf(const ContactConstraint& constraint) {
+    const Real first = constraint.points[0].baseSeparation;
+    return constraint.count > 1 ? std::min(first, constraint.points[1].baseSeparation) : first;
+}
+
+/// Faces that meet flush meet at all their points: what the slop tells from touching takes part in the impact of another
+/// point with the same normal, or the body would be thrown about the corner that happens to come first.
+void dropWhatIsNotMet(Flight& flight) {
+    std::vector<ContactConstraint>& all = flight.scratch->constraints;
+    const auto isMet = [&](const ContactConstraint& constraint) {
+        return deepestOf(constraint) <= reachOf(*flight.world, flight.scratch->obstacles[constraint.source]);
+    };
+    const auto isBesideAMetOne = [&](const ContactConstraint& constraint) {
+        return std::any_of(all.begin(), all.end(), [&](const ContactConstraint& other) {
+            return isMet(other) && dot(other.normal, constraint.normal) > kSameNormal;
+        });
+    };
+    for (std::size_t i = 0; i < all.size();) {
+        if (isBesideAMetOne(all[i])) {
+            ++i;
+        } else {
+            all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
 }
 
 void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t source) {
@@ -50,10 +79,8 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
     const Body& otherBody = flight.world->bodies[other.body];
     const Sweep otherSweep = obstacleSweep(*flight.world, other.body, flight.elapsed, flight.dt);
     const BodyMotion otherMotion = motionAt(otherSweep, 0, otherBody.localCenter);
-    const auto target = static_cast<Real>(targetOf(*flight.world, obstacle));
-    const auto tolerance = static_cast<Real>(toleranceOf(*flight.world, obstacle));
-    const Manifold manifold =
-        obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, target + 3 * tolerance);
+    const Real margin = std::max(reachOf(*flight.world, obstacle), slopOf(*flight.world, obstacle));
+    const Manifold manifold = obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, margin);
     if (manifold.count == 0) { return; }
     ContactConstraint constraint =
         constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion,
@@ -67,15 +94,16 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
         flight.scratch->states.push_back({.velocity = moving.velocity, .angularVelocity = moving.angularVelocity});
         flight.scratch->inertias.push_back({});
     }
-    setBack(flight, manifold, constraint.normal, target, tolerance);
+    setBack(flight, manifold, constraint.normal, obstacle);
     flight.scratch->constraints.push_back(constraint);
 }
 
-void report(Flight& flight, const ContactConstraint& constraint) {
+/// @return whether it was a hit
+bool report(Flight& flight, const ContactConstraint& constraint) {
     const ContactConstraintPoint& first = constraint.points[0];
     const ContactConstraintPoint& second = constraint.points[1];
     const Real speed = std::max(first.bounceApproach, second.bounceApproach);
-    if (!(speed > flight.threshold)) { return; }
+    if (!(speed > flight.threshold)) { return false; }
     const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
     const Shape& other = flight.world->shapes[obstacle.other];
     const Vec2 arm = second.totalNormalImpulse > first.totalNormalImpulse ? second.anchorB : first.anchorB;
@@ -90,6 +118,7 @@ void report(Flight& flight, const ContactConstraint& constraint) {
          .normal = constraint.normal,
          .approachSpeed = speed,
          .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
+    return true;
 }
 
 /// What the body is pressed against, and does not bounce off, carries it: it may sag there until its next impact.
@@ -151,9 +180,13 @@ void flyThrough(Flight& flight) {
             return;
         }
         advance(flight, sweep, first.fraction);
-        resolveHere(flight);
+        const bool isHit = resolveHere(flight);
         notePose(flight);
         ++scratch.impacts;
+        if (isHit && flight.stops) {
+            enterLedger(flight, LostTimeReason::stop);
+            return;
+        }
     }
 }
 
@@ -164,6 +197,7 @@ const Body& Flight::body() const { return world->bodies[slot]; }
 Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
     Flight flight{.world = &world, .slot = slot, .scratch = &scratch, .motion = world.motions[slot], .dt = dt};
     flight.threshold = bounceThreshold(world, world.bodies[slot], static_cast<Real>(dt));
+    flight.stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
     return flight;
 }
 
@@ -206,7 +240,7 @@ FirstImpact nextImpact(const Flight& flight, const Sweep& sweep) {
     return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch);
 }
 
-void resolveHere(Flight& flight) {
+bool resolveHere(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
     const Body& body = flight.body();
     scratch.states.assign(2, {});
@@ -216,8 +250,9 @@ void resolveHere(Flight& flight) {
     for (std::size_t i = 0; i < scratch.obstacles.size(); ++i) {
         addConstraint(flight, scratch.obstacles[i], static_cast<std::uint32_t>(i));
     }
+    dropWhatIsNotMet(flight);
     dropGhosts(flight);
-    if (scratch.constraints.empty()) { return; }
+    if (scratch.constraints.empty()) { return false; }
     scratch.states[kFlyerSlot].velocity = flight.motion.velocity;
     scratch.states[kFlyerSlot].angularVelocity = flight.motion.angularVelocity;
     scratch.inertias[kFlyerSlot] = {body.inverseMass, body.inverseInertia};
@@ -227,25 +262,27 @@ void resolveHere(Flight& flight) {
     }
     const SolverBodies bodies{scratch.states, scratch.inertias};
     ImpactRule rule{.restitutionThreshold = flight.threshold, .resolvePlastic = true};
-    if (resolveImpacts(scratch.order, bodies, rule, kMaxImpactRounds) == kMaxImpactRounds) {
+    if (reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact) == kMaxImpactRounds) {
         rule.restitutionThreshold = std::numeric_limits<Real>::infinity();
-        resolveImpacts(scratch.order, bodies, rule, kMaxImpactRounds);
+        reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact);
     }
     flight.motion.velocity = scratch.states[kFlyerSlot].velocity;
     flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
+    bool anyHit = false;
     for (const ContactConstraint& constraint : scratch.constraints) {
-        report(flight, constraint);
+        anyHit = report(flight, constraint) || anyHit;
         noteCarrier(flight, constraint);
     }
+    return anyHit;
 }
 
-void resolveStanding(Flight& flight) {
+bool resolveStanding(Flight& flight) {
     const DVec2 center = flight.motion.center;
     const double angle = flight.motion.angle;
     const Sweep standing{
         .localCenter = toDouble(flight.body().localCenter), .c0 = center, .c1 = center, .a0 = angle, .a1 = angle};
     findObstacles(*flight.world, flight.slot, standing, *flight.scratch);
-    resolveHere(flight);
+    return resolveHere(flight);
 }
 
 void notePose(const Flight& flight) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../solver/contact_constraint.h"
+#include "../solver/impact.h"
 #include "../toi/time_of_impact.h"
 #include "body.h"
 #include "events.h"
@@ -40,6 +40,7 @@ struct FlightScratch {
     std::vector<BodyInertia> inertias;
     std::vector<ContactConstraint> constraints;
     std::vector<ContactConstraint*> order;
+    ImpactScratch impact;
 
     std::vector<ContactEvent> events;
     std::vector<LostTimeEntry> lostTime;
@@ -61,13 +62,14 @@ struct Flight {
     Real threshold = 0;   ///< slower approaches do not bounce, m/s
     std::array<Vec2, 4> carriers{};  ///< normals of what carries it
     int carrierCount = 0;
+    bool stops = false;  ///< mode `stop`: it stays at its first hit
 
     const Body& body() const;
     double remaining() const { return dt - elapsed; }
 };
 
 /// Integrates the whole step of a flyer: free flight to its first impact, the impact with all contacts of that moment, and
-/// on through the remaining time. Touches only the body's own state and the scratch, so flyers may run in any order.
+/// on through the remaining time; in mode `stop` that is lost. Touches only the body's own state and the scratch, so flyers may run in any order.
 void fly(WorldState& world, std::uint32_t body, double dt, FlightScratch& scratch);
 
 /// Sweeps a body from its start pose of this part of the step to its present pose; at an impact with something static or

@@ -15,8 +15,9 @@ FirstImpact nextImpact(const Flight& flight, const Sweep& sweep);
 void advance(Flight& flight, const Sweep& sweep, double fraction);
 /// Contacts of this moment with static and kinematic shapes, all together: approaching velocities are reflected, slow ones
 /// stopped. The first one takes those that the last search found; the second one looks for them.
-void resolveHere(Flight& flight);
-void resolveStanding(Flight& flight);
+/// @return whether any of them was a hit: faster than what does not bounce
+bool resolveHere(Flight& flight);
+bool resolveStanding(Flight& flight);
 void notePose(const Flight& flight);
 void limitSpeed(Flight& flight);
 /// The rest of the step is lost.

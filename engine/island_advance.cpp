@@ -340,6 +340,15 @@ double tryPart(Island& island, double time, bool fits, double& next) {
     return 0;
 }
 
+/// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow among
+/// floor and wall less well, and may throw it up.
+bool fliesInstead(const Island& island) {
+    const FastIslands& fast = island.fast;
+    if (island.elapsed > 0 || fast.members.size() != 1 || !fast.jointSlots.empty()) { return false; }
+    const Body& body = island.world.bodies[fast.members[0]];
+    return !body.deepContact && !body.touchesDynamic && body.holdingJoints == 0;
+}
+
 }  // namespace
 
 void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
@@ -358,6 +367,11 @@ void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
         if (spin * time > kMaxTurn) { time = std::max(kMaxTurn / spin, island.shortest); }
         if (time > rest - 0.5 * island.shortest) { time = rest; }
         const double gained = tryPart(island, time, fits, next);
+        if (gained <= 0 && fliesInstead(island)) {
+            finish(island);
+            fly(world, island.fast.members[0], dt, scratch);
+            return;
+        }
         fits = gained <= 0;
         island.elapsed = gained >= rest ? dt : island.elapsed + gained;
         if (gained > 0 && island.elapsed < dt) { notePoses(island, gained); }

@@ -8,7 +8,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// members are swept over it, and where one of them would meet something static or kinematic that no contact holds it off yet,
 /// the part is taken back and made as long as it takes to get there; then the contact is known, and takes part in the next
 /// solve. Parts get no shorter than a certain share of the step: in those a member is held at its impact on its own, and what
-/// it loses enters the ledger.
+/// it loses enters the ledger. A body on its own flies (flight.h) when it would meet something.
 /// @pre members, joints and held contacts of the island are in `world.fastIslands`
 void advanceIsland(WorldState& world, double dt, FlightScratch& scratch);
 

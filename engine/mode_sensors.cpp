@@ -90,7 +90,8 @@ struct Watch {
         world.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
         return toi;
     }
-    void announce(ContactEventType type, double fraction) const {
+    /// @param touch  of the two at that time
+    void announce(ContactEventType type, double fraction, const Toi& touch) const {
         const Shape& a = world.shapes[pair.sensor];
         const Shape& b = world.shapes[pair.other];
         world.contactEvents.push_back({.type = type,
@@ -98,7 +99,9 @@ struct Watch {
                                        .shapeB = world.shapes.idOf(b.head),
                                        .bodyA = world.bodies.idOf(a.body),
                                        .bodyB = world.bodies.idOf(b.body),
-                                       .fraction = fraction});
+                                       .fraction = fraction,
+                                       .point = 0.5 * (touch.pointA + touch.pointB),
+                                       .normal = toReal(touch.normal)});
     }
 };
 
@@ -107,17 +110,18 @@ struct Watch {
 void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, double from, double to) {
     const bool endsInside = isInside(separationAt(watch.sensor, sensorWay, watch.other, otherWay, 1));
     double began = from;
+    Toi touch;
     if (!watch.inside) {
-        const Toi toi = watch.firstTouch(sensorWay, otherWay);
-        if (!meets(toi)) { return; }
-        began = from + toi.fraction * (to - from);
-        watch.announce(ContactEventType::sensorBegin, began);
+        touch = watch.firstTouch(sensorWay, otherWay);
+        if (!meets(touch)) { return; }
+        began = from + touch.fraction * (to - from);
+        watch.announce(ContactEventType::sensorBegin, began, touch);
         watch.inside = true;
     }
     if (endsInside) { return; }
     const Toi back = watch.firstTouch(backwards(sensorWay), backwards(otherWay));
     const double left = meets(back) ? to - back.fraction * (to - from) : began;
-    watch.announce(ContactEventType::sensorEnd, std::max(began, left));
+    watch.announce(ContactEventType::sensorEnd, std::max(began, left), meets(back) ? back : touch);
     watch.inside = false;
 }
 

@@ -3,6 +3,7 @@
 #include "../shapes/distance.h"
 #include "ghosts.h"
 #include "modes.h"
+#include "shape_manifold.h"
 #include "step.h"
 #include "tolerances.h"
 
@@ -57,17 +58,12 @@ void carryImpulses(const Contact& before, Contact& now) {
     }
 }
 
-Manifold manifoldOf(const Shape& a, const Shape& b, const Transform& bInA, Real margin) {
-    return a.isChainSegment ? collide(a.segment, b.polygon, bInA, margin)
-                            : collide(a.polygon, b.polygon, bInA, margin);
-}
-
 }  // namespace
 
 void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
     const Contact before = contact;
     const Transform bInA = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
-    contact.manifold = manifoldOf(world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin);
+    contact.manifold = shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin);
     carryImpulses(before, contact);
 }
 
@@ -84,8 +80,10 @@ void updateContact(const WorldState& world, Contact& contact) {
     if (contact.sensor) {
         const Transform bInA =
             relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
-        contact.manifold.count = distance(a.polygon, b.polygon, bInA).distance <= 0 ? 1 : 0;
-        contact.manifold.points[0].separation = 0;
+        const Distance closest = distance(a.polygon, b.polygon, bInA);
+        contact.manifold.count = closest.distance <= 0 ? 1 : 0;
+        contact.manifold.normal = closest.normal;
+        contact.manifold.points[0] = {.point = Real(0.5) * (closest.pointA + closest.pointB)};
         return;
     }
     refreshManifold(world, contact, contactReach(world, a) + contactReach(world, b));
@@ -111,7 +109,7 @@ ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begin
     event.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
     event.bodyA = world.bodies.idOf(contact.bodyA);
     event.bodyB = world.bodies.idOf(contact.bodyB);
-    if (!contact.sensor && contact.manifold.count > 0) {
+    if (contact.sensor || contact.manifold.count > 0) {
         const WorldTransform& pose = world.motions[contact.bodyA].pose;
         event.point = apply(pose, contact.manifold.points[0].point);
         event.normal = rotate(pose.rotation, contact.manifold.normal);

@@ -6,12 +6,14 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Chain segments and sensors come first, else the lower slot.
+/// Sensors come first, then chain segments, then what does not yield, else the lower slot.
 bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Shape& shapeA = world.shapes[a];
     const Shape& shapeB = world.shapes[b];
     if (shapeA.def.sensor != shapeB.def.sensor) { return shapeA.def.sensor; }
     if (shapeA.isChainSegment != shapeB.isChainSegment) { return shapeA.isChainSegment; }
+    const bool aYields = world.bodies[shapeA.body].isDynamic();
+    if (aYields != world.bodies[shapeB.body].isDynamic()) { return !aYields; }
     return a < b;
 }
 

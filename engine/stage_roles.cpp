@@ -115,8 +115,9 @@ BodyRole roleOf(const WorldState& world, const Body& body) {
     if (!body.isDynamic()) { return BodyRole::free; }
     const ContinuousMode mode = modeOf(world, body);
     const bool alone = body.holdingJoints == 0 && !body.touchesDynamic;
-    const bool flies = body.bounces || (body.fast && (body.strikes || !body.rests));
-    if (alone && flies && !body.deepContact && mode == ContinuousMode::subStep) { return BodyRole::flyer; }
+    const bool isFlung = body.fast && (body.strikes || !body.rests);
+    const bool flies = isFlung || (body.bounces && mode == ContinuousMode::subStep);
+    if (alone && flies && !body.deepContact && isSwept(mode)) { return BodyRole::flyer; }
     return body.holdingJoints == 0 && !body.hasContact ? BodyRole::free : BodyRole::solved;
 }
 

@@ -16,6 +16,10 @@ Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, do
 /// Separation at which an impact is resolved, and how exactly it is met, metres.
 double targetOf(const WorldState& world, const FlightObstacle& obstacle);
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle);
+/// Largest error of a manifold's separation (`Real`) against that of the sweeps (double), metres.
+Real roundingOf(const WorldState& world, const FlightObstacle& obstacle);
+/// Separation up to which what the sweeps met shows up in a manifold, metres.
+Real reachOf(const WorldState& world, const FlightObstacle& obstacle);
 /// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
 /// carries it, metres.
 Real slopOf(const WorldState& world, const FlightObstacle& obstacle);
@@ -31,6 +35,8 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
 /// sunk into by a part of the extent: the solver is soft, and a body that rolls or tips about a contact must not stop there.
 void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch);
 
+/// How far a body may sink into what it just met before that counts as met again, in slops.
+inline constexpr Real kChatterSlops = Real(1) / 8;
 /// How far a body sags between two impacts of what carries it, in slops.
 inline constexpr double kSagSlops = 0.5;
 

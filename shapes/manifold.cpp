@@ -1,5 +1,8 @@
 #include "manifold.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "gjk.h"
 #include "manifold_clip.h"
 
@@ -198,19 +201,36 @@ Manifold collideCores(const PairView& pair, double margin) {
     return areSharp ? collideSharp(pair, margin) : collideByGjk(pair, margin);
 }
 
-}  // namespace
-
-Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin) {
+/// `query(pair, margin)` on the pair at a scale at which its numbers neither overflow nor underflow.
+template <class Query>
+Manifold atSafeScale(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, const Query& query) {
     const RescaledPair scaled(a, b, bInA);
     if (!scaled.isNeeded()) {
-        return collideCores(PairView(a, b, bInA), static_cast<double>(margin));
+        return query(PairView(a, b, bInA), static_cast<double>(margin));
     }
     Polygon scaledA = scaled.a();
     Polygon scaledB = scaled.b();
     scaledA.radius = scaled.scaled(a.radius);
     scaledB.radius = scaled.scaled(b.radius);
     const PairView pair(scaledA, scaledB, scaled.bInA());
-    return restored(scaled, collideCores(pair, static_cast<double>(scaled.scaled(margin))));
+    return restored(scaled, query(pair, static_cast<double>(scaled.scaled(margin))));
+}
+
+}  // namespace
+
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin) {
+    return atSafeScale(a, b, bInA, margin, collideCores);
+}
+
+Manifold collideOnFace(const Polygon& a, int face, const Polygon& b, const Transform& bInA, Real margin, Real sine) {
+    return atSafeScale(a, b, bInA, margin, [face, sine](const PairView& pair, double reach) {
+        const ReferenceFace reference = faceOfA(pair, face);
+        const IncidentEdge incident = incidentOfB(pair, reference.normal);
+        const double height = std::min(std::fabs(dot(reference.normal, incident.start - reference.start)),
+                                       std::fabs(dot(reference.normal, incident.end - reference.start)));
+        const double slack = static_cast<double>(sine) * height;
+        return builderFor(pair, reach, true, reference.normal).build(clip(reference, incident, slack));
+    });
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

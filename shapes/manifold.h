@@ -32,7 +32,13 @@ struct Manifold {
 /// when they overlap, except that a face axis is preferred to a nearly equal one (by a relative tolerance) for coherence.
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin);
 
-/// The same for a one-sided chain segment as A. Nothing is reported when the centre of B's core lies behind the segment,
+/// Against one face of A, whatever axis is shorter: the edge of B that faces it, clipped to the face; separations are heights
+/// above it. Nothing is reported where no part of that edge is over the face.
+/// @param sine  of the angle to the face's normal up to which a vertex beyond the end of the face still counts as over it
+/// @pre A has the face
+Manifold collideOnFace(const Polygon& a, int face, const Polygon& b, const Transform& bInA, Real margin, Real sine);
+
+/// `collide` for a one-sided chain segment as A. Nothing is reported when the centre of B's core lies behind the segment,
 /// or where the contact belongs to a neighbour: normals outside the range that the neighbours leave open are refused
 /// (convex corner) or turned to the segment's own normal (flat or concave corner), so that a body slides over inner
 /// vertices without catching.

@@ -6,6 +6,9 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Where less than this share of a point's response is its own, two points act as one.
+constexpr Real kSingularRatio = 16 * kEpsilon;
+
 /// A pair of states as values: read once, written once per constraint.
 struct PairState {
     BodyState a;
@@ -35,27 +38,79 @@ void solveFriction(ContactConstraint& contact, PairState& pair, const BodyInerti
     }
 }
 
+/// What one point asks for now: its relative velocity along the normal to grow by `speed`, as firmly as the scales say.
+struct NormalDemand {
+    bool any = false;
+    Real speed = 0;
+    Real massScale = 1;
+    Real impulseScale = 0;
+
+    /// Of the impulse at a point, by itself.
+    Real changeAt(const ContactConstraintPoint& point) const {
+        return point.normalMass * massScale * speed - impulseScale * point.normalImpulse;
+    }
+};
+
+/// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
+NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairState& pair, Real h,
+                      bool useBias, bool isCarrying) {
+    const Real separation = currentSeparation(contact, point, pair.a, pair.b);
+    const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
+    // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
+    if (!useBias && closing > contact.bounceSpeed) { return {}; }
+    if (separation > 0) {
+        if (!useBias && !isCarrying) { return {}; }
+        return {true, closing - separation / h};  // apart: may close the gap within this sub-step, no more
+    }
+    if (!useBias) { return {true, closing}; }
+    const Real bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
+    return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
+}
+
+/// The two points of a contact that begins, as a block: one after the other, the first would take all of the blow and turn the
+/// body, and a box that slides into a wall would climb it. @return whether both ask for something, and are not as good as one
+bool solveTogether(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
+                   Real h, bool useBias) {
+    ContactConstraintPoint& one = contact.points[0];
+    ContactConstraintPoint& two = contact.points[1];
+    const bool isCarrying = one.normalImpulse > 0 || two.normalImpulse > 0;
+    const NormalDemand ofOne = demandOf(contact, one, pair, h, useBias, isCarrying);
+    const NormalDemand ofTwo = demandOf(contact, two, pair, h, useBias, isCarrying);
+    const Vec2 n = contact.normal;
+    const Real shared = inertiaA.inverseMass + inertiaB.inverseMass +
+                        inertiaA.inverseInertia * cross(one.anchorA, n) * cross(two.anchorA, n) +
+                        inertiaB.inverseInertia * cross(one.anchorB, n) * cross(two.anchorB, n);
+    const Real oneByTwo = shared * one.normalMass;  // what an impulse at the one takes from that at the other
+    const Real twoByOne = shared * two.normalMass;
+    const Real rest = 1 - oneByTwo * twoByOne;
+    const bool isPush = ofOne.impulseScale > 0 || ofTwo.impulseScale > 0;  // out of an overlap: no blow
+    if (!ofOne.any || !ofTwo.any || isPush || !(rest > kSingularRatio)) { return false; }
+    const Real aloneOne = ofOne.changeAt(one);
+    const Real aloneTwo = ofTwo.changeAt(two);
+    Real totalOne = one.normalImpulse + (aloneOne - oneByTwo * aloneTwo) / rest;
+    Real totalTwo = two.normalImpulse + (aloneTwo - twoByOne * aloneOne) / rest;
+    if (totalTwo < 0) {
+        totalTwo = 0;
+        totalOne = std::max(one.normalImpulse + aloneOne + oneByTwo * two.normalImpulse, Real(0));
+    } else if (totalOne < 0) {
+        totalOne = 0;
+        totalTwo = std::max(two.normalImpulse + aloneTwo + twoByOne * one.normalImpulse, Real(0));
+    }
+    applyPair(pair, inertiaA, inertiaB, one, (totalOne - one.normalImpulse) * n);
+    applyPair(pair, inertiaA, inertiaB, two, (totalTwo - two.normalImpulse) * n);
+    one.normalImpulse = totalOne;
+    two.normalImpulse = totalTwo;
+    return true;
+}
+
 void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA,
                   const BodyInertia& inertiaB, Real h, bool useBias) {
+    if (contact.begins && solveTogether(contact, pair, inertiaA, inertiaB, h, useBias)) { return; }
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-        const Real separation = currentSeparation(contact, point, pair.a, pair.b);
-        const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
-        // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
-        if (!useBias && closing > contact.bounceSpeed) { continue; }
-        Real bias = 0;
-        Real massScale = 1;
-        Real impulseScale = 0;
-        if (separation > 0) {
-            if (!useBias && !(point.normalImpulse > 0)) { continue; }  // relaxation starts no contact
-            bias = separation / h;  // apart: may close the gap within this sub-step, no more
-        } else if (useBias) {
-            bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
-            massScale = contact.softness.massScale;
-            impulseScale = contact.softness.impulseScale;
-        }
-        const Real change = point.normalMass * massScale * (closing - bias) - impulseScale * point.normalImpulse;
-        const Real total = std::max(point.normalImpulse + change, Real(0));
+        const NormalDemand demand = demandOf(contact, point, pair, h, useBias, point.normalImpulse > 0);
+        if (!demand.any) { continue; }
+        const Real total = std::max(point.normalImpulse + demand.changeAt(point), Real(0));
         applyPair(pair, inertiaA, inertiaB, point, (total - point.normalImpulse) * contact.normal);
         point.normalImpulse = total;
     }
@@ -70,6 +125,7 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
     const BodyInertia b = inertias[contact.slotB];
     const Vec2 tangent = rightPerp(contact.normal);
     const Real inverseMass = a.inverseMass + b.inverseMass;
+    contact.begins = contact.count > 1 && !(contact.points[0].normalImpulse > 0) && !(contact.points[1].normalImpulse > 0);
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
         point.baseSeparation -= dot(point.anchorB - point.anchorA, contact.normal);

@@ -35,6 +35,7 @@ struct ContactConstraint {
     Real bounceSpeed = std::numeric_limits<Real>::infinity();
     Softness softness{};
     std::int32_t count = 0;    ///< points
+    bool begins = false;       ///< carried nothing before this solve: its points share their first blow
     std::uint32_t source = 0;  ///< the engine's name for the contact
     std::array<ContactConstraintPoint, 2> points{};
 };

@@ -198,6 +198,7 @@ ImpactProblem problemOf(const ContactConstraint& contact, const SolverBodies& bo
 }
 
 /// Lists what approaches now. @return whether two of them share a body that can be moved, and none differs in restitution
+/// (what is too slow to bounce has none)
 bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
                      ImpactScratch& scratch) {
     scratch.approaching.clear();
@@ -209,7 +210,9 @@ bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverB
     for (ContactConstraint* contact : contacts) {
         const Approach approach = approachOf(problemOf(*contact, bodies), rule);
         if (!approach.any()) { continue; }
-        alike = alike && (scratch.approaching.empty() || scratch.approaching[0]->restitution == contact->restitution);
+        const Real restitution = std::max(approach.restitution[0], approach.restitution[1]);
+        alike = alike && (scratch.approaching.empty() || scratch.restitution == restitution);
+        scratch.restitution = restitution;
         scratch.approaching.push_back(contact);
         scratch.speeds.push_back(
             {approach.active[0] ? approach.speed[0] : Real(0), approach.active[1] ? approach.speed[1] : Real(0)});
@@ -265,7 +268,7 @@ Real reflectionFactor(const SolverBodies& bodies, const ImpactScratch& scratch) 
             change += impulse * (scratch.speeds[c][k] - speed);
         }
     }
-    return change > 0 ? (1 + scratch.approaching[0]->restitution) * (given / change) : Real(1);
+    return change > 0 ? (1 + scratch.restitution) * (given / change) : Real(1);
 }
 
 /// The rest of the reflection, and friction within its cone against the slip that remains.

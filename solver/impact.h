@@ -36,6 +36,7 @@ struct ImpactScratch {
     std::vector<ContactConstraint*> approaching;
     std::vector<std::array<Real, 2>> impulses;  ///< by approaching contact and point, N·s
     std::vector<std::array<Real, 2>> speeds;    ///< approach speeds before, m/s; 0: the point takes no part
+    Real restitution = 0;                       ///< of the contacts in this round, 0 where they are too slow to bounce
     std::vector<std::uint32_t> seen;            ///< by slot: the round in which a contact was found there
     std::uint32_t round = 0;
 };

@@ -140,6 +140,8 @@ TEST(Events, SensorsSeeAndDoNotTouch) {
             EXPECT_EQ(event.bodyA, gate) << "the sensor is A";
             EXPECT_EQ(event.bodyB, ball);
             EXPECT_EQ(world.userData(event.shapeA), 7u);
+            EXPECT_NEAR(event.point.x, event.type == ContactEventType::sensorBegin ? -0.5 : 0.5, 0.05);
+            EXPECT_NEAR(event.point.y, 0, 1e-6);
         }
     }
     ASSERT_EQ(seen.size(), 2u);

@@ -276,7 +276,7 @@ TEST(Modes, OfABodyGoesBeforeThatOfTheWorld) {
         EXPECT_LT(velocityOf(world, balls[2]).x, 0) << "speculative: bounced";
         EXPECT_NEAR(world.centerOfMass(balls[3]).x, -0.11, 1e-3) << "stop: held at the wall";
         EXPECT_NEAR(world.centerOfMass(balls[4]).x, -0.11 - (2 - (1.5 - 0.11)), 1e-3) << "subStep: bounced in time";
-        EXPECT_EQ(world.counters().flyers, 1U);
+        EXPECT_EQ(world.counters().flyers, 2U);
         EXPECT_EQ(world.counters().sweeps, 2U);
         EXPECT_EQ(world.counters().speedsCapped, 1U);
         EXPECT_EQ(world.counters().aheadContacts, 1U);
@@ -345,6 +345,10 @@ TEST(SensorSweeps, SeeWhatPassesWithinAStep) {
         EXPECT_NEAR(events[1].fraction, (1 + 0.2) / 2, 1e-3);
         EXPECT_EQ(events[0].bodyA, gate);
         EXPECT_EQ(events[0].bodyB, ball);
+        EXPECT_LT(length(events[0].point - DVec2{-0.1, 0}), 1e-3);
+        EXPECT_LT(length(events[1].point - DVec2{0.1, 0}), 1e-3);
+        EXPECT_LT(length(events[0].normal - vec(-1, 0)), 1e-6);
+        EXPECT_LT(length(events[1].normal - vec(1, 0)), 1e-6);
         run(world, 1);
         EXPECT_TRUE(sensorEventsOf(world).empty());
     }

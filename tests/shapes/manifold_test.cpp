@@ -285,6 +285,35 @@ TEST(Manifold, WhatHasNoSecondEdgeAboveMakesOnePoint) {
     }
 }
 
+/// A capsule, hardly tilted, on a box or beside its end: along the box's normal, whatever is closest.
+TEST(Manifold, OnAFaceSeparationsAreHeightsAboveIt) {
+    const Polygon box = makeBox({1, 1}).value();
+    const Polygon capsule = makeCapsule({-1, 0}, {1, 0}, real(0.25)).value();
+    int top = 0;
+    while (box.normals[static_cast<std::size_t>(top)].y < real(0.5)) { ++top; }
+    int both = 0;
+    for (std::uint64_t seed = 0; seed < 5'000; ++seed) {
+        Random random(seed);
+        const double angle = random.range(-1e-3, 1e-3);
+        const double x = random.range(-2.5, 2.5);
+        const double height = random.range(-0.01, 0.01);
+        const Transform pose = poseAt(x, 1.25 + height, angle);
+        const Manifold m = collideOnFace(box, top, capsule, pose, real(0.05), real(1) / 1024);
+        const double outside = std::fabs(x) - 1 - std::cos(angle);  // of the core, beyond the end of the face
+        if (std::fabs(outside) < 1e-6 || (outside > 0 && outside < 0.26 / 1024)) { continue; }
+        ASSERT_EQ(m.count > 0, outside < 0) << "seed " << seed;
+        both += m.count == 2 ? 1 : 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+            const ManifoldPoint& point = m.points[i];
+            const double line = height + (static_cast<double>(point.point.x) - x) * std::tan(angle);
+            ASSERT_EQ(m.normal, (Vec2{0, 1}));
+            ASSERT_NEAR(static_cast<double>(point.separation), line, 8 * static_cast<double>(kEps)) << "seed " << seed;
+            ASSERT_NEAR(static_cast<double>(point.point.y), 1 + line / 2, 8 * static_cast<double>(kEps)) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(both, 1000);
+}
+
 TEST(Manifold, CrossingSegmentsMakeOnePointAtTheShallowEnd) {
     const Polygon segment = makeSegment({-1, 0}, {1, 0}).value();
     const Polygon upright = makeSegment({0, real(-0.25)}, {0, 3}).value();
