@@ -169,9 +169,9 @@ double targetOf(const WorldState& world, const FlightObstacle& obstacle) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
     const auto extent = static_cast<double>(std::min(own.extent, other.extent));
-    const double rounding = static_cast<double>(kFlightRoundings) * std::numeric_limits<double>::epsilon() *
-                            static_cast<double>(own.size + other.size);
-    return std::clamp(rounding, static_cast<double>(kFlightTargetRatio) * extent,
+    const double unit = std::max(static_cast<double>(kFlightRoundings) * std::numeric_limits<double>::epsilon(),
+                                 static_cast<double>(kEpsilon));
+    return std::clamp(unit * static_cast<double>(own.size + other.size), static_cast<double>(kFlightTargetRatio) * extent,
                       static_cast<double>(kTargetRatio) * extent);
 }
 

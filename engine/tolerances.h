@@ -11,7 +11,7 @@ namespace swept::inline SWEPT_PRECISION {
 inline constexpr Real kTargetRatio = Real(1) / 1024;
 inline constexpr Real kToleranceRatio = kTargetRatio / 4;
 /// Flyers come closer before they bounce: what they turn back too early is an error of height and time. But not closer than
-/// so many roundings of the pair's coordinates, in which times of impact are found (double).
+/// so many roundings of the pair's coordinates, in which times of impact are found (double), or one of its manifolds (`Real`).
 inline constexpr Real kFlightTargetRatio = kTargetRatio / 64;
 inline constexpr Real kFlightRoundings = 16;
 /// Contacts begin below 2 and end above 4 targets: resting jitter and the TOI's own band lie below the first.

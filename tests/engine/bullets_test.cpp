@@ -71,7 +71,7 @@ TEST(Bullets, NeverPassAPlank) {
         for (const double restitution : {0.0, 1.0}) {
             for (const double speed : {30.0, 100.0, 300.0, 3000.0}) {
                 double lost = 0;
-                for (std::uint64_t seed = 0; seed < 50; ++seed) {
+                for (std::uint64_t seed = 0; seed < 200; ++seed) {
                     const std::string name = std::to_string(speed) + " m/s, plank at " + std::to_string(approach * speed) +
                                              ", e " + std::to_string(restitution) + ", seed " + std::to_string(seed);
                     EXPECT_TRUE(shootAtPlank(speed, approach * speed, restitution, 0.7, seed).met) << name;

@@ -94,6 +94,32 @@ TEST(FreeFlight, ForceAndTorqueAccelerate) {
     expectAtMost("x, coasting", std::abs(world.position(body).x - x - 3 / mass), limit);
 }
 
+/// The only limit of speeds is the user's: past a wall, in every mode without limits or ghosts of its own.
+TEST(FreeFlight, NoSpeedIsTooHigh) {
+    for (const ContinuousMode mode : {ContinuousMode::off, ContinuousMode::stop, ContinuousMode::subStep}) {
+        for (const double speed : {1e2, 1e3, 1e4, 1e6}) {
+            for (const double spin : {0.0, 50.0, 1000.0, 1e4}) {
+                WorldSettings settings = awakeSettings(0);
+                settings.continuous = mode;
+                World world = makeWorld(settings);
+                addStatic(world, segment(-10, -5, 10, -5), material(0.3));
+                const BodyId bar = addBody(world, dynamicAt({0, 0}, vec(speed, 0), spin), box(0.5, 0.05));
+                for (int i = 0; i < 60; ++i) {
+                    must(world.step(kStep));
+                    EXPECT_TRUE(world.lostTime().empty());
+                    EXPECT_EQ(world.counters().speedsLimited + world.counters().speedsCapped, 0U);
+                }
+                const std::string name = "mode " + std::to_string(static_cast<int>(mode)) + ", " + std::to_string(speed) +
+                                         " m/s, " + std::to_string(spin) + " rad/s: ";
+                EXPECT_EQ(velocityOf(world, bar), (DVec2{speed, 0})) << name;
+                EXPECT_EQ(spinOf(world, bar), spin) << name;
+                expectAtMost(name + "x", std::abs(world.centerOfMass(bar).x / speed - 1), 1e-13);
+                expectAtMost(name + "angle", std::abs(world.angle(bar) - spin), 1e-13 * spin);
+            }
+        }
+    }
+}
+
 TEST(FreeFlight, GravityScaleScales) {
     World world = makeWorld();
     BodyDef def = dynamicAt({});

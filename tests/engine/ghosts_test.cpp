@@ -197,9 +197,9 @@ void expectStopped(Ground ground, Wall wall, ContinuousMode mode, const Slider& 
     const std::string name = nameOf(ground) + " wall " + std::to_string(static_cast<int>(wall)) + ", " + nameOf(mode) +
                              ", " + slider.name + " at " + std::to_string(speed) + " m/s: ";
     expectAtMost(name + "past the wall", front - kWallX, 1e-4);
-    expectAtMost(name + "short of the wall", kWallX - front, 1e-3);
+    expectAtMost(name + "short of the wall", kWallX - front, 1e-4);
     expectAtMost(name + "speed on", slowest, 0.01);
-    expectAtMost(name + "thrown up", rise, 0.02);
+    expectAtMost(name + "thrown up", rise, 1e-3);
     expectAtMost(name + "below the floor", slider.height - world.position(body).y, 1e-4);
 }
 
