@@ -54,6 +54,7 @@ struct Body {
     bool strikes = false;         ///< gets to something static or kinematic within this step, and not slowly
     bool startled = false;        ///< this step: a kinematic body may move over it
     bool fast = false;            ///< this step: startled, or some point may move more than a quarter of the extent
+    bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
     std::uint32_t slot = 0;       ///< in the solver, this step
     DVec2 startCenter{};            ///< at the start of this step

@@ -166,7 +166,8 @@ void dropGhosts(Flight& flight) {
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
-    resolveStanding(flight);  // only then may the sweeps look for lower separations
+    // Only then may the sweeps look for lower separations. What no contact knows is farther than any target.
+    if (flight.body().hasContact) { resolveStanding(flight); }
     for (int impacts = 0; flight.remaining() > 0; ++impacts) {
         const Sweep sweep = sweepOf(flight);
         const FirstImpact first = nextImpact(flight, sweep);

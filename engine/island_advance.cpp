@@ -23,6 +23,8 @@ constexpr std::size_t kMaxMemberTries = 1024;
 constexpr int kLastParts = 8;
 /// Radians that a member may turn in a part: sweeps go straight from pose to pose.
 constexpr double kMaxTurn = 0.5;
+/// Without joints the way of a turning body is straight; only what it looks like from its partner changes.
+constexpr double kMaxLooseTurn = 2;
 /// Radians in the shortest part beyond which no turn is followed: the rest of the step is one part.
 constexpr double kHopelessTurn = 1024;
 /// Radians in a sub-step that joints still follow well.
@@ -179,9 +181,10 @@ void addUpReactions(Island& island, double time) {
 
 int subStepsFor(const Island& island, double time) {
     const int standard = subStepsOf(island.world.settings);
-    const double turns = std::ceil(fastestSpin(island) * time / kMaxTurnOfSubStep);
-    const int fewest = island.fast.jointSlots.empty() ? 1 : std::min(kFewestJointedSubSteps, standard);
     const double share = std::ceil(standard * time / island.dt * (1 - kShortestPart));
+    if (island.fast.jointSlots.empty()) { return std::clamp(static_cast<int>(share), 1, standard); }
+    const double turns = std::ceil(fastestSpin(island) * time / kMaxTurnOfSubStep);
+    const int fewest = std::min(kFewestJointedSubSteps, standard);
     return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);
 }
 
@@ -356,6 +359,7 @@ void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
     begin(island);
     double next = dt;
     const int mostTries = std::min(triesFor(island.fast.members.size()), world.settings.maxImpacts);
+    const double maxTurn = island.fast.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
     int tries = 0;
     bool fits = false;
     while (island.elapsed < dt) {
@@ -364,7 +368,7 @@ void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
         const double spin = fastestSpin(island);
         if (spin * island.shortest > kHopelessTurn) { island.shortest = rest; }
         double time = std::max(next, island.shortest);
-        if (spin * time > kMaxTurn) { time = std::max(kMaxTurn / spin, island.shortest); }
+        if (spin * time > maxTurn) { time = std::max(maxTurn / spin, island.shortest); }
         if (time > rest - 0.5 * island.shortest) { time = rest; }
         const double gained = tryPart(island, time, fits, next);
         if (gained <= 0 && fliesInstead(island)) {

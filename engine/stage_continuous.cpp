@@ -15,9 +15,10 @@ constexpr std::size_t kFlyerGrain = 4;
 /// What is fast, or was flung: the solver moved it as far as only a fast body may, since something hit it within the step.
 bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
+    if (!body.fast && !body.flung) { return false; }
     const bool done = body.role == BodyRole::flyer || body.role == BodyRole::together;
     if (!body.isDynamic() || done || !isSwept(modeOf(world, body))) { return false; }
-    return body.fast || (body.role == BodyRole::solved && movedFast(world, slot));
+    return body.fast || (body.flung && movedFast(world, slot));
 }
 
 LostTimeReason reasonOf(const WorldState& world, const Body& body) {

@@ -12,7 +12,7 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
     body.touchesDynamic = body.hasContact = body.deepContact = false;
-    body.bounces = body.rests = body.strikes = body.startled = false;
+    body.bounces = body.rests = body.strikes = body.startled = body.flung = false;
     body.fast = body.extent > 0 && motionBound(world, slot, dt) > kFastRatio * body.extent;
     body.startCenter = motion.center;
     body.startAngle = motion.angle;

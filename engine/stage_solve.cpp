@@ -111,12 +111,20 @@ void addJoints(WorldState& world, std::span<const std::uint32_t> joints, Real h,
     for (const std::uint32_t i : joints) { addConstraint(world.batch, world, i, h, dt); }
 }
 
+/// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else need ask.
+bool isFlung(const Body& body, const BodyState& state) {
+    const Real moved = std::fabs(state.deltaPosition.x) + std::fabs(state.deltaPosition.y) +
+                       std::fabs(state.deltaAngle) * body.radius;
+    return moved > kFastRatio * body.extent;
+}
+
 void readBodies(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t slot : group.bodies) {
-        const Body& body = world.bodies[slot];
+        Body& body = world.bodies[slot];
         if (body.role != group.role) { continue; }
         const BodyState& state = world.batch.states[body.slot];
         BodyMotion& motion = world.motions[slot];
+        if (isFlung(body, state)) { body.flung = true; }
         motion.center += toDouble(state.deltaPosition);
         motion.angle += static_cast<double>(state.deltaAngle);
         motion.velocity = state.velocity;

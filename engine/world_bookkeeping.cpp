@@ -167,8 +167,9 @@ Aabb neededBox(const WorldState& world, const Shape& shape) {
     return tight;  // unreachable, but GCC cannot know
 }
 
-Aabb fatBox(const WorldState& world, const Shape& shape) {
-    const Aabb needed = neededBox(world, shape);
+namespace {
+
+Aabb fattened(const WorldState& world, const Shape& shape, const Aabb& needed) {
     if (world.bodies[shape.body].def.type == BodyType::fixed) { return needed; }
     const Vec2 ahead = (kBoxStepsAhead * static_cast<Real>(world.lastDt)) * world.motions[shape.body].velocity;
     const bool isWorthIt = length(ahead) <= kMaxAheadRatio * shape.extent;
@@ -176,11 +177,16 @@ Aabb fatBox(const WorldState& world, const Shape& shape) {
     return grown(enough, kBoxMarginRatio * shape.extent);
 }
 
+}  // namespace
+
+Aabb fatBox(const WorldState& world, const Shape& shape) { return fattened(world, shape, neededBox(world, shape)); }
+
 void updateProxies(WorldState& world, std::uint32_t body, bool always) {
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
-        if (!always && contains(world.broadphase->box(shape.proxy), neededBox(world, shape))) { continue; }
-        const Status moved = world.broadphase->move(shape.proxy, fatBox(world, shape));
+        const Aabb needed = neededBox(world, shape);
+        if (!always && contains(world.broadphase->box(shape.proxy), needed)) { continue; }
+        const Status moved = world.broadphase->move(shape.proxy, fattened(world, shape, needed));
         if (always) { (void)world.broadphase->renewPairs(shape.proxy); }  // the shape owns it: never stale
         world.counters.proxiesMoved += moved.ok() ? 1 : 0;
     }

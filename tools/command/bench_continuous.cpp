@@ -4,6 +4,7 @@
 #include <string>
 
 #include "../bench/continuous_bench.h"
+#include "../bench/crowd_bench.h"
 #include "../bench/machine.h"
 #include "../output_files.h"
 #include "commands.h"
@@ -16,7 +17,20 @@ struct ContinuousArguments {
     bench::ContinuousBenchSettings settings;
     std::string csv;
     std::string plots;
+    bool crowds = false;
 };
+
+std::vector<bench::CrowdRow> measureCrowds(const ContinuousArguments& arguments) {
+    if (!arguments.crowds) { return {}; }
+    std::vector<bench::CrowdRow> crowds;
+    {
+        Progress progress("crowds", bench::kCrowdCount);
+        crowds = bench::benchCrowds(arguments.settings, [&](int done) { progress.update(done); });
+    }
+    std::cout << '\n';
+    bench::writeCrowdTable(std::cout, crowds);
+    return crowds;
+}
 
 int measure(const ContinuousArguments& arguments) {
     OutputFiles files;
@@ -41,8 +55,10 @@ int measure(const ContinuousArguments& arguments) {
     bench::writeModeTable(std::cout, modes);
     std::cout << '\n';
     bench::writeThicknessTable(std::cout, walls);
+    const std::vector<bench::CrowdRow> crowds = measureCrowds(arguments);
     if (std::ostream* const csv = files.stream(arguments.csv)) {
         bench::writeContinuousCsv(*csv, modes, walls);
+        bench::writeCrowdCsv(*csv, crowds);
     }
     if (!files.close(error)) {
         return refuse(error);
@@ -67,6 +83,7 @@ void addContinuousBench(Command bench) {
     command.option("--seed", arguments->settings.seed, "The same seed gives the same shots [1]")
         .type("S")
         .within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max());
+    command.flag("--crowds", arguments->crowds, "Also what crowds of 1000 cost, beside other engines");
     command.option("--csv", arguments->csv, "Write the tables, a record for each number").type("FILE");
     command.option("--plots", arguments->plots, "Draw how thick a wall must be, if gnuplot is there").type("DIR");
     command.runs([arguments] { return measure(*arguments); });
