@@ -102,6 +102,51 @@ TEST(Energy, NeverGrowsUnderGravity) {
     expectNoGrowth(kGravity, 3, 4, 0.05, 0.005);
 }
 
+/// A square that turns, between four walls, no gravity: J at the end and largest growth, as parts of the energy at the start.
+struct Rattle {
+    double end = 1;
+    double growth = 0;
+    std::uint64_t impacts = 0;
+
+    Rattle(double speed, double friction, std::uint64_t seed) {
+        World world = makeWorld(0);
+        const ShapeDef surface = material(friction, 1);
+        for (int side = 0; side < 4; ++side) {
+            const double turn = side * kPi / 2;
+            addStatic(world, segment(0, -2, 0, 2), surface, turned({2, 0}, turn), turn);
+        }
+        Random random(seed);
+        const double aim = random.range(0, 2 * kPi);
+        const Vec2 velocity = vec(speed * std::cos(aim), speed * std::sin(aim));
+        const BodyId square = addBody(world, dynamicAt({0.3, 0.1}, velocity, random.range(-10, 10)), box(0.5, 0.5), surface);
+        const double before = kineticEnergy(world, square);
+        double lowest = before;
+        for (int i = 0; i < 2000 && impacts < 1000; ++i) {
+            must(world.step(kStep));
+            impacts += world.counters().impacts;
+            const double now = kineticEnergy(world, square);
+            growth = std::max(growth, (now - lowest) / before);
+            lowest = std::min(lowest, now);
+        }
+        end = kineticEnergy(world, square) / before;
+    }
+};
+
+/// Over a thousand impacts.
+TEST(Energy, OfElasticImpactsIsKept) {
+    for (const double speed : {100.0, 1000.0}) {
+        for (std::uint64_t seed = 0; seed < 3; ++seed) {
+            const std::string name = std::to_string(speed) + " m/s, seed " + std::to_string(seed) + ": ";
+            const Rattle smooth(speed, 0, seed);
+            EXPECT_GE(smooth.impacts, 1000U) << name;
+            expectAtMost(name + "drift", std::abs(smooth.end - 1), 1e-4);
+            const Rattle rough(speed, 0.5, seed);
+            EXPECT_LT(rough.end, 0.9) << name;
+            expectAtMost(name + "growth with friction", rough.growth, 1e-6);
+        }
+    }
+}
+
 TEST(Energy, NeverGrowsInAFastCrowd) { expectNoGrowth(kGravity, 50, 3, 3e-4, 4e-5); }
 
 }  // namespace

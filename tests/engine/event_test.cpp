@@ -125,6 +125,34 @@ TEST(Events, HitOfAFlyerIsThatOfTheClosedForm) {
     EXPECT_EQ(hits, 1);
 }
 
+/// What stops at a wall says so in that step, and has the velocity after the impact.
+TEST(Events, HitInModeStopComesInItsStep) {
+    WorldSettings settings = awakeSettings(0);
+    settings.continuous = ContinuousMode::stop;
+    World world = makeWorld(settings);
+    const BodyId wall = addStatic(world, segment(0, -5, 0, 5), material(0, 0.5));
+    const BodyId ball = addBody(world, dynamicAt({-1.5, 0.25}, vec(120, 0)), circle(0.1), material(0, 0.5));
+    must(world.step(kStep));
+    ASSERT_EQ(world.contactEvents().size(), 1U);
+    const ContactEvent hit = world.contactEvents()[0];
+    EXPECT_EQ(hit.type, ContactEventType::hit);
+    EXPECT_EQ(hit.bodyA, wall);
+    EXPECT_EQ(hit.bodyB, ball);
+    EXPECT_NEAR(hit.fraction, 1.4 / 2, 1e-4);
+    EXPECT_LT(length(hit.point - DVec2{0, 0.25}), 1e-4);
+    EXPECT_NEAR(static_cast<double>(hit.normal.x), -1, 1e-6);
+    EXPECT_NEAR(static_cast<double>(hit.approachSpeed), 120, 1e-4);
+    EXPECT_NEAR(static_cast<double>(hit.impulse) / (1.5 * 120 * world.mass(ball)), 1, 1e-5);
+    EXPECT_NEAR(velocityOf(world, ball).x, -60, 1e-4);
+    EXPECT_NEAR(world.position(ball).x, -0.1, 1e-4);
+    ASSERT_EQ(world.lostTime().size(), 1U);
+    EXPECT_EQ(world.lostTime()[0].reason, LostTimeReason::stop);
+    EXPECT_NEAR(world.lostTime()[0].seconds, (1 - hit.fraction) * kStep, 1e-9);
+    must(world.step(kStep));
+    for (const ContactEvent& event : world.contactEvents()) { EXPECT_NE(event.type, ContactEventType::hit); }
+    EXPECT_NEAR(world.position(ball).x, -1.1, 1e-4);
+}
+
 TEST(Events, SensorsSeeAndDoNotTouch) {
     World world = makeWorld(0.0);
     ShapeDef sensor;
