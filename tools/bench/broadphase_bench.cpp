@@ -14,7 +14,10 @@ namespace {
 
 constexpr int kFewestPasses = 2;
 constexpr int kMostPasses = 12;
-constexpr double kTooLong = 1;  // seconds for a pass
+// Patience with a pass, in seconds: a second, or so much for each box and step. What compares all with all exceeds it,
+// a tree does not.
+constexpr double kShortPass = 1;
+constexpr double kTooLongPerBox = 5e-6;
 constexpr double kNano = 1e9;
 
 /// The fastest that each step was done by one contestant.
@@ -35,8 +38,14 @@ struct Entry {
 
 std::uint64_t hashOf(const std::vector<TracePair>& pairs) {
     std::uint64_t hash = 0;
-    for (const TracePair& pair : pairs) { hash += pairHash(pair); }
+    for (const TracePair& pair : pairs) {
+        hash += pairHash(pair);
+    }
     return hash;
+}
+
+double tooLong(std::size_t boxes, std::size_t steps) {
+    return std::max(kShortPass, kTooLongPerBox * static_cast<double>(boxes * steps));
 }
 
 void askQueries(Entry& entry, const SceneQueries& queries) {
@@ -51,6 +60,7 @@ void askQueries(Entry& entry, const SceneQueries& queries) {
 void replay(Entry& entry, const BoxTrace& trace, const TraceTruth& truth, const SceneQueries& queries) {
     const Stopwatch whole;
     BroadphaseContestant& contestant = *entry.contestant;
+    const double patience = tooLong(trace.proxies.size(), trace.steps.size());
     std::vector<TracePair> found;
     contestant.begin(trace.proxies);
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
@@ -64,7 +74,7 @@ void replay(Entry& entry, const BoxTrace& trace, const TraceTruth& truth, const 
         entry.boxTests[i] = contestant.boxTests() - testsBefore;
         contestant.forget(truth.ended[i]);
         entry.agrees = entry.agrees && found.size() == truth.found[i] && hashOf(found) == truth.hashes[i];
-        if (whole.seconds() > kTooLong && i + 1 < trace.steps.size()) {
+        if (whole.seconds() > patience && i + 1 < trace.steps.size()) {
             entry.isGivenUp = true;
             return;
         }
@@ -77,7 +87,9 @@ void replay(Entry& entry, const BoxTrace& trace, const TraceTruth& truth, const 
 template <class T>
 double sumFrom(const std::vector<T>& values, std::size_t first) {
     double sum = 0;
-    for (std::size_t i = first; i < values.size(); ++i) { sum += static_cast<double>(values[i]); }
+    for (std::size_t i = first; i < values.size(); ++i) {
+        sum += static_cast<double>(values[i]);
+    }
     return sum;
 }
 
@@ -135,10 +147,13 @@ class Patience {
 public:
     bool mayRun(const std::string& scene, const std::string& method, std::uint32_t count) const {
         const auto found = last_.find({scene, method});
-        if (found == last_.end()) { return true; }
+        if (found == last_.end()) {
+            return true;
+        }
         const Seen& seen = found->second;
         const double growth = std::pow(static_cast<double>(count) / seen.count, seen.exponent);
-        return seen.seconds * growth * stepsFor(count) < kTooLong;
+        const int steps = stepsFor(count);
+        return seen.seconds * growth * steps < tooLong(count, static_cast<std::size_t>(steps));
     }
     /// @param seconds  of one step
     void note(const BroadphaseRow& row, std::uint32_t count) {
@@ -173,15 +188,21 @@ std::vector<BroadphaseRow> benchTrace(const BroadphaseContestants& contestants, 
     const TraceTruth truth = truthOf(motion, trace);
     const SceneQueries queries = queriesFor(trace, kQueries, 1);
     std::vector<Entry> entries;
-    for (const auto& contestant : contestants) { entries.push_back(entryFor(*contestant, trace.steps.size())); }
+    for (const auto& contestant : contestants) {
+        entries.push_back(entryFor(*contestant, trace.steps.size()));
+    }
     for (int pass = 0; pass < kMostPasses; ++pass) {
         for (Entry& entry : entries) {
-            if (!entry.isGivenUp && (pass < kFewestPasses || entry.spent < secondsPerCase)) { replay(entry, trace, truth, queries); }
+            if (!entry.isGivenUp && (pass < kFewestPasses || entry.spent < secondsPerCase)) {
+                replay(entry, trace, truth, queries);
+            }
         }
     }
     std::vector<BroadphaseRow> rows;
     for (const Entry& entry : entries) {
-        if (!entry.isGivenUp) { rows.push_back(rowOf(entry, trace, truth, queries)); }
+        if (!entry.isGivenUp) {
+            rows.push_back(rowOf(entry, trace, truth, queries));
+        }
     }
     return rows;
 }
@@ -191,7 +212,9 @@ std::vector<BroadphaseRow> benchDistributions(const BroadphaseBenchSettings& set
     std::vector<BroadphaseRow> rows;
     Patience patience;
     for (const BoxScene scene : kBoxScenes) {
-        if (!isWanted(nameOf(scene), settings.scenes)) { continue; }
+        if (!isWanted(nameOf(scene), settings.scenes)) {
+            continue;
+        }
         for (const std::uint32_t count : settings.counts) {
             progress(std::string(nameOf(scene)) + ' ' + std::to_string(count));
             const int steps = stepsFor(count);
@@ -200,9 +223,8 @@ std::vector<BroadphaseRow> benchDistributions(const BroadphaseBenchSettings& set
             BoxTrace trace = enlarged(motion, {});
             trace.warmSteps = 1 + static_cast<std::size_t>(warmSteps);
             BroadphaseContestants contestants = allBroadphases(settings.kinds);
-            std::erase_if(contestants, [&](const auto& one) {
-                return !patience.mayRun(nameOf(scene), one->name(), count);
-            });
+            std::erase_if(contestants,
+                          [&](const auto& one) { return !patience.mayRun(nameOf(scene), one->name(), count); });
             for (const BroadphaseRow& row : benchTrace(contestants, motion, trace, settings.secondsPerCase)) {
                 patience.note(row, count);
                 rows.push_back(row);
@@ -212,10 +234,13 @@ std::vector<BroadphaseRow> benchDistributions(const BroadphaseBenchSettings& set
     return rows;
 }
 
-std::vector<BroadphaseRow> benchPeerScenes(const BroadphaseBenchSettings& settings, const BroadphaseProgress& progress) {
+std::vector<BroadphaseRow> benchPeerScenes(const BroadphaseBenchSettings& settings,
+                                           const BroadphaseProgress& progress) {
     std::vector<BroadphaseRow> rows;
     for (const PeerScene scene : kPeerScenes) {
-        if (!isWanted(nameOf(scene), settings.scenes)) { continue; }
+        if (!isWanted(nameOf(scene), settings.scenes)) {
+            continue;
+        }
         progress(nameOf(scene));
         const RecordedScene recorded = recordPeerScene(scene);
         BoxTrace trace = enlarged(recorded.motion, {.asBox2d3 = true});
