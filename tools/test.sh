@@ -2,7 +2,8 @@
 # Builds everything and runs the tests: first with the default compiler, both precisions; then with clang 14 and the
 # address and undefined behaviour sanitizers the tests labelled quick; then with thread sanitizer those labelled parallel.
 #   tools/test.sh [--long] [--werror] [--no-sanitizers]
-# --long adds the tests labelled long, and the layers' suites in f64 to the sanitizers.
+# --long adds the tests labelled long, the layers' suites in f64 to the sanitizers,
+# and a minute of each fuzzer (tests/fuzz).
 # --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -15,7 +16,7 @@ for argument in "$@"; do
         --long) long=yes ;;
         --werror) werror=ON ;;
         --no-sanitizers) sanitizers=no ;;
-        -h | --help) sed -n '2,6s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '2,7s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) fail "unknown argument $argument (see --help)" ;;
     esac
 done
@@ -57,6 +58,26 @@ build_and_test() {
     run_tests "$preset" "$title" -L "^$label\$"
 }
 
+# fuzz: each fuzzer for a minute, from the corpus in tests/fuzz; what it finds stays in build/fuzz.
+fuzz() {
+    local target
+    say "libFuzzer: configuring and building (build/fuzz)"
+    configure fuzz -DSWEPT_BUILD_TESTS=ON -DSWEPT_WERROR="$werror"
+    build fuzz swept_fuzzers
+    for target in scene hull toi world; do
+        local found="$root/build/fuzz/found/$target"
+        mkdir -p "$found"
+        say "libFuzzer: $target"
+        if "$root/build/fuzz/tests/fuzz/swept_fuzz_$target" -max_total_time=60 -timeout=20 -artifact_prefix="$found-" \
+            "$found" "$root/tests/fuzz/corpus/$target" >"$log_dir/fuzz-$target.log" 2>&1; then
+            printf 'fuzzer %s: nothing found in a minute\n' "$target" >>"$summary"
+        else
+            printf 'fuzzer %s: FAILED, see build/logs/fuzz-%s.log\n' "$target" "$target" >>"$summary"
+            failed=yes
+        fi
+    done
+}
+
 say "default compiler: configuring and building everything (build/release)"
 configure release -DSWEPT_BUILD_TESTS=ON -DSWEPT_WERROR="$werror"
 build release all
@@ -70,6 +91,7 @@ if [ "$sanitizers" = yes ]; then
     if [ "$long" = yes ]; then
         build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick_long" quick_long
     fi
+    if [ "$long" = yes ]; then fuzz; fi
     build_and_test tsan "clang 14, thread sanitizer, tests labelled parallel" parallel
 fi
 
