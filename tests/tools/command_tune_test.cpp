@@ -63,6 +63,15 @@ TEST_F(CommandTune, AdvisesGoesOnWhereItWasAndGathersShards) {
     EXPECT_EQ(rowsWithoutCost(scratch.read("parts/tune.csv")), rowsWithoutCost(rows));
 }
 
+TEST_F(CommandTune, TellsWhatTheSceneCanDoWithout) {
+    const ProgramResult result = tune("out", with(limit, {"--ablate"}));
+    ASSERT_EQ(result.exitCode, 0) << result.err << result.out;
+    EXPECT_NE(result.out.find("Leanest profile: without"), std::string::npos) << result.out;
+    EXPECT_NE(scratch.read("out/ablation.csv").find("\nfriction,"), std::string::npos);
+    EXPECT_FALSE(scratch.has("out/tune.csv"));
+    EXPECT_EQ(runSwept({"run", scratch.path("out/lean.json"), "--steps", "2"}).exitCode, 0);
+}
+
 TEST_F(CommandTune, RefusesBadInputAndWritesNothing) {
     const std::vector<std::vector<std::string>> cases{
         {},
@@ -72,6 +81,7 @@ TEST_F(CommandTune, RefusesBadInputAndWritesNothing) {
         {"--max-error", "penetration=1", "--shard", "3/2"},
         {"--max-error", "penetration=1", "--shard", "1/2", "--gather"},
         {"--max-error", "penetration=1", "--gather"},  // nothing to gather
+        {"--max-error", "penetration=1", "--ablate", "--shard", "1/2"},
         {"--max-error", "penetration=1", "--threads", "0"},
         {"--max-error", "penetration=1", "--precision", "f64"},
         {"--max-error", "penetration=1", "--set", "/settings/dt=-1"}};

@@ -5,7 +5,9 @@
 #include <set>
 
 #include <swept/samples/scene_builder.h>
+#include <swept/samples/scene_reader.h>
 #include <swept/tools/measures/measure_run.h>
+#include <swept/tools/tune/ablation.h>
 #include <swept/tools/tune/run_config.h>
 #include <swept/tools/tune/search.h>
 #include <swept/tools/tune/store.h>
@@ -254,6 +256,75 @@ TEST(TuneRuns, MeasureWhatTheSettingsDo) {
     const Row again = runConfig(subject, ownConfig(subject.scene), reference);
     EXPECT_EQ(again.errors[Measure::penetration], ownRow.errors[Measure::penetration]);
     EXPECT_EQ(again.work, ownRow.work) << "no clock is in it";
+}
+
+/// A crate that slides on a floor and stops, a ball that bounces far off, an eye that sees nothing.
+Subject slidingCrate() {
+    SceneDescription scene = build::scene("sliding", {0, 0}, 10);
+    build::addFixed(scene, "floor", {0, -0.5}, {build::box({50, 0.5})});
+    build::addDynamic(scene, "crate", {0, 0.5}, {build::box({0.5, 0.5})}).velocity = {3, 0};
+    ShapeDescription ball = build::withRestitution(build::circle(0.5), 0.5);
+    build::addDynamic(scene, "ball", {20, 1}, {ball});
+    ShapeDescription eye = build::circle(1);
+    eye.sensor = true;
+    build::addFixed(scene, "eye", {-20, 5}, {eye});
+    return {scene, 64};
+}
+
+const Ablated& without(const Ablation& ablation, const std::string& feature) {
+    for (const Ablated& one : ablation.single) {
+        if (one.features.front() == feature) {
+            return one;
+        }
+    }
+    ADD_FAILURE() << "no feature " << feature;
+    return ablation.lean;
+}
+
+TEST(TuneAblation, FeaturesAreGoneWhenTheyAreTakenAway) {
+    for (const Feature& feature : allFeatures()) {
+        SceneDescription scene = slidingCrate().scene;
+        build::hinge(scene, "crate", "ball", {10, 1});
+        scene.bodies[1].bullet = true;
+        Config config = ownConfig(scene);
+        EXPECT_TRUE(feature.isPresent(scene, config)) << feature.name;
+        feature.remove(scene, config);
+        const bool isSensors = std::string(feature.name) == "sensors";  // they stay as weights
+        EXPECT_EQ(feature.isPresent(scene, config), isSensors) << feature.name;
+        EXPECT_FALSE(validateScene(withConfig(scene, config))) << feature.name;
+    }
+}
+
+TEST(TuneAblation, TellsWhatTheOutcomeNeeds) {
+    const Subject subject = slidingCrate();
+    const measures::Reference reference = measures::makeReference(subject.scene, subject.ticks);
+    const std::vector<Limit> limits{{Measure::penetration, 0.05, false}};
+    const Ablation ablation = ablate(subject, limits, reference, 2, [](std::size_t, std::size_t) {});
+    const Ablated& friction = without(ablation, "friction");
+    EXPECT_TRUE(friction.isNeeded);
+    // Without it the crate goes 3 m/s · 64/60 s; with it v²/(2·0.6·g) at most.
+    EXPECT_NEAR(friction.change, 3.2 - 9 / (2 * 0.6 * 9.81), 0.05);
+    EXPECT_TRUE(without(ablation, "restitution").isNeeded);
+    EXPECT_FALSE(without(ablation, "sensors").isNeeded) << "nobody comes near";
+    EXPECT_FALSE(without(ablation, "joints").isPresent);
+    EXPECT_FALSE(without(ablation, "bullets").isPresent);
+    EXPECT_FALSE(without(ablation, "relaxation").isNeeded);
+    EXPECT_FALSE(ablation.lean.features.empty());
+    EXPECT_LT(ablation.lean.row.work, ablation.whole.work);
+    EXPECT_LE(strain(ablation.lean.row, limits, reference.uncertainty), 1);
+    for (const char* const kept : {"friction", "restitution"}) {
+        EXPECT_EQ(std::count(ablation.lean.features.begin(), ablation.lean.features.end(), kept), 0) << kept;
+    }
+}
+
+TEST(TuneAblation, SensorsThatTellSomethingAreNeeded) {
+    Subject subject = slidingCrate();
+    subject.scene.bodies[3].position = {1, 0.5};
+    const measures::Reference reference = measures::makeReference(subject.scene, subject.ticks);
+    const Ablation ablation =
+        ablate(subject, {{Measure::penetration, 0.05, false}}, reference, 2, [](std::size_t, std::size_t) {});
+    EXPECT_TRUE(without(ablation, "sensors").isNeeded);
+    EXPECT_EQ(without(ablation, "sensors").change, 0);
 }
 
 TEST(TuneTeam, EveryIndexRunsOnce) {

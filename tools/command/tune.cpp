@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -9,6 +11,7 @@
 
 #include "../bench/machine.h"
 #include "../number_text.h"
+#include "../tune/ablation.h"
 #include "../tune/plot.h"
 #include "../tune/progress_bar.h"
 #include "../tune/tuner.h"
@@ -27,6 +30,7 @@ struct TuneArguments {
     std::string out;
     std::string shard;
     bool gather = false;
+    bool ablate = false;
     int threads = 0;  ///< 0: all there are
 };
 
@@ -62,6 +66,10 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
         error = "--shard: is a part of the work; --gather and mpirun do all of it";
         return false;
     }
+    if (arguments.ablate && (!arguments.shard.empty() || arguments.gather || team.size() > 1)) {
+        error = "--ablate: is a dozen runs, for one process; --shard, --gather and mpirun share the search";
+        return false;
+    }
     if (loaded->steps < kFewestSteps) {
         error = "too short: tune needs " + std::to_string(kFewestSteps) + " steps at least";
         return false;
@@ -95,11 +103,9 @@ void printHead(const Task& task, const tune::Knowledge& known) {
     std::cout << std::flush;
 }
 
-/// The scene with the recommended settings.
-bool writeTuned(const Task& task, const tune::Config& config, std::string& error) {
-    const std::string path = task.directory + "/tuned.json";
+bool writeFile(const std::string& path, const std::string& text, std::string& error) {
     std::ofstream file(path, std::ios::binary);
-    file << writeScene(tune::withConfig(task.options.subject.scene, config));
+    file << text;
     file.close();
     if (!file) {
         error = path + ": cannot be written";
@@ -133,7 +139,8 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
         std::cout << ": " << roundedText(row.cost / own->cost, 2) << " of what the scene costs now";
     }
     std::cout << '\n';
-    if (!writeTuned(task, row.config, error)) {
+    const std::string tuned = writeScene(tune::withConfig(subject.scene, row.config));
+    if (!writeFile(task.directory + "/tuned.json", tuned, error)) {
         return kExitBadInput;
     }
     std::cout << "scene  " << task.directory << "/tuned.json"
@@ -156,6 +163,50 @@ void keepInStore(const tune::Subject& subject, const tune::Knowledge& there, con
     }
 }
 
+/// The rows of this process's own file, and those of all it shall know.
+bool readRows(tune::Store& store, const tune::Subject& subject, bool gather, tune::Knowledge& there,
+              tune::Knowledge& known, std::string& error) {
+    return store.read(subject, false, there, error) && store.read(subject, gather, known, error);
+}
+
+/// What the scene can do without, as it is.
+int ablateScene(const Task& task, tune::LazyReference& reference, tune::ProgressBar& bar) {
+    const tune::Subject& subject = task.options.subject;
+    const std::vector<tune::Limit>& limits = task.options.limits;
+    const tune::Ablation ablation =
+        tune::ablate(subject, limits, reference.get(), task.options.threads,
+                     [&bar](std::size_t done, std::size_t all) { bar.show("features", done, all); });
+    bar.clear();
+    std::cout << '\n';
+    tune::writeAblation(std::cout, limits, ablation);
+    std::ostringstream csv;
+    tune::writeAblationCsv(csv, ablation);
+    std::string error;
+    std::error_code failure;
+    std::filesystem::create_directories(task.directory, failure);
+    if (!writeFile(task.directory + "/ablation.csv", csv.str(), error) ||
+        !writeFile(task.directory + "/lean.json", writeScene(tune::leanScene(subject, ablation)), error)) {
+        return refuse(error);
+    }
+    std::cout << "\nLeanest profile: ";
+    for (std::size_t i = 0; i < ablation.lean.features.size(); ++i) {
+        std::cout << (i == 0 ? "without " : ", ") << ablation.lean.features[i];
+    }
+    if (ablation.lean.features.empty()) {
+        std::cout << "the scene as it is";
+    } else if (ablation.whole.cost > 0) {
+        std::cout << ": " << roundedText(ablation.lean.row.cost / ablation.whole.cost, 2)
+                  << " of what the scene costs now";
+    }
+    std::cout << "\nscene  " << task.directory << "/lean.json\nrows   " << task.directory << "/ablation.csv\n";
+    if (!tune::holds(tune::strain(ablation.whole, limits, reference.get().uncertainty))) {
+        std::cout
+            << "The scene as it is does not keep these errors; without --ablate, settings that do are looked for.\n";
+        return kNotKept;
+    }
+    return kExitDone;
+}
+
 int tuneScene(const TuneArguments& arguments) {
     const auto team = tune::makeTeam();
     const bool isFirst = team->rank() == 0;
@@ -169,7 +220,7 @@ int tuneScene(const TuneArguments& arguments) {
     tune::Store store(task.directory, task.options.shard);
     tune::Knowledge there;
     tune::Knowledge known;
-    if (!store.read(subject, false, there, error) || !store.read(subject, arguments.gather, known, error)) {
+    if (!arguments.ablate && !readRows(store, subject, arguments.gather, there, known, error)) {
         return refuseOnce(error);
     }
     tune::ProgressBar bar("tuning " + task.source, isFirst);
@@ -181,13 +232,16 @@ int tuneScene(const TuneArguments& arguments) {
     }
     tune::addImplied(task.options.limits, subject, known);
     error = tune::whyMeaningless(subject, task.options.limits, known);
-    if (!error.empty() || (isFirst && !store.open(error))) {
+    if (!error.empty() || (isFirst && !arguments.ablate && !store.open(error))) {
         bar.clear();
         return refuseOnce(error);
     }
     if (isFirst) {
         bar.clear();
         printHead(task, known);
+        if (arguments.ablate) {
+            return ablateScene(task, reference, bar);
+        }
         keepInStore(subject, there, known, store);
     }
     tune::tune(task.options, reference, *team, isFirst ? &store : nullptr, known,
@@ -228,6 +282,8 @@ void addTuneCommand(Command app) {
     command.option("--shard", arguments->shard, "Only the i-th of n parts of the work, into a file of its own")
         .type("i/n");
     command.flag("--gather", arguments->gather, "Take the rows of all shards, run what is missing, give the advice");
+    command.flag("--ablate", arguments->ablate,
+                 "Instead of a search, each feature off in turn: what the scene can do without");
     command.runs([arguments] { return tuneScene(*arguments); });
 }
 

@@ -14,8 +14,9 @@ constexpr int kTimedRuns = 3;
 /// Seconds after which no further run is timed.
 constexpr double kTimedSeconds = 4;
 
-std::unique_ptr<Runner> makeRunnerOf(const Subject& subject, const Config& config, bool measure, std::string& error) {
-    const SceneDescription scene = withConfig(subject.scene, config);
+std::unique_ptr<Runner> makeRunnerOf(const SceneDescription& given, const Config& config, bool measure,
+                                     std::string& error) {
+    const SceneDescription scene = withConfig(given, config);
     if (config.engine == Engine::box2d) {
         return makeBox2dRunner(scene, error, iterationsOf(config.subSteps));
     }
@@ -35,13 +36,12 @@ double timeOf(Runner& runner, std::int64_t steps) {
 }
 
 /// Of runs that measure nothing else.
-double secondsOf(const Subject& subject, const Config& config) {
-    const std::int64_t steps = paceOf(subject.scene, config, subject.ticks).steps();
+double secondsOf(const SceneDescription& scene, const Config& config, std::int64_t steps) {
     double best = 0;
     double spent = 0;
     for (int i = 0; i < kTimedRuns && spent < kTimedSeconds; ++i) {
         std::string error;
-        const auto runner = makeRunnerOf(subject, config, false, error);
+        const auto runner = makeRunnerOf(scene, config, false, error);
         if (!runner) {
             return 0;
         }
@@ -84,25 +84,33 @@ double workOf(const RunReport& report, const Config& config, double duration) {
 
 }  // namespace
 
-Row runConfig(const Subject& subject, const Config& config, const measures::Reference& reference) {
-    Row row;
+Run runScene(const SceneDescription& scene, const Subject& subject, const Config& config,
+             const measures::Reference& reference) {
+    Run run;
+    Row& row = run.row;
     row.config = config;
     std::string refusal;
-    const auto runner = makeRunnerOf(subject, config, true, refusal);
+    const auto runner = makeRunnerOf(scene, config, true, refusal);
     if (!runner) {
         row.verdict = "refused";
-        return row;
+        return run;
     }
-    const measures::Recording recording = measures::record(*runner, paceOf(subject.scene, config, subject.ticks));
-    row.verdict = recording.verdict;
-    if (!recording.isComplete()) {
-        return row;
+    const measures::Pace pace = paceOf(subject.scene, config, subject.ticks);
+    run.recording = measures::record(*runner, pace);
+    row.verdict = run.recording.verdict;
+    if (!run.recording.isComplete()) {
+        return run;
     }
-    row.errors = measures::measured(subject.scene, recording, reference);
-    row.work = workOf(recording.report, config, recording.duration());
-    const double seconds = config.engine == Engine::box2d ? secondsOfChild(*runner) : secondsOf(subject, config);
-    row.cost = seconds / recording.duration();
-    return row;
+    row.errors = measures::measured(subject.scene, run.recording, reference);
+    row.work = workOf(run.recording.report, config, run.recording.duration());
+    const double seconds =
+        config.engine == Engine::box2d ? secondsOfChild(*runner) : secondsOf(scene, config, pace.steps());
+    row.cost = seconds / run.recording.duration();
+    return run;
+}
+
+Row runConfig(const Subject& subject, const Config& config, const measures::Reference& reference) {
+    return runScene(subject.scene, subject, config, reference).row;
 }
 
 }  // namespace swept::tune

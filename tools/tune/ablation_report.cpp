@@ -1,0 +1,104 @@
+#include <cmath>
+#include <ostream>
+
+#include "../bench/text_table.h"
+#include "../csv_writer.h"
+#include "../number_text.h"
+#include "ablation.h"
+
+namespace swept::tune {
+namespace {
+
+std::string percent(double part) {
+    const double change = 100 * (part - 1);
+    return (change > 0 ? "+" : "") + roundedText(change, std::fabs(change) < 10 ? 1 : 2) + " %";
+}
+
+std::string judgement(const Ablated& one) {
+    if (!one.isPresent) {
+        return "not there";
+    }
+    return one.isNeeded ? "needed" : "can go";
+}
+
+std::vector<std::string> cellsOf(const std::string& name, const Ablated& one, const Ablation& ablation,
+                                 const std::vector<Limit>& limits) {
+    std::vector<std::string> cells{name, judgement(one)};
+    if (!one.isPresent || !one.row.verdict.empty()) {
+        cells.resize(5 + limits.size(), one.row.verdict.empty() ? "" : one.row.verdict);
+        return cells;
+    }
+    cells.push_back(roundedText(one.change, 2));
+    cells.push_back(bench::threeDigits(1e3 * one.row.cost));
+    cells.push_back(percent(one.row.cost / ablation.whole.cost));
+    for (const Limit& limit : limits) {
+        const double error = one.row.errors[limit.measure];
+        cells.push_back(std::isnan(error) ? "-" : roundedText(error, 2));
+    }
+    return cells;
+}
+
+}  // namespace
+
+void writeAblation(std::ostream& out, const std::vector<Limit>& limits, const Ablation& ablation) {
+    std::vector<std::string> head{"without", "", "change, m", "ms per s", "cost"};
+    for (const Limit& limit : limits) {
+        const measures::MeasureInfo& info = measures::infoOf(limit.measure);
+        head.push_back(std::string(info.name) + (std::string(info.unit) == "1" ? "" : std::string(", ") + info.unit));
+    }
+    bench::TextTable table(head);
+    Ablated nothing;
+    nothing.row = ablation.whole;
+    std::vector<std::string> first = cellsOf("(nothing)", nothing, ablation, limits);
+    first[1] = "";
+    table.add(first);
+    for (const Ablated& one : ablation.single) {
+        table.add(cellsOf(one.features.front(), one, ablation, limits));
+    }
+    std::vector<std::string> last = cellsOf("all that can go", ablation.lean, ablation, limits);
+    last[1] = ablation.lean.features.empty() ? "nothing" : "";
+    table.add(last);
+    table.write(out);
+    out << "change: farthest that a body gets from where it is with the feature; up to "
+        << roundedText(ablation.visible, 2)
+        << " m nobody sees it\nms per s: processor time of the steps of a simulated second\n";
+}
+
+void writeAblationCsv(std::ostream& out, const Ablation& ablation) {
+    std::string text = "without,judgement,changeMetres,costPerSecond,work,verdict";
+    for (const measures::MeasureInfo& info : measures::allMeasures()) {
+        text += std::string(",") + info.name;
+    }
+    text += '\n';
+    const auto write = [&](const std::string& name, const std::string& judged, const Ablated& one) {
+        text += csvField(name) + ',' + judged + ',';
+        appendNumber(text, one.change);
+        text += ',';
+        appendNumber(text, one.row.cost);
+        text += ',';
+        appendNumber(text, one.row.work);
+        text += ',' + csvField(one.row.verdict);
+        for (std::size_t i = 0; i < measures::kMeasureCount; ++i) {
+            const double error = one.row.errors[static_cast<measures::Measure>(i)];
+            text += ',';
+            if (!std::isnan(error)) {
+                appendNumber(text, error);
+            }
+        }
+        text += '\n';
+    };
+    Ablated nothing;
+    nothing.row = ablation.whole;
+    write("nothing", "", nothing);
+    for (const Ablated& one : ablation.single) {
+        write(one.features.front(), judgement(one), one);
+    }
+    std::string together;
+    for (const std::string& name : ablation.lean.features) {
+        together += (together.empty() ? "" : " + ") + name;
+    }
+    write(together.empty() ? "nothing can go" : together, "leanest", ablation.lean);
+    out << text;
+}
+
+}  // namespace swept::tune
