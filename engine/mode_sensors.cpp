@@ -201,7 +201,6 @@ void watchPair(WorldState& world, const SensorPair& pair, double dt) {
 }  // namespace
 
 void sweepSensors(WorldState& world, double dt) {
-    if (world.sensorShapes == 0) { return; }
     std::vector<SensorPair>& pairs = world.sensorSweeps.pairs;
     pairs.clear();
     for (const std::uint32_t slot : world.awake) {

@@ -135,14 +135,12 @@ void noticeTouching(WorldState& world, Contact& contact) {
         contact.touching = touching;
     }
     if (!contact.isSolid()) { return; }
-    world.counters.aheadContacts += isAhead(world, contact) ? 1 : 0;
     if (disturbs(world, contact.bodyA) && world.bodies[contact.bodyB].isDynamic()) { wake(world, contact.bodyB); }
     if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
 }
 
 /// A joint pulls: what is awake and moves wakes what hangs on it.
 void wakeAcrossJoints(WorldState& world) {
-    if (world.joints.size() == 0) { return; }
     for (std::size_t i = 0; i < world.awake.size(); ++i) {  // grows as it goes
         const std::uint32_t slot = world.awake[i];
         if (!disturbs(world, slot)) { continue; }
@@ -154,6 +152,13 @@ void wakeAcrossJoints(WorldState& world) {
     }
 }
 
+void countAhead(WorldState& world) {
+    for (const Contact& contact : world.contacts) {
+        const bool counts = contact.updated && !contact.apart && contact.isSolid();
+        world.counters.aheadContacts += counts && isAhead(world, contact) ? 1 : 0;
+    }
+}
+
 }  // namespace
 
 void collideContacts(WorldState& world) {
@@ -161,12 +166,13 @@ void collideContacts(WorldState& world) {
         for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
     });
     dropGhosts(world, world.contacts, world.awake);
-    wakeAcrossJoints(world);
+    if (world.joints.size() > 0) { wakeAcrossJoints(world); }
     bool anyApart = false;
     for (Contact& contact : world.contacts) {
         noticeTouching(world, contact);
         anyApart = anyApart || (contact.updated && contact.apart);
     }
+    if (world.watched) { countAhead(world); }
     if (anyApart) {
         removeContacts(world, [](const Contact& contact) { return contact.updated && contact.apart; });
     }

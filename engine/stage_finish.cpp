@@ -186,7 +186,7 @@ void putToSleep(WorldState& world, double dt) {
         anyTired = anyTired || tired;
         if (!tired) { world.islandRestless[world.islands.find(slot)] = 1; }
     }
-    if (!world.settings.sleep || !anyTired) { return; }
+    if (!anyTired) { return; }
     keepAwakeByKinematic(world);
     for (const std::uint32_t slot : world.awake) {
         const bool rests = world.bodies[slot].isDynamic() && world.islandRestless[world.islands.find(slot)] == 0;

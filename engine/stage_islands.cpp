@@ -14,7 +14,6 @@ bool isFastTied(const WorldState& world, const Body& body) {
 /// Marks the islands, and gives all their bodies the role `together`.
 void listBodies(WorldState& world) {
     FastIslands& fast = world.fastIslands;
-    fast.any = false;
     fast.bodies.clear();
     for (const std::uint32_t slot : world.awake) {
         if (!isFastTied(world, world.bodies[slot])) { continue; }
@@ -85,7 +84,6 @@ void findFastIslands(WorldState& world) {
 
 void advanceFastIslands(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
-    if (!fast.any) { return; }
     if (world.flightScratch.empty()) { world.flightScratch.resize(1); }
     std::size_t body = 0;
     std::size_t contact = 0;

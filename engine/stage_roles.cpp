@@ -160,9 +160,11 @@ void assignRoles(WorldState& world, Real dt) {
         noteContact(world, contact.bodyB, contact.bodyA, contact, dt);
     }
     world.flyers.clear();
+    world.anyFast = world.bullets > 0;
     for (const std::uint32_t slot : world.awake) {
         Body& body = world.bodies[slot];
         body.role = roleOf(world, body);
+        world.anyFast = world.anyFast || body.fast || body.role == BodyRole::flyer;
         if (body.role == BodyRole::flyer) { world.flyers.push_back(slot); }
         world.counters.freeBodies += body.role == BodyRole::free ? 1 : 0;
         world.counters.solvedBodies += body.role == BodyRole::solved ? 1 : 0;

@@ -90,10 +90,6 @@ void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h) {
             constraintOf(contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
                          world.motions[contact.bodyB], contact.friction, contact.restitution,
                          kPushRatio * contact.extent / dt);
-        if (isAhead(world, contact)) {
-            anchorAtCores(constraint, world.shapes[contact.shapeA].polygon.radius,
-                          world.shapes[contact.shapeB].polygon.radius);
-        }
         constraint.slotA = world.bodies[contact.bodyA].slot;
         constraint.slotB = world.bodies[contact.bodyB].slot;
         constraint.softness = softness;
@@ -104,6 +100,17 @@ void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h) {
         }
         contact.approachSpeed = approachSpeedOf(constraint, world.batch);
         world.batch.contacts.push_back(constraint);
+    }
+}
+
+/// What was made ahead is held by its cores (mode `speculative`).
+void anchorAhead(WorldState& world, const TiedGroup& group) {
+    for (ContactConstraint& constraint : world.batch.contacts) {
+        Contact& contact = group.contacts[constraint.source];
+        if (!isAhead(world, contact)) { continue; }
+        anchorAtCores(constraint, world.shapes[contact.shapeA].polygon.radius,
+                      world.shapes[contact.shapeB].polygon.radius);
+        contact.approachSpeed = approachSpeedOf(constraint, world.batch);
     }
 }
 
@@ -118,13 +125,22 @@ bool isFlung(const Body& body, const BodyState& state) {
     return moved > kFastRatio * body.extent;
 }
 
+SolveReport solveWithJoints(WorldState& world, std::span<const std::uint32_t> joints, const SolverSettings& settings,
+                            Real dt) {
+    addJoints(world, joints, settings.dt / static_cast<Real>(settings.subSteps), dt);
+    const SolveReport report = world.solver.solve(world.batch, settings);
+    readConstraints(world.batch, world, settings.dt);
+    world.batch.clearJoints();  // so that nobody need look for any in a solve without
+    return report;
+}
+
 void readBodies(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t slot : group.bodies) {
         Body& body = world.bodies[slot];
         if (body.role != group.role) { continue; }
         const BodyState& state = world.batch.states[body.slot];
         BodyMotion& motion = world.motions[slot];
-        if (isFlung(body, state)) { body.flung = true; }
+        if (isFlung(body, state)) { body.flung = world.anyFlung = true; }
         motion.center += toDouble(state.deltaPosition);
         motion.angle += static_cast<double>(state.deltaAngle);
         motion.velocity = state.velocity;
@@ -187,19 +203,21 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const auto time = static_cast<Real>(part.length);
     const Real h = time / static_cast<Real>(part.subSteps);
     const Real threshold = length(world.settings.gravity) * dt;
-    world.batch.clear();
+    world.batch.clearAllButJoints();  // those went when they had been read
     addBodies(world, group, h);
     addContacts(world, group, dt, h);
-    addJoints(world, group.joints, h, dt);
-    const SolveReport report =
-        world.solver.solve(world.batch, {.dt = time,
-                                         .subSteps = part.subSteps,
-                                         .relaxPasses = relaxPassesOf(world.settings),
-                                         .restitutionThreshold = threshold,
-                                         .maxSpeed = world.settings.maxSpeed});
+    if (world.watched) { anchorAhead(world, group); }
+    const SolverSettings settings{.dt = time,
+                                  .subSteps = part.subSteps,
+                                  .relaxPasses = relaxPassesOf(world.settings),
+                                  .restitutionThreshold = threshold,
+                                  .maxSpeed = world.settings.maxSpeed,
+                                  .joints = !group.joints.empty(),
+                                  .bounces = world.bouncyShapes > 0};
+    const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
+                                               : world.solver.solve(world.batch, settings);
     readContacts(world, group.contacts, threshold, part);
     readBodies(world, group);
-    readConstraints(world.batch, world, time);
     StepCounters& counters = world.counters;
     counters.subSteps += static_cast<std::uint64_t>(part.subSteps);
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
@@ -209,6 +227,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
 }
 
 void solveTiedBodies(WorldState& world, double dt) {
+    world.anyFlung = false;
     if (world.counters.solvedBodies == 0) { return; }
     world.tiedJoints.clear();
     for (const std::uint32_t i : world.activeJoints) {

@@ -2,7 +2,8 @@
 
 #include "world_state.h"
 
-/// The stages of a step, in their order. Each is a file of its own.
+/// The stages of a step, in their order. Each is a file of its own. Those for which a scene may have nothing to do (fast
+/// islands, sweeps, sensors, breaking joints, sleep) are called only when there is something.
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -64,40 +64,41 @@ void clearForces(WorldState& world) {
     }
 }
 
-/// The pipeline.
+/// The pipeline. A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
 void advance(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
     world.lastDt = dt;
     StageClock clock(world.settings.measureStageTimes);
-    const bool watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
-    if (watched) {
+    world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
+    if (world.watched) {
         limitSpeeds(world, dt);
         reachAhead(world);
     }
-    reachWithKinematicBodies(world);
+    if (world.kinematicBodies > 0) { reachWithKinematicBodies(world); }
     findPairs(world);
     clock.stop(world.stageTimes.pairs);
     collideContacts(world);
     clock.stop(world.stageTimes.collide);
     assignRoles(world, step);
     findIslands(world);
-    findFastIslands(world);
+    world.fastIslands.any = false;
+    if (world.anyFast) { findFastIslands(world); }
     clock.stop(world.stageTimes.islands);
     moveFreeBodies(world, dt);
     solveTiedBodies(world, dt);
-    advanceFastIslands(world, dt);
+    if (world.fastIslands.any) { advanceFastIslands(world, dt); }
     putBackOverflown(world);
-    if (watched) { limitWays(world, dt); }
+    if (world.watched) { limitWays(world, dt); }
     clock.stop(world.stageTimes.solve);
-    sweepFastBodies(world, dt);
-    moveKinematicBodies(world, dt);
+    if (world.anyFast || world.anyFlung) { sweepFastBodies(world, dt); }
+    if (world.kinematicBodies > 0) { moveKinematicBodies(world, dt); }
     putBackOverflown(world);
-    sweepSensors(world, dt);
+    if (world.sensorShapes > 0) { sweepSensors(world, dt); }
     clock.stop(world.stageTimes.continuous);
     clearForces(world);
-    breakJoints(world);
+    if (!world.activeJoints.empty()) { breakJoints(world); }
     moveProxies(world);
-    putToSleep(world, dt);
+    if (world.settings.sleep) { putToSleep(world, dt); }
     sortEvents(world);
     clock.stop(world.stageTimes.finish);
 }
@@ -117,6 +118,7 @@ Status World::configure(const WorldSettings& settings) {
         if (world.shapes.size() > 0) { return {StatusCode::outOfRange, "broadphase"}; }
         world.broadphase = makeBroadphase(settings.broadphase);
     }
+    if (settings.sleep && !world.settings.sleep) { restAnew(world); }
     world.settings = settings;
     return Status::success();
 }

@@ -65,6 +65,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
               .angularVelocity = def.angularVelocity};
     world.bodies[id->index].nextAsleep = id->index;
     updatePose(world, id->index);
+    world.kinematicBodies += def.type == BodyType::kinematic ? 1U : 0U;
     world.watchedBodies += isWatched(def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
     if (def.type == BodyType::dynamic) {
         ++world.masslessBodies;  // until the next line finds a mass
@@ -89,9 +90,11 @@ Status World::destroyBody(BodyId id) {
     for (const std::uint32_t slot : body.shapes) {
         (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
         world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;
+        world.bouncyShapes -= world.shapes[slot].def.restitution > 0 ? 1U : 0U;
         world.shapes.erase(world.shapes.idOf(slot));
     }
     world.thinnestWall.reset();
+    world.kinematicBodies -= body.def.type == BodyType::kinematic ? 1U : 0U;
     world.watchedBodies -= isWatched(body.def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
     if (body.isDynamic() && body.mass <= 0) { --world.masslessBodies; }
     if (body.def.type != BodyType::fixed) { removeFromAwake(world, id.index); }

@@ -74,6 +74,10 @@ void wake(WorldState& world, std::uint32_t start) {
     } while (slot != start);
 }
 
+void restAnew(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) { startResting(world.bodies[slot], world.motions[slot]); }
+}
+
 void wakeNeighbours(WorldState& world, std::uint32_t body) {
     for (const Contact& contact : world.contacts) {
         if (!contact.isSolid()) { continue; }

@@ -64,6 +64,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     remember(world, proxy.value(), id->index);
     world.bodies[body].shapes.push_back(id->index);
     world.sensorShapes += stored.def.sensor ? 1U : 0U;
+    world.bouncyShapes += stored.def.restitution > 0 ? 1U : 0U;
     return *id;
 }
 
@@ -74,6 +75,7 @@ void removeOne(WorldState& world, std::uint32_t slot) {
     std::erase(world.bodies[body].shapes, slot);
     world.thinnestWall.reset();
     world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;
+    world.bouncyShapes -= world.shapes[slot].def.restitution > 0 ? 1U : 0U;
     world.shapes.erase(world.shapes.idOf(slot));
 }
 

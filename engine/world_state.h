@@ -61,7 +61,9 @@ struct WorldState {
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;  ///< body slots of awake dynamic and kinematic bodies, in order of waking
     std::uint32_t sensorShapes = 0;
+    std::uint32_t bouncyShapes = 0;  ///< with restitution: without any, nothing bounces
     SensorSweeps sensorSweeps;
+    std::uint32_t kinematicBodies = 0;
     std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
     std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
@@ -84,6 +86,9 @@ struct WorldState {
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
     std::vector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
+    bool watched = false;       ///< this step: some body has such a mode (modes.h)
+    bool anyFast = false;       ///< this step: some awake body is, or is a flyer or a bullet
+    bool anyFlung = false;      ///< the solver may have moved some body as far as only a fast one moves
     BulletWork bulletWork;
     std::vector<FlightScratch> flightScratch;  ///< one per worker
 
@@ -112,6 +117,8 @@ void refreshManifold(const WorldState& world, Contact& contact, Real margin);
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
 /// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake and static bodies.
 void wake(WorldState& world, std::uint32_t body);
+/// All that is awake counts its rest from now on: nothing counts while sleep is off.
+void restAnew(WorldState& world);
 /// Wakes everything that has a contact or a joint with the body.
 void wakeNeighbours(WorldState& world, std::uint32_t body);
 /// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.

@@ -62,15 +62,28 @@ void ConstraintGraph::sortByColour(std::vector<Constraint>& constraints, const s
     constraints.swap(kind.scratch);
 }
 
-void ConstraintGraph::colour(SolverBatch& batch) {
+void ConstraintGraph::begin(const SolverBatch& batch) {
     used_.assign(batch.states.size(), 0);
     isUsed_ = {};
-    batch.forEachJointKind([&](auto& joints) { sortByColour(joints, batch.inertias); });
+}
+
+void ConstraintGraph::finish(SolverBatch& batch) {
     sortByColour(batch.contacts, batch.inertias);
     active_.clear();
     for (int c = 0; c < kColourCount; ++c) {
         if (isUsed_[static_cast<std::size_t>(c)]) { active_.push_back(c); }
     }
+}
+
+void ConstraintGraph::colour(SolverBatch& batch) {
+    begin(batch);
+    batch.forEachJointKind([&](auto& joints) { sortByColour(joints, batch.inertias); });
+    finish(batch);
+}
+
+void ConstraintGraph::colourContacts(SolverBatch& batch) {
+    begin(batch);
+    finish(batch);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -26,6 +26,8 @@ struct ColourRange {
 class ConstraintGraph {
 public:
     void colour(SolverBatch& batch);
+    /// The same of a batch without joints, of which nothing must be asked then.
+    void colourContacts(SolverBatch& batch);
 
     /// Colours in use, ascending.
     const std::vector<int>& activeColours() const { return active_; }
@@ -42,6 +44,8 @@ private:
         std::vector<Constraint> scratch;
     };
 
+    void begin(const SolverBatch& batch);
+    void finish(SolverBatch& batch);
     int colourFor(std::span<const BodySlot> slots, const std::vector<BodyInertia>& inertias);
     template <class Constraint>
     void sortByColour(std::vector<Constraint>& constraints, const std::vector<BodyInertia>& inertias);

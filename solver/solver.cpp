@@ -48,18 +48,18 @@ void addUpImpulses(std::vector<ContactConstraint>& contacts) {
     }
 }
 
-}  // namespace
-
-void Solver::prepare(SolverBatch& batch, Real restitutionThreshold) {
-    for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
+void prepareJoints(SolverBatch& batch) {
     batch.forEachJointKind([&batch](auto& joints) {
         for (auto& joint : joints) {
             joint.total = {};
             swept::prepare(joint, batch.inertias);
         }
     });
-    graph_.colour(batch);
-    bouncing_.clear();
+}
+
+}  // namespace
+
+void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
     for (ContactConstraint& contact : batch.contacts) {
         if (!(contact.restitution > 0)) { continue; }
         contact.bounceSpeed = restitutionThreshold;
@@ -67,46 +67,81 @@ void Solver::prepare(SolverBatch& batch, Real restitutionThreshold) {
     }
 }
 
+template <bool kJoints>
+void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
+    for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
+    if constexpr (kJoints) {
+        prepareJoints(batch);
+        graph_.colour(batch);
+    } else {
+        graph_.colourContacts(batch);
+    }
+    bouncing_.clear();
+    if (settings.bounces) { listBouncing(batch, settings.restitutionThreshold); }
+}
+
+template <bool kJoints>
 void Solver::warmStart(SolverBatch& batch) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
-        batch.forEachJointKind([&](auto& joints) {
-            if (!joints.empty()) { swept::warmStart(ofColour(joints, graph_, colour), bodies); }
-        });
+        if constexpr (kJoints) {
+            batch.forEachJointKind([&](auto& joints) {
+                if (!joints.empty()) { swept::warmStart(ofColour(joints, graph_, colour), bodies); }
+            });
+        }
         warmStartContacts(ofColour(batch.contacts, graph_, colour), bodies);
     }
 }
 
+template <bool kJoints>
 void Solver::solveColours(SolverBatch& batch, Real h, bool useBias) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
-        batch.forEachJointKind([&](auto& joints) {
-            if (!joints.empty()) { swept::solve(ofColour(joints, graph_, colour), bodies, h, useBias); }
-        });
+        if constexpr (kJoints) {
+            batch.forEachJointKind([&](auto& joints) {
+                if (!joints.empty()) { swept::solve(ofColour(joints, graph_, colour), bodies, h, useBias); }
+            });
+        }
         solveContacts(ofColour(batch.contacts, graph_, colour), bodies, h, useBias);
     }
 }
 
-SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings) {
-    prepare(batch, settings.restitutionThreshold);
-    SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
+template <bool kJoints, bool kBounces>
+void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
     for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
         // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice, and
         // a ball would rise by 2·speed·h with every bounce.
-        if (!bouncing_.empty()) {
+        if constexpr (kBounces) {
+            const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
             report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
         }
         report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-        warmStart(batch);
-        solveColours(batch, h, true);
+        warmStart<kJoints>(batch);
+        solveColours<kJoints>(batch, h, true);
         integratePositions(batch, h);
-        for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours(batch, h, false); }
+        for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, h, false); }
         addUpImpulses(batch.contacts);
-        batch.forEachJointKind([](auto& joints) { addUpReactions(std::span(joints)); });
+        if constexpr (kJoints) {
+            batch.forEachJointKind([](auto& joints) { addUpReactions(std::span(joints)); });
+        }
+    }
+}
+
+template <bool kJoints>
+SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings) {
+    prepare<kJoints>(batch, settings);
+    SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
+    if (bouncing_.empty()) {
+        runSubSteps<kJoints, false>(batch, settings, report);
+    } else {
+        runSubSteps<kJoints, true>(batch, settings, report);
     }
     return report;
+}
+
+SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings) {
+    return settings.joints ? solveWith<true>(batch, settings) : solveWith<false>(batch, settings);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -15,6 +15,8 @@ struct SolverSettings {
     int relaxPasses = 1;            ///< per sub-step, at least 0
     Real restitutionThreshold = 0;  ///< slower approaches do not bounce, m/s
     Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s
+    bool joints = true;   ///< false: the batch holds none, and they cost nothing
+    bool bounces = true;  ///< false: no contact there has restitution, likewise
 };
 
 struct SolveReport {
@@ -33,9 +35,18 @@ public:
     SolveReport solve(SolverBatch& batch, const SolverSettings& settings);
 
 private:
-    void prepare(SolverBatch& batch, Real restitutionThreshold);
+    void listBouncing(SolverBatch& batch, Real restitutionThreshold);
+    // What is not there is left out of the loops, not asked for in each of their rounds.
+    template <bool kJoints>
+    SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings);
+    template <bool kJoints>
+    void prepare(SolverBatch& batch, const SolverSettings& settings);
+    template <bool kJoints>
     void warmStart(SolverBatch& batch);
+    template <bool kJoints>
     void solveColours(SolverBatch& batch, Real h, bool useBias);
+    template <bool kJoints, bool kBounces>
+    void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
     ConstraintGraph graph_;
     std::vector<ContactConstraint*> bouncing_;

@@ -50,10 +50,16 @@ struct SolverBatch {
 
     /// Empties all, and lays down the fixed world as slot 0.
     void clear() {
+        clearAllButJoints();
+        clearJoints();
+    }
+    void clearAllButJoints() {
         states.assign(1, {});
         inertias.assign(1, {});
         drives.assign(1, {});
         contacts.clear();
+    }
+    void clearJoints() {
         forEachJointKind([](auto& joints) { joints.clear(); });
     }
     BodySlot addBody(const BodyState& state, const BodyInertia& inertia, const BodyDrive& drive) {
