@@ -47,6 +47,11 @@ say "dominoes.webp"
 quietly picture-dominoes "$swept" run dominoes --duration 6 --every 4 --webp "$pictures/dominoes.webp" --size 640x360 ||
     fail "the scene dominoes failed"
 
+say "trade.png"
+quietly picture-trade "$swept" tune tall-stack --duration 5 --max-error penetration=0.002 --out "$scratch/trade" ||
+    fail "tuning tall-stack failed"
+[ ! -f "$scratch/trade/tune.png" ] || mv "$scratch/trade/tune.png" "$root/tools/pictures/trade.png"
+
 for query in worst dip; do
     say "anatomy-$query.png"
     quietly "picture-anatomy-$query" "$swept" toi "$root/toi/pictures/anatomy-$query.jsonl" \
