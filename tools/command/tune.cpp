@@ -38,13 +38,8 @@ constexpr int kNotKept = 1;  ///< exit code: no settings keep the errors
 constexpr std::int64_t kFewestSteps = 8;
 
 std::string directoryOf(const TuneArguments& arguments, const LoadedScene& loaded) {
-    if (!arguments.out.empty()) {
-        return arguments.out;
-    }
-    std::string name = loaded.scene.name.empty() ? "scene" : loaded.scene.name;
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
-    return "tune-" + name;
+    const std::string name = std::filesystem::path(loaded.source).stem().string();
+    return arguments.out.empty() ? "tune-" + name : arguments.out;
 }
 
 /// What was asked for, checked.
