@@ -85,6 +85,9 @@ public:
     /// unspecified.
     virtual void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
 
+    /// As `query`, for static and kinematic proxies. An implementation that does not keep kinds apart visits others too.
+    virtual void queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const { query(box, visit); }
+
     /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns
     /// the new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop.
     virtual void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const = 0;

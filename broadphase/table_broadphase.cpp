@@ -56,6 +56,10 @@ void TableBroadphase::query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) c
     queryTests_.fetch_add(visitOverlaps(box, visit), std::memory_order_relaxed);
 }
 
+void TableBroadphase::queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
+    queryTests_.fetch_add(visitGround(box, visit), std::memory_order_relaxed);
+}
+
 void TableBroadphase::ray(DVec2 origin, DVec2 direction, Real maxFraction,
                           FunctionRef<Real(ProxyId, Real)> visit) const {
     castAlong(BoxSweep::ofRay(origin, direction), maxFraction, visit);

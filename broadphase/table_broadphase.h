@@ -68,6 +68,7 @@ public:
     const Aabb& box(ProxyId id) const final;
     void pairs(std::vector<ProxyPair>& out) final;
     void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
+    void queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
     void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const final;
     void sweep(const Aabb& box, DVec2 translation, Real maxFraction,
                FunctionRef<Real(ProxyId, Real)> visit) const final;
@@ -92,6 +93,10 @@ private:
     virtual std::uint64_t join(PairSink& sink) = 0;
     /// Returns the number of box tests.
     virtual std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
+    /// Likewise, of static and kinematic proxies at least.
+    virtual std::uint64_t visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
+        return visitOverlaps(box, visit);
+    }
     /// Shows everything that is met until the visit is over.
     virtual void visitAlong(SweepVisit& visit) const = 0;
     virtual std::size_t structureBytes() const = 0;

@@ -55,6 +55,12 @@ std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)>
     return tests;
 }
 
+std::uint64_t WideBvh::visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
+    bool goOn = true;
+    const std::uint64_t tests = kernels_.query(tree(ProxyKind::fixed), box, goOn, visit);
+    return goOn ? tests + kernels_.query(tree(ProxyKind::kinematic), box, goOn, visit) : tests;
+}
+
 void WideBvh::visitAlong(SweepVisit& visit) const {
     for (const WideTree& tree : trees_) {
         kernels_.sweep(tree, visit);

@@ -28,6 +28,7 @@ private:
     void onPairsDone() override;
     std::uint64_t join(PairSink& sink) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
+    std::uint64_t visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     void visitAlong(SweepVisit& visit) const override;
     std::size_t structureBytes() const override;
 

@@ -92,7 +92,7 @@ void findGround(Island& island, const Shape& own, std::uint32_t slot, Real time)
     FastIslands& fast = island.fast;
     const Aabb box = boundsOf(own.polygon, world.motions[own.body].pose);
     fast.found.clear();
-    world.broadphase->query(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
+    world.broadphase->queryGround(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
         fast.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
         return true;
     });

@@ -204,7 +204,7 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
         if (own.def.sensor) { continue; }
         const Real reach = radiusAbout(own.polygon, world.bodies[body].localCenter) + kTargetRatio * own.extent;
         scratch.found.clear();
-        world.broadphase->query(grown(path, reach), [&](ProxyId id) {
+        world.broadphase->queryGround(grown(path, reach), [&](ProxyId id) {
             scratch.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
             return true;
         });

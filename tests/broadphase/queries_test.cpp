@@ -71,6 +71,35 @@ TEST_P(Queries, OfBoxesFindWhatOverlaps) {
     EXPECT_GT(found, 200U);
 }
 
+/// All that is static or kinematic, and nothing that does not overlap.
+TEST_P(Queries, OfGroundMissNothingThatStands) {
+    Random random(300 + static_cast<std::uint64_t>(GetParam()));
+    const Filled all = filled(GetParam(), random, 200);
+    std::size_t standing = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Aabb box = randomBox(GetParam(), random);
+        const std::set<std::uint32_t> overlapping = all.model.overlapping(box);
+        for (const auto& broadphase : all.each) {
+            std::set<std::uint32_t> slots;
+            broadphase->queryGround(box, [&](ProxyId id) {
+                EXPECT_TRUE(slots.insert(static_cast<std::uint32_t>(id)).second) << "twice, case " << i;
+                return true;
+            });
+            for (const std::uint32_t slot : slots) { ASSERT_EQ(overlapping.count(slot), 1U) << "case " << i; }
+            for (const std::uint32_t slot : overlapping) {
+                const ProxyKind kind = all.model.proxies().at(slot).kind;
+                if (kind != ProxyKind::fixed && kind != ProxyKind::kinematic) { continue; }
+                ASSERT_EQ(slots.count(slot), 1U) << "case " << i;
+                ++standing;
+            }
+            int visits = 0;
+            broadphase->queryGround(box, [&](ProxyId) { return ++visits < 2; });
+            ASSERT_EQ(visits, static_cast<int>(std::min<std::size_t>(slots.size(), 2))) << "false ends the query";
+        }
+    }
+    EXPECT_GT(standing, 200U);
+}
+
 /// Each slot that `cast` visits when nothing shortens it.
 template <class Cast>
 std::set<std::uint32_t> visited(const Cast& cast) {
