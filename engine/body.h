@@ -6,6 +6,7 @@
 
 #include "../shapes/transform.h"
 #include "body_def.h"
+#include "effort.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -56,6 +57,7 @@ struct Body {
     bool fast = false;            ///< this step: startled, or some point may move more than a quarter of the extent
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
+    Effort effort;                ///< of its island, this step
     std::uint32_t slot = 0;       ///< in the solver, this step
     DVec2 startCenter{};            ///< at the start of this step
     double startAngle = 0;

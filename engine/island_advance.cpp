@@ -199,7 +199,12 @@ void solvePart(Island& island, double time) {
         contact.totalImpulse = {};
     }
     solveGroup(island.world,
-               {.role = BodyRole::together, .bodies = fast.group, .contacts = fast.held, .joints = fast.jointSlots}, part);
+               {.role = BodyRole::together,
+                .effort = island.world.bodies[fast.members[0]].effort,
+                .bodies = fast.group,
+                .contacts = fast.held,
+                .joints = fast.jointSlots},
+               part);
     addUpReactions(island, time);
 }
 

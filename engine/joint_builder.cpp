@@ -153,6 +153,7 @@ struct ConstraintFiller {
     template <class Part>
     typename Part::Constraint constraintOf(const Part& part) const {
         typename Part::Constraint constraint = part.memory;
+        constraint.isHeld = false;
         constraint.slotA = world.bodies[joint.bodyA].slot;
         constraint.slotB = world.bodies[joint.bodyB].slot;
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);

@@ -51,20 +51,25 @@ BodyDrive driveOf(const WorldState& world, const Body& body, Real h) {
             .angularDecay = static_cast<Real>(angular.decay)};
 }
 
+bool isMember(const Body& body, const TiedGroup& group) {
+    return body.role == group.role && body.effort == group.effort;
+}
+
 /// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic one
 /// takes part with its velocity and its pose at the start of the step.
 void addBodies(WorldState& world, const TiedGroup& group, Real h) {
     for (const std::uint32_t slot : group.bodies) {
         Body& body = world.bodies[slot];
-        if (body.role != group.role && body.def.type != BodyType::kinematic) { continue; }
+        if (!isMember(body, group) && body.def.type != BodyType::kinematic) { continue; }
         const BodyMotion& motion = world.motions[slot];
         const BodyState state{.velocity = motion.velocity, .angularVelocity = motion.angularVelocity};
         body.slot = world.batch.addBody(state, {body.inverseMass, body.inverseInertia}, driveOf(world, body, h));
     }
 }
 
-bool isSolved(const WorldState& world, const Contact& contact, BodyRole role) {
-    return contact.isSolid() && (world.bodies[contact.bodyA].role == role || world.bodies[contact.bodyB].role == role);
+bool isSolved(const WorldState& world, const Contact& contact, const TiedGroup& group) {
+    return contact.isSolid() &&
+           (isMember(world.bodies[contact.bodyA], group) || isMember(world.bodies[contact.bodyB], group));
 }
 
 Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& batch) {
@@ -80,12 +85,13 @@ Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& bat
 
 /// @param h  seconds of a sub-step. In one shorter than the world's, overlap is pushed out no faster than in that: what the
 /// relaxation leaves of the push would be energy.
-void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h) {
+/// @param scale  of the impulses that are kept, which are those of the world's sub-steps
+void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h, Real scale) {
     const Real usual = dt / static_cast<Real>(subStepsOf(world.settings));
     const Softness softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
         Contact& contact = group.contacts[i];
-        if (!isSolved(world, contact, group.role)) { continue; }
+        if (!isSolved(world, contact, group)) { continue; }
         ContactConstraint constraint =
             constraintOf(contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
                          world.motions[contact.bodyB], contact.friction, contact.restitution,
@@ -95,8 +101,8 @@ void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h) {
         constraint.softness = softness;
         constraint.source = static_cast<std::uint32_t>(i);
         for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
-            constraint.points[k].normalImpulse = contact.normalImpulse[k];
-            constraint.points[k].tangentImpulse = contact.tangentImpulse[k];
+            constraint.points[k].normalImpulse = scale * contact.normalImpulse[k];
+            constraint.points[k].tangentImpulse = scale * contact.tangentImpulse[k];
         }
         contact.approachSpeed = approachSpeedOf(constraint, world.batch);
         world.batch.contacts.push_back(constraint);
@@ -137,7 +143,7 @@ SolveReport solveWithJoints(WorldState& world, std::span<const std::uint32_t> jo
 void readBodies(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t slot : group.bodies) {
         Body& body = world.bodies[slot];
-        if (body.role != group.role) { continue; }
+        if (!isMember(body, group)) { continue; }
         const BodyState& state = world.batch.states[body.slot];
         BodyMotion& motion = world.motions[slot];
         if (isFlung(body, state)) { body.flung = world.anyFlung = true; }
@@ -175,14 +181,14 @@ void noteHit(WorldState& world, const Contact& contact, const ContactConstraint&
                                    .impulse = impulse});
 }
 
-void readContacts(WorldState& world, std::span<Contact> contacts, Real threshold, const StepPart& part) {
+void readContacts(WorldState& world, std::span<Contact> contacts, Real threshold, const StepPart& part, Real scale) {
     for (const ContactConstraint& constraint : world.batch.contacts) {
         Contact& contact = contacts[constraint.source];
         noteHit(world, contact, constraint, threshold, part);
         contact.pressed = false;
         for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
-            contact.normalImpulse[k] = constraint.points[k].normalImpulse;
-            contact.tangentImpulse[k] = constraint.points[k].tangentImpulse;
+            contact.normalImpulse[k] = constraint.points[k].normalImpulse / scale;
+            contact.tangentImpulse[k] = constraint.points[k].tangentImpulse / scale;
             contact.totalImpulse[k] = constraint.points[k].totalNormalImpulse;
             contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
         }
@@ -204,8 +210,11 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const Real h = time / static_cast<Real>(part.subSteps);
     const Real threshold = length(world.settings.gravity) * dt;
     world.batch.clearAllButJoints();  // those went when they had been read
-    addBodies(world, group, h);
-    addContacts(world, group, dt, h);
+    addBodies(world, group, group.effort.direct == DirectScope::none ? h : h / 2);
+    const int usual = subStepsOf(world.settings);
+    const Real scale =
+        group.role == BodyRole::solved ? static_cast<Real>(usual) / static_cast<Real>(part.subSteps) : Real(1);
+    addContacts(world, group, dt, h, scale);
     if (world.watched) { anchorAhead(world, group); }
     const SolverSettings settings{.dt = time,
                                   .subSteps = part.subSteps,
@@ -213,14 +222,19 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .restitutionThreshold = threshold,
                                   .maxSpeed = world.settings.maxSpeed,
                                   .joints = !group.joints.empty(),
-                                  .bounces = world.bouncyShapes > 0};
+                                  .bounces = world.bouncyShapes > 0,
+                                  .direct = group.effort.direct};
     const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
                                                : world.solver.solve(world.batch, settings);
-    readContacts(world, group.contacts, threshold, part);
+    readContacts(world, group.contacts, threshold, part, scale);
     readBodies(world, group);
     StepCounters& counters = world.counters;
     counters.subSteps += static_cast<std::uint64_t>(part.subSteps);
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
+    ++counters.effortClasses;
+    counters.mostSubSteps = std::max(counters.mostSubSteps, static_cast<std::uint64_t>(part.subSteps));
+    counters.directBodies += report.isDirect ? world.batch.states.size() - 1 : 0;
+    counters.factorisations += static_cast<std::uint64_t>(report.direct.factorisations);
     counters.bounceRounds += static_cast<std::uint64_t>(report.bounceRounds);
     counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
     counters.constraints += world.batch.contacts.size() + group.joints.size();
@@ -229,14 +243,27 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
 void solveTiedBodies(WorldState& world, double dt) {
     world.anyFlung = false;
     if (world.counters.solvedBodies == 0) { return; }
-    world.tiedJoints.clear();
-    for (const std::uint32_t i : world.activeJoints) {
-        const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
-        const auto isSolvedHere = [&](std::uint32_t slot) { return world.bodies[slot].role == BodyRole::solved; };
-        if (std::any_of(bodies.begin(), bodies.end(), isSolvedHere)) { world.tiedJoints.push_back(i); }
+    // Class after class, in the order in which the first of their bodies woke up.
+    std::vector<Effort>& efforts = world.efforts;
+    efforts.clear();
+    for (const std::uint32_t slot : world.awake) {
+        const Body& body = world.bodies[slot];
+        if (body.role != BodyRole::solved) { continue; }
+        if (std::find(efforts.begin(), efforts.end(), body.effort) == efforts.end()) { efforts.push_back(body.effort); }
     }
-    solveGroup(world, {.bodies = world.awake, .contacts = world.contacts, .joints = world.tiedJoints},
-               {.length = dt, .dt = dt, .subSteps = subStepsOf(world.settings)});
+    for (const Effort effort : efforts) {
+        const auto isOfClass = [&](std::uint32_t slot) {
+            return world.bodies[slot].role == BodyRole::solved && world.bodies[slot].effort == effort;
+        };
+        world.tiedJoints.clear();
+        for (const std::uint32_t i : world.activeJoints) {
+            const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
+            if (std::any_of(bodies.begin(), bodies.end(), isOfClass)) { world.tiedJoints.push_back(i); }
+        }
+        solveGroup(world,
+                   {.effort = effort, .bodies = world.awake, .contacts = world.contacts, .joints = world.tiedJoints},
+                   {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
+    }
 }
 
 void moveKinematicBodies(WorldState& world, double dt) {

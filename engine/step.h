@@ -25,6 +25,8 @@ void collideContacts(WorldState& world);
 void assignRoles(WorldState& world, Real dt);
 void findIslands(WorldState& world);
 void findFastIslands(WorldState& world);
+/// How the solver treats each island: sub-steps, method (effort.cpp).
+void assignEfforts(WorldState& world, double dt);
 /// Free flight, and the sub-stepped solve of all that is tied together (stage_solve.cpp).
 void moveFreeBodies(WorldState& world, double dt);
 void solveTiedBodies(WorldState& world, double dt);

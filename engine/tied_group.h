@@ -10,6 +10,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// Bodies that contacts and joints tie together, with these contacts and joints: what one solve is about.
 struct TiedGroup {
     BodyRole role = BodyRole::solved;       ///< of what is moved; others stand by
+    Effort effort;                          ///< of those; how they are solved, but for the sub-steps
     std::span<const std::uint32_t> bodies;  ///< slots, those of kinematic bodies that may touch among them
     std::span<Contact> contacts;
     std::span<const std::uint32_t> joints;  ///< slots

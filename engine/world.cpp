@@ -81,6 +81,7 @@ void advance(WorldState& world, double dt) {
     clock.stop(world.stageTimes.collide);
     assignRoles(world, step);
     findIslands(world);
+    assignEfforts(world, dt);
     world.fastIslands.any = false;
     if (world.anyFast) { findFastIslands(world); }
     clock.stop(world.stageTimes.islands);

@@ -82,6 +82,8 @@ struct WorldState {
     SolverBatch batch;
     Solver solver;
     IslandFinder islands;
+    std::vector<Effort> efforts;               ///< classes of the present step
+    std::vector<IslandLoad> islandLoads;       ///< by root, of this step
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
     std::vector<std::uint32_t> flyers;

@@ -58,6 +58,8 @@ NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintP
     const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
     // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
     if (!useBias && closing > contact.bounceSpeed) { return {}; }
+    // Its overlap or gap is the direct solver's: see `DirectSolver::project`.
+    if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) { return {true, closing}; }
     if (separation > 0) {
         if (!useBias && !isCarrying) { return {}; }
         return {true, closing - separation / h};  // apart: may close the gap within this sub-step, no more

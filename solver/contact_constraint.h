@@ -30,6 +30,7 @@ struct ContactConstraint {
     Vec2 normal{};  ///< unit, world, from A to B, held for the whole step
     Real friction = 0;
     Real restitution = 0;
+    bool isHeld = false;       ///< a direct solve takes care of overlaps and gaps: what presses just does not move
     Real maxPushSpeed = 0;     ///< fastest push out of an overlap, m/s
     /// Relaxation leaves faster approaches to the bounce of the next sub-step, m/s; infinity: the contact never bounces.
     Real bounceSpeed = std::numeric_limits<Real>::infinity();

@@ -46,7 +46,7 @@ void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
         joint.springImpulse += change;
         rod.apply(change);
     }
-    if (joint.isRigid) {
+    if (joint.isRigid && !(joint.isHeld && useBias)) {
         const Real error = useBias ? rod.length - joint.length : Real(0);
         const Real change =
             scalarChange(rod.mass, rod.speed(), error, joint.rigidImpulse, useBias ? joint.softness : kRigid);

@@ -30,6 +30,7 @@ struct JointConstraint {
     Vec2 anchorB;
     Vec2 centerOffset;          ///< centre of B minus centre of A at the start of the step, metres
     Softness softness;          ///< of what is rigid: anchors, lengths, limits
+    bool isHeld = false;        ///< a direct solve brings anchors, lengths and angles to where they belong: no bias moves them
     std::uint32_t source = 0;   ///< the engine's name for the joint
     JointReaction total;        ///< over the step: the sum of the sub-steps
 };

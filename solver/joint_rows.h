@@ -88,6 +88,7 @@ constexpr HeldRows heldSlide(const JointPair& pair, const JointRow& side) {
 }
 
 /// Softly towards zero errors; the change of the accumulated impulses.
+/// @pre  not both `useBias` and held by a direct solve, see `JointConstraint::isHeld`
 constexpr Vec2 heldChange(const HeldRows& held, const JointPair& pair, Vec2 error, Vec2 accumulated,
                           const Softness& softness, bool useBias) {
     const Softness used = useBias ? softness : kRigid;

@@ -35,9 +35,11 @@ void solveOne(PrismaticConstraint& joint, const JointPair& pair, Real h, bool us
     const Slide slide = slideOf(joint, pair);
     const Real angle = joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
     const Vec2 error{cross(joint.axisNow, slide.offset), canTurn(pair) ? angle : Real(0)};
-    const Vec2 change = heldChange(slide.held, pair, error, joint.heldImpulse, joint.softness, useBias);
-    joint.heldImpulse += change;
-    apply(slide.held, pair, change);
+    if (!joint.isHeld || !useBias) {
+        const Vec2 change = heldChange(slide.held, pair, error, joint.heldImpulse, joint.softness, useBias);
+        joint.heldImpulse += change;
+        apply(slide.held, pair, change);
+    }
     if (!joint.hasSpring && !joint.hasMotor && !joint.hasLimits) { return; }
     const GuidedRow along = guidedBy(slide.held, slide.along, pair, inverseMassOf(slide, pair));
     solveFreedom(

@@ -12,9 +12,11 @@ void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool use
     const Vec2 armB = rotate(pair.b.deltaRotation, joint.anchorB);
     const HeldRows point = heldPoint(pair, armA, armB);
     const Vec2 gap = joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (armB - armA);
-    const Vec2 change = heldChange(point, pair, gap, joint.linearImpulse, joint.softness, useBias);
-    joint.linearImpulse += change;
-    apply(point, pair, change);
+    if (!joint.isHeld || !useBias) {
+        const Vec2 change = heldChange(point, pair, gap, joint.linearImpulse, joint.softness, useBias);
+        joint.linearImpulse += change;
+        apply(point, pair, change);
+    }
     if (!joint.hasSpring && !joint.hasMotor && !joint.hasLimits) { return; }
     // The angle last, but guided: the point stays as it was just solved.
     const GuidedRow spin = guidedSpin(point, pair, armA, armB);

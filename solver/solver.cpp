@@ -48,6 +48,18 @@ void addUpImpulses(std::vector<ContactConstraint>& contacts) {
     }
 }
 
+/// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
+void makeRigid(SolverBatch& batch, DirectScope scope) {
+    for (ContactConstraint& contact : batch.contacts) {
+        if (scope != DirectScope::all) { break; }
+        contact.softness = {contact.softness.biasRate, 1, 0};
+        contact.isHeld = true;
+    }
+    batch.forEachJointKind([](auto& joints) {
+        for (auto& joint : joints) { joint.isHeld = true; }
+    });
+}
+
 void prepareJoints(SolverBatch& batch) {
     batch.forEachJointKind([&batch](auto& joints) {
         for (auto& joint : joints) {
@@ -106,6 +118,34 @@ void Solver::solveColours(SolverBatch& batch, Real h, bool useBias) {
     }
 }
 
+/// @pre drives of a whole sub-step, or of half a one, twice
+template <bool kJoints>
+void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report) {
+    report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    if (settings.direct != DirectScope::none) { report.speedsLimited += integrateVelocities(batch, settings.maxSpeed); }
+    warmStart<kJoints>(batch);
+    solveColours<kJoints>(batch, h, true);
+    integratePositions(batch, h);
+    for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, h, false); }
+}
+
+/// RATTLE (Andersen 1983): half of the drive, velocities such that the motion ends where the constraints hold, the motion, the
+/// other half, velocities that keep them. Second order and symplectic, so that a pendulum keeps its energy. Iteration comes
+/// after each direct solve, for what that leaves out.
+template <bool kJoints>
+void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast,
+                             SolveReport& report) {
+    report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    warmStart<kJoints>(batch);
+    direct_.solve(batch, h, true, report.direct);
+    solveColours<kJoints>(batch, h, true);
+    integratePositions(batch, h);
+    direct_.project(batch, h, isLast, report.direct);
+    report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    direct_.solve(batch, h, false, report.direct);
+    for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, h, false); }
+}
+
 template <bool kJoints, bool kBounces>
 void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
@@ -116,11 +156,11 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
             const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
             report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
         }
-        report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-        warmStart<kJoints>(batch);
-        solveColours<kJoints>(batch, h, true);
-        integratePositions(batch, h);
-        for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, h, false); }
+        if (report.isDirect) {
+            subStepDirectly<kJoints>(batch, settings, h, subStep + 1 == settings.subSteps, report);
+        } else {
+            subStepIteratively<kJoints>(batch, settings, h, report);
+        }
         addUpImpulses(batch.contacts);
         if constexpr (kJoints) {
             batch.forEachJointKind([](auto& joints) { addUpReactions(std::span(joints)); });
@@ -132,6 +172,8 @@ template <bool kJoints>
 SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings) {
     prepare<kJoints>(batch, settings);
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
+    report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct);
+    if (report.isDirect) { makeRigid(batch, settings.direct); }
     if (bouncing_.empty()) {
         runSubSteps<kJoints, false>(batch, settings, report);
     } else {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "constraint_graph.h"
+#include "direct_solver.h"
 #include "impact.h"
 #include "solver_batch.h"
 
@@ -17,12 +18,17 @@ struct SolverSettings {
     Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s
     bool joints = true;   ///< false: the batch holds none, and they cost nothing
     bool bounces = true;  ///< false: no contact there has restitution, likewise
+    /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are then those of half a
+    /// sub-step: one half before its motion and one after.
+    DirectScope direct = DirectScope::none;
 };
 
 struct SolveReport {
     int colours = 0;
     int bounceRounds = 0;   ///< over all sub-steps
     int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
+    bool isDirect = false;  ///< whether the direct solver took part
+    DirectReport direct{};
 };
 
 /// One sub-stepped solve of a batch, constraints in colour order: per sub-step bounce, integrate velocities, warm start,
@@ -38,6 +44,10 @@ private:
     void listBouncing(SolverBatch& batch, Real restitutionThreshold);
     // What is not there is left out of the loops, not asked for in each of their rounds.
     template <bool kJoints>
+    void subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report);
+    template <bool kJoints>
+    void subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast, SolveReport& report);
+    template <bool kJoints>
     SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings);
     template <bool kJoints>
     void prepare(SolverBatch& batch, const SolverSettings& settings);
@@ -49,6 +59,7 @@ private:
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
     ConstraintGraph graph_;
+    DirectSolver direct_;
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;
 };

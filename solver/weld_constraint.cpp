@@ -33,9 +33,13 @@ Real angleChange(const WeldConstraint& joint, const Seam& seam, const JointPair&
 
 /// The point rigid, then the angle while the point stays.
 void solveAtPoint(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
-    const Vec2 change = heldChange(seam.point, pair, seam.gap, joint.linearImpulse, joint.softness, useBias);
-    joint.linearImpulse += change;
-    apply(seam.point, pair, change);
+    const bool isDone = joint.isHeld && useBias;
+    if (!isDone) {
+        const Vec2 change = heldChange(seam.point, pair, seam.gap, joint.linearImpulse, joint.softness, useBias);
+        joint.linearImpulse += change;
+        apply(seam.point, pair, change);
+    }
+    if (isDone && !joint.hasAngularSpring) { return; }
     if (!(turnOf(pair) > 0)) { return; }
     const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB);
     const Real twist = angleChange(joint, seam, pair, spin.mass, useBias);
@@ -45,7 +49,7 @@ void solveAtPoint(WeldConstraint& joint, const Seam& seam, const JointPair& pair
 
 void solveAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
     const Real turn = turnOf(pair);
-    if (!(turn > 0)) { return; }
+    if (!(turn > 0) || (joint.isHeld && useBias && !joint.hasAngularSpring)) { return; }
     const Real twist = angleChange(joint, seam, pair, 1 / turn, useBias);
     joint.angularImpulse += twist;
     apply(kSpinRow, pair, twist);

@@ -44,9 +44,11 @@ void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair) 
 void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Axle axle = axleOf(joint, pair);
     const Vec2 error{cross(joint.axisNow, axle.offset), 0};
-    const Vec2 change = heldChange(axle.held, pair, error, joint.heldImpulse, joint.softness, useBias);
-    joint.heldImpulse += change;
-    apply(axle.held, pair, change);
+    if (!joint.isHeld || !useBias) {
+        const Vec2 change = heldChange(axle.held, pair, error, joint.heldImpulse, joint.softness, useBias);
+        joint.heldImpulse += change;
+        apply(axle.held, pair, change);
+    }
     const bool turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0;
     if (joint.hasMotor && turns) { driveSpin(joint, axle, pair); }
     if (!joint.suspension.hasSpring && !joint.suspension.hasLimits) { return; }

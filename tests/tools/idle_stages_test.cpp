@@ -52,9 +52,10 @@ std::vector<Stage> stages() {
          std::regex("putToSleep")}};
 }
 
-/// Functions that find out who needs what, and lines that are there with or without joints: calls of what is solved
+/// Functions that find out who needs what (roles, efforts), and lines that are there with or without joints: calls of what is solved
 /// anyway.
-const std::regex kFindsOut("roleOf|assignRoles|noteContact|resetBody|begin|finish|colourContacts");
+const std::regex kFindsOut("roleOf|assignRoles|noteContact|resetBody|begin|finish|colourContacts|assignEfforts|addContactsAndJoints|"
+                           "isTree|effortFor|solveTiedBodies");
 const std::regex kCalls("void |counters|solveGroup\\(|clearAllButJoints|kJoints>");
 
 struct SourceLine {

@@ -1,0 +1,156 @@
+#include "effort.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "profile.h"
+#include "step.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Sub-steps are no longer than this part of the time √(extent/|gravity|) in which things fall their own size.
+constexpr double kSubStepRatio = 0.1;
+/// Stacks that iteration carries badly: so many times as high as their thinnest body, or with masses so far apart.
+constexpr double kHighStack = 8;
+constexpr Real kHeavyRatio = 8;
+/// Joints in an island that iteration brings together badly.
+constexpr std::uint32_t kLongChain = 16;
+/// Towers at rest that are solved all at once make do with a quarter of the sub-steps: their error does not depend on
+/// them. At rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by
+/// iteration, unless masses are far apart.
+constexpr std::int8_t kTowerDoublings = -2;
+constexpr double kRestRatioOfFall = 1.0 / 8;
+/// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
+constexpr int kFewestSubStepsForJoints = 8;
+
+void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2 up) {
+    const double height = dot(up, motion.center);
+    const auto mass = static_cast<Real>(body.mass);
+    if (load.bodies++ == 0) {
+        load.lightest = load.heaviest = mass;
+        load.thinnest = body.extent;
+        load.lowest = load.highest = height;
+    }
+    load.fastest = std::max(load.fastest, lengthSquared(motion.velocity));
+    load.lightest = std::min(load.lightest, mass);
+    load.heaviest = std::max(load.heaviest, mass);
+    load.thinnest = std::min(load.thinnest, body.extent);
+    load.lowest = std::min(load.lowest, height);
+    load.highest = std::max(load.highest, height);
+}
+
+void addBodies(WorldState& world) {
+    const auto gravity = static_cast<double>(length(world.settings.gravity));
+    const DVec2 up = gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
+    for (const std::uint32_t slot : world.awake) {
+        const Body& body = world.bodies[slot];
+        if (body.role != BodyRole::solved) {
+            continue;
+        }
+        addBody(world.islandLoads[world.islands.find(slot)], body, world.motions[slot], up);
+    }
+}
+
+void addContactsAndJoints(WorldState& world) {
+    for (const Contact& contact : world.contacts) {
+        if (!contact.isSolid()) {
+            continue;
+        }
+        const bool aMoves = world.bodies[contact.bodyA].isDynamic();
+        ++world.islandLoads[world.islands.find(aMoves ? contact.bodyA : contact.bodyB)].contacts;
+    }
+    for (const std::uint32_t i : world.activeJoints) {
+        const auto bodies = world.joints[i].allBodies();
+        const auto moves = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
+        ++world.islandLoads[world.islands.find(*std::find_if(bodies.begin(), bodies.end(), moves))].joints;
+    }
+}
+
+/// From `fewest` on, until the sub-steps are short enough for the thinnest body.
+std::int8_t doublingsFor(const IslandLoad& load, std::int8_t fewest, double gravity, double dt, int subSteps) {
+    std::int8_t doublings = fewest;
+    if (!(gravity > 0) || !(load.thinnest > 0)) {
+        return doublings;
+    }
+    // Squares are compared: 0.1² · extent/|g| against h².
+    const double longest = kSubStepRatio * kSubStepRatio * static_cast<double>(load.thinnest) / gravity;
+    const auto isLong = [&] {
+        const double h = dt / subStepsFor({.doublings = doublings}, subSteps);
+        return h * h > longest;
+    };
+    while (isLong() && subStepsFor({.doublings = static_cast<std::int8_t>(doublings + 1)}, subSteps) <= kMostSubSteps) {
+        ++doublings;
+    }
+    return doublings;
+}
+
+/// Whether the contacts tie the bodies, and the ground, together without closing a loop: a tower, not a wall.
+bool isTree(const IslandLoad& load) { return load.contacts + load.joints <= load.bodies; }
+
+/// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and
+/// joints that are exact each time are worth it only where iteration over them is hopeless.
+DirectScope scopeForJoints(const IslandLoad& load, int subSteps) {
+    // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
+    const bool hasLoop = load.joints > load.bodies;
+    if (hasLoop || subSteps < kFewestSubStepsForJoints) {
+        return DirectScope::none;
+    }
+    const bool isHopeless = load.joints >= kLongChain || load.heaviest >= kHeavyRatio * load.lightest;
+    if (isHopeless) {
+        return DirectScope::joints;
+    }
+    return load.contacts == 0 ? DirectScope::freeJoints : DirectScope::none;
+}
+
+DirectScope scopeForContacts(const IslandLoad& load, bool rests) {
+    const bool isHigh = load.highest - load.lowest >= kHighStack * static_cast<double>(load.thinnest);
+    const bool isHeavy = load.heaviest >= kHeavyRatio * load.lightest;
+    const bool isStack = load.bodies > 1 && load.thinnest > 0 && isTree(load);
+    return isStack && ((isHigh && rests) || isHeavy) ? DirectScope::all : DirectScope::none;
+}
+
+Effort effortFor(const IslandLoad& load, double gravity, double dt, int subSteps) {
+    const double restSpeed = kRestRatioOfFall * gravity * dt;
+    const bool rests = static_cast<double>(load.fastest) <= restSpeed * restSpeed;
+    if (load.joints > 0) {
+        return {.doublings = 0, .direct = scopeForJoints(load, subSteps)};
+    }
+    const DirectScope scope = scopeForContacts(load, rests);
+    const std::int8_t fewest = scope == DirectScope::all && rests ? kTowerDoublings : std::int8_t{0};
+    return {.doublings = doublingsFor(load, fewest, gravity, dt, subSteps), .direct = scope};
+}
+
+}  // namespace
+
+void assignEfforts(WorldState& world, double dt) {
+    if (world.counters.solvedBodies == 0) {
+        return;
+    }
+    if (world.settings.profile == Profile::fast) {
+        for (const std::uint32_t slot : world.awake) {
+            world.bodies[slot].effort = {};
+        }
+        return;
+    }
+    std::vector<IslandLoad>& loads = world.islandLoads;
+    loads.resize(std::max<std::size_t>(loads.size(), world.bodies.slotCount()));
+    for (const std::uint32_t slot : world.awake) {
+        loads[slot] = {};
+    }
+    addBodies(world);
+    addContactsAndJoints(world);
+    const auto gravity = static_cast<double>(length(world.settings.gravity));
+    const int subSteps = subStepsOf(world.settings);
+    for (const std::uint32_t slot : world.awake) {
+        IslandLoad& load = loads[slot];
+        if (load.bodies > 0) {
+            load.effort = effortFor(load, gravity, dt, subSteps);
+        }
+    }
+    for (const std::uint32_t slot : world.awake) {
+        world.bodies[slot].effort = loads[world.islands.find(slot)].effort;
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

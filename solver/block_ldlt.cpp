@@ -1,0 +1,219 @@
+#include "block_ldlt.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// L·D·Lᵀ of a symmetric block, in place: D on the diagonal, L below it. Only the lower half is read.
+void factoriseBlock(Block33& m) {
+    m[3] /= m[0];
+    const double d1 = m[4] - m[3] * m[3] * m[0];
+    const double l20 = m[6] / m[0];
+    const double below = m[7] - l20 * m[3] * m[0];
+    m[4] = d1;
+    m[7] = below / d1;
+    m[8] -= l20 * l20 * m[0] + m[7] * below;
+    m[6] = l20;
+}
+
+Block3 solveBlock(const Block33& m, Block3 v) {
+    v[1] -= m[3] * v[0];
+    v[2] -= m[6] * v[0] + m[7] * v[1];
+    v[0] /= m[0];
+    v[1] /= m[4];
+    v[2] /= m[8];
+    v[1] -= m[7] * v[2];
+    v[0] -= m[3] * v[1] + m[6] * v[2];
+    return v;
+}
+
+/// v −= m·x
+void subtract(Block3& v, const Block33& m, const Block3& x) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        v[i] -= m[3 * i] * x[0] + m[3 * i + 1] * x[1] + m[3 * i + 2] * x[2];
+    }
+}
+/// v −= mᵀ·x
+void subtractTransposed(Block3& v, const Block33& m, const Block3& x) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        v[i] -= m[i] * x[0] + m[3 + i] * x[1] + m[6 + i] * x[2];
+    }
+}
+
+/// target −= a·bᵀ
+void subtractProduct(Block33& target, const Block33& a, const Block33& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            target[3 * i + k] -= a[3 * i] * b[3 * k] + a[3 * i + 1] * b[3 * k + 1] + a[3 * i + 2] * b[3 * k + 2];
+        }
+    }
+}
+
+/// A target on the diagonal, told from the others by this bit.
+constexpr std::uint32_t kDiagonalBit = std::uint32_t{1} << 31;
+
+void addUnique(std::vector<std::uint32_t>& sorted, std::uint32_t value) {
+    const auto place = std::lower_bound(sorted.begin(), sorted.end(), value);
+    if (place == sorted.end() || *place != value) {
+        sorted.insert(place, value);
+    }
+}
+
+}  // namespace
+
+bool BlockLdlt::analyse(std::uint32_t nodes, std::span<const BlockEdge> edges, std::size_t mostBlocks) {
+    const auto isSame = [](const BlockEdge& x, const BlockEdge& y) { return x.a == y.a && x.b == y.b; };
+    if (position_.size() == nodes && std::equal(edges.begin(), edges.end(), edges_.begin(), edges_.end(), isSame)) {
+        return fits_;
+    }
+    edges_.assign(edges.begin(), edges.end());
+    if (neighbours_.size() < nodes) {
+        neighbours_.resize(nodes);
+    }
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+        neighbours_[i].clear();
+    }
+    for (const BlockEdge& edge : edges) {
+        addUnique(neighbours_[edge.a], edge.b);
+        addUnique(neighbours_[edge.b], edge.a);
+    }
+    fits_ = order(nodes, mostBlocks);
+    if (fits_) {
+        place();
+    }
+    return fits_;
+}
+
+bool BlockLdlt::order(std::uint32_t nodes, std::size_t mostBlocks) {
+    constexpr std::uint32_t kNotYet = ~std::uint32_t{0};
+    const std::greater<> later;
+    position_.assign(nodes, kNotYet);
+    begins_.assign(1, 0);
+    rows_.clear();
+    heap_.clear();
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+        heap_.emplace_back(static_cast<std::uint32_t>(neighbours_[i].size()), i);
+    }
+    std::make_heap(heap_.begin(), heap_.end(), later);
+    std::uint32_t next = 0;
+    while (!heap_.empty()) {
+        std::pop_heap(heap_.begin(), heap_.end(), later);
+        const auto [degree, node] = heap_.back();
+        heap_.pop_back();
+        // Entries are not updated but added anew: those of an older degree are passed over.
+        if (position_[node] != kNotYet || degree != neighbours_[node].size()) {
+            continue;
+        }
+        position_[node] = next++;
+        rows_.insert(rows_.end(), neighbours_[node].begin(), neighbours_[node].end());
+        begins_.push_back(static_cast<std::uint32_t>(rows_.size()));
+        if (rows_.size() > mostBlocks) {
+            return false;
+        }
+        eliminate(node);
+    }
+    return true;
+}
+
+/// The neighbours of an eliminated node become neighbours of each other.
+void BlockLdlt::eliminate(std::uint32_t node) {
+    const std::vector<std::uint32_t>& clique = neighbours_[node];
+    for (const std::uint32_t member : clique) {
+        std::vector<std::uint32_t>& old = neighbours_[member];
+        merged_.clear();
+        std::set_union(old.begin(), old.end(), clique.begin(), clique.end(), std::back_inserter(merged_));
+        std::erase_if(merged_, [member, node](std::uint32_t i) { return i == member || i == node; });
+        old.swap(merged_);
+        heap_.emplace_back(static_cast<std::uint32_t>(old.size()), member);
+        std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+    }
+}
+
+std::uint32_t BlockLdlt::blockAt(std::uint32_t row, std::uint32_t column) const {
+    const auto first = rows_.begin() + begins_[column];
+    const auto last = rows_.begin() + begins_[column + 1];
+    return static_cast<std::uint32_t>(std::lower_bound(first, last, row) - rows_.begin());
+}
+
+void BlockLdlt::place() {
+    const auto columns = static_cast<std::uint32_t>(position_.size());
+    for (std::uint32_t& row : rows_) {
+        row = position_[row];
+    }
+    for (std::uint32_t c = 0; c < columns; ++c) {
+        std::sort(rows_.begin() + begins_[c], rows_.begin() + begins_[c + 1]);
+    }
+    targets_.clear();
+    for (std::uint32_t c = 0; c < columns; ++c) {
+        for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
+            for (std::uint32_t k = begins_[c]; k < i; ++k) {
+                targets_.push_back(blockAt(rows_[i], rows_[k]));
+            }
+            targets_.push_back(kDiagonalBit | rows_[i]);
+        }
+    }
+    diagonal_.resize(columns);
+    blocks_.resize(rows_.size());
+    scratch_.resize(columns);
+}
+
+BlockLdlt::OffDiagonal BlockLdlt::offDiagonal(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t placeA = position_[a];
+    const std::uint32_t placeB = position_[b];
+    return {blocks_[blockAt(std::max(placeA, placeB), std::min(placeA, placeB))], placeB > placeA};
+}
+
+void BlockLdlt::clear() {
+    std::fill(diagonal_.begin(), diagonal_.end(), Block33{});
+    std::fill(blocks_.begin(), blocks_.end(), Block33{});
+}
+
+void BlockLdlt::factorise() {
+    const auto columns = static_cast<std::uint32_t>(diagonal_.size());
+    std::size_t target = 0;
+    for (std::uint32_t c = 0; c < columns; ++c) {
+        factoriseBlock(diagonal_[c]);
+        const std::uint32_t begin = begins_[c];
+        const std::uint32_t end = begins_[c + 1];
+        unscaled_.assign(blocks_.begin() + begin, blocks_.begin() + end);
+        for (std::uint32_t i = begin; i < end; ++i) {
+            // Rows of the block times D⁻¹, which is symmetric.
+            Block33& block = blocks_[i];
+            for (std::size_t r = 0; r < 3; ++r) {
+                const Block3 row = solveBlock(diagonal_[c], {block[3 * r], block[3 * r + 1], block[3 * r + 2]});
+                std::copy(row.begin(), row.end(), block.begin() + static_cast<std::ptrdiff_t>(3 * r));
+            }
+            for (std::uint32_t k = begin; k <= i; ++k, ++target) {
+                const std::uint32_t t = targets_[target];
+                Block33& into = (t & kDiagonalBit) != 0 ? diagonal_[t & ~kDiagonalBit] : blocks_[t];
+                subtractProduct(into, block, unscaled_[k - begin]);
+            }
+        }
+    }
+}
+
+void BlockLdlt::solve(std::span<Block3> values) const {
+    const std::size_t columns = diagonal_.size();
+    for (std::size_t node = 0; node < columns; ++node) {
+        scratch_[position_[node]] = values[node];
+    }
+    for (std::size_t c = 0; c < columns; ++c) {
+        for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
+            subtract(scratch_[rows_[i]], blocks_[i], scratch_[c]);
+        }
+    }
+    for (std::size_t c = columns; c-- > 0;) {
+        scratch_[c] = solveBlock(diagonal_[c], scratch_[c]);
+        for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
+            subtractTransposed(scratch_[c], blocks_[i], scratch_[rows_[i]]);
+        }
+    }
+    for (std::size_t node = 0; node < columns; ++node) {
+        values[node] = scratch_[position_[node]];
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

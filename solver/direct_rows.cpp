@@ -1,0 +1,146 @@
+#include "direct_rows.h"
+
+#include <cmath>
+#include <limits>
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Errors up to this part of the smaller radius of gyration, or of a radian, are closed within one sub-step; larger
+/// ones at the joint's own rate: what closes them would turn the bodies too far for one linear solve.
+constexpr Real kSmallErrorRatio = Real(1) / 8;
+
+/// Radians whose square is not seen beside 1, and may underflow.
+constexpr Real kLeastTurn = 1 / static_cast<Real>(std::uint64_t{1} << (std::numeric_limits<Real>::digits / 2 + 2));
+
+/// Adds rows of one joint after another.
+class RowWriter {
+public:
+    RowWriter(SolverBatch& batch, Real h, bool useBias, std::vector<DirectRow>& rows)
+        : batch_(batch), h_(h), useBias_(useBias), rows_(rows) {}
+
+    void operator()(RevoluteConstraint& joint) {
+        begin(joint);
+        addPoint(joint, joint.linearImpulse);
+    }
+    void operator()(DistanceConstraint& joint) {
+        if (!joint.isRigid) {
+            return;
+        }
+        begin(joint);
+        const UnitAndLength offset = normalized(anchorOffset(joint, *a_, *b_));
+        if (offset.length > 0) {
+            joint.axis = offset.unit;
+        }
+        const Real aside = cross(joint.axis, anchorMotion(armA_));
+        const Real turn = offset.length > 0 ? notableTurn(aside / offset.length) : Real(0);
+        const Real bend = dot(joint.axis, bend_) + Real(0.5) * aside * turn;
+        const Real error = offset.length - joint.length;
+        add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse);
+    }
+    void operator()(PrismaticConstraint& joint) {
+        begin(joint);
+        addSide(joint, joint.heldImpulse.x);
+        addAngle(joint, joint.heldImpulse.y);
+    }
+    void operator()(WheelConstraint& joint) {
+        begin(joint);
+        addSide(joint, joint.heldImpulse.x);
+    }
+    void operator()(WeldConstraint& joint) {
+        begin(joint);
+        if (!joint.hasLinearSpring) {
+            addPoint(joint, joint.linearImpulse);
+        }
+        if (!joint.hasAngularSpring) {
+            addAngle(joint, joint.angularImpulse);
+        }
+    }
+
+private:
+    void begin(const JointConstraint& joint) {
+        joint_ = &joint;
+        a_ = &batch_.states[joint.slotA];
+        b_ = &batch_.states[joint.slotB];
+        armA_ = rotate(a_->deltaRotation, joint.anchorA);
+        armB_ = rotate(b_->deltaRotation, joint.anchorB);
+        turnA_ = notableTurn(h_ * a_->angularVelocity);
+        bend_ = bendOf(notableTurn(h_ * b_->angularVelocity), armB_) - bendOf(turnA_, armA_);
+    }
+    static Real notableTurn(Real turn) { return std::fabs(turn) < kLeastTurn ? Real(0) : turn; }
+    /// What a turn does to an arm beyond the first order.
+    static Vec2 bendOf(Real turn, Vec2 arm) {
+        const Real half = Real(0.5) * square(turn);
+        return -half * arm - (half * turn / 3) * leftPerp(arm);
+    }
+    /// First-order motion of B's anchor from A's within the sub-step.
+    Vec2 anchorMotion(Vec2 armA) const { return h_ * (velocityAt(*b_, armB_) - velocityAt(*a_, armA)); }
+    bool canTurn() const {
+        return batch_.inertias[joint_->slotA].inverseInertia + batch_.inertias[joint_->slotB].inverseInertia > 0;
+    }
+    /// @param bend  what the error grows by beyond the first order, at the speeds there are: the motion is to end, not
+    /// only to begin, where the joint holds
+    void add(const JointRow& row, Real errorRate, Real error, Real bend, Real& impulse) {
+        const Real bias = useBias_ ? errorRate * error + bend / h_ : Real(0);
+        rows_.push_back({row, joint_->slotA, joint_->slotB, bias, &impulse});
+    }
+    void addPoint(const JointConstraint& joint, Vec2& impulse) {
+        const Vec2 gap = anchorOffset(joint, *a_, *b_);
+        add(rowAlong({1, 0}, armA_, armB_), rateFor(gap.x), gap.x, bend_.x, impulse.x);
+        add(rowAlong({0, 1}, armA_, armB_), rateFor(gap.y), gap.y, bend_.y, impulse.y);
+    }
+    template <class Joint>
+    void addAngle(const Joint& joint, Real& impulse) {
+        if (canTurn()) {
+            const Real angle = joint.baseAngle + (b_->deltaAngle - a_->deltaAngle);
+            add(kSpinRow, rate(std::fabs(angle) <= kSmallErrorRatio), angle, 0, impulse);
+        }
+    }
+    /// Across an axis that turns with A. The force on A acts where B's anchor is.
+    template <class Joint>
+    void addSide(Joint& joint, Real& impulse) {
+        joint.axisNow = rotate(a_->deltaRotation, joint.axis);
+        const Vec2 offset = anchorOffset(joint, *a_, *b_);
+        const Vec2 side = leftPerp(joint.axisNow);
+        const Real error = dot(side, offset);
+        const Real bend =
+            dot(side, bend_) - turnA_ * dot(joint.axisNow, anchorMotion(armA_)) - Real(0.5) * square(turnA_) * error;
+        add(rowAlong(side, armA_ + offset, armB_), rateFor(error), error, bend, impulse);
+    }
+    Real rateFor(Real error) const {
+        const auto isSmallFor = [error](const BodyInertia& body) {
+            // Squares of small errors underflow in float.
+            const auto length = static_cast<double>(error);
+            return length * length * static_cast<double>(body.inverseInertia) <=
+                   static_cast<double>(square(kSmallErrorRatio)) * static_cast<double>(body.inverseMass);
+        };
+        const bool isSmall = isSmallFor(batch_.inertias[joint_->slotA]) && isSmallFor(batch_.inertias[joint_->slotB]);
+        return rate(isSmall);
+    }
+    Real rate(bool isSmall) const { return isSmall ? 1 / h_ : joint_->softness.biasRate; }
+
+    SolverBatch& batch_;
+    Real h_;
+    bool useBias_;
+    std::vector<DirectRow>& rows_;
+    const JointConstraint* joint_ = nullptr;
+    const BodyState* a_ = nullptr;
+    const BodyState* b_ = nullptr;
+    Vec2 armA_;
+    Vec2 armB_;
+    Real turnA_ = 0;  ///< within the sub-step, rad
+    Vec2 bend_;       ///< of B's anchor against A's
+};
+
+}  // namespace
+
+void addJointRows(SolverBatch& batch, Real h, bool useBias, std::vector<DirectRow>& rows) {
+    RowWriter writer(batch, h, useBias, rows);
+    forEachHeldKind(batch, [&writer](auto& joints) {
+        for (auto& joint : joints) {
+            writer(joint);
+        }
+    });
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

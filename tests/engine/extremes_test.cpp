@@ -1,0 +1,240 @@
+#include <array>
+
+#include "world_support.h"
+
+/// Loads, chains and sizes where iteration does not get there: what the direct solver reaches, each scene by the name
+/// it has in `swept bench accuracy`. Limits are ten times what was measured, or more.
+
+namespace swept::test {
+namespace {
+
+struct Tower {
+    World world;
+    std::vector<BodyId> boxes;
+
+    /// Boxes of side `side`, from the ground up; the last one of another density.
+    Tower(int count, double side, double lastDensity = 1, double gravity = kGravity) : world(makeWorld(gravity)) {
+        addStatic(world, box(20 * side, 0.5 * side), material(0.6), {0, -0.5 * side});
+        for (int i = 0; i < count; ++i) {
+            boxes.push_back(addBody(world, dynamicAt({0, (i + 0.5) * side}), box(0.5 * side, 0.5 * side),
+                                    material(0.6, 0, i + 1 < count ? 1 : lastDensity)));
+        }
+    }
+    /// Loss of height of the top, as a part of it.
+    double sag(double side) const {
+        const double height = (static_cast<double>(boxes.size()) - 0.5) * side;
+        return std::abs(height - world.position(boxes.back()).y) / height;
+    }
+    double drift() const {
+        double farthest = 0;
+        for (const BodyId body : boxes) {
+            farthest = std::max(farthest, std::abs(world.position(body).x));
+        }
+        return farthest;
+    }
+    double fastest() const {
+        double speed = 0;
+        for (const BodyId body : boxes) {
+            speed = std::max(speed, length(velocityOf(world, body)));
+        }
+        return speed;
+    }
+};
+
+TEST(Extremes, HeavyTopOnLightBoxes) {
+    for (const int below : {1, 10}) {
+        for (const double ratio : {1e3, 1e4}) {
+            Tower tower(below + 1, 1, ratio);
+            runFor(tower.world, 3);
+            const std::string name = "heavy-top-" + std::to_string(below) + "-R" + std::to_string(ratio) + " ";
+            expectAtMost(name + "sag", tower.sag(1), 1e-5);
+            expectAtMost(name + "drift", tower.drift(), 1e-4);
+            EXPECT_GT(tower.world.counters().directBodies, 0U);
+        }
+    }
+}
+
+TEST(Extremes, StackOfFifty) {
+    Tower tower(50, 1);
+    runFor(tower.world, 2);
+    expectAtMost("stack-50 sag", tower.sag(1), 1e-4);
+    expectAtMost("stack-50 drift", tower.drift(), 1e-3);
+    expectAtMost("stack-50 jitter", tower.fastest(), 0.01 * std::sqrt(kGravity));
+}
+
+TEST(Extremes, TinyBoxesStand) {
+    for (const double side : {1e-2, 1e-3}) {
+        Tower tower(10, side);
+        runFor(tower.world, 2);
+        const std::string name = "size-" + std::to_string(side) + " ";
+        expectAtMost(name + "sag", tower.sag(side), 1e-3);
+        expectAtMost(name + "drift", tower.drift() / side, 0.05);
+        expectAtMost(name + "speed", tower.fastest() / std::sqrt(kGravity * side), 0.01);
+    }
+}
+
+TEST(Extremes, SmallerBoxesGetMoreSubSteps) {
+    std::uint64_t before = 0;
+    for (const double side : {1.0, 0.0125}) {
+        Tower tower(10, side);
+        run(tower.world, 10);
+        const StepCounters& counters = tower.world.counters();
+        EXPECT_EQ(counters.effortClasses, 1U) << side;
+        EXPECT_EQ(counters.directBodies, 10U) << side;
+        EXPECT_GT(counters.mostSubSteps, before) << side;
+        before = counters.mostSubSteps;
+        const double h = kStep / static_cast<double>(before);
+        EXPECT_LE(h, 0.1 * std::sqrt(side / kGravity)) << side;
+    }
+}
+
+/// Twenty links of 1 kg from a fixed pivot, then a ball.
+struct Chain {
+    static constexpr double kLink = 0.5;
+    static constexpr double kLength = 20 * kLink + 0.5;
+    World world = makeWorld();
+    BodyId ball;
+
+    Chain(double ratio, bool swung) {
+        const DVec2 along = swung ? DVec2{1, 0} : DVec2{0, -1};
+        ShapeDef shape;
+        shape.filter.group = -1;
+        BodyId before = addStatic(world, circle(0.05), shape);
+        const auto join = [&](BodyId next, double at) {
+            RevoluteJointDef hinge;
+            hinge.base.bodyA = before;
+            hinge.base.bodyB = next;
+            hinge.anchor = at * along;
+            must(world.createJoint(hinge));
+            before = next;
+        };
+        for (int i = 0; i < 20; ++i) {
+            BodyDef def = dynamicAt(kLink * (i + 0.5) * along);
+            def.angle = swung ? 0 : -kPi / 2;
+            def.mass = real(1);
+            join(addBody(world, def, box(0.25, 0.05), shape), kLink * i);
+        }
+        BodyDef def = dynamicAt(kLength * along);
+        def.mass = real(ratio);
+        ball = addBody(world, def, circle(0.5), shape);
+        join(ball, kLink * 20);
+    }
+    /// Largest over some time.
+    double stretch(double seconds) {
+        double farthest = 0;
+        for (int i = 0; i < static_cast<int>(seconds * kRate); ++i) {
+            must(world.step(kStep));
+            farthest = std::max(farthest, length(world.position(ball)));
+        }
+        return std::max(farthest / kLength - 1, 0.0);
+    }
+};
+
+TEST(Extremes, ChainsDoNotStretch) {
+    for (const double ratio : {1e4, 1e6}) {
+        expectAtMost("chain-R" + std::to_string(ratio), Chain(ratio, false).stretch(2), 1e-6);
+    }
+    expectAtMost("chain-swung-R10000", Chain(1e4, true).stretch(4), 1e-4);
+}
+
+TEST(Extremes, PendulumKeepsItsEnergy) {
+    World world = makeWorld();
+    ShapeDef none;
+    none.filter.mask = 0;
+    const BodyId pivot = addStatic(world, circle(0.02), none);
+    const BodyId bob = addBody(world, dynamicAt({1, 0}), circle(0.1), none);
+    RevoluteJointDef hinge;
+    hinge.base.bodyA = pivot;
+    hinge.base.bodyB = bob;
+    must(world.createJoint(hinge));
+    const BodyId bodies[] = {bob};
+    const double start = energyOf(world, bodies, kGravity);
+    const double scale = world.mass(bob) * kGravity;
+    double worst = 0;
+    double gap = 0;
+    for (int i = 0; i < 60 * 60; ++i) {
+        must(world.step(kStep));
+        worst = std::max(worst, std::abs(energyOf(world, bodies, kGravity) - start) / scale);
+        gap = std::max(gap, std::abs(length(world.position(bob)) - 1));
+    }
+    expectAtMost("pendulum-90 energy at any time", worst, kIsDouble ? 5e-5 : 1e-4);
+    expectAtMost("pendulum-90 gap", gap, 5e-6);
+}
+
+/// Ten flat bars, each a thousand times as long as it is high.
+TEST(Extremes, FlatBarsRest) {
+    World world = makeWorld();
+    addStatic(world, box(20, 0.5), material(0.6), {0, -0.5});
+    std::vector<BodyId> bars;
+    for (int i = 0; i < 10; ++i) {
+        bars.push_back(addBody(world, dynamicAt({0, 0.01 * (i + 0.5)}), box(5, 0.005), material(0.6)));
+    }
+    runFor(world, 3);
+    double worst = 0;
+    for (int i = 0; i < 10; ++i) {
+        worst = std::max(worst, length(world.position(bars[static_cast<std::size_t>(i)]) - DVec2{0, 0.01 * (i + 0.5)}));
+    }
+    expectAtMost("flat-bars move", worst / 0.01, 0.01);
+}
+
+/// What needs nothing extra is solved as before, whatever stands beside it.
+TEST(Extremes, ATowerCostsItsNeighboursNothing) {
+    const auto build = [](World& world, bool withTower) {
+        addStatic(world, box(100, 0.5), material(0.6), {0, -0.5});
+        const BodyId alone = addBody(world, dynamicAt({-20, 0.6}, vec(1, 0)), box(0.5, 0.5), material(0.6));
+        for (int i = 0; withTower && i < 12; ++i) {
+            addBody(world, dynamicAt({20, i + 0.5}), box(0.5, 0.5), material(0.6));
+        }
+        return alone;
+    };
+    World plain = makeWorld();
+    World mixed = makeWorld();
+    const BodyId a = build(plain, false);
+    const BodyId b = build(mixed, true);
+    for (int i = 0; i < 60; ++i) {
+        run(plain, 1);
+        run(mixed, 1);
+        ASSERT_EQ(plain.position(a), mixed.position(b)) << "step " << i;
+        ASSERT_EQ(plain.counters().directBodies, 0U);
+    }
+    EXPECT_EQ(mixed.counters().effortClasses, 2U);
+    EXPECT_EQ(mixed.counters().directBodies, 12U);
+}
+
+/// Twice the lengths, masses or times, and all numbers are what they were but for those factors.
+TEST(Extremes, DirectSolvesScaleByPowersOfTwo) {
+    const auto endOf = [](double l, double m, double t) {
+        WorldSettings settings = awakeSettings(kGravity * l / (t * t));
+        World world = makeWorld(settings);
+        addStatic(world, box(20 * l, 0.5 * l), material(0.6), {0, -0.5 * l});
+        BodyId last;
+        for (int i = 0; i < 10; ++i) {
+            last = addBody(world, dynamicAt({0.01 * l * (i % 2), (i + 0.5) * l}), box(0.5 * l, 0.5 * l),
+                           material(0.6, 0, (i == 9 ? 100 : 1) * m / (l * l)));
+        }
+        BodyId before = addStatic(world, circle(0.05 * l), {}, {30 * l, 0});
+        for (int i = 1; i <= 5; ++i) {
+            ShapeDef shape = material(0.6, 0, (i == 5 ? 1000 : 1) * m / (l * l));
+            shape.filter.mask = 0;
+            const BodyId next = addBody(world, dynamicAt({(30 + i) * l, 0}), circle(0.25 * l), shape);
+            RevoluteJointDef hinge;
+            hinge.base.bodyA = before;
+            hinge.base.bodyB = next;
+            hinge.anchor = {(29.5 + i) * l, 0};
+            must(world.createJoint(hinge));
+            before = next;
+        }
+        run(world, 120, kStep * t);
+        return std::array<DVec2, 2>{1 / l * world.position(last), 1 / l * world.position(before)};
+    };
+    const auto plain = endOf(1, 1, 1);
+    for (const double factor : {1.0 / 64, 32.0}) {
+        EXPECT_EQ(endOf(factor, 1, 1), plain) << "length";
+        EXPECT_EQ(endOf(1, factor, 1), plain) << "mass";
+        EXPECT_EQ(endOf(1, 1, factor), plain) << "time";
+        EXPECT_EQ(endOf(factor, 4 * factor, 2 * factor), plain) << "all";
+    }
+}
+
+}  // namespace
+}  // namespace swept::test
