@@ -329,10 +329,10 @@ void vandalise(Sizes sizes, int seeds, int actions) {
     }
 }
 
-TEST(Misuse, LeavesAUsableWorld) { vandalise(Sizes::usual, 16, 1'250); }
+TEST(Misuse, LeavesAUsableWorld) { vandalise(Sizes::usual, SWEPT_MISUSE_PROGRAMS, 1'250); }
 
 /// Finite, but so large that sums and products of them are not.
-TEST(Misuse, ExtremeNumbersToo) { vandalise(Sizes::extreme, 16, 1'250); }
+TEST(Misuse, ExtremeNumbersToo) { vandalise(Sizes::extreme, SWEPT_MISUSE_PROGRAMS, 1'250); }
 
 }  // namespace
 }  // namespace swept::test
