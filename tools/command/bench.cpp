@@ -9,9 +9,9 @@
 #include "../bench/toi_bench_plots.h"
 #include "../bench/toi_bench_table.h"
 #include "../bench/toi_certify.h"
-#include "../output_files.h"
 #include "bench_accuracy.h"
 #include "bench_broadphase.h"
+#include "bench_run.h"
 #include "commands.h"
 #include "progress.h"
 
@@ -20,18 +20,19 @@ namespace {
 
 struct BenchArguments {
     bench::ToiBenchSettings settings;
-    std::string csv;
-    std::string plots;
+    BenchPlaces places;
     std::int64_t certify = 0;
 };
 
-void printSettings(const std::string& what, std::int64_t count, const char* of, std::uint64_t seed) {
-    std::cout << bench::machineText() << '\n' << what << ": " << count << of << ", seed " << seed << '\n' << std::flush;
+std::string settingsText(const std::string& what, std::int64_t count, const std::string& of, std::uint64_t seed) {
+    return what + ": " + std::to_string(count) + of + ", seed " + std::to_string(seed);
 }
 
 int certify(const BenchArguments& arguments) {
     const std::uint64_t seed = arguments.settings.seed;
-    printSettings("certify", arguments.certify, " queries of all families in turn", seed);
+    std::cout << bench::machineText() << '\n'
+              << settingsText("certify", arguments.certify, " queries of all families in turn", seed) << '\n'
+              << std::flush;
     bench::CertifyResult result;
     {
         Progress progress("certify", arguments.certify);
@@ -50,51 +51,27 @@ int certify(const BenchArguments& arguments) {
     return result.wrong() == 0 ? kExitDone : kExitNotFinite;
 }
 
-/// What the plots need beside the rows, and the plots. @return false when something failed, said in `error`
-bool plot(const BenchArguments& arguments, const bench::ToiContestants& contestants,
-          const std::vector<bench::ToiBenchRow>& rows, std::string& error) {
-    std::vector<bench::TurnPoint> turns;
-    {
-        Progress progress("turns", static_cast<std::int64_t>(contestants.size()) * 10);
-        turns = bench::benchTurns(contestants, arguments.settings, [&](int done, int) { progress.update(done); });
-    }
-    const std::string told = bench::plotToiBench(arguments.plots, rows, turns, error);
-    if (!error.empty()) {
-        return false;
-    }
-    std::cout << told << '\n';
-    return true;
-}
-
 int measure(const BenchArguments& arguments) {
-    OutputFiles files;
-    files.addFile("--csv", arguments.csv);
-    if (!arguments.plots.empty()) {
-        files.addDirectory("--plots", arguments.plots);
-    }
-    std::string error;
-    if (!files.open(error)) {
-        return refuse(error);
-    }
-    printSettings("bench toi", arguments.settings.count, " queries a family", arguments.settings.seed);
     const bench::ToiContestants contestants = bench::allToiContestants();
     std::vector<bench::ToiBenchRow> rows;
-    {
-        Progress progress("bench", static_cast<std::int64_t>(contestants.size() * kToiFamilies.size()));
-        rows = bench::benchToi(contestants, arguments.settings, [&](int done, int) { progress.update(done); });
-    }
-    bench::writeToiTable(std::cout, rows);
-    std::cout << std::flush;
-    if (std::ostream* const csv = files.stream(arguments.csv)) {
-        bench::writeToiCsv(*csv, rows, arguments.settings);
-    }
-    if (!files.close(error)) {
-        return refuse(error);
-    }
-    if (!arguments.plots.empty() && !plot(arguments, contestants, rows, error)) {
-        return refuse(error);
-    }
-    return kExitDone;
+    return runBench(
+        arguments.places,
+        {.title = settingsText("bench toi", arguments.settings.count, " queries a family", arguments.settings.seed),
+         .measure =
+             [&] {
+                 Progress progress("bench", static_cast<std::int64_t>(contestants.size() * kToiFamilies.size()));
+                 rows = bench::benchToi(contestants, arguments.settings, [&](int done, int) { progress.update(done); });
+                 bench::writeToiTable(std::cout, rows);
+             },
+         .writeCsv = [&](std::ostream& csv) { bench::writeToiCsv(csv, rows, arguments.settings); },
+         .writeOther = {},
+         .plot =
+             [&](const std::string& directory, std::string& error) {
+                 Progress progress("turns", static_cast<std::int64_t>(contestants.size()) * 10);
+                 const auto turns =
+                     bench::benchTurns(contestants, arguments.settings, [&](int done, int) { progress.update(done); });
+                 return bench::plotToiBench(directory, rows, turns, error);
+             }});
 }
 
 void addToiOptions(Command toi, BenchArguments& arguments) {
@@ -104,10 +81,10 @@ void addToiOptions(Command toi, BenchArguments& arguments) {
         .type("S")
         .within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max());
     const Option csv =
-        toi.option("--csv", arguments.csv, "Write the table, a record for each method and family").type("FILE");
-    const Option plots =
-        toi.option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
-            .type("DIR");
+        toi.option("--csv", arguments.places.csv, "Write the table, a record for each method and family").type("FILE");
+    const Option plots = toi.option("--plots", arguments.places.plots,
+                                    "Write data and gnuplot scripts, and draw them if gnuplot is there")
+                             .type("DIR");
     toi.option("--certify", arguments.certify,
                "Instead: have N answers of the default method judged; exit code 1 if one of them is wrong")
         .type("N")

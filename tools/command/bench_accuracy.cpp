@@ -7,8 +7,7 @@
 
 #include "../accuracy/accuracy_bench.h"
 #include "../accuracy/accuracy_table.h"
-#include "../bench/machine.h"
-#include "../output_files.h"
+#include "bench_run.h"
 #include "commands.h"
 #include "progress.h"
 
@@ -19,8 +18,7 @@ struct AccuracyArguments {
     std::vector<std::string> scenes;
     bool isLong = false;
     bool trade = false;
-    std::string csv;
-    std::string plots;
+    BenchPlaces places;
 };
 
 /// Steps a second and sub-steps of a step, as the trade is measured.
@@ -74,37 +72,18 @@ std::vector<accuracy::Row> measureAll(const std::vector<accuracy::Case>& cases, 
 }
 
 int measureAccuracy(const AccuracyArguments& arguments) {
-    OutputFiles files;
-    files.addFile("--csv", arguments.csv);
-    if (!arguments.plots.empty()) {
-        files.addDirectory("--plots", arguments.plots);
-    }
-    std::string error;
-    if (!files.open(error)) {
-        return refuse(error);
-    }
-    std::cout << bench::machineText() << "\nbench accuracy: g = 10 m/s^2, 60 Hz unless said, no sleep, density 1\n"
-              << std::flush;
-    const std::vector<accuracy::Row> rows = measureAll(casesOf(arguments), arguments.trade);
-    if (arguments.trade) {
-        accuracy::writeTradeTables(std::cout, rows);
-    } else {
-        accuracy::writeTables(std::cout, rows);
-    }
-    if (std::ostream* const csv = files.stream(arguments.csv)) {
-        accuracy::writeCsv(*csv, rows);
-    }
-    if (!files.close(error)) {
-        return refuse(error);
-    }
-    if (!arguments.plots.empty()) {
-        const std::string told = accuracy::plotTrade(arguments.plots, rows, error);
-        if (!error.empty()) {
-            return refuse(error);
-        }
-        std::cout << told << '\n';
-    }
-    return kExitDone;
+    std::vector<accuracy::Row> rows;
+    return runBench(arguments.places,
+                    {.title = "bench accuracy: g = 10 m/s^2, 60 Hz unless said, no sleep, density 1",
+                     .measure =
+                         [&] {
+                             rows = measureAll(casesOf(arguments), arguments.trade);
+                             (arguments.trade ? accuracy::writeTradeTables : accuracy::writeTables)(std::cout, rows);
+                         },
+                     .writeCsv = [&](std::ostream& csv) { accuracy::writeCsv(csv, rows); },
+                     .writeOther = {},
+                     .plot = [&](const std::string& directory,
+                                 std::string& error) { return accuracy::plotTrade(directory, rows, error); }});
 }
 
 std::vector<std::string> knownNames() {
@@ -129,8 +108,8 @@ void addBenchAccuracy(Command bench) {
         .oneOf(knownNames());
     command.flag("--long", arguments->isLong, "Also the scenes that take minutes (stacks of 200 to 1000)");
     command.flag("--trade", arguments->trade, "Error against cost, over steps and sub-steps, for seven scenes");
-    command.option("--csv", arguments->csv, "Write a record for each number").type("FILE");
-    command.option("--plots", arguments->plots, "Draw error against cost (with --trade), if gnuplot is there")
+    command.option("--csv", arguments->places.csv, "Write a record for each number").type("FILE");
+    command.option("--plots", arguments->places.plots, "Draw error against cost (with --trade), if gnuplot is there")
         .type("DIR");
     command.runs([arguments] { return measureAccuracy(*arguments); });
 }

@@ -11,9 +11,8 @@
 #include "../bench/broadphase_margin.h"
 #include "../bench/broadphase_peer_scenes.h"
 #include "../bench/broadphase_roofline.h"
-#include "../bench/machine.h"
 #include "../bench/overlap_bench.h"
-#include "../output_files.h"
+#include "bench_run.h"
 #include "commands.h"
 #include "progress.h"
 
@@ -24,15 +23,13 @@ struct BroadphaseArguments {
     bench::BroadphaseBenchSettings settings;
     std::uint32_t maxCount = 10'000;
     std::uint32_t count = 0;
-    std::string csv;
+    BenchPlaces places;
     std::string marginCsv;
-    std::string plots;
 };
 
 struct OverlapArguments {
     bench::OverlapBenchSettings settings;
-    std::string csv;
-    std::string plots;
+    BenchPlaces places;
 };
 
 /// Everything that was measured.
@@ -103,73 +100,47 @@ void writeAll(const BroadphaseResults& results) {
 }
 
 int measureBroadphase(BroadphaseArguments& arguments) {
-    OutputFiles files;
-    files.addFile("--csv", arguments.csv);
-    files.addFile("--margin-csv", arguments.marginCsv);
-    if (!arguments.plots.empty()) {
-        files.addDirectory("--plots", arguments.plots);
-    }
-    std::string error;
-    if (!files.open(error)) {
-        return refuse(error);
-    }
     arguments.settings.counts = countsOf(arguments);
-    std::cout << bench::machineText() << "\nbench broadphase: float, one thread, seed " << arguments.settings.seed
-              << "; the fastest of several passes in turns, step by step\n"
-              << std::flush;
-    const BroadphaseResults results = measureAll(arguments.settings);
-    writeAll(results);
-    if (std::ostream* const csv = files.stream(arguments.csv)) {
-        std::vector<bench::BroadphaseRow> rows = results.distributions;
-        rows.insert(rows.end(), results.peers.begin(), results.peers.end());
-        bench::writeBroadphaseCsv(*csv, rows);
-    }
-    if (std::ostream* const csv = files.stream(arguments.marginCsv)) {
-        bench::writeMarginCsv(*csv, results.margins);
-    }
-    if (!files.close(error)) {
-        return refuse(error);
-    }
-    if (!arguments.plots.empty()) {
-        const std::string told =
-            bench::plotBroadphase(arguments.plots, results.distributions, results.peers, results.margins, error);
-        if (!error.empty()) {
-            return refuse(error);
-        }
-        std::cout << told << '\n';
-    }
-    return kExitDone;
+    BroadphaseResults results;
+    BenchPlaces places = arguments.places;
+    places.others = {{"--margin-csv", arguments.marginCsv}};
+    return runBench(
+        places,
+        {.title = "bench broadphase: float, one thread, seed " + std::to_string(arguments.settings.seed) +
+                  "; the fastest of several passes in turns, step by step",
+         .measure =
+             [&] {
+                 results = measureAll(arguments.settings);
+                 writeAll(results);
+             },
+         .writeCsv =
+             [&](std::ostream& csv) {
+                 std::vector<bench::BroadphaseRow> rows = results.distributions;
+                 rows.insert(rows.end(), results.peers.begin(), results.peers.end());
+                 bench::writeBroadphaseCsv(csv, rows);
+             },
+         .writeOther = [&](const std::string&, std::ostream& csv) { bench::writeMarginCsv(csv, results.margins); },
+         .plot =
+             [&](const std::string& directory, std::string& error) {
+                 return bench::plotBroadphase(directory, results.distributions, results.peers, results.margins, error);
+             }});
 }
 
 int measureOverlap(const OverlapArguments& arguments) {
-    OutputFiles files;
-    files.addFile("--csv", arguments.csv);
-    if (!arguments.plots.empty()) {
-        files.addDirectory("--plots", arguments.plots);
-    }
-    std::string error;
-    if (!files.open(error)) {
-        return refuse(error);
-    }
-    std::cout << bench::machineText() << "\nbench overlap: float, " << arguments.settings.count
-              << " pairs a family, seed " << arguments.settings.seed << "; the fastest of several passes in turns\n"
-              << std::flush;
-    const std::vector<bench::OverlapRow> rows = bench::benchOverlap(arguments.settings);
-    bench::writeOverlapTable(std::cout, rows);
-    if (std::ostream* const csv = files.stream(arguments.csv)) {
-        bench::writeOverlapCsv(*csv, rows, arguments.settings);
-    }
-    if (!files.close(error)) {
-        return refuse(error);
-    }
-    if (!arguments.plots.empty()) {
-        const std::string told = bench::plotOverlap(arguments.plots, rows, error);
-        if (!error.empty()) {
-            return refuse(error);
-        }
-        std::cout << told << '\n';
-    }
-    return kExitDone;
+    std::vector<bench::OverlapRow> rows;
+    return runBench(
+        arguments.places,
+        {.title = "bench overlap: float, " + std::to_string(arguments.settings.count) + " pairs a family, seed " +
+                  std::to_string(arguments.settings.seed) + "; the fastest of several passes in turns",
+         .measure =
+             [&] {
+                 rows = bench::benchOverlap(arguments.settings);
+                 bench::writeOverlapTable(std::cout, rows);
+             },
+         .writeCsv = [&](std::ostream& csv) { bench::writeOverlapCsv(csv, rows, arguments.settings); },
+         .writeOther = {},
+         .plot = [&](const std::string& directory,
+                     std::string& error) { return bench::plotOverlap(directory, rows, error); }});
 }
 
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
@@ -198,9 +169,9 @@ void addBroadphaseOptions(Command app, BroadphaseArguments& arguments) {
     app.option("--seconds", arguments.settings.secondsPerCase, "For each implementation on each case [0.05]")
         .type("S")
         .withinReals(0.0, 60.0);
-    app.option("--csv", arguments.csv, "Write a record for each implementation, scene and size").type("FILE");
+    app.option("--csv", arguments.places.csv, "Write a record for each implementation, scene and size").type("FILE");
     app.option("--margin-csv", arguments.marginCsv, "Write a record for each margin").type("FILE");
-    app.option("--plots", arguments.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
+    app.option("--plots", arguments.places.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
         .type("DIR");
 }
 
@@ -209,8 +180,8 @@ void addOverlapOptions(Command app, OverlapArguments& arguments) {
     app.option("--seed", arguments.settings.seed, "The same seed gives the same pairs [1]")
         .type("S")
         .within(std::int64_t{0}, kMostSeed);
-    app.option("--csv", arguments.csv, "Write a record for each volume and family").type("FILE");
-    app.option("--plots", arguments.plots, "Write data and gnuplot script, and draw it if gnuplot is there")
+    app.option("--csv", arguments.places.csv, "Write a record for each volume and family").type("FILE");
+    app.option("--plots", arguments.places.plots, "Write data and gnuplot script, and draw it if gnuplot is there")
         .type("DIR");
 }
 

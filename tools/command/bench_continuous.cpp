@@ -5,8 +5,7 @@
 
 #include "../bench/continuous_bench.h"
 #include "../bench/crowd_bench.h"
-#include "../bench/machine.h"
-#include "../output_files.h"
+#include "bench_run.h"
 #include "commands.h"
 #include "progress.h"
 
@@ -15,62 +14,56 @@ namespace {
 
 struct ContinuousArguments {
     bench::ContinuousBenchSettings settings;
-    std::string csv;
-    std::string plots;
+    BenchPlaces places;
     bool crowds = false;
 };
 
-std::vector<bench::CrowdRow> measureCrowds(const ContinuousArguments& arguments) {
-    if (!arguments.crowds) { return {}; }
+struct ContinuousResults {
+    std::vector<bench::ModeRow> modes;
+    std::vector<bench::ThicknessRow> walls;
     std::vector<bench::CrowdRow> crowds;
+};
+
+ContinuousResults measureAll(const ContinuousArguments& arguments) {
+    ContinuousResults results;
     {
-        Progress progress("crowds", bench::kCrowdCount);
-        crowds = bench::benchCrowds(arguments.settings, [&](int done) { progress.update(done); });
+        Progress progress("bench continuous", 9);
+        results.modes = bench::benchModes(arguments.settings, [&](int done) { progress.update(done); });
+        results.walls = bench::benchThickness(arguments.settings, [&](int done) { progress.update(5 + done); });
     }
-    std::cout << '\n';
-    bench::writeCrowdTable(std::cout, crowds);
-    return crowds;
+    if (arguments.crowds) {
+        Progress progress("crowds", bench::kCrowdCount);
+        results.crowds = bench::benchCrowds(arguments.settings, [&](int done) { progress.update(done); });
+    }
+    return results;
 }
 
 int measure(const ContinuousArguments& arguments) {
-    OutputFiles files;
-    files.addFile("--csv", arguments.csv);
-    if (!arguments.plots.empty()) {
-        files.addDirectory("--plots", arguments.plots);
-    }
-    std::string error;
-    if (!files.open(error)) {
-        return refuse(error);
-    }
-    std::cout << bench::machineText() << "\nbench continuous: f32, 60 Hz, accurate, " << arguments.settings.shots
-              << " shots a shape and speed, seed " << arguments.settings.seed << "\n\n"
-              << std::flush;
-    std::vector<bench::ModeRow> modes;
-    std::vector<bench::ThicknessRow> walls;
-    {
-        Progress progress("bench continuous", 9);
-        modes = bench::benchModes(arguments.settings, [&](int done) { progress.update(done); });
-        walls = bench::benchThickness(arguments.settings, [&](int done) { progress.update(5 + done); });
-    }
-    bench::writeModeTable(std::cout, modes);
-    std::cout << '\n';
-    bench::writeThicknessTable(std::cout, walls);
-    const std::vector<bench::CrowdRow> crowds = measureCrowds(arguments);
-    if (std::ostream* const csv = files.stream(arguments.csv)) {
-        bench::writeContinuousCsv(*csv, modes, walls);
-        bench::writeCrowdCsv(*csv, crowds);
-    }
-    if (!files.close(error)) {
-        return refuse(error);
-    }
-    if (!arguments.plots.empty()) {
-        const std::string told = bench::plotThickness(arguments.plots, walls, error);
-        if (!error.empty()) {
-            return refuse(error);
-        }
-        std::cout << '\n' << told << '\n';
-    }
-    return kExitDone;
+    ContinuousResults results;
+    return runBench(
+        arguments.places,
+        {.title = "bench continuous: f32, 60 Hz, accurate, " + std::to_string(arguments.settings.shots) +
+                  " shots a shape and speed, seed " + std::to_string(arguments.settings.seed) + '\n',
+         .measure =
+             [&] {
+                 results = measureAll(arguments);
+                 bench::writeModeTable(std::cout, results.modes);
+                 std::cout << '\n';
+                 bench::writeThicknessTable(std::cout, results.walls);
+                 if (!arguments.crowds) {
+                     return;
+                 }
+                 std::cout << '\n';
+                 bench::writeCrowdTable(std::cout, results.crowds);
+             },
+         .writeCsv =
+             [&](std::ostream& csv) {
+                 bench::writeContinuousCsv(csv, results.modes, results.walls);
+                 bench::writeCrowdCsv(csv, results.crowds);
+             },
+         .writeOther = {},
+         .plot = [&](const std::string& directory,
+                     std::string& error) { return bench::plotThickness(directory, results.walls, error); }});
 }
 
 }  // namespace
@@ -84,8 +77,9 @@ void addContinuousBench(Command bench) {
         .type("S")
         .within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max());
     command.flag("--crowds", arguments->crowds, "Also what crowds of 1000 cost, beside other engines");
-    command.option("--csv", arguments->csv, "Write the tables, a record for each number").type("FILE");
-    command.option("--plots", arguments->plots, "Draw how thick a wall must be, if gnuplot is there").type("DIR");
+    command.option("--csv", arguments->places.csv, "Write the tables, a record for each number").type("FILE");
+    command.option("--plots", arguments->places.plots, "Draw how thick a wall must be, if gnuplot is there")
+        .type("DIR");
     command.runs([arguments] { return measure(*arguments); });
 }
 
