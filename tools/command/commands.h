@@ -21,6 +21,7 @@ void addBenchCommand(Command app);
 void addContinuousBench(Command bench);
 void addModesCommand(Command app);
 void addTuneCommand(Command app);
+void addEnvelopeCommand(Command app);
 /// The child's side of the reference engine; not listed in the help.
 void addBox2dChildCommand(Command app);
 

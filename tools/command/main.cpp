@@ -15,6 +15,7 @@ void addCommands(swept::Command program) {
     swept::addBenchCommand(program);
     swept::addModesCommand(program);
     swept::addTuneCommand(program);
+    swept::addEnvelopeCommand(program);
     swept::addBox2dChildCommand(program);
 }
 
