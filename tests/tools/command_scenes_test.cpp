@@ -37,7 +37,7 @@ TEST(CommandHelp, NamesCommandsAndOptions) {
                                  "--version"}) {
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
     }
-    EXPECT_EQ(help.out.find("__box2d"), std::string::npos);
+    EXPECT_EQ(help.out.find("__peer"), std::string::npos);
     const auto runHelp = runSwept({"run", "--help"});
     EXPECT_EQ(runHelp.exitCode, 0);
     for (const char* const word :

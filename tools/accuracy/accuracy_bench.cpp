@@ -6,9 +6,13 @@
 
 #include "../bench/stopwatch.h"
 #include "../reference/box2d_runner.h"
+#include "../reference/peer_limits.h"
 
 namespace swept::accuracy {
 namespace {
+
+// With so many sub-steps the stiff Box2D 3 is what its careful user gets.
+constexpr int kStiffSubSteps = 16;
 
 Contestant ours(const std::string& name, Precision precision, SceneProfile profile) {
     const auto make = [precision, profile](SceneDescription scene, std::string& error) {
@@ -17,7 +21,20 @@ Contestant ours(const std::string& name, Precision precision, SceneProfile profi
         options.precision = precision;
         return makeRunner(scene, options, error);
     };
-    return {name, make, true};
+    return {name, make};
+}
+
+/// Another engine. Sub-steps that a case asks for are passes of its solver where it has none.
+Contestant peer(const std::string& name, const PeerSettings& usual) {
+    const auto make = [usual](const SceneDescription& scene, std::string& error) -> std::unique_ptr<Runner> {
+        PeerSettings settings = usual;
+        if (scene.settings.subSteps) {
+            settings.subSteps = settings.solverPasses = *scene.settings.subSteps;
+            settings.iterations = iterationsOf(*scene.settings.subSteps);
+        }
+        return makePeerRunner(scene, settings, error);
+    };
+    return {name, make};
 }
 
 bool isFinite(const Frame& frame) {
@@ -48,12 +65,23 @@ double runAll(Runner& runner, std::int64_t steps, Frames& frames) {
 }  // namespace
 
 std::vector<Contestant> allContestants() {
-    const auto box2d = [](const SceneDescription& scene, std::string& error) -> std::unique_ptr<Runner> {
-        return makeBox2dRunner(scene, error);
-    };
-    return {ours("accurate f32", Precision::f32, SceneProfile::accurate),
-            ours("accurate f64", Precision::f64, SceneProfile::accurate),
-            ours("fast f32", Precision::f32, SceneProfile::fast), Contestant{"Box2D 2.4.1", box2d, false}};
+    std::vector<Contestant> contestants{ours("accurate f32", Precision::f32, SceneProfile::accurate),
+                                        ours("accurate f64", Precision::f64, SceneProfile::accurate),
+                                        ours("fast f32", Precision::f32, SceneProfile::fast), peer("Box2D 2.4.1", {})};
+    if (hasPeer(PeerEngine::box2d3)) {
+        PeerSettings settings;
+        settings.engine = PeerEngine::box2d3;
+        contestants.push_back(peer("Box2D 3", settings));
+        settings.subSteps = kStiffSubSteps;
+        settings.isStiff = 1;
+        contestants.push_back(peer("Box2D 3 stiff", settings));
+    }
+    if (hasPeer(PeerEngine::chipmunk)) {
+        PeerSettings settings;
+        settings.engine = PeerEngine::chipmunk;
+        contestants.push_back(peer("Chipmunk 7", settings));
+    }
+    return contestants;
 }
 
 Row measure(const Case& c, const Contestant& contestant) {
@@ -63,16 +91,17 @@ Row measure(const Case& c, const Contestant& contestant) {
     row.contestant = contestant.name;
     row.hertz = 1 / c.scene.settings.dt;
     row.subSteps = c.scene.settings.subSteps.value_or(0);
-    const std::unique_ptr<Runner> runner = contestant.make(c.scene, row.verdict);
+    const std::unique_ptr<Runner> runner = contestant.make(c.scene, row.refusal);
     if (!runner) {
+        row.verdict = "-";
         return row;
     }
     Frames frames;
     const double seconds = runAll(*runner, c.steps, frames);
-    if (contestant.inProcess) {
-        row.microseconds = 1e6 * seconds / (static_cast<double>(c.steps) * c.scene.settings.dt);
-    }
-    if (const auto* const child = dynamic_cast<const Box2dRunner*>(runner.get()); child && child->aborted()) {
+    const auto* const child = dynamic_cast<const PeerRunner*>(runner.get());
+    row.microseconds = 1e6 * (child != nullptr ? child->stepSeconds() : seconds) /
+                       (static_cast<double>(c.steps) * c.scene.settings.dt);
+    if (child != nullptr && child->aborted()) {
         row.verdict = "aborted";
         return row;
     }

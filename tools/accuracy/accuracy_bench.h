@@ -16,7 +16,6 @@ struct Contestant {
     std::string name;  ///< "accurate f32", "Box2D 2.4.1" …
     /// @return null, with a reason, when the engine cannot run this scene.
     std::function<std::unique_ptr<Runner>(const SceneDescription&, std::string& error)> make;
-    bool inProcess = true;  ///< whether the time of a step can be taken from outside
 };
 
 /// All that are there: ours, and the reference engines that were found when this was built.
@@ -34,10 +33,11 @@ struct Row {
     std::string scene;
     std::string contestant;
     std::vector<MeasuredValue> values;  ///< empty when the run did not end
-    std::string verdict;                ///< empty when all went well; "collapsed", "escaped", "not finite", or what was refused
-    double hertz = 0;                   ///< steps a second
-    int subSteps = 0;                   ///< 0: the contestant's own
-    double microseconds = 0;            ///< processor time per simulated second; 0 when it could not be taken
+    std::string verdict;      ///< empty when all went well; "collapsed", "escaped", "not finite", "-" when refused
+    std::string refusal;      ///< why the engine could not even begin
+    double hertz = 0;         ///< steps a second
+    int subSteps = 0;         ///< 0: the contestant's own
+    double microseconds = 0;  ///< processor time per simulated second; 0 when it did not run
 };
 
 Row measure(const Case& c, const Contestant& contestant);

@@ -24,6 +24,7 @@ std::vector<std::string> distinct(std::span<const Row> rows, const Get& get) {
 }
 std::string groupOf(const Row& row) { return row.group; }
 std::string sceneOf(const Row& row) { return row.scene; }
+std::string refusalOf(const Row& row) { return row.refusal; }
 std::string contestantOf(const Row& row) { return row.contestant; }
 
 /// Two digits, in a form that stays short over many decades.
@@ -86,6 +87,11 @@ void writeTables(std::ostream& out, std::span<const Row> rows) {
         writeGroup(out, rows, group);
     }
     out << "\nErrors are magnitudes, 0 is perfect; those without a unit are parts of the whole.\n";
+    for (const std::string& refusal : distinct(rows, refusalOf)) {
+        if (!refusal.empty()) {
+            out << "-: " << refusal << ".\n";
+        }
+    }
 }
 
 void writeTradeTables(std::ostream& out, std::span<const Row> rows) {

@@ -8,8 +8,8 @@
 
 namespace swept::accuracy {
 
-/// For a terminal: a table for each group, a line for each measure, a column for each contestant. Where a run did not hold,
-/// the word for it stands in place of its numbers.
+/// For a terminal: a table for each group, a line for each measure, a column for each contestant. Where a run did not
+/// hold, the word for it stands in place of its numbers.
 void writeTables(std::ostream& out, std::span<const Row> rows);
 
 /// For a terminal: scene by scene, what each contestant's error costs, cheapest first.

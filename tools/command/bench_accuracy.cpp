@@ -55,11 +55,8 @@ std::vector<accuracy::Case> casesOf(const AccuracyArguments& arguments) {
     return cases;
 }
 
-std::vector<accuracy::Row> measureAll(const std::vector<accuracy::Case>& cases, bool trade) {
-    std::vector<accuracy::Contestant> contestants = accuracy::allContestants();
-    if (trade) {  // what cannot be timed, and what has no sub-steps, has no place in the trade
-        std::erase_if(contestants, [](const accuracy::Contestant& contestant) { return !contestant.inProcess; });
-    }
+std::vector<accuracy::Row> measureAll(const std::vector<accuracy::Case>& cases) {
+    const std::vector<accuracy::Contestant> contestants = accuracy::allContestants();
     Progress progress("bench", static_cast<std::int64_t>(cases.size() * contestants.size()));
     std::vector<accuracy::Row> rows;
     for (const accuracy::Case& c : cases) {
@@ -77,7 +74,7 @@ int measureAccuracy(const AccuracyArguments& arguments) {
                     {.title = "bench accuracy: g = 10 m/s^2, 60 Hz unless said, no sleep, density 1",
                      .measure =
                          [&] {
-                             rows = measureAll(casesOf(arguments), arguments.trade);
+                             rows = measureAll(casesOf(arguments));
                              (arguments.trade ? accuracy::writeTradeTables : accuracy::writeTables)(std::cout, rows);
                          },
                      .writeCsv = [&](std::ostream& csv) { accuracy::writeCsv(csv, rows); },

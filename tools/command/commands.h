@@ -23,7 +23,7 @@ void addModesCommand(Command app);
 void addTuneCommand(Command app);
 void addEnvelopeCommand(Command app);
 /// The child's side of the reference engine; not listed in the help.
-void addBox2dChildCommand(Command app);
+void addPeerChildCommand(Command app);
 
 /// Prints "swept: <text>" to standard error. @return kExitBadInput
 int refuse(const std::string& text);

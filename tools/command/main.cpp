@@ -16,7 +16,7 @@ void addCommands(swept::Command program) {
     swept::addModesCommand(program);
     swept::addTuneCommand(program);
     swept::addEnvelopeCommand(program);
-    swept::addBox2dChildCommand(program);
+    swept::addPeerChildCommand(program);
 }
 
 }  // namespace

@@ -14,13 +14,6 @@ struct Box2dFixtureNote {
     float radius = 0;  ///< the true radius of the geometry, where Box2D works with a thicker skin; metres
 };
 
-/// Mass, centre and inertia of a body, in double.
-struct Box2dMass {
-    double mass = 0;
-    DVec2 center;        ///< body frame
-    double inertia = 0;  ///< about the centre of mass
-};
-
 inline b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 inline DVec2 fromBox2d(b2Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
@@ -28,9 +21,6 @@ inline DVec2 fromBox2d(b2Vec2 v) { return {static_cast<double>(v.x), static_cast
 /// adapter sets the exact mass of the whole body itself.
 /// @param notes  gets one element for each fixture; a deque, as fixtures hold addresses of its elements.
 void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFixtureNote>& notes);
-
-/// Exact mass of a body's shapes, with the overrides of the description applied.
-Box2dMass massOfBody(const BodyDescription& body);
 
 /// The filter of the scene format in all its 32 bits, where Box2D itself has 16.
 class Box2dFilter : public b2ContactFilter {

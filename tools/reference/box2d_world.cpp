@@ -7,6 +7,7 @@
 #include <swept/samples/scene_reader.h>
 
 #include "../bench/stopwatch.h"
+#include "body_mass.h"
 #include "box2d_joints.h"
 #include "box2d_shapes.h"
 
@@ -40,7 +41,7 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     return definition;
 }
 
-void setMass(b2Body& body, const Box2dMass& mass) {
+void setMass(b2Body& body, const BodyMass& mass) {
     b2MassData massData;
     massData.mass = static_cast<float>(mass.mass);
     massData.center = toBox2d(mass.center);
@@ -61,17 +62,16 @@ struct Box2dWorld::Parts {
     void addJoints();
     void destroyGearsOn(std::size_t joint);
     void breakJoints();
-    void readBodies(Box2dSample& sample) const;
-    void readContacts(Box2dSample& sample) const;
-    double energyOf(std::size_t i) const;
+    void readBodies(PeerSample& sample) const;
+    void readContacts(PeerSample& sample) const;
 
     const SceneDescription& scene;
     Box2dFilter filter;
     std::deque<Box2dFixtureNote> notes;
     b2World world;
     std::vector<b2Body*> bodies;
-    std::vector<Box2dMass> masses;  // in double, one for each body
-    std::vector<b2Joint*> joints;   // null once broken
+    std::vector<BodyMass> masses;  // in double, one for each body
+    std::vector<b2Joint*> joints;  // null once broken
     std::int64_t steps = 0;
     std::int64_t brokenJoints = 0;
     Box2dIterations iterations;
@@ -86,7 +86,7 @@ void Box2dWorld::Parts::addBodies() {
             addFixtures(*body, shape, notes);
         }
         const bool isDynamic = description.type == SceneBodyType::dynamic;
-        masses.push_back(isDynamic ? massOfBody(description) : Box2dMass{});
+        masses.push_back(isDynamic ? massOfBody(description) : BodyMass{});
         if (isDynamic) {
             setMass(*body, masses.back());
         }
@@ -140,32 +140,20 @@ void Box2dWorld::Parts::breakJoints() {
     }
 }
 
-double Box2dWorld::Parts::energyOf(std::size_t i) const {
-    const Box2dMass& mass = masses[i];
-    const DVec2 velocity = fromBox2d(bodies[i]->GetLinearVelocity());
-    const auto omega = static_cast<double>(bodies[i]->GetAngularVelocity());
-    const double inertia = scene.bodies[i].fixedRotation ? 0 : mass.inertia;
-    const double height = dot(scene.gravity, fromBox2d(bodies[i]->GetWorldCenter()));
-    return 0.5 * mass.mass * dot(velocity, velocity) + 0.5 * inertia * omega * omega -
-           scene.bodies[i].gravityScale * mass.mass * height;
-}
-
-void Box2dWorld::Parts::readBodies(Box2dSample& sample) const {
+void Box2dWorld::Parts::readBodies(PeerSample& sample) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const b2Body& body = *bodies[i];
         const DVec2 velocity = fromBox2d(body.GetLinearVelocity());
         const auto omega = static_cast<double>(body.GetAngularVelocity());
         sample.frame.bodies.push_back({fromBox2d(body.GetPosition()), static_cast<double>(body.GetAngle()), velocity,
                                        omega, body.IsAwake() && body.GetType() != b2_staticBody});
-        const double mass = masses[i].mass;
-        const double inertia = scene.bodies[i].fixedRotation ? 0 : masses[i].inertia;
-        sample.energy += energyOf(i);
-        sample.momentum += mass * velocity;
-        sample.angularMomentum += mass * cross(fromBox2d(body.GetWorldCenter()), velocity) + inertia * omega;
+        addMotion({masses[i].mass, scene.bodies[i].fixedRotation ? 0 : masses[i].inertia,
+                   fromBox2d(body.GetWorldCenter()), velocity, omega, scene.bodies[i].gravityScale * scene.gravity},
+                  sample);
     }
 }
 
-void Box2dWorld::Parts::readContacts(Box2dSample& sample) const {
+void Box2dWorld::Parts::readContacts(PeerSample& sample) const {
     for (const b2Contact* contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         b2Fixture* const a = const_cast<b2Contact*>(contact)->GetFixtureA();
         b2Fixture* const b = const_cast<b2Contact*>(contact)->GetFixtureB();
@@ -206,8 +194,8 @@ void Box2dWorld::step() {
     ++parts_->steps;
 }
 
-Box2dSample Box2dWorld::sample() const {
-    Box2dSample sample;
+PeerSample Box2dWorld::sample() const {
+    PeerSample sample;
     sample.frame.step = parts_->steps;
     sample.frame.time = static_cast<double>(parts_->steps) * parts_->scene.settings.dt;
     sample.brokenJoints = parts_->brokenJoints;

@@ -5,22 +5,19 @@
 
 #include <swept/samples/scene_description.h>
 
-#include "box2d_sample.h"
+#include "peer_world.h"
 
 namespace swept {
 
-/// A scene in Box2D 2.4.1. Lives in the child process only: Box2D asserts, and so ends the process, on some input.
-class Box2dWorld {
+/// A scene in Box2D 2.4.1.
+class Box2dWorld final : public PeerWorld {
 public:
     /// @param scene  accepted by `validateScene`; outlives the world.
     Box2dWorld(const SceneDescription& scene, const Box2dIterations& iterations);
-    ~Box2dWorld();
-    Box2dWorld(const Box2dWorld&) = delete;
-    Box2dWorld& operator=(const Box2dWorld&) = delete;
+    ~Box2dWorld() override;
 
-    /// One step of the scene's dt.
-    void step();
-    Box2dSample sample() const;
+    void step() override;
+    PeerSample sample() const override;
 
 private:
     struct Parts;

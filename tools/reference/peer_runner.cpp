@@ -1,4 +1,4 @@
-#include "box2d_runner.h"
+#include "peer_runner.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,10 +7,11 @@
 #include <swept/samples/scene_reader.h>
 
 #include "../finite_state.h"
-#include "box2d_approximations.h"
-#include "box2d_child.h"
-#include "box2d_sample.h"
+#include "box2d_runner.h"
 #include "child_process.h"
+#include "peer_child.h"
+#include "peer_limits.h"
+#include "peer_sample.h"
 
 namespace swept {
 namespace {
@@ -18,9 +19,9 @@ namespace {
 // A step of the largest scene takes far below a second; a child silent for so long hangs.
 constexpr double kPatience = 60;  // seconds
 
-/// The initial state as the scene gives it, for a world that Box2D refused to build.
-Box2dSample initialSample(const SceneDescription& scene) {
-    Box2dSample sample;
+/// The initial state as the scene gives it, for a world that the engine refused to build.
+PeerSample initialSample(const SceneDescription& scene) {
+    PeerSample sample;
     for (const BodyDescription& body : scene.bodies) {
         const bool awake = body.awake && body.type != SceneBodyType::fixed;
         sample.frame.bodies.push_back({body.position, body.angle, body.velocity, body.angularVelocity, awake});
@@ -28,21 +29,23 @@ Box2dSample initialSample(const SceneDescription& scene) {
     return sample;
 }
 
-class ChildRunner final : public Box2dRunner {
+class ChildRunner final : public PeerRunner {
 public:
-    explicit ChildRunner(const SceneDescription& scene)
-        : sample_(initialSample(scene)), approximations_(box2dApproximations(scene)) {}
+    ChildRunner(const SceneDescription& scene, const PeerSettings& settings)
+        : engine_(settings.engine),
+          sample_(initialSample(scene)),
+          approximations_(peerApproximations(settings.engine, scene)) {}
 
-    bool start(const SceneDescription& scene, const Box2dIterations& iterations, const std::string& executable,
+    bool start(const SceneDescription& scene, const PeerSettings& settings, const std::string& executable,
                std::string& error) {
-        if (!child_.start(executable, kBox2dChildCommand, error)) {
+        if (!child_.start(executable, kPeerChildCommand, error)) {
             return false;
         }
         const std::string json = writeScene(scene);
         const std::uint64_t size = json.size();
         const bool sent = child_.send(&size, sizeof size, kPatience) &&
                           child_.send(json.data(), json.size(), kPatience) &&
-                          child_.send(&iterations, sizeof iterations, kPatience);
+                          child_.send(&settings, sizeof settings, kPatience);
         if (!sent || !receiveSample()) {
             noteEnd("while the world was built");
         }
@@ -90,7 +93,7 @@ private:
         if (!child_.receive(numbers_.data(), count * sizeof(double), kPatience)) {
             return false;
         }
-        std::optional<Box2dSample> sample = decodeSample(numbers_);
+        std::optional<PeerSample> sample = decodeSample(numbers_);
         if (!sample) {
             return false;
         }
@@ -109,7 +112,9 @@ private:
         report_.counters = {{"brokenJoints", static_cast<double>(sample_.brokenJoints)}};
     }
 
-    void noteEnd(const std::string& when) { aborted_ = "Box2D " + withMoment(child_.finish(), when); }
+    void noteEnd(const std::string& when) {
+        aborted_ = std::string(peerName(engine_)) + ' ' + withMoment(child_.finish(), when);
+    }
 
     /// "aborted (why)" and "at step 3" make "aborted at step 3 (why)".
     static std::string withMoment(const std::string& ending, const std::string& when) {
@@ -120,8 +125,9 @@ private:
         return ending.substr(0, reason) + ' ' + when + ending.substr(reason);
     }
 
+    PeerEngine engine_;
     ChildProcess child_;
-    Box2dSample sample_;
+    PeerSample sample_;
     std::vector<double> numbers_;
     RunReport report_;
     std::vector<SceneEvent> noEvents_;
@@ -131,13 +137,25 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Box2dRunner> makeBox2dRunner(const SceneDescription& scene, std::string& error,
-                                             const Box2dIterations& iterations, const std::string& executable) {
-    auto runner = std::make_unique<ChildRunner>(scene);
-    if (!runner->start(scene, iterations, executable, error)) {
+std::unique_ptr<PeerRunner> makePeerRunner(const SceneDescription& scene, const PeerSettings& settings,
+                                           std::string& error, const std::string& executable) {
+    const std::string lack = peerLacks(settings.engine, scene);
+    if (!lack.empty()) {
+        error = std::string(peerName(settings.engine)) + " has no " + lack;
+        return nullptr;
+    }
+    auto runner = std::make_unique<ChildRunner>(scene, settings);
+    if (!runner->start(scene, settings, executable, error)) {
         return nullptr;
     }
     return runner;
+}
+
+std::unique_ptr<Box2dRunner> makeBox2dRunner(const SceneDescription& scene, std::string& error,
+                                             const Box2dIterations& iterations, const std::string& executable) {
+    PeerSettings settings;
+    settings.iterations = iterations;
+    return makePeerRunner(scene, settings, error, executable);
 }
 
 Box2dIterations iterationsOf(int velocity) {

@@ -1,4 +1,4 @@
-#include "box2d_sample.h"
+#include "peer_sample.h"
 
 namespace swept {
 namespace {
@@ -9,7 +9,15 @@ constexpr std::size_t kContactNumbers = 6;
 
 }  // namespace
 
-void encodeSample(const Box2dSample& sample, std::vector<double>& numbers) {
+void addMotion(const BodyMotion& body, PeerSample& sample) {
+    const double omega = body.angularVelocity;
+    sample.energy += 0.5 * body.mass * dot(body.velocity, body.velocity) + 0.5 * body.inertia * omega * omega -
+                     body.mass * dot(body.gravity, body.center);
+    sample.momentum += body.mass * body.velocity;
+    sample.angularMomentum += body.mass * cross(body.center, body.velocity) + body.inertia * omega;
+}
+
+void encodeSample(const PeerSample& sample, std::vector<double>& numbers) {
     const Frame& frame = sample.frame;
     numbers = {static_cast<double>(frame.step),
                frame.time,
@@ -33,7 +41,7 @@ void encodeSample(const Box2dSample& sample, std::vector<double>& numbers) {
     }
 }
 
-std::optional<Box2dSample> decodeSample(std::span<const double> numbers) {
+std::optional<PeerSample> decodeSample(std::span<const double> numbers) {
     if (numbers.size() < kHeadNumbers) {
         return std::nullopt;
     }
@@ -42,7 +50,7 @@ std::optional<Box2dSample> decodeSample(std::span<const double> numbers) {
     if (numbers.size() != kHeadNumbers + bodies * kBodyNumbers + contacts * kContactNumbers) {
         return std::nullopt;
     }
-    Box2dSample sample;
+    PeerSample sample;
     sample.frame.step = static_cast<std::int64_t>(numbers[0]);
     sample.frame.time = numbers[1];
     sample.penetration = numbers[4];

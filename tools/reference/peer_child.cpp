@@ -1,4 +1,4 @@
-#include "box2d_child.h"
+#include "peer_child.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 #include <swept/samples/scene_reader.h>
 
-#include "box2d_world.h"
+#include "peer_world.h"
 
 namespace swept {
 namespace {
@@ -47,7 +47,7 @@ bool writeAll(const void* source, std::size_t size) {
     return true;
 }
 
-bool answer(const Box2dWorld& world, std::vector<double>& numbers) {
+bool answer(const PeerWorld& world, std::vector<double>& numbers) {
     encodeSample(world.sample(), numbers);
     const std::uint64_t count = numbers.size();
     return writeAll(&count, sizeof count) && writeAll(numbers.data(), count * sizeof(double));
@@ -55,7 +55,7 @@ bool answer(const Box2dWorld& world, std::vector<double>& numbers) {
 
 }  // namespace
 
-int runBox2dChild() {
+int runPeerChild() {
     const rlimit noCore{0, 0};  // an abort is a result here, not a crash to be studied
     setrlimit(RLIMIT_CORE, &noCore);
     std::uint64_t size = 0;
@@ -70,16 +70,19 @@ int runBox2dChild() {
     if (!result.scene) {
         return 2;
     }
-    Box2dIterations iterations;
-    if (!readAll(&iterations, sizeof iterations)) {
+    PeerSettings settings;
+    if (!readAll(&settings, sizeof settings)) {
         return 2;
     }
-    Box2dWorld world(*result.scene, iterations);
+    const std::unique_ptr<PeerWorld> world = makePeerWorld(*result.scene, settings);
+    if (!world) {
+        return 2;
+    }
     std::vector<double> numbers;
-    bool goesOn = answer(world, numbers);
+    bool goesOn = answer(*world, numbers);
     for (char command = 0; goesOn && readAll(&command, 1);) {
-        world.step();
-        goesOn = answer(world, numbers);
+        world->step();
+        goesOn = answer(*world, numbers);
     }
     return 0;
 }

@@ -9,15 +9,9 @@
 
 namespace swept {
 
-/// How hard Box2D tries in a step.
-struct Box2dIterations {
-    std::int32_t velocity = 8;
-    std::int32_t position = 3;
-};
-
 /// What the child process tells after each step: the state, and the measures of that moment.
-struct Box2dSample {
-    Frame frame;                 ///< without impacts: Box2D does not tell them
+struct PeerSample {
+    Frame frame;                 ///< without impacts: no peer tells them
     double penetration = 0;      ///< deepest, metres
     double jointError = 0;       ///< largest, metres
     double energy = 0;           ///< joules, potential 0 at y = 0
@@ -27,9 +21,22 @@ struct Box2dSample {
     double stepSeconds = 0;  ///< processor time of all steps so far
 };
 
+/// A dynamic body at one moment, for the sums of a sample.
+struct BodyMotion {
+    double mass = 0;
+    double inertia = 0;  ///< about the centre of mass; 0 for what does not turn
+    DVec2 center;        ///< of mass, world
+    DVec2 velocity;      ///< of the centre of mass
+    double angularVelocity = 0;
+    DVec2 gravity;  ///< as this body feels it
+};
+
+/// Adds a body to energy, momentum and angular momentum.
+void addMotion(const BodyMotion& body, PeerSample& sample);
+
 /// The sample as plain numbers, and back: both ends of the pipe are the same program.
-void encodeSample(const Box2dSample& sample, std::vector<double>& numbers);
+void encodeSample(const PeerSample& sample, std::vector<double>& numbers);
 /// @return nothing when the numbers do not have the form that `encodeSample` writes.
-std::optional<Box2dSample> decodeSample(std::span<const double> numbers);
+std::optional<PeerSample> decodeSample(std::span<const double> numbers);
 
 }  // namespace swept

@@ -1,0 +1,297 @@
+#include "box2d3_world.h"
+
+#include <box2d/box2d.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <swept/samples/scene_reader.h>
+
+#include "../bench/stopwatch.h"
+
+// The names of this engine's functions are those of C, and so apart from those of Box2D 2.4.1 in the same program.
+
+namespace swept {
+namespace {
+
+// Above any sub-step rate: the engine takes the stiffest spring that it can solve.
+constexpr float kStiffHertz = 1e5F;
+
+b2Vec2 toPeer(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+b2Pos toPeerPlace(DVec2 v) { return {static_cast<decltype(b2Pos::x)>(v.x), static_cast<decltype(b2Pos::y)>(v.y)}; }
+/// The engine's own function of the angle is off by up to a milliradian.
+b2Rot toPeer(double angle) { return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}; }
+template <class Vector>
+DVec2 fromPeer(Vector v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+float orElse(const std::optional<double>& value, float otherwise) {
+    return value ? static_cast<float>(*value) : otherwise;
+}
+
+/// What the engine refuses quietly is told like what it asserts.
+[[noreturn]] void refuse(const char* what) {
+    std::fputs(what, stderr);
+    std::abort();
+}
+
+struct ShapeMaker {
+    b2BodyId body;
+    b2ShapeDef definition;
+    double radius;
+
+    void operator()(const BoxGeometry& box) const {
+        const b2Polygon polygon =
+            b2MakeOffsetRoundedBox(static_cast<float>(box.half.x), static_cast<float>(box.half.y), toPeer(box.center),
+                                   toPeer(box.angle), static_cast<float>(radius));
+        b2CreatePolygonShape(body, &definition, &polygon);
+    }
+    void operator()(const CircleGeometry& circle) const {
+        const b2Circle disk{toPeer(circle.center), static_cast<float>(circle.radius)};
+        b2CreateCircleShape(body, &definition, &disk);
+    }
+    void operator()(const CapsuleGeometry& capsule) const { addCapsule(capsule.points, capsule.radius); }
+    void operator()(const SegmentGeometry& segment) const {
+        if (radius > 0) {
+            addCapsule(segment.points, radius);
+            return;
+        }
+        const b2Segment line{toPeer(segment.points[0]), toPeer(segment.points[1])};
+        b2CreateSegmentShape(body, &definition, &line);
+    }
+    void operator()(const PolygonGeometry& geometry) const {
+        std::array<b2Vec2, B2_MAX_POLYGON_VERTICES> points{};
+        for (std::size_t i = 0; i < geometry.points.size(); ++i) {
+            points[i] = toPeer(geometry.points[i]);
+        }
+        const b2Hull hull = b2ComputeHull(points.data(), static_cast<int>(geometry.points.size()));
+        if (hull.count == 0) {
+            refuse("no hull of a polygon");
+        }
+        const b2Polygon polygon = b2MakePolygon(&hull, static_cast<float>(radius));
+        b2CreatePolygonShape(body, &definition, &polygon);
+    }
+    void operator()(const ChainGeometry&) const { refuse("a chain"); }
+
+private:
+    void addCapsule(const std::array<DVec2, 2>& points, double thickness) const {
+        const b2Capsule capsule{toPeer(points[0]), toPeer(points[1]), static_cast<float>(thickness)};
+        b2CreateCapsuleShape(body, &definition, &capsule);
+    }
+};
+
+struct JointMaker {
+    b2WorldId world;
+    b2BodyId bodyA;
+    b2BodyId bodyB;
+    bool collideConnected;
+    bool isStiff;
+
+    void operator()(const RevoluteDescription& revolute) const {
+        b2RevoluteJointDef definition = b2DefaultRevoluteJointDef();
+        place(definition.base, revolute.anchor, revolute.anchor);
+        definition.enableSpring = revolute.hertz.has_value();
+        definition.hertz = orElse(revolute.hertz, 0);
+        definition.dampingRatio = orElse(revolute.dampingRatio, 0);
+        constexpr auto kHalfTurn = std::numbers::pi_v<float>;
+        definition.enableLimit = revolute.lower || revolute.upper;
+        definition.lowerAngle = orElse(revolute.lower, -kHalfTurn);
+        definition.upperAngle = orElse(revolute.upper, kHalfTurn);
+        definition.enableMotor = revolute.motorSpeed || revolute.maxMotorTorque;
+        definition.motorSpeed = orElse(revolute.motorSpeed, 0);
+        definition.maxMotorTorque = orElse(revolute.maxMotorTorque, 0);
+        b2CreateRevoluteJoint(world, &definition);
+    }
+    void operator()(const DistanceDescription& distance) const {
+        b2DistanceJointDef definition = b2DefaultDistanceJointDef();
+        place(definition.base, distance.anchorA, distance.anchorB);
+        definition.length = orElse(distance.length, static_cast<float>(length(distance.anchorB - distance.anchorA)));
+        // A spring of 0 Hz between limits is a rope; without either the joint is rigid.
+        definition.enableLimit = distance.minLength || distance.maxLength;
+        definition.enableSpring = distance.hertz || definition.enableLimit;
+        definition.hertz = orElse(distance.hertz, 0);
+        definition.dampingRatio = orElse(distance.dampingRatio, 0);
+        if (definition.enableLimit) {
+            definition.minLength = orElse(distance.minLength, definition.minLength);
+            definition.maxLength = orElse(distance.maxLength, definition.maxLength);
+        }
+        b2CreateDistanceJoint(world, &definition);
+    }
+    void operator()(const WeldDescription& weld) const {
+        b2WeldJointDef definition = b2DefaultWeldJointDef();
+        place(definition.base, weld.anchor, weld.anchor);
+        definition.linearHertz = orElse(weld.linearHertz, 0);
+        definition.angularHertz = orElse(weld.angularHertz, 0);
+        definition.linearDampingRatio = definition.angularDampingRatio = orElse(weld.dampingRatio, 0);
+        b2CreateWeldJoint(world, &definition);
+    }
+    template <class Other>
+    void operator()(const Other&) const {
+        refuse("a joint");
+    }
+
+private:
+    /// Frames that agree at the start: angles of the joint count from there.
+    void place(b2JointDef& base, DVec2 anchorA, DVec2 anchorB) const {
+        base.bodyIdA = bodyA;
+        base.bodyIdB = bodyB;
+        base.localFrameA = {b2Body_GetLocalPoint(bodyA, toPeerPlace(anchorA)), b2InvertRot(b2Body_GetRotation(bodyA))};
+        base.localFrameB = {b2Body_GetLocalPoint(bodyB, toPeerPlace(anchorB)), b2InvertRot(b2Body_GetRotation(bodyB))};
+        base.collideConnected = collideConnected;
+        base.constraintHertz = isStiff ? kStiffHertz : base.constraintHertz;
+    }
+};
+
+b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& settings) {
+    b2BodyDef definition = b2DefaultBodyDef();
+    definition.type = body.type == SceneBodyType::fixed       ? b2_staticBody
+                      : body.type == SceneBodyType::kinematic ? b2_kinematicBody
+                                                              : b2_dynamicBody;
+    definition.position = toPeerPlace(body.position);
+    definition.rotation = toPeer(body.angle);
+    definition.linearVelocity = toPeer(body.velocity);
+    definition.angularVelocity = static_cast<float>(body.angularVelocity);
+    definition.linearDamping = static_cast<float>(body.linearDamping);
+    definition.angularDamping = static_cast<float>(body.angularDamping);
+    definition.gravityScale = static_cast<float>(body.gravityScale);
+    definition.motionLocks.angularZ = body.fixedRotation;
+    definition.isBullet = body.bullet;
+    definition.isAwake = body.awake;
+    definition.enableSleep = settings.sleep;
+    return definition;
+}
+
+b2ShapeDef definitionOf(const ShapeDescription& shape) {
+    b2ShapeDef definition = b2DefaultShapeDef();
+    definition.density = static_cast<float>(shape.density);
+    definition.material.friction = static_cast<float>(shape.friction);
+    definition.material.restitution = static_cast<float>(shape.restitution);
+    definition.isSensor = shape.sensor;
+    definition.filter = {shape.filter.category, shape.filter.mask, shape.filter.group};
+    return definition;
+}
+
+class Box2d3World final : public PeerWorld {
+public:
+    Box2d3World(const SceneDescription& scene, const PeerSettings& settings) : scene_(scene), settings_(settings) {
+        b2WorldDef definition = b2DefaultWorldDef();
+        definition.gravity = toPeer(scene.gravity);
+        definition.enableSleep = scene.settings.sleep;
+        definition.enableContinuous = scene.settings.continuous != SceneContinuous::off;
+        definition.contactHertz = settings.isStiff != 0 ? kStiffHertz : definition.contactHertz;
+        world_ = b2CreateWorld(&definition);
+        addBodies();
+        addJoints();
+    }
+    ~Box2d3World() override { b2DestroyWorld(world_); }
+    Box2d3World(const Box2d3World&) = delete;
+    Box2d3World& operator=(const Box2d3World&) = delete;
+
+    void step() override {
+        const bench::Stopwatch watch;
+        b2World_Step(world_, static_cast<float>(scene_.settings.dt), settings_.subSteps);
+        seconds_ += watch.seconds();
+        ++steps_;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            angles_[i] = unwrapped(i);
+        }
+    }
+
+    PeerSample sample() const override {
+        PeerSample sample;
+        sample.frame.step = steps_;
+        sample.frame.time = static_cast<double>(steps_) * scene_.settings.dt;
+        sample.stepSeconds = seconds_;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const b2BodyId body = bodies_[i];
+            const DVec2 velocity = fromPeer(b2Body_GetLinearVelocity(body));
+            const auto omega = static_cast<double>(b2Body_GetAngularVelocity(body));
+            const bool isAwake = b2Body_IsAwake(body) && b2Body_GetType(body) != b2_staticBody;
+            sample.frame.bodies.push_back({fromPeer(b2Body_GetPosition(body)), angles_[i], velocity, omega, isAwake});
+            if (b2Body_GetType(body) == b2_dynamicBody) {
+                addMotion(
+                    {static_cast<double>(b2Body_GetMass(body)), static_cast<double>(b2Body_GetRotationalInertia(body)),
+                     fromPeer(b2Body_GetWorldCenter(body)), velocity, omega,
+                     scene_.bodies[i].gravityScale * scene_.gravity},
+                    sample);
+            }
+        }
+        return sample;
+    }
+
+private:
+    void addBodies() {
+        for (const BodyDescription& description : scene_.bodies) {
+            const b2BodyDef definition = definitionOf(description, scene_.settings);
+            const b2BodyId body = b2CreateBody(world_, &definition);
+            for (const ShapeDescription& shape : description.shapes) {
+                std::visit(ShapeMaker{body, definitionOf(shape), shape.radius}, shape.geometry);
+            }
+            if (description.type == SceneBodyType::dynamic) {
+                setMass(body, description);
+            }
+            bodies_.push_back(body);
+            angles_.push_back(description.angle);
+        }
+    }
+
+    /// The engine's own mass, but for what the description says otherwise.
+    static void setMass(b2BodyId body, const BodyDescription& description) {
+        if (!description.mass && !description.inertia) {
+            return;
+        }
+        b2MassData data = b2Body_GetMassData(body);
+        if (description.mass) {
+            data.rotationalInertia *= data.mass > 0 ? static_cast<float>(*description.mass) / data.mass : 0;
+            data.mass = static_cast<float>(*description.mass);
+        }
+        data.rotationalInertia = orElse(description.inertia, data.rotationalInertia);
+        b2Body_SetMassData(body, data);
+    }
+
+    void addJoints() {
+        std::map<std::string, b2BodyId> byName;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            byName[bodyName(scene_, i)] = bodies_[i];
+        }
+        for (const JointDescription& joint : scene_.joints) {
+            std::visit(JointMaker{world_, byName.at(joint.bodyA), byName.at(joint.bodyB), joint.collideConnected,
+                                  settings_.isStiff != 0},
+                       joint.joint);
+        }
+    }
+
+    /// The engine knows angles within a turn only; the nearest to where the body was turning.
+    double unwrapped(std::size_t i) const {
+        constexpr double kTurn = 2 * std::numbers::pi;
+        const b2Rot rotation = b2Body_GetRotation(bodies_[i]);
+        const double angle = std::atan2(static_cast<double>(rotation.s), static_cast<double>(rotation.c));
+        const double expected =
+            angles_[i] + static_cast<double>(b2Body_GetAngularVelocity(bodies_[i])) * scene_.settings.dt;
+        return angle + kTurn * std::round((expected - angle) / kTurn);
+    }
+
+    const SceneDescription& scene_;
+    PeerSettings settings_;
+    b2WorldId world_{};
+    std::vector<b2BodyId> bodies_;
+    std::vector<double> angles_;
+    std::int64_t steps_ = 0;
+    double seconds_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PeerWorld> makeBox2d3World(const SceneDescription& scene, const PeerSettings& settings) {
+    return std::make_unique<Box2d3World>(scene, settings);
+}
+
+}  // namespace swept
