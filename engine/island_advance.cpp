@@ -180,9 +180,14 @@ void addUpReactions(Island& island, double time) {
 }
 
 int subStepsFor(const Island& island, double time) {
-    const int standard = subStepsOf(island.world.settings);
+    const int asked = subStepsOf(island.world.settings);
+    const bool isJointed = !island.fast.jointSlots.empty();
+    // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the
+    // effort says of the whole step (doublingsForWhips) goes for its parts.
+    const Effort effort = island.world.bodies[island.fast.members[0]].effort;
+    const int standard = isJointed ? std::max(asked, swept::subStepsFor(effort, asked)) : asked;
     const double share = std::ceil(standard * time / island.dt * (1 - kShortestPart));
-    if (island.fast.jointSlots.empty()) { return std::clamp(static_cast<int>(share), 1, standard); }
+    if (!isJointed) { return std::clamp(static_cast<int>(share), 1, standard); }
     const double turns = std::ceil(fastestSpin(island) * time / kMaxTurnOfSubStep);
     const int fewest = std::min(kFewestJointedSubSteps, standard);
     return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);

@@ -124,6 +124,15 @@ TEST(Envelope, WhatIsNotSweptLeavesTheMap) {
     EXPECT_FALSE(blind.isInside(slice));
 }
 
+// With 16 sub-steps, light links that whip round past the load tore these chains apart by many links.
+TEST(Envelope, TwentyLinksSwingAThousandTimesTheirMass) {
+    const Slice slice = chainSlice(Grain::coarse);
+    for (const tune::Engine engine : {tune::Engine::f32, tune::Engine::f64}) {
+        const Row row = runCell(slice, 1000, 20, engine);
+        EXPECT_TRUE(row.isInside(slice)) << tune::nameOf(engine) << ' ' << row.value << row.verdict;
+    }
+}
+
 TEST(Envelope, RowsAreReadAsTheyWereWritten) {
     const Slice slice = stackSlice(Grain::coarse);
     const Row good{std::sqrt(0.1), 10, tune::Engine::f64, slice.bound, ""};

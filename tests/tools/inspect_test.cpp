@@ -121,7 +121,7 @@ TEST(Inspect, FindsHeavyLoadsOnChains) {
     SceneDescription scene = build::scene("chain", {0, 0}, 10);
     build::addFixed(scene, "hook", {0, 0}, {circle(0.1)});
     build::addDynamic(scene, "link", {0, -1}, {circle(0.1)});
-    build::addDynamic(scene, "ball", {0, -3}, {build::withDensity(circle(1), 20)});
+    build::addDynamic(scene, "ball", {0, -3}, {build::withDensity(circle(1), 100)});
     build::hinge(scene, "hook", "link", {0, 0});
     build::hinge(scene, "link", "ball", {0, -1});
     expectOnly(scene, "mass-ratio", "/bodies/2");
