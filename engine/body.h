@@ -43,6 +43,7 @@ struct Body {
     Real extent = 0;       ///< smallest extent of its solid shapes; 0: none
     Real radius = 0;       ///< farthest solid point from the centre of mass
 
+    double lostTime = 0;     ///< seconds, of all steps
     Vec2 force{};            ///< for the next step
     Real torque = 0;
 

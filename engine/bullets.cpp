@@ -290,8 +290,8 @@ void goOn(WorldState& world, std::uint32_t index, FlightScratch& scratch) {
     }
 }
 
-bool isExhausted(const WorldState& world, BulletPartner& partner) {
-    return ++partner.impacts > world.settings.maxImpacts;
+bool isExhausted(BulletPartner& partner) {
+    return isExhausted(partner.flight, partner.impacts++, LostTimeReason::budget);
 }
 
 /// It stays where it is.
@@ -328,7 +328,7 @@ void meet(WorldState& world, BulletPair& pair, FlightScratch& scratch) {
         // What is tied does not get out of the way in this step.
         if (!other.flies && other.tied && partner.impacts > 1) {
             ride(partner, other, time);
-        } else if (isExhausted(world, partner)) {
+        } else if (isExhausted(partner)) {
             stop(partner, time, LostTimeReason::budget);
         }
     }
@@ -339,7 +339,7 @@ void meet(WorldState& world, BulletPair& pair, FlightScratch& scratch) {
 void bounce(WorldState& world, std::uint32_t index, FlightScratch& scratch) {
     BulletPartner& partner = world.bulletWork.partners[index];
     bringTo(world, partner, partner.nextImpact);
-    if (isExhausted(world, partner)) {
+    if (isExhausted(partner)) {
         stop(partner, partner.flight.elapsed, LostTimeReason::budget);
     } else {
         const bool isHit = resolveStanding(partner.flight);

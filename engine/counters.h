@@ -19,10 +19,14 @@ struct StepCounters {
     std::uint64_t colours = 0;
     std::uint64_t subSteps = 0;        ///< of the solver
     std::uint64_t bounceRounds = 0;
+    std::uint64_t bodySubSteps = 0;    ///< sub-steps of each body, summed: what the solver costs
     std::uint64_t effortClasses = 0;   ///< solves: islands that need the same sub-steps and method are one
     std::uint64_t mostSubSteps = 0;    ///< of any of them
     std::uint64_t directBodies = 0;    ///< in islands whose rigid rows are solved all at once
     std::uint64_t factorisations = 0;  ///< of their matrices
+    std::uint64_t overPenetration = 0; ///< contacts deeper than `maxPenetration` when the step began
+    std::uint64_t overJointError = 0;  ///< joints farther apart than `maxJointError` when the step began
+    std::uint64_t overLostTime = 0;    ///< bodies that lost more than `maxLostTime` in all, and lost some in the step
     std::uint64_t islands = 0;         ///< of bodies that contacts or joints tie together
     std::uint64_t sweeps = 0;          ///< bodies swept for continuous collision
     std::uint64_t toiCalls = 0;

@@ -146,7 +146,9 @@ void assignEfforts(WorldState& world, double dt) {
     if (world.counters.solvedBodies == 0) {
         return;
     }
-    if (world.settings.profile == Profile::fast) {
+    const bool fast = world.settings.profile == Profile::fast;
+    const bool budgeted = hasErrorBudget(world.settings);
+    if (fast && !budgeted) {
         for (const std::uint32_t slot : world.awake) {
             world.bodies[slot].effort = {};
         }
@@ -164,8 +166,11 @@ void assignEfforts(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
         IslandLoad& load = loads[slot];
         if (load.bodies > 0) {
-            load.effort = effortFor(load, gravity, dt, subSteps);
+            load.effort = fast ? Effort{} : effortFor(load, gravity, dt, subSteps);
         }
+    }
+    if (budgeted) {
+        keepErrorBudgets(world, dt);
     }
     for (const std::uint32_t slot : world.awake) {
         world.bodies[slot].effort = loads[world.islands.find(slot)].effort;

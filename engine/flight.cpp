@@ -163,6 +163,9 @@ void dropGhosts(Flight& flight) {
     }
 }
 
+/// Impacts beyond `maxImpacts` are for a budget of lost time, up to this many times as many.
+constexpr std::int64_t kMostTimesMaxImpacts = 16;
+
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
@@ -175,8 +178,8 @@ void flyThrough(Flight& flight) {
             advance(flight, sweep, 1);
             return;
         }
-        if (impacts == flight.world->settings.maxImpacts) {
-            const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
+        const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
+        if (isExhausted(flight, impacts, reason)) {
             enterLedger(flight, reason);
             return;
         }
@@ -299,6 +302,14 @@ void limitSpeed(Flight& flight) {
     if (!(speed > limit)) { return; }
     flight.motion.velocity = (limit / speed) * flight.motion.velocity;
     ++flight.scratch->speedsLimited;
+}
+
+bool isExhausted(const Flight& flight, int impacts, LostTimeReason reason) {
+    const WorldSettings& settings = flight.world->settings;
+    if (impacts < settings.maxImpacts) { return false; }
+    // More impacts do not free what is stuck.
+    const bool isHopeless = reason == LostTimeReason::stuck || impacts >= kMostTimesMaxImpacts * settings.maxImpacts;
+    return isHopeless || flight.body().lostTime + flight.remaining() <= settings.maxLostTime;
 }
 
 void enterLedger(const Flight& flight, LostTimeReason reason) {

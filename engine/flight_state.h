@@ -20,6 +20,8 @@ bool resolveHere(Flight& flight);
 bool resolveStanding(Flight& flight);
 void notePose(const Flight& flight);
 void limitSpeed(Flight& flight);
+/// Whether it gives up the rest of the step, after so many impacts: it may lose no more time than `maxLostTime`.
+bool isExhausted(const Flight& flight, int impacts, LostTimeReason reason);
 /// The rest of the step is lost.
 void enterLedger(const Flight& flight, LostTimeReason reason);
 

@@ -185,7 +185,8 @@ int subStepsFor(const Island& island, double time) {
     // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the
     // effort says of the whole step (doublingsForWhips) goes for its parts.
     const Effort effort = island.world.bodies[island.fast.members[0]].effort;
-    const int standard = isJointed ? std::max(asked, swept::subStepsFor(effort, asked)) : asked;
+    const bool follows = isJointed || hasErrorBudget(island.world.settings);
+    const int standard = follows ? std::max(asked, swept::subStepsFor(effort, asked)) : asked;
     const double share = std::ceil(standard * time / island.dt * (1 - kShortestPart));
     if (!isJointed) { return std::clamp(static_cast<int>(share), 1, standard); }
     const double turns = std::ceil(fastestSpin(island) * time / kMaxTurnOfSubStep);

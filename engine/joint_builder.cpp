@@ -160,7 +160,8 @@ struct ConstraintFiller {
         constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
         constraint.centerOffset = centerOffset(world, joint);
         // In sub-steps shorter than the usual ones errors are mended no faster: what relaxation leaves of it would be energy.
-        const Real usual = dt / static_cast<Real>(subStepsOf(world.settings));
+        const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
+        const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, world.bodies[moving].effort));
         constraint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, std::max(h, usual));
         (*this)(constraint, part.def);
         return constraint;

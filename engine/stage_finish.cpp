@@ -195,6 +195,16 @@ void putToSleep(WorldState& world, double dt) {
     std::erase_if(world.awake, [&world](std::uint32_t slot) { return !world.bodies[slot].awake; });
 }
 
+void countLostTime(WorldState& world) {
+    for (const LostTimeEntry& entry : world.lostTime) { world.bodies[entry.body.index].lostTime += entry.seconds; }
+    const LostTimeEntry* last = nullptr;
+    for (const LostTimeEntry& entry : world.lostTime) {  // sorted by body
+        const bool isOver = world.bodies[entry.body.index].lostTime > world.settings.maxLostTime;
+        world.counters.overLostTime += isOver && (last == nullptr || last->body != entry.body) ? 1 : 0;
+        last = &entry;
+    }
+}
+
 void sortEvents(WorldState& world) {
     mergeChainEvents(world);
     std::sort(world.contactEvents.begin(), world.contactEvents.end(),

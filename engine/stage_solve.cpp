@@ -87,7 +87,7 @@ Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& bat
 /// relaxation leaves of the push would be energy.
 /// @param scale  of the impulses that are kept, which are those of the world's sub-steps
 void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h, Real scale) {
-    const Real usual = dt / static_cast<Real>(subStepsOf(world.settings));
+    const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, group.effort));
     const Softness softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
         Contact& contact = group.contacts[i];
@@ -231,6 +231,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     StepCounters& counters = world.counters;
     counters.subSteps += static_cast<std::uint64_t>(part.subSteps);
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
+    counters.bodySubSteps += (world.batch.states.size() - 1) * static_cast<std::uint64_t>(part.subSteps);
     ++counters.effortClasses;
     counters.mostSubSteps = std::max(counters.mostSubSteps, static_cast<std::uint64_t>(part.subSteps));
     counters.directBodies += report.isDirect ? world.batch.states.size() - 1 : 0;

@@ -46,5 +46,7 @@ void moveProxies(WorldState& world);
 void breakJoints(WorldState& world);
 void putToSleep(WorldState& world, double dt);
 void sortEvents(WorldState& world);
+/// Of each body, and who lost more than its budget.
+void countLostTime(WorldState& world);
 
 }  // namespace swept::inline SWEPT_PRECISION

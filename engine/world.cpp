@@ -40,6 +40,17 @@ Status checkKinds(const WorldSettings& settings) {
     return Status::success();
 }
 
+/// Infinite ones are none.
+Status checkBudgets(const WorldSettings& settings) {
+    if (std::isnan(settings.maxPenetration)) { return {StatusCode::notFinite, "maxPenetration"}; }
+    if (settings.maxPenetration < 0) { return {StatusCode::negative, "maxPenetration"}; }
+    if (std::isnan(settings.maxJointError)) { return {StatusCode::notFinite, "maxJointError"}; }
+    if (settings.maxJointError < 0) { return {StatusCode::negative, "maxJointError"}; }
+    if (std::isnan(settings.maxLostTime)) { return {StatusCode::notFinite, "maxLostTime"}; }
+    if (settings.maxLostTime < 0) { return {StatusCode::negative, "maxLostTime"}; }
+    return Status::success();
+}
+
 Status check(const WorldSettings& settings) {
     const Status kinds = checkKinds(settings);
     if (!kinds.ok()) { return kinds; }
@@ -54,7 +65,7 @@ Status check(const WorldSettings& settings) {
     if (settings.maxSpeed <= 0) { return {StatusCode::notPositive, "maxSpeed"}; }
     if (!isFinite(settings.toiTolerance)) { return {StatusCode::notFinite, "toiTolerance"}; }
     if (settings.toiTolerance < 0) { return {StatusCode::negative, "toiTolerance"}; }
-    return Status::success();
+    return checkBudgets(settings);
 }
 
 void clearForces(WorldState& world) {
@@ -101,6 +112,7 @@ void advance(WorldState& world, double dt) {
     moveProxies(world);
     if (world.settings.sleep) { putToSleep(world, dt); }
     sortEvents(world);
+    if (!world.lostTime.empty()) { countLostTime(world); }
     clock.stop(world.stageTimes.finish);
 }
 

@@ -9,6 +9,7 @@
 #include "body.h"
 #include "bullet_work.h"
 #include "contact.h"
+#include "effort_budget.h"
 #include "fast_islands.h"
 #include "flight.h"
 #include "joint.h"
@@ -84,6 +85,7 @@ struct WorldState {
     IslandFinder islands;
     std::vector<Effort> efforts;               ///< classes of the present step
     std::vector<IslandLoad> islandLoads;       ///< by root, of this step
+    std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
     std::vector<std::uint32_t> flyers;

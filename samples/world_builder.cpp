@@ -84,6 +84,9 @@ WorldSettings settingsOf(const SceneDescription& scene) {
     settings.maxImpacts = given.maxImpacts;
     settings.maxSpeed = given.maxSpeed ? real(*given.maxSpeed) : std::numeric_limits<Real>::infinity();
     settings.toiTolerance = real(given.toiTolerance.value_or(0));
+    settings.maxPenetration = real(given.maxPenetration.value_or(std::numeric_limits<double>::infinity()));
+    settings.maxJointError = real(given.maxJointError.value_or(std::numeric_limits<double>::infinity()));
+    settings.maxLostTime = given.maxLostTime.value_or(std::numeric_limits<double>::infinity());
     settings.sleep = given.sleep;
     settings.broadphase = broadphaseOf(given.broadphase);
     return settings;

@@ -219,6 +219,9 @@ private:
         settings.maxImpacts = random_.integer(-1, 12);
         if (random_.chance(0.1)) { settings.maxSpeed = realPositive(); }
         if (random_.chance(0.1)) { settings.toiTolerance = realPositive(); }
+        if (random_.chance(0.1)) { settings.maxPenetration = realPositive(); }
+        if (random_.chance(0.1)) { settings.maxJointError = realPositive(); }
+        if (random_.chance(0.1)) { settings.maxLostTime = random_.range(-0.01, 0.1); }
         settings.sleep = random_.chance(0.8);
         settings.broadphase = static_cast<BroadphaseKind>(random_.integer(0, random_.chance(0.1) ? 200 : kBroadphaseKindCount - 1));
         return world_.configure(settings);

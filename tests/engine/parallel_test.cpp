@@ -40,6 +40,25 @@ TEST(Parallel, BuiltinScenes) {
     }
 }
 
+TEST(Parallel, ScenesWithErrorBudgets) {
+    for (const BuiltinScene& entry : builtinScenes()) {
+        SceneDescription scene = entry.make();
+        scene.settings.maxPenetration = 1e-4;
+        scene.settings.maxJointError = 1e-4;
+        scene.settings.maxLostTime = 0;
+        ThreadTasks tasks(3);
+        SceneWorld serial;
+        SceneWorld parallel;
+        std::string error;
+        ASSERT_TRUE(buildWorld(scene, serial, error) && buildWorld(scene, parallel, error)) << error;
+        EXPECT_EQ(serial.world.settings().maxPenetration, real(1e-4));
+        EXPECT_EQ(serial.world.settings().maxJointError, real(1e-4));
+        EXPECT_EQ(serial.world.settings().maxLostTime, 0);
+        parallel.world.setTaskSystem(&tasks);
+        expectSameSteps(serial.world, parallel.world, {serial.bodies, {}, serial.joints}, 30, entry.name);
+    }
+}
+
 /// Hundreds of contacts and dozens of flyers at once.
 struct Crowd {
     World world;

@@ -56,6 +56,9 @@ inline void addSettings(Digest& digest, const WorldSettings& settings) {
     digest.add(static_cast<std::uint64_t>(settings.maxImpacts));
     digest.add(static_cast<double>(settings.maxSpeed));
     digest.add(static_cast<double>(settings.toiTolerance));
+    digest.add(static_cast<double>(settings.maxPenetration));
+    digest.add(static_cast<double>(settings.maxJointError));
+    digest.add(settings.maxLostTime);
     digest.add(static_cast<std::uint64_t>(settings.profile));
     digest.add(static_cast<std::uint64_t>(settings.continuous));
     digest.add(static_cast<std::uint64_t>(settings.broadphase));
