@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../engine/task_system.h"
 #include "frame.h"
 #include "scene_description.h"
 
@@ -32,6 +33,7 @@ struct RunnerOptions {
     bool collectEvents = false;
     bool measure = false;  ///< deepest penetration, joint error and energies for the report
     bool ways = false;     ///< `Frame::ways`, `hits` and `work`: what happened within the last step
+    TaskSystem* tasks = nullptr;  ///< of our world; null: the calling thread. Must outlive the runner
 };
 
 /// Builds our world from a scene that `validateScene` accepts.

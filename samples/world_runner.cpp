@@ -43,6 +43,7 @@ public:
     WorldRunner(const SceneDescription& scene, const RunnerOptions& options, SceneWorld built)
         : scene_(scene), options_(options), built_(std::move(built)) {
         lost_.resize(scene_.bodies.size());
+        built_.world.setTaskSystem(options_.tasks);
         const Totals totals = this->totals();
         report_.startEnergy = totals.energy;
         report_.startMomentum = totals.momentum;

@@ -5,8 +5,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 demo_packages=(g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libbox2d-dev
-    libpng-dev libwebp-dev libosmesa6-dev libhwy-dev)
-test_packages=(libgtest-dev libbenchmark-dev libtbb-dev libchipmunk-dev gnuplot-nox clang-14 libclang-rt-14-dev)
+    libpng-dev libwebp-dev libosmesa6-dev libhwy-dev libtbb-dev)
+test_packages=(libgtest-dev libbenchmark-dev libchipmunk-dev gnuplot-nox clang-14 libclang-rt-14-dev)
 
 wanted=("${demo_packages[@]}")
 if [ "${1:-all}" != demo ]; then wanted+=("${test_packages[@]}"); fi

@@ -6,6 +6,16 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 get_property(exported GLOBAL PROPERTY SWEPT_EXPORTED_TARGETS)
+# What needs oneTBB is exported on its own, so that the rest is found without it.
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/swept2d)
+if(TARGET swept_tbb)
+    list(REMOVE_ITEM exported swept_tbb)
+    install(TARGETS swept_tbb EXPORT swept2d_tbb_targets
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT swept2d
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT swept2d
+            INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(EXPORT swept2d_tbb_targets NAMESPACE swept2d:: DESTINATION ${package_dir} COMPONENT swept2d)
+endif()
 install(TARGETS ${exported} EXPORT swept2d_targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT swept2d
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT swept2d
@@ -16,7 +26,6 @@ foreach(layer shapes broadphase toi solver engine)
             FILES_MATCHING PATTERN "*.h")
 endforeach()
 
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/swept2d)
 install(EXPORT swept2d_targets NAMESPACE swept2d:: DESTINATION ${package_dir} COMPONENT swept2d)
 
 # A layer that links a foreign library names its package in this property, and the package finds it for its users.

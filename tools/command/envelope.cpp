@@ -10,13 +10,12 @@
 
 #include "../envelope/map.h"
 #include "../envelope/survey.h"
+#include "../task_threads.h"
 #include "../tune/progress_bar.h"
 #include "commands.h"
 
 namespace swept {
 namespace {
-
-constexpr int kMostThreads = 4096;
 
 struct EnvelopeArguments {
     std::string out = "envelope";

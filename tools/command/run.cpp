@@ -10,6 +10,7 @@
 #include "../number_text.h"
 #include "../output_files.h"
 #include "../report_writer.h"
+#include "../task_threads.h"
 #include "commands.h"
 #include "picture_output.h"
 #include "progress.h"
@@ -97,8 +98,9 @@ void addRunOptions(Command command, RunArguments& arguments) {
     command.option("--report", arguments.report, "Totals of the run as JSON").type("FILE");
     command
         .option("--threads", arguments.threads,
-                "Threads that the step may use; never changes the results, and this version uses one [1]")
-        .type("N");
+                "Threads that the step may use; never changes the results. Small scenes use one all the same [1]")
+        .type("N")
+        .within(1, kMostThreads);
 }
 
 OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
@@ -174,9 +176,6 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
 
 int runScene(const RunArguments& arguments) {
     std::string error;
-    if (arguments.threads < 1) {
-        return refuse("--threads: must be at least 1");
-    }
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded) {
         return refuse(error);
@@ -186,7 +185,11 @@ int runScene(const RunArguments& arguments) {
         return refuse(error);
     }
     const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
-    const RunnerOptions options{loaded->precision, needsEvents, true, arguments.pictures.sweeps};
+    const auto tasks = makeTaskSystem(arguments.threads);
+    if (arguments.threads > 1 && !tasks) {
+        std::cerr << "swept: warning: --threads: built without oneTBB, so this runs on one thread\n";
+    }
+    const RunnerOptions options{loaded->precision, needsEvents, true, arguments.pictures.sweeps, tasks.get()};
     const auto runner = makeRunner(loaded->scene, options, error);
     if (!runner) {
         return refuse(loaded->source + ": " + error);

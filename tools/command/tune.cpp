@@ -11,6 +11,7 @@
 
 #include "../bench/machine.h"
 #include "../number_text.h"
+#include "../task_threads.h"
 #include "../tune/ablation.h"
 #include "../tune/plot.h"
 #include "../tune/progress_bar.h"
@@ -22,7 +23,6 @@
 namespace swept {
 namespace {
 
-constexpr int kMostThreads = 4096;
 
 struct TuneArguments {
     SceneArguments scene;
