@@ -16,11 +16,10 @@ namespace {
 /// The shortest part of a step, as a share of it.
 constexpr double kShortestPart = 1.0 / 128;
 /// After so many tries, or once the budget of impacts is used up, what is left of the step is gone through in so many parts.
-/// Each try moves all members: a large island has fewer of them.
+/// Each try moves all members: a large island has fewer of them, and fewer parts in the end.
 constexpr std::size_t kMaxTries = 64;
-constexpr std::size_t kMinTries = 8;
 constexpr std::size_t kMaxMemberTries = 1024;
-constexpr int kLastParts = 8;
+constexpr std::size_t kLastParts = 8;
 /// Radians that a member may turn in a part: sweeps go straight from pose to pose.
 constexpr double kMaxTurn = 0.5;
 /// Without joints the way of a turning body is straight; only what it looks like from its partner changes.
@@ -326,9 +325,9 @@ void finish(Island& island) {
     }
 }
 
-int triesFor(std::size_t members) {
-    return static_cast<int>(std::clamp(kMaxMemberTries / std::max<std::size_t>(members, 1), kMinTries, kMaxTries));
-}
+/// Tries of all members that an island may make: none where it is so large that its step is one part, and what strikes
+/// something on its way is held there.
+std::size_t triesFor(std::size_t members) { return kMaxMemberTries / std::max<std::size_t>(members, 1); }
 
 /// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
 double tryPart(Island& island, double time, bool fits, double& next) {
@@ -369,13 +368,15 @@ void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
     Island island{world, world.fastIslands, scratch, dt};
     begin(island);
     double next = dt;
-    const int mostTries = std::min(triesFor(island.fast.members.size()), world.settings.maxImpacts);
+    const std::size_t tries = triesFor(island.fast.members.size());
+    const int mostTries = std::min(static_cast<int>(std::min(tries, kMaxTries)), world.settings.maxImpacts);
+    const auto lastParts = static_cast<double>(std::clamp<std::size_t>(tries, 1, kLastParts));
     const double maxTurn = island.fast.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
-    int tries = 0;
+    int made = 0;
     bool fits = false;
     while (island.elapsed < dt) {
         const double rest = dt - island.elapsed;
-        if (tries++ == mostTries) { island.shortest = std::max(island.shortest, rest / kLastParts); }
+        if (made++ == mostTries) { island.shortest = std::max(island.shortest, rest / lastParts); }
         const double spin = fastestSpin(island);
         if (spin * island.shortest > kHopelessTurn) { island.shortest = rest; }
         double time = std::max(next, island.shortest);

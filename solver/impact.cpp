@@ -228,7 +228,14 @@ bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverB
 
 /// Sweeps of the projection: each takes an impact one contact further, and the soft tail does not matter, since the energy is
 /// made right at the end.
-constexpr int kProjectionSweeps = 64;
+constexpr std::size_t kProjectionSweeps = 64;
+/// Where thousands press against each other, rounds and sweeps would take seconds and still not be done. So the contacts that
+/// all sweeps of a call visit together are counted: up to 8 contacts do as they like, from 2048 on there are 8 visits for
+/// each of them. What still approaches then is plastic, the solver's.
+constexpr std::size_t kAlwaysVisits = 16384;
+constexpr std::size_t kVisitsOfContact = 8;
+/// Fewer sweeps than this are no projection.
+constexpr std::size_t kFewestSweeps = 4;
 
 /// One Gauss–Seidel sweep of the projection. @return the largest change of a normal velocity, relative to that before
 Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
@@ -298,9 +305,14 @@ void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScrat
     }
 }
 
-void reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch) {
-    scratch.impulses.assign(scratch.approaching.size(), {});
-    for (int sweep = 0; sweep < kProjectionSweeps; ++sweep) {
+/// @param visitsLeft  of the call
+void reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch, std::size_t visitsLeft) {
+    const std::size_t size = scratch.approaching.size();
+    scratch.impulses.assign(size, {});
+    // A later round finds what this one stirred up: it gets its share.
+    const std::size_t sweeps = std::clamp(visitsLeft / (2 * size), kFewestSweeps, kProjectionSweeps);
+    for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
+        scratch.visits += size;
         if (projectOnce(bodies, scratch) <= kRoundingRatio) { break; }
     }
     finishReflection(bodies, reflectionFactor(bodies, scratch), scratch);
@@ -341,9 +353,12 @@ int resolveImpacts(std::span<ContactConstraint* const> contacts, const SolverBod
 
 int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
                    int maxRounds, ImpactScratch& scratch) {
+    const std::size_t most = std::max(kAlwaysVisits, kVisitsOfContact * contacts.size());
+    scratch.visits = 0;
     for (int round = 0; round < maxRounds; ++round) {
+        if (scratch.visits >= most) { return round; }
         if (listApproaching(contacts, bodies, rule, scratch)) {
-            reflectTogether(bodies, scratch);
+            reflectTogether(bodies, scratch, most - scratch.visits);
             continue;
         }
         bool applied = false;

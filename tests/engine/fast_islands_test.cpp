@@ -301,5 +301,31 @@ TEST(FastIslands, AMotorThatPressesLosesNoTime) {
     }
 }
 
+/// More than a thousand touching disks are thrown into a tray of thin walls: their island is too large to be tried part by
+/// part, yet nobody leaves, and no step costs much more than one in which nothing is fast.
+TEST(FastIslands, ALargePileCostsHardlyMoreThanItsStep) {
+    constexpr int kSide = 35;
+    World world = makeWorld(9.81);
+    const ShapeDef surface = material(0.3, 0.5);
+    addStatic(world, box(20, 0.005), surface, {0, -0.5});
+    addStatic(world, box(0.005, 20), surface, {-10, 19});
+    addStatic(world, box(0.005, 20), surface, {10, 19});
+    std::vector<BodyId> disks;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const DVec2 place{-4 + 0.2 * (i % kSide), 0.2 * (i / kSide)};
+        disks.push_back(addBody(world, dynamicAt(place, {30, -20}), circle(0.1), surface));
+    }
+    for (int i = 0; i < 30; ++i) {
+        must(world.step(kStep));
+        // 16 sub-steps of all, and again of those whose island was small enough for tries.
+        EXPECT_LE(world.counters().bodySubSteps, 4U * 16U * disks.size()) << "step " << i;
+    }
+    for (const BodyId disk : disks) {
+        const DVec2 place = world.position(disk);
+        EXPECT_GT(place.y, -0.5);
+        EXPECT_LT(std::fabs(place.x), 10);
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -304,5 +304,65 @@ TEST(Impact, TurningKinematicPartnerMakesNoEnergyInBodiesThatCannotTurn) {
     EXPECT_GT(applied, 8'000);
 }
 
+/// A square of touching disks that all fall towards its lowest row, which stands: each contact must pass the blow on to all.
+struct Block {
+    std::vector<BodyState> states;
+    std::vector<BodyInertia> inertias;
+    std::vector<ContactConstraint> contacts;
+
+    explicit Block(std::uint32_t side) {
+        states.resize(side * side + 1);
+        inertias.resize(side * side + 1);
+        for (std::uint32_t i = side + 1; i <= side * side; ++i) {
+            states[i].velocity = {0, -1 - Real(0.01) * static_cast<Real>(i % 11)};
+            inertias[i] = {1, 2};
+        }
+        for (std::uint32_t row = 0; row < side; ++row) {
+            for (std::uint32_t column = 0; column < side; ++column) {
+                const std::uint32_t own = 1 + row * side + column;
+                if (column + 1 < side) { connect(own, own + 1, {1, 0}); }
+                if (row + 1 < side) { connect(own, own + side, {0, 1}); }
+            }
+        }
+        for (ContactConstraint& contact : contacts) { prepareContact(contact, inertias); }
+    }
+
+    void connect(std::uint32_t a, std::uint32_t b, Vec2 normal) {
+        ContactConstraint contact;
+        contact.slotA = a;
+        contact.slotB = b;
+        contact.normal = normal;
+        contact.restitution = Real(0.9);
+        contact.count = 1;
+        contact.points[0].anchorA = Real(0.5) * normal;
+        contact.points[0].anchorB = Real(-0.5) * normal;
+        contacts.push_back(contact);
+    }
+    Wide energy() const {
+        Wide sum = 0;
+        for (std::size_t i = 1; i < states.size(); ++i) {
+            if (!(inertias[i].inverseMass > 0)) { continue; }
+            const Vec2 v = states[i].velocity;
+            sum += Wide(0.5) * (Wide(v.x) * v.x + Wide(v.y) * v.y);
+        }
+        return sum;
+    }
+};
+
+TEST(Impact, OfThousandsCostsAFewVisitsOfEach) {
+    for (const std::uint32_t side : {10U, 30U, 70U}) {
+        Block block(side);
+        std::vector<ContactConstraint*> all;
+        for (ContactConstraint& contact : block.contacts) { all.push_back(&contact); }
+        const Wide before = block.energy();
+        ImpactScratch scratch;
+        reflectImpacts(all, {block.states, block.inertias}, {}, kMaxBounceRounds, scratch);
+        EXPECT_LE(block.energy(), before * (1 + 1e-4L)) << side;
+        EXPECT_GT(scratch.visits, 0U);
+        // The last round may exceed the budget by its least number of sweeps.
+        EXPECT_LE(scratch.visits, std::max<std::size_t>(16384, 8 * all.size()) + 4 * all.size()) << side;
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
