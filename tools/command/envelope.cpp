@@ -29,8 +29,10 @@ struct EnvelopeArguments {
 bool readTask(const EnvelopeArguments& arguments, envelope::SurveyOptions& options, std::string& error) {
     options.directory = arguments.out;
     options.engines = {tune::Engine::f32, tune::Engine::f64};
-    if (arguments.box2d) {
-        options.engines.push_back(tune::Engine::box2d);
+    for (const tune::Engine engine : {tune::Engine::box2d, tune::Engine::box2d3}) {
+        if (arguments.box2d && tune::isThere(engine)) {
+            options.engines.push_back(engine);
+        }
     }
     options.threads =
         arguments.threads > 0 ? arguments.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -116,7 +118,7 @@ void addEnvelopeCommand(Command app) {
         .oneOf(names)
         .oneValueEach();
     command.flag("--coarse", arguments->coarse, "Fewer cells, ten seconds of work");
-    command.flag("--box2d", arguments->box2d, "Box2D 2.4.1 as well");
+    command.flag("--box2d", arguments->box2d, "Box2D 2.4.1 as well, and Box2D 3 where it was found when this was built");
     command.option("--threads", arguments->threads, "Cells at a time [all cores]").type("N").within(1, kMostThreads);
     command.option("--shard", arguments->shard, "Only the i-th of n parts of the cells, into files of their own")
         .type("i/n");

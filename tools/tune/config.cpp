@@ -5,6 +5,8 @@
 #include <swept/samples/scene_names.h>
 
 #include "../number_text.h"
+#include "../reference/box2d_runner.h"
+#include "../reference/peer_limits.h"
 
 namespace swept::tune {
 namespace {
@@ -26,8 +28,24 @@ const char* nameOf(Engine engine) {
             return "f64";
         case Engine::box2d:
             return "Box2D 2.4.1";
+        case Engine::box2d3:
+            return "Box2D 3";
     }
     return "";  // unreachable, but GCC cannot know
+}
+
+bool isThere(Engine engine) { return engine != Engine::box2d3 || hasPeer(PeerEngine::box2d3); }
+
+PeerSettings peerSettingsOf(Engine engine, int subSteps) {
+    PeerSettings settings;
+    if (engine == Engine::box2d3) {
+        settings.engine = PeerEngine::box2d3;
+        settings.subSteps = subSteps;
+        settings.isStiff = 1;
+    } else {
+        settings.iterations = iterationsOf(subSteps);
+    }
+    return settings;
 }
 
 Config ownConfig(const SceneDescription& scene) {

@@ -7,15 +7,23 @@
 #include <swept/samples/scene_description.h>
 
 #include "../measures/recording.h"
+#include "../reference/peer_settings.h"
 
 namespace swept::tune {
 
 /// Who runs the scene.
-enum class Engine : std::uint8_t { f32, f64, box2d };
-inline constexpr int kEngineCount = 3;
-const char* nameOf(Engine engine);  ///< "f32", "f64", "Box2D 2.4.1"
+enum class Engine : std::uint8_t { f32, f64, box2d, box2d3 };
+inline constexpr int kEngineCount = 4;
+const char* nameOf(Engine engine);  ///< "f32", "f64", "Box2D 2.4.1", "Box2D 3"
+inline bool isOurs(Engine engine) { return engine == Engine::f32 || engine == Engine::f64; }
+/// Whether this build has it: Box2D 3 only where CMake found one.
+bool isThere(Engine engine);
+/// Of another engine: that one as it is run here, with so many sub-steps (iterations for velocities in Box2D 2.4.1).
+/// Box2D 3 has contacts and joints as stiff as those allow: with its own stiffness its error would not fall with them.
+PeerSettings peerSettingsOf(Engine engine, int subSteps);
 
-/// One set of settings that tune tries. Of Box2D, `subSteps` are its velocity iterations, and the rest is the scene's.
+/// One set of settings that tune tries. Of other engines only step and `subSteps` differ; of Box2D 2.4.1 those are
+/// iterations for velocities.
 struct Config {
     Engine engine = Engine::f32;
     int dtPower = 0;  ///< the step is that of the scene times 2^dtPower

@@ -67,10 +67,11 @@ void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, co
     for (const char c : subject.scene.name) {
         title += c == '\'' ? std::string("''") : std::string(1, c);
     }
-    constexpr std::array<const char*, 6> kStyles{
-        "with steps lc rgb '#d62728' lw 1.5",          "with points lc rgb '#d62728' pt 7 ps 1.1",
-        "with points lc rgb '#9467bd' pt 5 ps 1.1",    "with points lc rgb '#1f77b4' pt 9 ps 1.3",
-        "with points lc rgb '#000000' pt 4 ps 2 lw 2", "with points lc rgb '#2ca02c' pt 6 ps 3 lw 3"};
+    constexpr std::array<const char*, 7> kStyles{
+        "with steps lc rgb '#d62728' lw 1.5",         "with points lc rgb '#d62728' pt 7 ps 1.1",
+        "with points lc rgb '#9467bd' pt 5 ps 1.1",   "with points lc rgb '#1f77b4' pt 9 ps 1.3",
+        "with points lc rgb '#17becf' pt 11 ps 1.3",  "with points lc rgb '#000000' pt 4 ps 2 lw 2",
+        "with points lc rgb '#2ca02c' pt 6 ps 3 lw 3"};
     out << bench::kPlotStyle << "set logscale xy\nset format y '10^{%T}'\nset key outside right top vertical\n"
         << "set title '" << title << ": what accuracy costs' noenhanced\n"
         << "set xlabel 'processor time, ms per simulated second'\nset ylabel '" << axis.label()
@@ -94,21 +95,21 @@ void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, co
 std::string plotRows(const std::string& directory, const Subject& subject, const std::vector<Limit>& limits,
                      const Knowledge& known, const Verdict& verdict, std::string& error) {
     const Axis axis(limits, known);
-    const std::vector<std::string> names{"front", "f32", "f64", "Box2D 2.4.1", "as the scene is now", "recommended"};
+    const std::vector<std::string> names{"front",      "f32", "f64", "Box2D 2.4.1", "Box2D 3", "as the scene is now",
+                                         "recommended"};
     std::vector<std::vector<const Row*>> blocks(names.size());
     for (const std::size_t i : verdict.front) {
         blocks[0].push_back(&known.rows[i]);
     }
     const Config own = ownConfig(subject.scene);
     for (const Row& row : known.rows) {
-        const std::size_t engine = row.config.engine == Engine::f32 ? 1 : (row.config.engine == Engine::f64 ? 2 : 3);
-        blocks[engine].push_back(&row);
+        blocks[1 + static_cast<std::size_t>(row.config.engine)].push_back(&row);
         if (row.config == own) {
-            blocks[4].push_back(&row);
+            blocks[5].push_back(&row);
         }
     }
     if (verdict.recommended >= 0) {
-        blocks[5].push_back(&known.rows[static_cast<std::size_t>(verdict.recommended)]);
+        blocks[6].push_back(&known.rows[static_cast<std::size_t>(verdict.recommended)]);
     }
     const auto data = [&](std::ostream& out) {
         out << "# a block each: ms of processor time per simulated second, error\n";

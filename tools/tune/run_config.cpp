@@ -4,7 +4,7 @@
 
 #include "../bench/stopwatch.h"
 #include "../measures/measure_run.h"
-#include "../reference/box2d_runner.h"
+#include "../reference/peer_runner.h"
 
 namespace swept::tune {
 namespace {
@@ -17,8 +17,8 @@ constexpr double kTimedSeconds = 4;
 std::unique_ptr<Runner> makeRunnerOf(const SceneDescription& given, const Config& config, bool measure,
                                      std::string& error) {
     const SceneDescription scene = withConfig(given, config);
-    if (config.engine == Engine::box2d) {
-        return makeBox2dRunner(scene, error, iterationsOf(config.subSteps));
+    if (!isOurs(config.engine)) {
+        return makePeerRunner(scene, peerSettingsOf(config.engine, config.subSteps), error);
     }
     RunnerOptions options;
     options.precision = config.engine == Engine::f64 ? Precision::f64 : Precision::f32;
@@ -54,7 +54,7 @@ double secondsOf(const SceneDescription& scene, const Config& config, std::int64
 
 /// A child measures outside its steps, so that its one run tells its cost as well.
 double secondsOfChild(const Runner& runner) {
-    const auto* const child = dynamic_cast<const Box2dRunner*>(&runner);
+    const auto* const child = dynamic_cast<const PeerRunner*>(&runner);
     return child != nullptr ? child->stepSeconds() : 0;
 }
 
@@ -104,7 +104,7 @@ Run runScene(const SceneDescription& scene, const Subject& subject, const Config
     row.errors = measures::measured(subject.scene, run.recording, reference);
     row.work = workOf(run.recording.report, config, run.recording.duration());
     const double seconds =
-        config.engine == Engine::box2d ? secondsOfChild(*runner) : secondsOf(scene, config, pace.steps());
+        isOurs(config.engine) ? secondsOf(scene, config, pace.steps()) : secondsOfChild(*runner);
     row.cost = seconds / run.recording.duration();
     return run;
 }

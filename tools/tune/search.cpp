@@ -14,6 +14,8 @@ constexpr std::array<int, 7> kSubSteps{1, 2, 4, 8, 16, 32, 64};
 constexpr std::array<int, 4> kRelaxPasses{0, 1, 2, 4};
 /// Velocity iterations of Box2D; 8 is what its manual advises.
 constexpr std::array<int, 3> kBox2dIterations{4, 8, 32};
+/// Sub-steps of Box2D 3; 4 is what its manual advises.
+constexpr std::array<int, 3> kBox2d3SubSteps{4, 16, 64};
 /// Steps, as powers of two times the scene's.
 constexpr std::array<int, 4> kSteps{0, 1, -1, -2};
 /// Multiples of the tolerance by extent; four times is the target itself, where the certificate ends.
@@ -36,8 +38,8 @@ public:
     }
 
     std::vector<Config> next(const SearchSpace& space) const {
-        if (start_.engine == Engine::box2d) {
-            return box2d();
+        if (!isOurs(start_.engine)) {
+            return ofPeer(start_.engine == Engine::box2d3 ? kBox2d3SubSteps : kBox2dIterations);
         }
         std::vector<Config> wanted;
         if (start_.dtPower == 0) {
@@ -71,11 +73,11 @@ private:
         }
     }
 
-    std::vector<Config> box2d() const {
+    std::vector<Config> ofPeer(const std::array<int, 3>& efforts) const {
         std::vector<Config> wanted;
-        for (const int iterations : kBox2dIterations) {
+        for (const int effort : efforts) {
             Config config = start_;
-            config.subSteps = iterations;
+            config.subSteps = effort;
             want(config, wanted);
         }
         return wanted;
@@ -183,9 +185,11 @@ SearchSpace searchSpaceOf(const SceneDescription& scene) {
 
 std::vector<Track> allTracks() {
     std::vector<Track> tracks;
-    for (const Engine engine : {Engine::f32, Engine::box2d, Engine::f64}) {
+    for (const Engine engine : {Engine::f32, Engine::box2d, Engine::box2d3, Engine::f64}) {
         for (const int power : kSteps) {
-            tracks.push_back({engine, power});
+            if (isThere(engine)) {
+                tracks.push_back({engine, power});
+            }
         }
     }
     return tracks;
@@ -201,7 +205,7 @@ std::vector<Config> lastOf(const Subject& subject, const SearchSpace& space, con
     const Row* best = nullptr;
     const SceneBroadphase own = subject.scene.settings.broadphase;
     for (const Row& row : known.rows) {
-        const bool counts = row.config.engine != Engine::box2d && row.config.broadphase == own &&
+        const bool counts = isOurs(row.config.engine) && row.config.broadphase == own &&
                             holds(strain(row, limits, known.uncertainty));
         if (counts && (best == nullptr || row.work < best->work)) {
             best = &row;

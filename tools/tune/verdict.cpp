@@ -13,7 +13,7 @@
 namespace swept::tune {
 namespace {
 
-bool isOurs(const Row& row) { return row.config.engine != Engine::box2d; }
+bool isOurs(const Row& row) { return isOurs(row.config.engine); }
 
 template <class Number>
 std::string plural(Number count, const std::string& one) {
@@ -29,14 +29,14 @@ std::string errorText(double value) { return std::isnan(value) ? "-" : roundedTe
 std::vector<std::string> cellsOf(const Subject& subject, const std::vector<Limit>& limits, const Row& row, double part,
                                  char mark) {
     const Config& config = row.config;
-    const bool isBox2d = !isOurs(row);
+    const bool isPeer = !isOurs(row);
     std::vector<std::string> cells{std::string(1, mark) + ' ' + nameOf(config.engine), hertz(subject, config),
-                                   std::to_string(config.subSteps), isBox2d ? "-" : std::to_string(config.relaxPasses)};
+                                   std::to_string(config.subSteps), isPeer ? "-" : std::to_string(config.relaxPasses)};
     const auto mode = namesOf<SceneContinuous>()[static_cast<std::size_t>(config.continuous)];
-    cells.emplace_back(isBox2d ? "-" : mode);
+    cells.emplace_back(isPeer ? "-" : mode);
     cells.push_back(config.toiTolerance ? roundedText(*config.toiTolerance, 2) : "-");
     const auto kind = namesOf<SceneBroadphase>()[static_cast<std::size_t>(config.broadphase)];
-    cells.emplace_back(isBox2d ? "-" : kind);
+    cells.emplace_back(isPeer ? "-" : kind);
     cells.push_back(row.verdict.empty() ? bench::threeDigits(1e3 * row.cost) : "-");
     for (const Limit& limit : limits) {
         cells.push_back(row.verdict.empty() ? errorText(row.errors[limit.measure]) : row.verdict);
@@ -141,13 +141,13 @@ void writeTable(std::ostream& out, const Subject& subject, const std::vector<Lim
     }
     table.write(out);
     out << "> recommended  = as the scene is now  * on the front: nothing of ours is both cheaper and nearer\n"
-        << "ms per s: processor time of the steps of a simulated second; of Box2D, sub-steps are velocity iterations\n";
+        << "ms per s: processor time of the steps of a simulated second; sub-steps of Box2D 2.4.1 are velocity iterations\n";
 }
 
 std::string settingsText(const Subject& subject, const Config& config) {
     std::string text = std::string(nameOf(config.engine)) + ", " + hertz(subject, config) + ", ";
-    if (config.engine == Engine::box2d) {
-        return text + plural(config.subSteps, "velocity iteration");
+    if (!isOurs(config.engine)) {
+        return text + plural(config.subSteps, config.engine == Engine::box2d ? "velocity iteration" : "sub-step");
     }
     text += plural(config.subSteps, "sub-step") + " with " + plural(config.relaxPasses, "relaxation pass");
     text += ", continuous ";
