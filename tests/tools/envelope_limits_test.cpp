@@ -58,7 +58,7 @@ TEST_P(EnvelopeLimits, DoNotShrink) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Slices, EnvelopeLimits, ::testing::Values("stack", "chain", "bullet", "rest"),
+INSTANTIATE_TEST_SUITE_P(Slices, EnvelopeLimits, ::testing::Values("stack", "wall", "chain", "bullet", "rest"),
                          [](const auto& slice) { return slice.param; });
 
 }  // namespace

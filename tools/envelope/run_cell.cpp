@@ -8,15 +8,16 @@
 namespace swept::envelope {
 namespace {
 
-/// What Box2D 2.4.1 advises, and as many sub-steps of Box2D 3 as ours has: its error falls with them.
+/// Where the scene asks for no sub-steps: what Box2D 2.4.1 advises, and as many of Box2D 3 as ours has, since its error
+/// falls with them.
 constexpr int kIterationsOfPeer = 8;
 constexpr int kSubStepsOfPeer = 16;
 
 std::unique_ptr<Runner> makeRunnerOf(const SceneDescription& scene, tune::Engine engine, std::string& error) {
     if (!tune::isOurs(engine)) {
-        return makePeerRunner(
-            scene, tune::peerSettingsOf(engine, engine == tune::Engine::box2d3 ? kSubStepsOfPeer : kIterationsOfPeer),
-            error);
+        const int usual = engine == tune::Engine::box2d3 ? kSubStepsOfPeer : kIterationsOfPeer;
+        const int effort = scene.settings.subSteps.value_or(usual);
+        return makePeerRunner(scene, tune::peerSettingsOf(engine, effort), error);
     }
     RunnerOptions options;
     options.precision = engine == tune::Engine::f64 ? Precision::f64 : Precision::f32;

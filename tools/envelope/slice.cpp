@@ -7,7 +7,7 @@
 namespace swept::envelope {
 
 std::vector<Slice> allSlices(Grain grain) {
-    return {stackSlice(grain), chainSlice(grain), bulletSlice(grain), restSlice(grain)};
+    return {stackSlice(grain), wallSlice(grain), chainSlice(grain), bulletSlice(grain), restSlice(grain)};
 }
 
 std::vector<double> powers(double base, double first, double last, double step) {

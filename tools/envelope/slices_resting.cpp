@@ -72,6 +72,33 @@ std::vector<Trial> stackTrials(double gravityNumber, double massRatio) {
     return {trial};
 }
 
+/// Courses of the wall, and whole boxes in the lowest; every other course begins and ends with half a box.
+constexpr int kCourses = 8;
+constexpr int kBoxesOfCourse = 4;
+
+/// Every box but the outermost has two below it and two on it: each carries through many, and the contacts close loops.
+std::vector<Trial> wallTrials(double gravityNumber, double subSteps) {
+    Trial trial{sceneOfStep("wall", gravityNumber), stepsOf(gravityNumber), {}, {}};
+    trial.scene.settings.subSteps = static_cast<int>(subSteps);
+    const double half = kSide / 2;
+    const double left = -half * kBoxesOfCourse;
+    addFixed(trial.scene, "ground", {0, -half}, {box({20 * kSide, half})});
+    for (int course = 0; course < kCourses; ++course) {
+        const double y = (course + 0.5) * kSide;
+        const bool isShifted = course % 2 == 1;
+        for (int i = 0; i < kBoxesOfCourse - (isShifted ? 1 : 0); ++i) {
+            addDynamic(trial.scene, "", {left + (i + (isShifted ? 1 : 0.5)) * kSide, y}, {box({half, half})});
+        }
+        for (const double end : {left + half / 2, -left - half / 2}) {
+            if (isShifted) {
+                addDynamic(trial.scene, "", {end, y}, {box({half / 2, half})});
+            }
+        }
+    }
+    trial.error = farthestMove(trial.scene, kSide);
+    return {trial};
+}
+
 /// World positions are double in every build, so this is the unit of all. The map ends where they are sixteenths of the
 /// side: farther out, the place of rest itself is no number.
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -103,6 +130,18 @@ Slice stackSlice(Grain grain) {
             [](double x, double y) {
                 return "five boxes under one of " + roundedText(y, 3) + " times the mass: " + hertzOfSizes(x);
             }};
+}
+
+Slice wallSlice(Grain grain) {
+    const bool full = grain == Grain::full;
+    return {"wall",
+            "a wall of eight courses, each box on two others",
+            "farthest that a box ever was from its start, over its side",
+            kGiveWay * kCourses,
+            {"g dt^2 / size", powers(2, -12, 2, full ? 1 : 2)},
+            {"sub-steps", powers(2, 0, 6, full ? 1 : 2)},
+            wallTrials,
+            [](double x, double y) { return "with " + roundedText(y, 3) + " sub-steps " + hertzOfSizes(x); }};
 }
 
 Slice restSlice(Grain grain) {
