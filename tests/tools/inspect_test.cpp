@@ -29,7 +29,9 @@ int countOf(const Inspection& inspection, const std::string& kind, const std::st
 
 bool needs(const Inspection& inspection, const std::string& feature) {
     for (const Need& need : inspection.needs) {
-        if (need.feature == feature) { return need.needed; }
+        if (need.feature == feature) {
+            return need.needed;
+        }
     }
     ADD_FAILURE() << "nothing is said about " << feature;
     return false;
@@ -93,10 +95,14 @@ TEST(Inspect, FindsStepsTooLongForSmallBodies) {
 
 TEST(Inspect, FindsWhatIsFarAway) {
     SceneDescription scene = soundScene();
-    for (BodyDescription& body : scene.bodies) { body.position.x += 1e13; }
+    for (BodyDescription& body : scene.bodies) {
+        body.position.x += 1e13;
+    }
     const Inspection inspection = inspectScene(scene);
     EXPECT_EQ(countOf(inspection, "far-away", "/bodies/1"), 1);
-    for (BodyDescription& body : scene.bodies) { body.position.x -= 1e13 - 1e4; }
+    for (BodyDescription& body : scene.bodies) {
+        body.position.x -= 1e13 - 1e4;
+    }
     EXPECT_TRUE(inspectScene(scene).findings.empty());
 }
 
@@ -152,6 +158,52 @@ TEST(Inspect, FindsLimitsThatExcludeTheStart) {
     expectOnly(scene, "joint-violated", "/joints/0");
 }
 
+TEST(Inspect, FindsLimitsOfSlidersAndWheelsThatExcludeTheStart) {
+    const auto expectViolated = [](const auto& limited) {
+        SceneDescription scene = soundScene();
+        JointDescription& joint = scene.joints.emplace_back();
+        joint.bodyA = "ground";
+        joint.bodyB = "crate";
+        joint.joint = limited;
+        const Inspection inspection = inspectScene(scene);
+        EXPECT_EQ(countOf(inspection, "joint-violated", "/joints/0"), limited.upper < 0 ? 1 : 0);
+    };
+    const DVec2 place = soundScene().bodies[1].position;
+    PrismaticDescription slider;
+    WheelDescription wheel;
+    slider.anchor = wheel.anchor = place;
+    slider.axis = wheel.axis = {0, 1};
+    for (const double upper : {-0.5, 0.5}) {
+        slider.lower = wheel.lower = -1;
+        slider.upper = wheel.upper = upper;
+        expectViolated(slider);
+        expectViolated(wheel);
+    }
+}
+
+TEST(Inspect, FindsJointsTooWeakForWhatHangsOnThem) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].position.y = 2;  // the crate
+    JointDescription& hook = scene.joints.emplace_back();
+    hook.bodyA = "ground";
+    hook.bodyB = "crate";
+    RevoluteDescription hinge;
+    hinge.anchor = {0, 2};
+    hook.joint = hinge;
+    hook.breakForce = 1e6;
+    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 0);
+    hook.breakForce = 1e-3;
+    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 1);
+    hook.breakForce.reset();
+    MouseDescription mouse;
+    mouse.target = {0, 2};
+    mouse.maxForce = 1e-3;
+    hook.joint = mouse;
+    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 1);
+    scene.joints.push_back(JointDescription(hook));  // two share the weight
+    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 0);
+}
+
 TEST(Inspect, FindsTunnellingWhereNothingIsSwept) {
     SceneDescription scene = soundScene();
     scene.bodies[1].position.y = 100;
@@ -165,7 +217,8 @@ TEST(Inspect, FindsTunnellingWhereNothingIsSwept) {
 
 TEST(Inspect, FindsEdgesThatSinglePrecisionLoses) {
     SceneDescription scene = soundScene();
-    scene.bodies[1].shapes = {build::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.499999, 0.500001}, {-0.5, 0.5}})};
+    scene.bodies[1].shapes = {
+        build::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.499999, 0.500001}, {-0.5, 0.5}})};
     expectOnly(scene, "short-edge", "/bodies/1/shapes/0");
 }
 

@@ -62,25 +62,57 @@ void checkLength(const PlacedScene& placed, std::size_t i, const Ends& ends, con
         return;
     }
     const bool isHopeless = !ends.a->isDynamic() && !ends.b->isDynamic();
-    findings.push_back({Severity::warning, isHopeless ? "joint-impossible" : "joint-violated", pointerOf(i),
-                        jointName(*placed.scene, i) + " wants its anchors " +
-                            metres(initial < range.least ? range.least : range.most) + " apart, they start " +
-                            metres(initial) + " apart" +
-                            (isHopeless ? " on bodies that it cannot move" : ": the first steps pull them together hard"),
-                        "place the bodies so that the anchors fit, or set \"length\": " + roundedText(initial)});
+    findings.push_back(
+        {Severity::warning, isHopeless ? "joint-impossible" : "joint-violated", pointerOf(i),
+         jointName(*placed.scene, i) + " wants its anchors " +
+             metres(initial < range.least ? range.least : range.most) + " apart, they start " + metres(initial) +
+             " apart" + (isHopeless ? " on bodies that it cannot move" : ": the first steps pull them together hard"),
+         "place the bodies so that the anchors fit, or set \"length\": " + roundedText(initial)});
 }
 
-void checkLimits(const PlacedScene& placed, std::size_t i, const RevoluteDescription& hinge,
+/// @param unit  of what the limits limit, which every joint counts from its initial pose
+template <class LimitedJoint>
+void checkLimits(const PlacedScene& placed, std::size_t i, const LimitedJoint& joint, const char* unit,
                  std::vector<Finding>& findings) {
-    const bool isInside = hinge.lower.value_or(0) <= 0 && hinge.upper.value_or(0) >= 0;
-    if (isInside) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (joint.lower.value_or(0) <= 0 && joint.upper.value_or(0) >= 0) {
         return;
     }
     findings.push_back({Severity::warning, "joint-violated", pointerOf(i),
-                        jointName(*placed.scene, i) + " starts at angle 0, outside its limits " +
-                            roundedText(hinge.lower.value_or(-std::numeric_limits<double>::infinity())) + " … " +
-                            roundedText(hinge.upper.value_or(std::numeric_limits<double>::infinity())) + " rad",
+                        jointName(*placed.scene, i) + " starts at 0 " + unit + ", outside its limits " +
+                            roundedText(joint.lower.value_or(-kInfinity)) + " … " +
+                            roundedText(joint.upper.value_or(kInfinity)) + ' ' + unit,
                         "limits count from the initial pose: let them include 0"});
+}
+
+double weightOf(const PlacedScene& placed, const PlacedBody& body) {
+    const BodyDescription& given = placed.scene->bodies[static_cast<std::size_t>(body.index)];
+    return body.mass * std::fabs(given.gravityScale) * length(placed.scene->gravity);
+}
+
+/// A body that hangs on one joint alone must not weigh more than that can hold, or pull.
+void checkStrength(const PlacedScene& placed, std::size_t i, const Ends& ends, std::vector<Finding>& findings) {
+    const JointDescription& joint = placed.scene->joints[i];
+    const auto* const mouse = std::get_if<MouseDescription>(&joint.joint);
+    const std::optional<double> most = mouse != nullptr ? mouse->maxForce : joint.breakForce;
+    const bool isHanging = mouse != nullptr ? ends.b->isDynamic() : ends.a->isDynamic() != ends.b->isDynamic();
+    if (!most || !isHanging) {
+        return;
+    }
+    const PlacedBody& body = ends.b->isDynamic() ? *ends.b : *ends.a;
+    const double weight = weightOf(placed, body);
+    const auto holds = [&](const JointDescription& other) {
+        return other.bodyA == body.name || other.bodyB == body.name;
+    };
+    const auto& joints = placed.scene->joints;
+    if (weight <= *most || std::count_if(joints.begin(), joints.end(), holds) > 1) {
+        return;
+    }
+    findings.push_back(
+        {Severity::note, "joint-weak", pointerOf(i),
+         jointName(*placed.scene, i) + (mouse != nullptr ? " pulls with " : " breaks at ") + roundedText(*most, 3) +
+             " N, and " + body.name + " alone weighs " + roundedText(weight, 3) + " N",
+         std::string(mouse != nullptr ? "a \"maxForce\"" : "a \"breakForce\"") + " of several times the weight"});
 }
 
 /// Two rods from one body to things that do not move: four lengths of a closed linkage must be able to close.
@@ -192,8 +224,15 @@ void checkJoints(const PlacedScene& placed, std::vector<Finding>& findings) {
             checkLength(placed, i, ends, *rod, findings);
         }
         if (const auto* hinge = std::get_if<RevoluteDescription>(&joint.joint)) {
-            checkLimits(placed, i, *hinge, findings);
+            checkLimits(placed, i, *hinge, "rad", findings);
         }
+        if (const auto* slider = std::get_if<PrismaticDescription>(&joint.joint)) {
+            checkLimits(placed, i, *slider, "m", findings);
+        }
+        if (const auto* wheel = std::get_if<WheelDescription>(&joint.joint)) {
+            checkLimits(placed, i, *wheel, "m", findings);
+        }
+        checkStrength(placed, i, ends, findings);
     }
     checkRodPairs(placed, findings);
     checkMasses(placed, findings);
