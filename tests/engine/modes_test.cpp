@@ -19,11 +19,6 @@ WorldSettings settingsOf(ContinuousMode mode, double gravity = 0) {
     return settings;
 }
 
-struct ContactMode {
-    ContinuousMode mode;
-    std::size_t events;
-};
-
 struct Projectile {
     const char* name;
     Polygon polygon;
@@ -309,120 +304,6 @@ TEST(Modes, OfAPairTheMoreCarefulCounts) {
     };
     EXPECT_FALSE(meets(ContinuousMode::off));
     EXPECT_TRUE(meets(ContinuousMode::speculative));
-}
-
-std::vector<ContactEvent> sensorEventsOf(const World& world) {
-    std::vector<ContactEvent> events;
-    for (const ContactEvent& event : world.contactEvents()) {
-        const bool isSensor =
-            event.type == ContactEventType::sensorBegin || event.type == ContactEventType::sensorEnd;
-        if (isSensor) { events.push_back(event); }
-    }
-    return events;
-}
-
-ShapeDef sensorDef() {
-    ShapeDef def;
-    def.sensor = true;
-    return def;
-}
-
-/// A gate of 20 cm in the middle of a way of 2 m, passed within one step: in and out at their times.
-TEST(SensorSweeps, SeeWhatPassesWithinAStep) {
-    for (const ContactMode mode : {ContactMode{ContinuousMode::subStep, 2}, ContactMode{ContinuousMode::stop, 2},
-                                   ContactMode{ContinuousMode::off, 0}}) {
-        World world = makeWorld(settingsOf(mode.mode));
-        const BodyId gate = addStatic(world, box(0.1, 1), sensorDef());
-        const BodyId ball = addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.1));
-        run(world, 1);
-        const std::vector<ContactEvent> events = sensorEventsOf(world);
-        ASSERT_EQ(events.size(), mode.events);
-        EXPECT_EQ(world.counters().sensorSweeps, mode.events / 2);
-        if (events.empty()) { continue; }
-        EXPECT_EQ(events[0].type, ContactEventType::sensorBegin);
-        EXPECT_EQ(events[1].type, ContactEventType::sensorEnd);
-        EXPECT_NEAR(events[0].fraction, (1 - 0.2) / 2, 1e-3);
-        EXPECT_NEAR(events[1].fraction, (1 + 0.2) / 2, 1e-3);
-        EXPECT_EQ(events[0].bodyA, gate);
-        EXPECT_EQ(events[0].bodyB, ball);
-        EXPECT_LT(length(events[0].point - DVec2{-0.1, 0}), 1e-3);
-        EXPECT_LT(length(events[1].point - DVec2{0.1, 0}), 1e-3);
-        EXPECT_LT(length(events[0].normal - vec(-1, 0)), 1e-6);
-        EXPECT_LT(length(events[1].normal - vec(1, 0)), 1e-6);
-        run(world, 1);
-        EXPECT_TRUE(sensorEventsOf(world).empty());
-    }
-}
-
-/// To a wall and back through the same gate in one step: the way is followed from impact to impact.
-TEST(SensorSweeps, FollowTheWayThroughItsImpacts) {
-    World world = makeWorld(settingsOf(ContinuousMode::subStep));
-    addStatic(world, box(0.1, 1), sensorDef());
-    addStatic(world, segment(0.6, -1, 0.6, 1), material(0, 1));
-    const BodyId ball = addBody(world, dynamicAt({-0.5, 0}, vec(120, 0)), circle(0.1), material(0, 1));
-    run(world, 1);
-    EXPECT_NEAR(world.centerOfMass(ball).x, -0.5, 0.01);
-    const std::vector<ContactEvent> events = sensorEventsOf(world);
-    ASSERT_EQ(events.size(), 4U);
-    const double expected[] = {0.15, 0.35, 0.65, 0.85};
-    for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_NEAR(events[i].fraction, expected[i], 1e-3);
-        EXPECT_EQ(events[i].type == ContactEventType::sensorBegin, i % 2 == 0);
-    }
-}
-
-/// Begin and end alternate, whatever stops inside, starts inside, turns, or is a sensor that moves.
-TEST(SensorSweeps, WhatBeginsEnds) {
-    Random random(12);
-    std::size_t seen = 0;
-    for (int round = 0; round < 48; ++round) {
-        World world = makeWorld(settingsOf(round % 2 == 0 ? ContinuousMode::subStep : ContinuousMode::stop, kGravity));
-        for (const double side : {-1.0, 1.0}) {
-            addStatic(world, segment(2 * side, -2, 2 * side, 2), material(0.2, 0.9));
-            addStatic(world, segment(-2, 2 * side, 2, 2 * side), material(0.2, 0.9));
-        }
-        addStatic(world, box(0.05, 0.8), sensorDef(), {0, 0}, random.range(0, 3));
-        BodyDef def = bodyAt(BodyType::kinematic, {0.9, 0});
-        def.angularVelocity = 40;
-        addBody(world, def, box(0.7, 0.02), sensorDef());
-        for (int i = 0; i < 3; ++i) {
-            const double speed = random.range(5, 300);
-            const double aim = random.range(0, 2 * kPi);
-            addBody(world, dynamicAt({-1.2 + 0.6 * i, -1}, vec(speed * std::cos(aim), speed * std::sin(aim)),
-                                     random.range(-50, 50)),
-                    i == 0 ? circle(0.1) : box(0.15, 0.02), material(0.2, 0.9));
-        }
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> open;
-        for (int step = 0; step < 60; ++step) {
-            run(world, 1);
-            for (const ContactEvent& event : sensorEventsOf(world)) {
-                const auto key = std::make_pair(event.shapeA.index, event.shapeB.index);
-                const auto found = std::find(open.begin(), open.end(), key);
-                ASSERT_EQ(found == open.end(), event.type == ContactEventType::sensorBegin)
-                    << "round " << round << ", step " << step << ", fraction " << event.fraction;
-                ASSERT_TRUE(event.fraction >= 0 && event.fraction <= 1);
-                if (found == open.end()) {
-                    open.push_back(key);
-                } else {
-                    open.erase(found);
-                }
-                ++seen;
-            }
-        }
-    }
-    EXPECT_GT(seen, 2000U) << "too few to prove anything";
-}
-
-TEST(SensorSweeps, CostNothingWithoutSensorsOrSpeed) {
-    World world = makeWorld(settingsOf(ContinuousMode::subStep));
-    addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.1));
-    run(world, 1);
-    EXPECT_EQ(world.counters().sensorSweeps + world.counters().toiCalls, 0U);
-    const BodyId gate = addStatic(world, box(1, 1), sensorDef(), {9, 0});
-    addBody(world, dynamicAt({8, 0}, vec(1, 0)), circle(0.1));
-    run(world, 2);
-    EXPECT_EQ(world.counters().sensorSweeps, 0U);
-    must(world.destroyBody(gate));
 }
 
 TEST(Modes, CostNothingWhereNothingIsFast) {
