@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "../shapes/hull.h"
 #include "scene_reader.h"
@@ -135,25 +136,31 @@ std::string refusal(const std::string& pointer, Status status) {
     return pointer + ": " + status.field + " " + describe(status.code);
 }
 
-bool buildBodies(const SceneDescription& scene, SceneWorld& built, std::string& error) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const std::string pointer = "/bodies/" + std::to_string(i);
-        const BodyDescription& given = scene.bodies[i];
-        const Result<BodyId> body = built.world.createBody(bodyDefOf(given, i));
-        if (!body.ok()) {
-            error = refusal(pointer, body.status());
+bool buildBody(const SceneDescription& scene, std::size_t i, SceneWorld& built, std::string& error) {
+    const std::string pointer = "/bodies/" + std::to_string(i);
+    const BodyDescription& given = scene.bodies[i];
+    const Result<BodyId> body = built.world.createBody(bodyDefOf(given, i));
+    if (!body.ok()) {
+        error = refusal(pointer, body.status());
+        return false;
+    }
+    built.bodies[i] = body.value();
+    for (std::size_t k = 0; k < given.shapes.size(); ++k) {
+        const Status status = addShape(built.world, body.value(), given.shapes[k], shapeDefOf(given.shapes[k], i, k));
+        if (!status.ok()) {
+            error = refusal(pointer + "/shapes/" + std::to_string(k), status);
             return false;
         }
-        built.bodies.push_back(body.value());
-        for (std::size_t k = 0; k < given.shapes.size(); ++k) {
-            const Status status = addShape(built.world, body.value(), given.shapes[k], shapeDefOf(given.shapes[k], i, k));
-            if (!status.ok()) {
-                error = refusal(pointer + "/shapes/" + std::to_string(k), status);
-                return false;
-            }
-        }
-        // Adding shapes wakes: what the scene lays down asleep goes to sleep when it is complete.
-        if (!given.awake && given.type == SceneBodyType::dynamic) { (void)built.world.setAwake(body.value(), false); }
+    }
+    // Adding shapes wakes: what the scene lays down asleep goes to sleep when it is complete.
+    if (!given.awake && given.type == SceneBodyType::dynamic) { (void)built.world.setAwake(body.value(), false); }
+    return true;
+}
+
+bool buildBodies(const SceneDescription& scene, SceneWorld& built, std::string& error) {
+    built.bodies.resize(scene.bodies.size());
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!buildBody(scene, i, built, error)) { return false; }
     }
     return true;
 }
@@ -312,12 +319,12 @@ Result<JointId> buildJoint(const JointDescription& given, std::size_t index, con
 }
 
 /// Gears come last: their joints may stand behind them in the scene.
-bool buildJoints(const SceneDescription& scene, SceneWorld& built, std::string& error) {
+bool buildJoints(const SceneDescription& scene, std::span<const std::size_t> wanted, SceneWorld& built,
+                 std::string& error) {
     const BodyNames bodies = namesOfBodies(scene, built);
     JointNames joints;
-    built.joints.resize(scene.joints.size());
     for (const bool gears : {false, true}) {
-        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        for (const std::size_t i : wanted) {
             const JointDescription& given = scene.joints[i];
             if (std::holds_alternative<GearDescription>(given.joint) != gears) { continue; }
             const Result<JointId> joint = buildJoint(given, i, bodies, joints, built.world);
@@ -344,7 +351,17 @@ bool buildWorld(const SceneDescription& scene, SceneWorld& built, std::string& e
         error = refusal("/settings", configured);
         return false;
     }
-    return buildBodies(scene, built, error) && buildJoints(scene, built, error);
+    built.joints.resize(scene.joints.size());
+    std::vector<std::size_t> joints(scene.joints.size());
+    std::iota(joints.begin(), joints.end(), std::size_t{0});
+    return buildBodies(scene, built, error) && buildJoints(scene, joints, built, error);
+}
+
+bool rebuildBodies(const SceneDescription& scene, std::span<const std::uint32_t> bodies,
+                   std::span<const std::size_t> joints, SceneWorld& built, std::string& error) {
+    return std::all_of(bodies.begin(), bodies.end(),
+                       [&](std::uint32_t body) { return buildBody(scene, body, built, error); }) &&
+           buildJoints(scene, joints, built, error);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

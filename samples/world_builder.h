@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,10 @@ ShapeOrigin shapeOrigin(std::uint64_t userData);
 
 /// @return whether all of it could be made; else `error` says what was refused, with its JSON pointer.
 bool buildWorld(const SceneDescription& scene, SceneWorld& built, std::string& error);
+
+/// Makes bodies anew that were destroyed since, and joints, by index; no gears on joints that stayed.
+/// @return as of `buildWorld`
+bool rebuildBodies(const SceneDescription& scene, std::span<const std::uint32_t> bodies,
+                   std::span<const std::size_t> joints, SceneWorld& built, std::string& error);
 
 }  // namespace swept::inline SWEPT_PRECISION

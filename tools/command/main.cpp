@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "bench_world.h"
 #include "commands.h"
 #include "options.h"
 #include "scene_source.h"
@@ -17,6 +18,7 @@ void addCommands(swept::Command program) {
     swept::addTuneCommand(program);
     swept::addEnvelopeCommand(program);
     swept::addPeerChildCommand(program);
+    swept::addWorldChildCommand(program);
 }
 
 }  // namespace

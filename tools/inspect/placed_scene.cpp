@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
+#include <unordered_map>
 #include <utility>
 
 #include <swept/samples/scene_geometry.h>
@@ -36,14 +38,12 @@ void placePieces(PlacedScene& placed, PlacedBody& body) {
     }
 }
 
-/// Mass, centre and what depends on them.
-void weigh(PlacedBody& body, const std::vector<PlacedPiece>& pieces) {
+/// Mass, centre and what depends on them. @param pieces  of this body
+void weigh(PlacedBody& body, std::span<const PlacedPiece> pieces) {
     std::vector<MassProperties> parts;
     for (const PlacedPiece& piece : pieces) {
-        if (piece.body == body.index) {
-            const ShapeDescription& shape = body.description->shapes[static_cast<std::size_t>(piece.shape)];
-            parts.push_back(massOf(piece.polygon, shape.density));
-        }
+        const ShapeDescription& shape = body.description->shapes[static_cast<std::size_t>(piece.shape)];
+        parts.push_back(massOf(piece.polygon, shape.density));
     }
     const MassProperties sum = combine(parts);
     Vec2 center{sum.center.x, sum.center.y};
@@ -57,9 +57,7 @@ void weigh(PlacedBody& body, const std::vector<PlacedPiece>& pieces) {
         body.inertia = body.description->inertia.value_or(scaled);
     }
     for (const PlacedPiece& piece : pieces) {
-        if (piece.body == body.index) {
-            body.reach = std::max(body.reach, radiusAbout(piece.polygon, center));
-        }
+        body.reach = std::max(body.reach, radiusAbout(piece.polygon, center));
     }
     body.speed = length(body.description->velocity) + std::fabs(body.description->angularVelocity) * body.reach;
 }
@@ -74,10 +72,14 @@ bool filtersCollide(const FilterDescription& a, const FilterDescription& b) {
 /// Pairs of bodies whose joint keeps them from colliding.
 std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
     std::set<std::pair<int, int>> pairs;
+    std::unordered_map<std::string, int> byName;
+    for (const PlacedBody& body : placed.bodies) {
+        byName.emplace(body.name, body.index);
+    }
     for (const JointDescription& joint : placed.scene->joints) {
         if (!joint.collideConnected) {
-            const int a = bodyNamed(placed, joint.bodyA);
-            const int b = bodyNamed(placed, joint.bodyB);
+            const int a = byName.at(joint.bodyA);
+            const int b = byName.at(joint.bodyB);
             pairs.insert({std::min(a, b), std::max(a, b)});
         }
     }
@@ -123,11 +125,10 @@ PlacedScene place(const SceneDescription& scene) {
         body.description = &scene.bodies[i];
         body.pose = {scene.bodies[i].position, rotationFromAngle(scene.bodies[i].angle)};
         body.center = scene.bodies[i].position;
+        const std::size_t first = placed.pieces.size();
         placePieces(placed, body);
+        weigh(body, std::span<const PlacedPiece>(placed.pieces).subspan(first));
         placed.bodies.push_back(body);
-    }
-    for (PlacedBody& body : placed.bodies) {
-        weigh(body, placed.pieces);
     }
     return placed;
 }

@@ -6,16 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
-#include <swept/samples/scene_reader.h>
-
 #include "../bench/stopwatch.h"
+#include "joint_ends.h"
 
 // The names of this engine's functions are those of C, and so apart from those of Box2D 2.4.1 in the same program.
 
@@ -79,7 +76,21 @@ struct ShapeMaker {
         const b2Polygon polygon = b2MakePolygon(&hull, static_cast<float>(radius));
         b2CreatePolygonShape(body, &definition, &polygon);
     }
-    void operator()(const ChainGeometry&) const { refuse("a chain"); }
+    /// A loop; solid on the left of its direction like ours.
+    void operator()(const ChainGeometry& geometry) const {
+        std::vector<b2Vec2> points;
+        for (const DVec2 point : geometry.points) {
+            points.push_back(toPeer(point));
+        }
+        b2ChainDef chain = b2DefaultChainDef();
+        chain.points = points.data();
+        chain.count = static_cast<int>(points.size());
+        chain.isLoop = true;
+        chain.materials = &definition.material;
+        chain.materialCount = 1;
+        chain.filter = definition.filter;
+        b2CreateChain(body, &chain);
+    }
 
 private:
     void addCapsule(const std::array<DVec2, 2>& points, double thickness) const {
@@ -181,15 +192,24 @@ b2ShapeDef definitionOf(const ShapeDescription& shape) {
 
 class Box2d3World final : public PeerWorld {
 public:
-    Box2d3World(const SceneDescription& scene, const PeerSettings& settings) : scene_(scene), settings_(settings) {
+    Box2d3World(const SceneDescription& scene, const PeerSettings& settings)
+        : scene_(scene),
+          settings_(settings),
+          bodies_(scene.bodies.size(), b2_nullBodyId),
+          angles_(scene.bodies.size()),
+          ends_(jointEndsOf(scene)) {
         b2WorldDef definition = b2DefaultWorldDef();
         definition.gravity = toPeer(scene.gravity);
         definition.enableSleep = scene.settings.sleep;
         definition.enableContinuous = scene.settings.continuous != SceneContinuous::off;
         definition.contactHertz = settings.isStiff != 0 ? kStiffHertz : definition.contactHertz;
         world_ = b2CreateWorld(&definition);
-        addBodies();
-        addJoints();
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            addBody(i);
+        }
+        for (std::size_t i = 0; i < ends_.size(); ++i) {
+            addJoint(i);
+        }
     }
     ~Box2d3World() override { b2DestroyWorld(world_); }
     Box2d3World(const Box2d3World&) = delete;
@@ -198,10 +218,11 @@ public:
     void step() override {
         const bench::Stopwatch watch;
         b2World_Step(world_, static_cast<float>(scene_.settings.dt), settings_.subSteps);
-        seconds_ += watch.seconds();
+        lastSeconds_ = watch.seconds();
+        seconds_ += lastSeconds_;
         ++steps_;
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            angles_[i] = unwrapped(i);
+            angles_[i] = B2_IS_NON_NULL(bodies_[i]) ? unwrapped(i) : 0;
         }
     }
 
@@ -211,35 +232,75 @@ public:
         sample.frame.time = static_cast<double>(steps_) * scene_.settings.dt;
         sample.stepSeconds = seconds_;
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            const b2BodyId body = bodies_[i];
-            const DVec2 velocity = fromPeer(b2Body_GetLinearVelocity(body));
-            const auto omega = static_cast<double>(b2Body_GetAngularVelocity(body));
-            const bool isAwake = b2Body_IsAwake(body) && b2Body_GetType(body) != b2_staticBody;
-            sample.frame.bodies.push_back({fromPeer(b2Body_GetPosition(body)), angles_[i], velocity, omega, isAwake});
-            if (b2Body_GetType(body) == b2_dynamicBody) {
-                addMotion(
-                    {static_cast<double>(b2Body_GetMass(body)), static_cast<double>(b2Body_GetRotationalInertia(body)),
-                     fromPeer(b2Body_GetWorldCenter(body)), velocity, omega,
-                     scene_.bodies[i].gravityScale * scene_.gravity},
-                    sample);
-            }
+            addToSample(i, sample);
         }
         return sample;
     }
 
+    void remove(std::span<const std::uint32_t> bodies) override {
+        for (const std::uint32_t body : bodies) {
+            b2DestroyBody(bodies_[body]);
+            bodies_[body] = b2_nullBodyId;
+        }
+    }
+    void add(std::span<const std::uint32_t> bodies) override {
+        for (const std::uint32_t body : bodies) {
+            addBody(body);
+        }
+        for (const std::size_t joint : jointsOn(ends_, bodies)) {
+            addJoint(joint);
+        }
+    }
+    void setVelocity(std::uint32_t body, DVec2 velocity) override {
+        b2Body_SetLinearVelocity(bodies_[body], toPeer(velocity));
+    }
+
+    double lastStepSeconds() const override { return lastSeconds_; }
+    PeerStages stages() const override {
+        const b2Profile profile = b2World_GetProfile(world_);
+        constexpr double kSecondsPerUnit = 1e-3;
+        const auto seconds = [](float milliseconds) { return kSecondsPerUnit * static_cast<double>(milliseconds); };
+        PeerStages stages;
+        stages.pairs = seconds(profile.pairs);
+        stages.collide = seconds(profile.collide);
+        stages.islands = seconds(profile.solverSetup);
+        stages.solve = seconds(profile.constraints);
+        stages.continuous = seconds(profile.bullets);
+        stages.finish =
+            seconds(profile.step) - stages.pairs - stages.collide - stages.islands - stages.solve - stages.continuous;
+        return stages;
+    }
+
 private:
-    void addBodies() {
-        for (const BodyDescription& description : scene_.bodies) {
-            const b2BodyDef definition = definitionOf(description, scene_.settings);
-            const b2BodyId body = b2CreateBody(world_, &definition);
-            for (const ShapeDescription& shape : description.shapes) {
-                std::visit(ShapeMaker{body, definitionOf(shape), shape.radius}, shape.geometry);
-            }
-            if (description.type == SceneBodyType::dynamic) {
-                setMass(body, description);
-            }
-            bodies_.push_back(body);
-            angles_.push_back(description.angle);
+    void addBody(std::size_t i) {
+        const BodyDescription& description = scene_.bodies[i];
+        const b2BodyDef definition = definitionOf(description, scene_.settings);
+        const b2BodyId body = b2CreateBody(world_, &definition);
+        for (const ShapeDescription& shape : description.shapes) {
+            std::visit(ShapeMaker{body, definitionOf(shape), shape.radius}, shape.geometry);
+        }
+        if (description.type == SceneBodyType::dynamic) {
+            setMass(body, description);
+        }
+        bodies_[i] = body;
+        angles_[i] = description.angle;
+    }
+
+    void addToSample(std::size_t i, PeerSample& sample) const {
+        const b2BodyId body = bodies_[i];
+        if (B2_IS_NULL(body)) {
+            sample.frame.bodies.emplace_back();
+            return;
+        }
+        const DVec2 velocity = fromPeer(b2Body_GetLinearVelocity(body));
+        const auto omega = static_cast<double>(b2Body_GetAngularVelocity(body));
+        const bool isAwake = b2Body_IsAwake(body) && b2Body_GetType(body) != b2_staticBody;
+        sample.frame.bodies.push_back({fromPeer(b2Body_GetPosition(body)), angles_[i], velocity, omega, isAwake});
+        if (b2Body_GetType(body) == b2_dynamicBody) {
+            addMotion({static_cast<double>(b2Body_GetMass(body)),
+                       static_cast<double>(b2Body_GetRotationalInertia(body)), fromPeer(b2Body_GetWorldCenter(body)),
+                       velocity, omega, scene_.bodies[i].gravityScale * scene_.gravity},
+                      sample);
         }
     }
 
@@ -257,16 +318,11 @@ private:
         b2Body_SetMassData(body, data);
     }
 
-    void addJoints() {
-        std::map<std::string, b2BodyId> byName;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            byName[bodyName(scene_, i)] = bodies_[i];
-        }
-        for (const JointDescription& joint : scene_.joints) {
-            std::visit(JointMaker{world_, byName.at(joint.bodyA), byName.at(joint.bodyB), joint.collideConnected,
-                                  settings_.isStiff != 0},
-                       joint.joint);
-        }
+    void addJoint(std::size_t i) {
+        const JointDescription& joint = scene_.joints[i];
+        const JointMaker maker{world_, bodies_[ends_[i].a], bodies_[ends_[i].b], joint.collideConnected,
+                               settings_.isStiff != 0};
+        std::visit(maker, joint.joint);
     }
 
     /// The engine knows angles within a turn only; the nearest to where the body was turning.
@@ -284,8 +340,10 @@ private:
     b2WorldId world_{};
     std::vector<b2BodyId> bodies_;
     std::vector<double> angles_;
+    std::vector<JointEnds> ends_;
     std::int64_t steps_ = 0;
     double seconds_ = 0;
+    double lastSeconds_ = 0;
 };
 
 }  // namespace

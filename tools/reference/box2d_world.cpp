@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <string>
 
 #include <swept/samples/scene_reader.h>
@@ -10,6 +11,7 @@
 #include "body_mass.h"
 #include "box2d_joints.h"
 #include "box2d_shapes.h"
+#include "joint_ends.h"
 
 namespace swept {
 namespace {
@@ -56,10 +58,17 @@ float trueRadius(b2Fixture& fixture) {
 }  // namespace
 
 struct Box2dWorld::Parts {
-    explicit Parts(const SceneDescription& description) : scene(description), world(toBox2d(description.gravity)) {}
+    explicit Parts(const SceneDescription& description)
+        : scene(description),
+          world(toBox2d(description.gravity)),
+          bodies(description.bodies.size()),
+          masses(description.bodies.size()),
+          joints(description.joints.size()),
+          ends(jointEndsOf(description)) {}
 
-    void addBodies();
-    void addJoints();
+    void addBody(std::size_t index);
+    void addJoints(std::span<const std::size_t> wanted);
+    void removeBody(std::size_t index);
     void destroyGearsOn(std::size_t joint);
     void breakJoints();
     void readBodies(PeerSample& sample) const;
@@ -69,51 +78,64 @@ struct Box2dWorld::Parts {
     Box2dFilter filter;
     std::deque<Box2dFixtureNote> notes;
     b2World world;
-    std::vector<b2Body*> bodies;
+    std::vector<b2Body*> bodies;   // null while taken away
     std::vector<BodyMass> masses;  // in double, one for each body
-    std::vector<b2Joint*> joints;  // null once broken
+    std::vector<b2Joint*> joints;  // null once broken, or while a body of it is taken away
+    std::vector<JointEnds> ends;
     std::int64_t steps = 0;
     std::int64_t brokenJoints = 0;
     Box2dIterations iterations;
-    double seconds = 0;  // of processor time in Box2D's step
+    double seconds = 0;  // of processor time in Box2D's steps
+    double lastSeconds = 0;
 };
 
-void Box2dWorld::Parts::addBodies() {
-    for (const BodyDescription& description : scene.bodies) {
-        const b2BodyDef definition = definitionOf(description, scene.settings);
-        b2Body* const body = world.CreateBody(&definition);
-        for (const ShapeDescription& shape : description.shapes) {
-            addFixtures(*body, shape, notes);
-        }
-        const bool isDynamic = description.type == SceneBodyType::dynamic;
-        masses.push_back(isDynamic ? massOfBody(description) : BodyMass{});
-        if (isDynamic) {
-            setMass(*body, masses.back());
-        }
-        // After the mass, which would shift it: the velocity is that of the centre of mass. Setting one wakes the body.
-        if (description.awake) {
-            body->SetLinearVelocity(toBox2d(description.velocity));
-            body->SetAngularVelocity(static_cast<float>(description.angularVelocity));
-        }
-        bodies.push_back(body);
+void Box2dWorld::Parts::addBody(std::size_t index) {
+    const BodyDescription& description = scene.bodies[index];
+    const b2BodyDef definition = definitionOf(description, scene.settings);
+    b2Body* const body = world.CreateBody(&definition);
+    for (const ShapeDescription& shape : description.shapes) {
+        addFixtures(*body, shape, notes);
     }
+    if (description.type == SceneBodyType::dynamic) {
+        masses[index] = massOfBody(description);
+        setMass(*body, masses[index]);
+    }
+    // After the mass, which would shift it: the velocity is that of the centre of mass. Setting one wakes the body.
+    if (description.awake) {
+        body->SetLinearVelocity(toBox2d(description.velocity));
+        body->SetAngularVelocity(static_cast<float>(description.angularVelocity));
+    }
+    bodies[index] = body;
 }
 
-void Box2dWorld::Parts::addJoints() {
+void Box2dWorld::Parts::addJoints(std::span<const std::size_t> wanted) {
     std::map<std::string, b2Body*> byName;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         byName[bodyName(scene, i)] = bodies[i];
     }
     std::map<std::string, b2Joint*> jointByName;
-    joints.resize(scene.joints.size());
     for (const bool gears : {false, true}) {  // gears come last: they name other joints
-        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        for (const std::size_t i : wanted) {
             if (std::holds_alternative<GearDescription>(scene.joints[i].joint) == gears) {
                 joints[i] = addJoint(world, scene.joints[i], byName, jointByName);
                 jointByName.emplace(jointName(scene, i), joints[i]);
             }
         }
     }
+}
+
+/// With its joints.
+void Box2dWorld::Parts::removeBody(std::size_t index) {
+    const auto number = static_cast<std::uint32_t>(index);
+    for (const std::size_t joint : jointsOn(ends, {&number, 1})) {
+        if (joints[joint] != nullptr) {
+            destroyGearsOn(joint);
+            world.DestroyJoint(joints[joint]);
+            joints[joint] = nullptr;
+        }
+    }
+    world.DestroyBody(bodies[index]);
+    bodies[index] = nullptr;
 }
 
 /// A gear must go before its joints.
@@ -142,6 +164,10 @@ void Box2dWorld::Parts::breakJoints() {
 
 void Box2dWorld::Parts::readBodies(PeerSample& sample) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i] == nullptr) {
+            sample.frame.bodies.emplace_back();
+            continue;
+        }
         const b2Body& body = *bodies[i];
         const DVec2 velocity = fromBox2d(body.GetLinearVelocity());
         const auto omega = static_cast<double>(body.GetAngularVelocity());
@@ -179,8 +205,12 @@ Box2dWorld::Box2dWorld(const SceneDescription& scene, const Box2dIterations& ite
     parts_->world.SetContactFilter(&parts_->filter);
     parts_->world.SetAllowSleeping(scene.settings.sleep);
     parts_->world.SetContinuousPhysics(scene.settings.continuous != SceneContinuous::off);
-    parts_->addBodies();
-    parts_->addJoints();
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        parts_->addBody(i);
+    }
+    std::vector<std::size_t> joints(scene.joints.size());
+    std::iota(joints.begin(), joints.end(), std::size_t{0});
+    parts_->addJoints(joints);
 }
 
 Box2dWorld::~Box2dWorld() = default;
@@ -189,10 +219,30 @@ void Box2dWorld::step() {
     const bench::Stopwatch watch;
     parts_->world.Step(static_cast<float>(parts_->scene.settings.dt), parts_->iterations.velocity,
                        parts_->iterations.position);
-    parts_->seconds += watch.seconds();
+    parts_->lastSeconds = watch.seconds();
+    parts_->seconds += parts_->lastSeconds;
     parts_->breakJoints();
     ++parts_->steps;
 }
+
+void Box2dWorld::remove(std::span<const std::uint32_t> bodies) {
+    for (const std::uint32_t body : bodies) {
+        parts_->removeBody(body);
+    }
+}
+
+void Box2dWorld::add(std::span<const std::uint32_t> bodies) {
+    for (const std::uint32_t body : bodies) {
+        parts_->addBody(body);
+    }
+    parts_->addJoints(jointsOn(parts_->ends, bodies));
+}
+
+void Box2dWorld::setVelocity(std::uint32_t body, DVec2 velocity) {
+    parts_->bodies[body]->SetLinearVelocity(toBox2d(velocity));
+}
+
+double Box2dWorld::lastStepSeconds() const { return parts_->lastSeconds; }
 
 PeerSample Box2dWorld::sample() const {
     PeerSample sample;

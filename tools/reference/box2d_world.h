@@ -18,6 +18,10 @@ public:
 
     void step() override;
     PeerSample sample() const override;
+    void remove(std::span<const std::uint32_t> bodies) override;
+    void add(std::span<const std::uint32_t> bodies) override;
+    void setVelocity(std::uint32_t body, DVec2 velocity) override;
+    double lastStepSeconds() const override;
 
 private:
     struct Parts;

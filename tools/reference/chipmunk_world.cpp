@@ -7,15 +7,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <map>
-#include <string>
 #include <variant>
 #include <vector>
 
-#include <swept/samples/scene_reader.h>
-
 #include "../bench/stopwatch.h"
 #include "body_mass.h"
+#include "joint_ends.h"
 
 namespace swept {
 namespace {
@@ -26,37 +23,47 @@ constexpr double kSecondsToSleep = 0.5;
 cpVect toPeer(DVec2 v) { return cpv(v.x, v.y); }
 DVec2 fromPeer(cpVect v) { return {v.x, v.y}; }
 
+/// One shape of the scene is one of Chipmunk's, or as many as a chain has edges.
 struct ShapeMaker {
     cpBody* body;
     double radius;
+    std::vector<cpShape*>& made;
 
-    cpShape* operator()(const BoxGeometry& box) const {
+    void operator()(const BoxGeometry& box) const {
         const DVec2 right{box.half.x * std::cos(box.angle), box.half.x * std::sin(box.angle)};
         const DVec2 up{-box.half.y * std::sin(box.angle), box.half.y * std::cos(box.angle)};
-        return polygon(
+        addPolygon(
             {box.center - right - up, box.center + right - up, box.center + right + up, box.center - right + up});
     }
-    cpShape* operator()(const CircleGeometry& circle) const {
-        return cpCircleShapeNew(body, circle.radius, toPeer(circle.center));
+    void operator()(const CircleGeometry& circle) const {
+        made.push_back(cpCircleShapeNew(body, circle.radius, toPeer(circle.center)));
     }
-    cpShape* operator()(const CapsuleGeometry& capsule) const { return segment(capsule.points, capsule.radius); }
-    cpShape* operator()(const SegmentGeometry& line) const { return segment(line.points, radius); }
-    cpShape* operator()(const PolygonGeometry& geometry) const { return polygon(geometry.points); }
-    cpShape* operator()(const ChainGeometry&) const {
-        std::fputs("a chain", stderr);
-        std::abort();
+    void operator()(const CapsuleGeometry& capsule) const { addSegment(capsule.points, capsule.radius); }
+    void operator()(const SegmentGeometry& line) const { addSegment(line.points, radius); }
+    void operator()(const PolygonGeometry& geometry) const { addPolygon(geometry.points); }
+    void operator()(const ChainGeometry& geometry) const {
+        const std::vector<DVec2>& points = geometry.points;
+        const std::size_t count = points.size();
+        for (std::size_t i = 0; i + (geometry.loop ? 0 : 1) < count; ++i) {
+            addSegment({points[i], points[(i + 1) % count]}, radius);
+            const bool isFirst = !geometry.loop && i == 0;
+            const bool isLast = !geometry.loop && i + 2 == count;
+            cpSegmentShapeSetNeighbors(made.back(), toPeer(points[isFirst ? i : (i + count - 1) % count]),
+                                       toPeer(points[isLast ? i + 1 : (i + 2) % count]));
+        }
     }
 
 private:
-    cpShape* segment(const std::array<DVec2, 2>& points, double thickness) const {
-        return cpSegmentShapeNew(body, toPeer(points[0]), toPeer(points[1]), thickness);
+    void addSegment(const std::array<DVec2, 2>& points, double thickness) const {
+        made.push_back(cpSegmentShapeNew(body, toPeer(points[0]), toPeer(points[1]), thickness));
     }
-    cpShape* polygon(const std::vector<DVec2>& points) const {
+    void addPolygon(const std::vector<DVec2>& points) const {
         std::vector<cpVect> corners;
         for (const DVec2 point : points) {
             corners.push_back(toPeer(point));
         }
-        return cpPolyShapeNew(body, static_cast<int>(corners.size()), corners.data(), cpTransformIdentity, radius);
+        made.push_back(
+            cpPolyShapeNew(body, static_cast<int>(corners.size()), corners.data(), cpTransformIdentity, radius));
     }
 };
 
@@ -125,27 +132,33 @@ void setSurface(cpShape* made, const ShapeDescription& shape) {
 
 class ChipmunkWorld final : public PeerWorld {
 public:
-    ChipmunkWorld(const SceneDescription& scene, const PeerSettings& settings) : scene_(scene), space_(cpSpaceNew()) {
+    ChipmunkWorld(const SceneDescription& scene, const PeerSettings& settings)
+        : scene_(scene),
+          space_(cpSpaceNew()),
+          bodies_(scene.bodies.size()),
+          shapes_(scene.bodies.size()),
+          joints_(scene.joints.size()),
+          ends_(jointEndsOf(scene)) {
         cpSpaceSetGravity(space_, toPeer(scene.gravity));
         cpSpaceSetIterations(space_, settings.solverPasses);
         if (scene.settings.sleep) {
             cpSpaceSetSleepTimeThreshold(space_, kSecondsToSleep);
         }
-        addBodies();
-        addJoints();
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            addBody(i);
+        }
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            addJoint(i);
+        }
     }
     ~ChipmunkWorld() override {
-        for (cpConstraint* const joint : joints_) {
-            cpSpaceRemoveConstraint(space_, joint);
-            cpConstraintFree(joint);
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            removeJoint(i);
         }
-        for (cpShape* const shape : shapes_) {
-            cpSpaceRemoveShape(space_, shape);
-            cpShapeFree(shape);
-        }
-        for (cpBody* const body : bodies_) {
-            cpSpaceRemoveBody(space_, body);
-            cpBodyFree(body);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            if (bodies_[i] != nullptr) {
+                removeBody(i);
+            }
         }
         cpSpaceFree(space_);
     }
@@ -155,7 +168,8 @@ public:
     void step() override {
         const bench::Stopwatch watch;
         cpSpaceStep(space_, scene_.settings.dt);
-        seconds_ += watch.seconds();
+        lastSeconds_ = watch.seconds();
+        seconds_ += lastSeconds_;
         ++steps_;
     }
 
@@ -165,66 +179,111 @@ public:
         sample.frame.time = static_cast<double>(steps_) * scene_.settings.dt;
         sample.stepSeconds = seconds_;
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            const cpBody* const body = bodies_[i];
-            const DVec2 velocity = fromPeer(cpBodyGetVelocity(body));
-            const double omega = cpBodyGetAngularVelocity(body);
-            const bool isDynamic = scene_.bodies[i].type == SceneBodyType::dynamic;
-            const bool isAwake = scene_.bodies[i].type != SceneBodyType::fixed && cpBodyIsSleeping(body) == cpFalse;
-            sample.frame.bodies.push_back(
-                {fromPeer(cpBodyGetPosition(body)), cpBodyGetAngle(body), velocity, omega, isAwake});
-            if (isDynamic) {
-                const double inertia = scene_.bodies[i].fixedRotation ? 0 : cpBodyGetMoment(body);
-                const cpVect center = cpBodyLocalToWorld(body, cpBodyGetCenterOfGravity(body));
-                addMotion({cpBodyGetMass(body), inertia, fromPeer(center), velocity, omega, scene_.gravity}, sample);
-            }
+            addToSample(i, sample);
         }
         return sample;
     }
 
+    void remove(std::span<const std::uint32_t> bodies) override {
+        for (const std::size_t joint : jointsOn(ends_, bodies)) {
+            removeJoint(joint);
+        }
+        for (const std::uint32_t body : bodies) {
+            removeBody(body);
+        }
+    }
+    void add(std::span<const std::uint32_t> bodies) override {
+        for (const std::uint32_t body : bodies) {
+            addBody(body);
+        }
+        for (const std::size_t joint : jointsOn(ends_, bodies)) {
+            addJoint(joint);
+        }
+    }
+    void setVelocity(std::uint32_t body, DVec2 velocity) override {
+        cpBodySetVelocity(bodies_[body], toPeer(velocity));
+    }
+    double lastStepSeconds() const override { return lastSeconds_; }
+
 private:
-    void addBodies() {
-        for (const BodyDescription& description : scene_.bodies) {
-            BodyMass mass;
-            if (description.type == SceneBodyType::dynamic) {
-                mass = massOfBody(description);
-                mass.inertia = description.fixedRotation ? kNone : mass.inertia;
+    void addBody(std::size_t i) {
+        const BodyDescription& description = scene_.bodies[i];
+        BodyMass mass;
+        if (description.type == SceneBodyType::dynamic) {
+            mass = massOfBody(description);
+            mass.inertia = description.fixedRotation ? kNone : mass.inertia;
+        }
+        cpBody* const body = cpSpaceAddBody(space_, makeBody(description, mass));
+        for (const ShapeDescription& shape : description.shapes) {
+            const std::size_t first = shapes_[i].size();
+            std::visit(ShapeMaker{body, shape.radius, shapes_[i]}, shape.geometry);
+            for (std::size_t k = first; k < shapes_[i].size(); ++k) {
+                setSurface(shapes_[i][k], shape);
+                cpSpaceAddShape(space_, shapes_[i][k]);
             }
-            cpBody* const body = cpSpaceAddBody(space_, makeBody(description, mass));
-            for (const ShapeDescription& shape : description.shapes) {
-                cpShape* const made = std::visit(ShapeMaker{body, shape.radius}, shape.geometry);
-                setSurface(made, shape);
-                shapes_.push_back(cpSpaceAddShape(space_, made));
-            }
-            if (description.type != SceneBodyType::fixed) {
-                cpBodySetVelocity(body, toPeer(description.velocity));
-                cpBodySetAngularVelocity(body, description.angularVelocity);
-            }
-            bodies_.push_back(body);
+        }
+        if (description.type != SceneBodyType::fixed) {
+            cpBodySetVelocity(body, toPeer(description.velocity));
+            cpBodySetAngularVelocity(body, description.angularVelocity);
+        }
+        bodies_[i] = body;
+    }
+
+    void removeBody(std::size_t i) {
+        for (cpShape* const shape : shapes_[i]) {
+            cpSpaceRemoveShape(space_, shape);
+            cpShapeFree(shape);
+        }
+        shapes_[i].clear();
+        cpSpaceRemoveBody(space_, bodies_[i]);
+        cpBodyFree(bodies_[i]);
+        bodies_[i] = nullptr;
+    }
+
+    void addJoint(std::size_t i) {
+        const JointDescription& joint = scene_.joints[i];
+        std::visit(JointMaker{bodies_[ends_[i].a], bodies_[ends_[i].b], joints_[i]}, joint.joint);
+        for (cpConstraint* const constraint : joints_[i]) {
+            cpConstraintSetCollideBodies(constraint, joint.collideConnected ? cpTrue : cpFalse);
+            cpSpaceAddConstraint(space_, constraint);
         }
     }
 
-    void addJoints() {
-        std::map<std::string, cpBody*> byName;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            byName[bodyName(scene_, i)] = bodies_[i];
+    void removeJoint(std::size_t i) {
+        for (cpConstraint* const constraint : joints_[i]) {
+            cpSpaceRemoveConstraint(space_, constraint);
+            cpConstraintFree(constraint);
         }
-        for (const JointDescription& joint : scene_.joints) {
-            std::vector<cpConstraint*> made;
-            std::visit(JointMaker{byName.at(joint.bodyA), byName.at(joint.bodyB), made}, joint.joint);
-            for (cpConstraint* const constraint : made) {
-                cpConstraintSetCollideBodies(constraint, joint.collideConnected ? cpTrue : cpFalse);
-                joints_.push_back(cpSpaceAddConstraint(space_, constraint));
-            }
+        joints_[i].clear();
+    }
+
+    void addToSample(std::size_t i, PeerSample& sample) const {
+        const cpBody* const body = bodies_[i];
+        if (body == nullptr) {
+            sample.frame.bodies.emplace_back();
+            return;
+        }
+        const DVec2 velocity = fromPeer(cpBodyGetVelocity(body));
+        const double omega = cpBodyGetAngularVelocity(body);
+        const bool isAwake = scene_.bodies[i].type != SceneBodyType::fixed && cpBodyIsSleeping(body) == cpFalse;
+        sample.frame.bodies.push_back(
+            {fromPeer(cpBodyGetPosition(body)), cpBodyGetAngle(body), velocity, omega, isAwake});
+        if (scene_.bodies[i].type == SceneBodyType::dynamic) {
+            const double inertia = scene_.bodies[i].fixedRotation ? 0 : cpBodyGetMoment(body);
+            const cpVect center = cpBodyLocalToWorld(body, cpBodyGetCenterOfGravity(body));
+            addMotion({cpBodyGetMass(body), inertia, fromPeer(center), velocity, omega, scene_.gravity}, sample);
         }
     }
 
     const SceneDescription& scene_;
     cpSpace* space_;
-    std::vector<cpBody*> bodies_;
-    std::vector<cpShape*> shapes_;
-    std::vector<cpConstraint*> joints_;
+    std::vector<cpBody*> bodies_;                // null while taken away
+    std::vector<std::vector<cpShape*>> shapes_;  // by body
+    std::vector<std::vector<cpConstraint*>> joints_;
+    std::vector<JointEnds> ends_;
     std::int64_t steps_ = 0;
     double seconds_ = 0;
+    double lastSeconds_ = 0;
 };
 
 }  // namespace

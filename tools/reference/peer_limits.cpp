@@ -7,17 +7,16 @@
 namespace swept {
 namespace {
 
-template <class Kind>
-bool isA(const ShapeDescription& shape) {
-    return std::holds_alternative<Kind>(shape.geometry);
-}
-
 /// Corners that a polygon of Box2D 3 may have.
 constexpr std::size_t kBox2d3Corners = 8;
+/// Points that a loop of Box2D 3 must have.
+constexpr std::size_t kBox2d3ChainPoints = 4;
 
 std::string lackOfShape(PeerEngine engine, const ShapeDescription& shape) {
-    if (isA<ChainGeometry>(shape)) {
-        return "chains";
+    const auto* const chain = std::get_if<ChainGeometry>(&shape.geometry);
+    if (engine == PeerEngine::box2d3 && chain != nullptr &&
+        (!chain->loop || chain->points.size() < kBox2d3ChainPoints || shape.radius > 0)) {
+        return "chains but thin loops of four points or more";
     }
     const auto* const polygon = std::get_if<PolygonGeometry>(&shape.geometry);
     if (engine == PeerEngine::box2d3 && polygon != nullptr && polygon->points.size() > kBox2d3Corners) {
@@ -70,6 +69,7 @@ const std::vector<std::string> kChipmunkWays{
     "There are no sub-steps: one step with ten iterations unless said.",
     "Shapes may overlap by 0.1 m before they are pushed apart, the engine's default.",
     "Friction and restitution of a pair are products: each shape has the root of its own.",
+    "Edges of a chain collide on both sides.",
     "The continuous mode, bullets and profile are ignored."};
 
 }  // namespace

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "run_program.h"
+#include "scratch_directory.h"
+
+namespace swept {
+namespace {
+
+/// Records of a CSV file without quoted fields.
+std::vector<std::vector<std::string>> recordsOf(const std::string& csv) {
+    std::vector<std::vector<std::string>> records;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string>& record = records.emplace_back();
+        std::istringstream fields(line);
+        for (std::string field; std::getline(fields, field, ',');) {
+            record.push_back(field);
+        }
+    }
+    return records;
+}
+
+double numberIn(const std::vector<std::vector<std::string>>& records, std::size_t record, const char* column) {
+    const auto found = std::find(records[0].begin(), records[0].end(), column);
+    return std::stod(records[record].at(static_cast<std::size_t>(found - records[0].begin())));
+}
+
+TEST(CommandBenchWorld, EveryEnginePlaysCratesAtRest) {
+    const ScratchDirectory scratch;
+    const auto result = runSwept({"bench", "world", "--scenes", "crates", "--size", "0.02", "--steps", "5", "--repeats",
+                                  "2", "--csv", scratch.path("world.csv")});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.out.find("Milliseconds a step"), std::string::npos) << result.out;
+    const auto records = recordsOf(scratch.read("world.csv"));
+    EXPECT_GE(records.size(), 6U) << "four of ours and Box2D 2.4.1 at least";
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        EXPECT_EQ(numberIn(records, i, "steps"), 5) << result.out;
+        EXPECT_GT(numberIn(records, i, "secondsPerStep"), 0) << records[i][1];
+        // Ten crates of a metre and a kilogram on each other, at rest: their energy is that of their heights.
+        EXPECT_NEAR(numberIn(records, i, "startEnergy"), 10 * 10 * 5.0, 1) << records[i][1];
+        EXPECT_NEAR(numberIn(records, i, "endEnergy"), 10 * 10 * 5.0, 20) << records[i][1];
+    }
+}
+
+TEST(CommandBenchWorld, RagdollsThatAppearLieOnTheirTiles) {
+    const ScratchDirectory scratch;
+    const auto result =
+        runSwept({"bench", "world", "--scenes", "rain", "--size", "0.025", "--steps", "3", "--repeats", "1",
+                  "--engines", "fast f32,Box2D 2.4.1,Chipmunk 7", "--csv", scratch.path("world.csv")});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const auto records = recordsOf(scratch.read("world.csv"));
+    ASSERT_GE(records.size(), 3U);
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        if (numberIn(records, i, "steps") == 0) {
+            EXPECT_EQ(records[i][1], "Chipmunk 7") << "refuses ragdolls, the others do not: " << result.out;
+            continue;
+        }
+        EXPECT_GT(numberIn(records, i, "deepest"), 0) << records[i][1] << " has nothing lie on anything";
+        EXPECT_LT(numberIn(records, i, "deepest"), 0.05) << records[i][1];
+        EXPECT_LT(numberIn(records, i, "jointGap"), 0.1) << records[i][1];
+    }
+}
+
+TEST(CommandBenchWorld, WhatTakesTooLongIsStopped) {
+    const auto result =
+        runSwept({"bench", "world", "--scenes", "crates", "--seconds", "0", "--engines", "fast f32", "--repeats", "1"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.out.find("stopped"), std::string::npos) << result.out;
+}
+
+TEST(CommandBenchWorld, RefusesWhatItCannotDo) {
+    const std::vector<std::vector<std::string>> wrong = {
+        {"bench", "world", "--scenes", "elsewhere"},
+        {"bench", "world", "--engines", "steam"},
+        {"bench", "world", "--size", "0"},
+        {"bench", "world", "--growth", "1000", "--size", "0.5"},
+        {"bench", "world", "--csv", "no/such/directory/world.csv"},
+    };
+    for (const std::vector<std::string>& arguments : wrong) {
+        const auto result = runSwept(arguments);
+        EXPECT_EQ(result.exitCode, 2) << arguments.back();
+        EXPECT_EQ(result.out, "") << arguments.back();
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+}
+
+}  // namespace
+}  // namespace swept

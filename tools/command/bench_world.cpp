@@ -1,0 +1,133 @@
+#include "bench_world.h"
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "../worlds/world_bench.h"
+#include "../worlds/world_child.h"
+#include "../worlds/world_table.h"
+#include "bench_run.h"
+#include "commands.h"
+#include "progress.h"
+
+namespace swept {
+namespace {
+
+struct WorldArguments {
+    worlds::WorldBenchSettings settings;
+    int maxBodies = 0;
+    BenchPlaces places;
+};
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> names;
+    for (const worlds::SceneEntry& entry : worlds::allScenes()) {
+        names.emplace_back(entry.name);
+    }
+    return names;
+}
+
+std::vector<std::string> engineNames() {
+    std::vector<std::string> names;
+    for (const worlds::Contestant& contestant : worlds::allContestants()) {
+        names.push_back(contestant.name);
+    }
+    return names;
+}
+
+std::vector<worlds::WorldRow> measureScenes(const worlds::WorldBenchSettings& settings) {
+    const std::size_t contestants = settings.engines.empty() ? engineNames().size() : settings.engines.size();
+    const std::size_t scenes = settings.scenes.empty() ? sceneNames().size() : settings.scenes.size();
+    Progress progress("bench", static_cast<std::int64_t>(scenes * contestants));
+    return worlds::benchWorlds(settings, [&](const std::vector<worlds::WorldRow>& rows) {
+        progress.update(static_cast<std::int64_t>(rows.size()));
+    });
+}
+
+/// A resting scene and a moving one, a hundred bodies to `maxBodies` in powers of ten.
+std::vector<worlds::WorldRow> measureGrowth(const WorldArguments& arguments) {
+    std::vector<worlds::WorldRow> rows;
+    for (const char* const name : {"many-pyramids", "junkyard"}) {
+        const worlds::SceneEntry& entry = *worlds::sceneNamed(name);
+        const auto published = static_cast<double>(entry.make(1).scene.bodies.size());
+        for (int bodies = 100; bodies <= arguments.maxBodies; bodies *= 10) {
+            worlds::WorldBenchSettings settings = arguments.settings;
+            settings.size = bodies / published;
+            for (worlds::WorldRow& row : worlds::benchScene(entry, settings)) {
+                rows.push_back(std::move(row));
+            }
+        }
+    }
+    return rows;
+}
+
+int measureWorld(const WorldArguments& arguments) {
+    std::vector<worlds::WorldRow> rows;
+    std::vector<worlds::WorldRow> growth;
+    const worlds::WorldBenchSettings& settings = arguments.settings;
+    return runBench(
+        arguments.places,
+        {.title = "bench world: one thread, 60 Hz, each engine with its defaults and in a process of its own; in turns "
+                  "of 20 steps, "
+                  "of each step the fastest of " +
+                  std::to_string(settings.repeats),
+         .measure =
+             [&] {
+                 if (arguments.maxBodies > 0) {
+                     growth = measureGrowth(arguments);
+                     worlds::writeGrowthTable(std::cout, growth);
+                 } else {
+                     rows = measureScenes(settings);
+                     worlds::writeWorldTables(std::cout, rows);
+                 }
+             },
+         .writeCsv = [&](std::ostream& csv) { worlds::writeWorldCsv(csv, arguments.maxBodies > 0 ? growth : rows); },
+         .writeOther = {},
+         .plot = [&](const std::string& directory,
+                     std::string& error) { return worlds::plotWorlds(directory, rows, growth, error); }});
+}
+
+}  // namespace
+
+void addBenchWorld(Command bench) {
+    const Command command = bench.command("world", "Large scenes in every engine: time, stages, memory, outcome");
+    const auto arguments = std::make_shared<WorldArguments>();
+    worlds::WorldBenchSettings& settings = arguments->settings;
+    const Option scenes = command.option("--scenes", settings.scenes, "Only these scenes, separated by commas")
+                              .type("NAME,...")
+                              .separatedBy(',')
+                              .oneOf(sceneNames());
+    command.option("--engines", settings.engines, "Only these engines, separated by commas")
+        .type("NAME,...")
+        .separatedBy(',')
+        .oneOf(engineNames());
+    command.option("--steps", settings.steps, "Steps that are timed, once a scene is what it is about [60]")
+        .type("N")
+        .within(1, 100'000);
+    command.flag("--full", settings.full, "Instead: from the first step, as many as the published benchmark has");
+    const Option size = command.option("--size", settings.size, "Of the number of moving bodies, 1 as published [1]")
+                            .type("X")
+                            .withinReals(1e-4, 100);
+    command.option("--repeats", settings.repeats, "Runs of each [3]").type("N").within(1, 100);
+    command.option("--seconds", settings.seconds, "Processor time after which an engine is stopped in a scene [10]")
+        .type("S")
+        .withinReals(0, 100'000);
+    command.option("--growth", arguments->maxBodies, "Instead: cost of a body in worlds of a hundred to N bodies")
+        .type("N")
+        .within(100, 1'000'000)
+        .excludes(scenes)
+        .excludes(size);
+    command.option("--csv", arguments->places.csv, "Write a record for each engine and scene").type("FILE");
+    command
+        .option("--plots", arguments->places.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
+        .type("DIR");
+    command.runs([arguments] { return measureWorld(*arguments); });
+}
+
+void addWorldChildCommand(Command app) {
+    const Command command = app.command(worlds::kWorldChildCommand, "");
+    command.runs([] { return worlds::runWorldChild(); });
+}
+
+}  // namespace swept

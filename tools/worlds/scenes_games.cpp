@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <swept/samples/scene_builder.h>
+
+#include "bench_scene.h"
+
+namespace swept::worlds {
+namespace {
+
+BenchScene crates(const char* name, double size, bool sleep) {
+    constexpr int kHigh = 10;
+    const int stacks = scaledCount(50, size);
+    BenchScene bench = emptyBench(name, sleep ? 150 : 30, 300);
+    bench.scene.settings.sleep = sleep;
+    build::addFixed(bench.scene, "ground", {0, -1}, {build::box({2.0 * stacks, 1})});
+    for (int i = 0; i < stacks; ++i) {
+        for (int j = 0; j < kHigh; ++j) {
+            build::addDynamic(bench.scene, "", {2.0 * i - stacks, j + 0.5}, {build::box({0.5, 0.5})});
+        }
+    }
+    return bench;
+}
+
+}  // namespace
+
+BenchScene makeCrates(double size) { return crates("crates", size, false); }
+BenchScene makeCratesAsleep(double size) { return crates("crates-asleep", size, true); }
+
+/// Ground of tiles with a step every ten, above it platforms that go to and fro, three riders on each.
+BenchScene makePlatformer(double size) {
+    constexpr int kTilesPerMover = 20;
+    const int movers = scaledCount(20, size);
+    BenchScene bench = emptyBench("platformer", 60, 600);
+    for (int i = 0; i < movers * kTilesPerMover; ++i) {
+        const double high = i / 10 % 2 == 0 ? 0 : 1;
+        build::addFixed(bench.scene, "", {static_cast<double>(i), high}, {build::box({0.5, 0.5})});
+    }
+    std::vector<std::uint32_t> platforms;
+    for (int i = 0; i < movers; ++i) {
+        const double x = kTilesPerMover * (i + 0.5);
+        platforms.push_back(static_cast<std::uint32_t>(bench.scene.bodies.size()));
+        build::addKinematic(bench.scene, "", {x, 5}, {build::box({3, 0.25})});
+        build::addDynamic(bench.scene, "", {x - 1.5, 6}, {build::box({0.5, 0.5})});
+        build::addDynamic(bench.scene, "", {x, 6}, {build::circle(0.4)});
+        build::addDynamic(bench.scene, "", {x + 1.5, 6.25}, {build::capsule({0, -0.4}, {0, 0.4}, 0.35)}).fixedRotation =
+            true;
+    }
+    bench.script = [platforms](std::int64_t step) {
+        constexpr double kPeriod = 240;  // steps
+        SceneChange change;
+        for (std::size_t i = 0; i < platforms.size(); ++i) {
+            const double phase =
+                2 * std::numbers::pi * (static_cast<double>(step) / kPeriod + static_cast<double>(i) / 7);
+            change.pushed.push_back({platforms[i], {2.5 * std::cos(phase), i % 2 == 0 ? 0 : 1.5 * std::sin(phase)}});
+        }
+        return change;
+    };
+    return bench;
+}
+
+/// Bullets pass each other and bounce off walls and posts for ever.
+BenchScene makeBulletHell(double size) {
+    constexpr double kHalf = 50;
+    constexpr std::uint32_t kWall = 1;
+    constexpr std::uint32_t kBullet = 2;
+    constexpr double kRadius = 0.1;
+    const int count = scaledCount(5000, size);
+    BenchScene bench = emptyBench("bullet-hell", 30, 300);
+    bench.scene.gravity = {0, 0};
+    std::vector<ShapeDescription> walls;
+    for (const double side : {-kHalf, kHalf}) {
+        walls.push_back(build::box({0.5, kHalf}, {side, 0}));
+        walls.push_back(build::box({kHalf, 0.5}, {0, side}));
+    }
+    for (int i = 0; i < 10; ++i) {
+        for (int j = 0; j < 10; ++j) {
+            walls.push_back(build::box({0.5, 0.5}, {9.0 * i - 40.5, 9.0 * j - 40.5}, 0.3 * (i + j)));
+        }
+    }
+    for (ShapeDescription& wall : walls) {
+        wall = build::withFriction(build::withRestitution(wall, 1), 0);
+        wall.filter.category = kWall;
+    }
+    build::addFixed(bench.scene, "walls", {0, 0}, std::move(walls));
+    build::Dice dice(5);
+    for (int i = 0; i < count; ++i) {
+        ShapeDescription bullet = build::withFriction(build::withRestitution(build::circle(kRadius), 1), 0);
+        bullet.filter = {kBullet, kWall, 0};
+        // In the lanes between the posts.
+        const double lane = 9 * std::floor(dice.range(0, 9)) - 36;
+        const double along = dice.range(-kHalf + 2, kHalf - 2);
+        const double across = lane + dice.range(-2, 2);
+        const double speed = dice.range(5, 20);
+        const double angle = dice.range(0, 2 * std::numbers::pi);
+        BodyDescription& body =
+            build::addDynamic(bench.scene, "", i % 2 == 0 ? DVec2{along, across} : DVec2{across, along}, {bullet});
+        body.velocity = {speed * std::cos(angle), speed * std::sin(angle)};
+    }
+    return bench;
+}
+
+}  // namespace swept::worlds
