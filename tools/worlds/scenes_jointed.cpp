@@ -117,7 +117,8 @@ BenchScene makeRain(double size) {
     constexpr int kDelay = 8;     // steps between columns
     constexpr int kColumns = 40;  // of turns: a smaller scene leaves the rest of them out
     const int columns = scaledCount(kColumns, size);
-    BenchScene bench = emptyBench("rain", 330, 1000);
+    // Until the first column falls anew; where that is nearly all there is, before it does.
+    BenchScene bench = emptyBench("rain", columns < kColumns ? 300 : 330, 1000);
     std::vector<ShapeDescription> tiles;
     for (int row = 0; row < kRows; ++row) {
         for (int i = 0; i <= kTiles; ++i) {
