@@ -10,8 +10,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Contacts per task: enough work to pay for handing it over.
-constexpr std::size_t kContactGrain = 64;
+/// Contacts per block: enough work, some microseconds, to pay for handing it over.
+constexpr std::size_t kContactGrain = 32;
 
 bool isMoving(const WorldState& world, const Contact& contact) {
     return world.bodies[contact.bodyA].awake || world.bodies[contact.bodyB].awake;
@@ -162,7 +162,7 @@ void countAhead(WorldState& world) {
 }  // namespace
 
 void collideContacts(WorldState& world) {
-    world.tasks->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
+    world.loops->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
     });
     dropGhosts(world, world.contacts, world.awake);

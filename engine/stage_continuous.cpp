@@ -9,8 +9,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Bodies per task: one sweep is work enough.
-constexpr std::size_t kFlyerGrain = 4;
+/// Bodies per block: one sweep is work enough.
+constexpr std::size_t kFlyerGrain = 2;
 
 /// What is fast, or was flung: the solver moved it as far as only a fast body may, since something hit it within the step.
 bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
@@ -60,9 +60,9 @@ void sweepFastBodies(WorldState& world, double dt) {
     }
     if (world.flyers.empty() && !world.fastIslands.any && world.bullets == 0) { return; }
     world.counters.sweeps += world.flyers.size();
-    const auto workers = static_cast<std::size_t>(world.tasks->workerCount());
+    const auto workers = static_cast<std::size_t>(world.loops->workerCount());
     world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
-    world.tasks->run(world.flyers.size(), kFlyerGrain, [&](std::size_t begin, std::size_t end, int worker) {
+    world.loops->run(world.flyers.size(), kFlyerGrain, [&](std::size_t begin, std::size_t end, int worker) {
         FlightScratch& scratch = world.flightScratch[static_cast<std::size_t>(worker)];
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t slot = world.flyers[i];

@@ -9,6 +9,9 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Bodies per block whose boxes are compared.
+constexpr std::size_t kProxyGrain = 64;
+
 /// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
 double restTimeOf(const WorldState& world, const Body& body) {
     const auto gravity = static_cast<double>(length(world.settings.gravity));
@@ -153,8 +156,19 @@ void mergeChainEvents(WorldState& world) {
 
 }  // namespace
 
+/// Few boxes are outgrown in a step, but all are looked at.
 void moveProxies(WorldState& world) {
-    for (const std::uint32_t slot : world.awake) { updateProxies(world, slot, false); }
+    if (world.loops->workerCount() <= 1) {
+        for (const std::uint32_t slot : world.awake) { updateProxies(world, slot, false); }
+        return;
+    }
+    world.outgrew.resize(world.awake.size());
+    world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { world.outgrew[i] = hasOutgrownProxy(world, world.awake[i]) ? 1 : 0; }
+    });
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        if (world.outgrew[i] != 0) { updateProxies(world, world.awake[i], false); }
+    }
 }
 
 void breakJoints(WorldState& world) {

@@ -5,6 +5,7 @@
 
 #include "modes.h"
 #include "number_range.h"
+#include "shared_step.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -148,6 +149,7 @@ Status World::step(double dt) {
     if (!isInRange(1 / dt)) { return {StatusCode::outOfRange, "dt"}; }
     if (world.masslessBodies > 0) { return {StatusCode::missingMass, "body"}; }
     const std::uint64_t wokenBetween = world.counters.wokeUp - world.wokenBySteps;
+    const StepCounters last = world.counters;
     world.counters = {};
     world.counters.wokeUp = wokenBetween;
     const auto reported = static_cast<std::ptrdiff_t>(world.eventsOfStep);
@@ -155,7 +157,7 @@ Status World::step(double dt) {
     world.jointBreaks.clear();
     world.lostTime.clear();
     world.impactPoses.clear();
-    advance(world, dt);
+    shareStep(world, last, [&world, dt] { advance(world, dt); });
     world.wokenBySteps = world.counters.wokeUp;
     world.eventsOfStep = world.contactEvents.size();
     return Status::success();

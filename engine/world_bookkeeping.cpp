@@ -185,6 +185,14 @@ Aabb fattened(const WorldState& world, const Shape& shape, const Aabb& needed) {
 
 Aabb fatBox(const WorldState& world, const Shape& shape) { return fattened(world, shape, neededBox(world, shape)); }
 
+bool hasOutgrownProxy(const WorldState& world, std::uint32_t body) {
+    const std::vector<std::uint32_t>& shapes = world.bodies[body].shapes;
+    return std::any_of(shapes.begin(), shapes.end(), [&world](std::uint32_t slot) {
+        const Shape& shape = world.shapes[slot];
+        return !contains(world.broadphase->box(shape.proxy), neededBox(world, shape));
+    });
+}
+
 void updateProxies(WorldState& world, std::uint32_t body, bool always) {
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];

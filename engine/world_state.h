@@ -9,6 +9,7 @@
 #include "body.h"
 #include "bullet_work.h"
 #include "contact.h"
+#include "crew.h"
 #include "effort_budget.h"
 #include "fast_islands.h"
 #include "flight.h"
@@ -53,7 +54,9 @@ struct SensorSweeps {
 struct WorldState {
     WorldSettings settings;
     SerialTaskSystem serialTasks;
-    TaskSystem* tasks = &serialTasks;
+    TaskSystem* tasks = &serialTasks;  ///< of the user
+    Crew crew;
+    TaskSystem* loops = &serialTasks;  ///< where the parallel loops of the present step run
 
     SlotPool<Body, BodyId> bodies;
     std::vector<BodyMotion> motions;  ///< by body slot
@@ -88,6 +91,7 @@ struct WorldState {
     std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
+    std::vector<std::uint8_t> outgrew;         ///< by place in `awake`: a box no longer holds its shape
     std::vector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     bool watched = false;       ///< this step: some body has such a mode (modes.h)
@@ -132,6 +136,8 @@ void updatePose(WorldState& world, std::uint32_t body);
 /// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
 Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
+/// Whether some box is too small for where its shape may be next.
+bool hasOutgrownProxy(const WorldState& world, std::uint32_t body);
 /// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are
 /// found anew (teleports).
 void updateProxies(WorldState& world, std::uint32_t body, bool always);

@@ -32,6 +32,8 @@ public:
     }
 
     int workerCount() const override { return workers_; }
+    /// So little that even the smallest world is handed over.
+    double startSeconds() const override { return 1e-12; }
 
     void run(std::size_t count, std::size_t grain,
              FunctionRef<void(std::size_t, std::size_t, int)> body) override {

@@ -1,0 +1,130 @@
+#include "crew.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// A ticket: the number of the loop in the upper half, then the first free block and the end of the free ones.
+constexpr int kLoopShift = 32;
+constexpr int kFrontShift = 16;
+constexpr std::uint64_t kBlockMask = 0xFFFF;
+constexpr std::size_t kMostBlocks = 4096;
+/// Loops are counted from 1 on; this one never comes.
+constexpr std::uint64_t kOver = ~std::uint64_t{0};
+
+constexpr std::uint64_t frontOf(std::uint64_t ticket) { return (ticket >> kFrontShift) & kBlockMask; }
+constexpr std::uint64_t endOf(std::uint64_t ticket) { return ticket & kBlockMask; }
+constexpr bool hasBlock(std::uint64_t ticket) { return frontOf(ticket) < endOf(ticket); }
+
+/// Tells the processor that this thread waits.
+inline void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
+}
+
+/// Waits a little longer from call to call: a pause takes some 40 ns. The longest wait without leaving the processor to
+/// others is below what a switch of threads costs.
+class Patience {
+public:
+    void wait() {
+        if (waits_ < kMostPauses) {
+            ++waits_;
+            pause();
+        } else {
+            std::this_thread::yield();
+        }
+    }
+    void renew() { waits_ = 0; }
+
+private:
+    static constexpr int kMostPauses = 256;
+    int waits_ = 0;
+};
+
+}  // namespace
+
+/// From the front or from the back: so two workers keep to the same ends of loops that follow each other, and find the
+/// bodies that they had in their own caches.
+bool Crew::takeBlock(std::uint64_t ticket, bool fromFront, int worker) {
+    while (hasBlock(ticket)) {
+        const std::uint64_t rest = fromFront ? ticket + (std::uint64_t{1} << kFrontShift) : ticket - 1;
+        if (!ticket_.compare_exchange_weak(ticket, rest, std::memory_order_acq_rel, std::memory_order_acquire)) {
+            continue;
+        }
+        // The loop cannot end before this block is done, so its description stays.
+        const std::size_t block = fromFront ? frontOf(ticket) : endOf(ticket) - 1;
+        const std::size_t begin = block * blockLength_;
+        (*body_)(begin, std::min(begin + blockLength_, count_), worker);
+        done_.fetch_add(1, std::memory_order_release);
+        return true;
+    }
+    return false;
+}
+
+void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t, int)> body) {
+    if (count == 0) {
+        return;
+    }
+    const std::size_t length = std::max({grain, (count - 1) / kMostBlocks + 1, std::size_t{1}});
+    const std::size_t blocks = (count - 1) / length + 1;
+    if (blocks < 2 || helpers_.load(std::memory_order_relaxed) == 0) {
+        body(0, count, leader_);
+        return;
+    }
+    body_ = &body;
+    count_ = count;
+    blockLength_ = length;
+    done_.store(0, std::memory_order_relaxed);
+    const std::uint64_t loop = (ticket_.load(std::memory_order_relaxed) >> kLoopShift) + 1;
+    ticket_.store((loop << kLoopShift) | blocks, std::memory_order_release);
+    while (takeBlock(ticket_.load(std::memory_order_relaxed), true, leader_)) {
+    }
+    Patience patience;
+    while (done_.load(std::memory_order_acquire) != blocks) {
+        patience.wait();
+    }
+}
+
+void Crew::help(int worker) {
+    const bool fromFront = helpers_.fetch_add(1, std::memory_order_relaxed) % 2 != 0;
+    Patience patience;
+    for (;;) {
+        const std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
+        if (ticket == kOver) {
+            return;
+        }
+        if (takeBlock(ticket, fromFront, worker)) {
+            patience.renew();
+        } else {
+            patience.wait();
+        }
+    }
+}
+
+void Crew::lead(TaskSystem& tasks, FunctionRef<void()> work) {
+    workers_ = std::max(tasks.workerCount(), 1);
+    ticket_.store(0, std::memory_order_relaxed);
+    helpers_.store(0, std::memory_order_relaxed);
+    isLed_.store(false, std::memory_order_relaxed);
+    /// Also when the work throws: nobody may wait for ever.
+    struct End {
+        Crew& crew;
+        ~End() { crew.ticket_.store(kOver, std::memory_order_release); }
+    };
+    tasks.run(static_cast<std::size_t>(workers_), 1, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (isLed_.exchange(true, std::memory_order_acq_rel)) {
+                help(static_cast<int>(i));
+                continue;
+            }
+            leader_ = static_cast<int>(i);
+            const End atEnd{*this};
+            work();
+        }
+    });
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Seconds, roughly, that a step with these counts takes one thread.
+double workOf(const StepCounters& counters);
+/// Calls `pipeline` with `world.loops` set to where its parallel loops run: on the threads of the task system when a
+/// step as long as the last one gains by them, else on the calling thread.
+void shareStep(WorldState& world, const StepCounters& last, FunctionRef<void()> pipeline);
+
+}  // namespace swept::inline SWEPT_PRECISION
