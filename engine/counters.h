@@ -10,6 +10,7 @@ struct StepCounters {
     std::uint64_t freeBodies = 0;      ///< took their parabola in one step
     std::uint64_t solvedBodies = 0;    ///< went through the sub-stepped solver
     std::uint64_t flyers = 0;          ///< went through the impact loop
+    std::uint64_t clashes = 0;         ///< groups of bodies that bounced off each other in flight, without the solver
     std::uint64_t pairsFound = 0;      ///< new pairs of boxes
     std::uint64_t boxTests = 0;
     std::uint64_t contacts = 0;        ///< pairs of shapes whose boxes overlap

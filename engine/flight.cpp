@@ -237,11 +237,11 @@ void advance(Flight& flight, const Sweep& sweep, double fraction) {
     flight.elapsed = fraction >= 1 ? flight.dt : flight.elapsed + time;
 }
 
-FirstImpact nextImpact(const Flight& flight, const Sweep& sweep) {
+FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
     findObstacles(*flight.world, flight.slot, sweep, *flight.scratch);
     const auto count = static_cast<std::size_t>(flight.carrierCount);
     if (count > 0) { allowSag(*flight.world, sweep, {flight.carriers.data(), count}, *flight.scratch); }
-    return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch);
+    return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch, limit);
 }
 
 bool resolveHere(Flight& flight) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "clash.h"
 #include "island_advance.h"
 #include "modes.h"
 #include "step.h"
@@ -16,28 +17,42 @@ void listBodies(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.bodies.clear();
     for (const std::uint32_t slot : world.awake) {
-        if (!isFastTied(world, world.bodies[slot])) { continue; }
-        if (!fast.any) { fast.isFast.assign(world.bodies.slotCount(), 0); }
+        if (!isFastTied(world, world.bodies[slot])) {
+            continue;
+        }
+        if (!fast.any) {
+            fast.isFast.assign(world.bodies.slotCount(), 0);
+        }
         fast.any = true;
         fast.isFast[world.islands.find(slot)] = 1;
     }
-    if (!fast.any) { return; }
+    if (!fast.any) {
+        return;
+    }
     fast.kinematics.clear();
     for (std::uint32_t i = 0; i < world.awake.size(); ++i) {
         const std::uint32_t slot = world.awake[i];
         const Body& body = world.bodies[slot];
-        if (body.def.type == BodyType::kinematic) { fast.kinematics.push_back(slot); }
+        if (body.def.type == BodyType::kinematic) {
+            fast.kinematics.push_back(slot);
+        }
         const std::uint32_t root = world.islands.find(slot);
-        if (body.role != BodyRole::solved || fast.isFast[root] == 0) { continue; }
+        if (body.role != BodyRole::solved || fast.isFast[root] == 0) {
+            continue;
+        }
         fast.bodies.push_back({root, i, slot});
     }
     std::sort(fast.bodies.begin(), fast.bodies.end());
-    for (const IslandItem& item : fast.bodies) { world.bodies[item.item].role = BodyRole::together; }
+    for (const IslandItem& item : fast.bodies) {
+        world.bodies[item.item].role = BodyRole::together;
+    }
 }
 
 /// The member of two bodies, if there is one.
 std::uint32_t memberOf(const WorldState& world, std::uint32_t a, std::uint32_t b) {
-    if (world.bodies[a].role == BodyRole::together) { return a; }
+    if (world.bodies[a].role == BodyRole::together) {
+        return a;
+    }
     return world.bodies[b].role == BodyRole::together ? b : kNoIndex;
 }
 
@@ -48,12 +63,16 @@ void listContactsAndJoints(WorldState& world) {
     for (std::uint32_t i = 0; i < world.contacts.size(); ++i) {
         const Contact& contact = world.contacts[i];
         const std::uint32_t member = memberOf(world, contact.bodyA, contact.bodyB);
-        if (contact.sensor || member == kNoIndex) { continue; }
+        if (contact.sensor || member == kNoIndex) {
+            continue;
+        }
         fast.contacts.push_back({world.islands.find(member), i, i});
     }
     for (const std::uint32_t i : world.activeJoints) {
         for (const std::uint32_t slot : world.joints[i].allBodies()) {
-            if (world.bodies[slot].role != BodyRole::together) { continue; }
+            if (world.bodies[slot].role != BodyRole::together) {
+                continue;
+            }
             fast.joints.push_back({world.islands.find(slot), i, i});
             break;
         }
@@ -62,13 +81,61 @@ void listContactsAndJoints(WorldState& world) {
     std::sort(fast.joints.begin(), fast.joints.end());
 }
 
-/// Items of one island, from `next` on, which moves behind them.
-template <class Take>
-void takeIsland(const std::vector<IslandItem>& items, std::size_t& next, std::uint32_t root, const Take& take) {
-    for (; next < items.size() && items[next].root == root; ++next) { take(items[next].item); }
+/// Islands per task: each has several sweeps.
+constexpr std::size_t kClashGrain = 2;
+
+/// Items of one island, from `next` on, which moves behind them. @return how many
+std::uint32_t takeIsland(const std::vector<IslandItem>& items, std::uint32_t& next, std::uint32_t root) {
+    const std::uint32_t first = next;
+    while (next < items.size() && items[next].root == root) {
+        ++next;
+    }
+    return next - first;
 }
 
-/// Contacts of dynamic bodies of two islands (a member that touches nothing yet) stay with the first; those are left out.
+void listRanges(FastIslands& fast) {
+    fast.bodySlots.clear();
+    for (const IslandItem& item : fast.bodies) {
+        fast.bodySlots.push_back(item.item);
+    }
+    fast.contactIndices.clear();
+    for (const IslandItem& item : fast.contacts) {
+        fast.contactIndices.push_back(item.item);
+    }
+    fast.ranges.clear();
+    IslandRange next;
+    while (next.bodies < fast.bodies.size()) {
+        const std::uint32_t root = fast.bodies[next.bodies].root;
+        IslandRange range = next;
+        range.bodyCount = takeIsland(fast.bodies, next.bodies, root);
+        range.contactCount = takeIsland(fast.contacts, next.contacts, root);
+        range.jointCount = takeIsland(fast.joints, next.joints, root);
+        fast.ranges.push_back(range);
+    }
+}
+
+/// What bounces off each other in flight.
+void clashAll(WorldState& world, double dt) {
+    FastIslands& fast = world.fastIslands;
+    const auto workers = static_cast<std::size_t>(world.tasks->workerCount());
+    world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
+    world.clashScratch.resize(std::max(workers, world.clashScratch.size()));
+    world.tasks->run(fast.ranges.size(), kClashGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        const auto w = static_cast<std::size_t>(worker);
+        for (std::size_t i = begin; i < end; ++i) {
+            IslandRange& range = fast.ranges[i];
+            const std::span<const std::uint32_t> bodies =
+                std::span(fast.bodySlots).subspan(range.bodies, range.bodyCount);
+            const std::span<const std::uint32_t> contacts =
+                std::span(fast.contactIndices).subspan(range.contacts, range.contactCount);
+            range.isDone = range.jointCount == 0 &&
+                           clash(world, bodies, contacts, dt, world.flightScratch[w], world.clashScratch[w]);
+        }
+    });
+}
+
+/// Contacts of dynamic bodies of two islands (a member that touches nothing yet) stay with the first; those are left
+/// out.
 bool isInside(const WorldState& world, const Contact& contact) {
     const Body& a = world.bodies[contact.bodyA];
     const Body& b = world.bodies[contact.bodyB];
@@ -79,28 +146,37 @@ bool isInside(const WorldState& world, const Contact& contact) {
 
 void findFastIslands(WorldState& world) {
     listBodies(world);
-    if (world.fastIslands.any) { listContactsAndJoints(world); }
+    if (world.fastIslands.any) {
+        listContactsAndJoints(world);
+    }
 }
 
 void advanceFastIslands(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
-    if (world.flightScratch.empty()) { world.flightScratch.resize(1); }
-    std::size_t body = 0;
-    std::size_t contact = 0;
-    std::size_t joint = 0;
-    while (body < fast.bodies.size()) {
-        const std::uint32_t root = fast.bodies[body].root;
-        fast.members.clear();
+    listRanges(fast);
+    clashAll(world, dt);
+    for (const IslandRange& range : fast.ranges) {
+        if (range.isDone) {
+            ++world.counters.clashes;
+            world.counters.sweeps += range.bodyCount;
+            continue;
+        }
+        const auto bodies = fast.bodySlots.begin() + range.bodies;
+        fast.members.assign(bodies, bodies + range.bodyCount);
         fast.jointSlots.clear();
+        for (std::uint32_t i = 0; i < range.jointCount; ++i) {
+            fast.jointSlots.push_back(fast.joints[range.joints + i].item);
+        }
         fast.held.clear();
         fast.sources.clear();
-        takeIsland(fast.bodies, body, root, [&](std::uint32_t slot) { fast.members.push_back(slot); });
-        takeIsland(fast.joints, joint, root, [&](std::uint32_t slot) { fast.jointSlots.push_back(slot); });
-        takeIsland(fast.contacts, contact, root, [&](std::uint32_t index) {
-            if (!isInside(world, world.contacts[index])) { return; }
+        for (std::uint32_t i = 0; i < range.contactCount; ++i) {
+            const std::uint32_t index = fast.contactIndices[range.contacts + i];
+            if (!isInside(world, world.contacts[index])) {
+                continue;
+            }
             fast.held.push_back(world.contacts[index]);
             fast.sources.push_back(index);
-        });
+        }
         advanceIsland(world, dt, world.flightScratch[0]);
     }
 }

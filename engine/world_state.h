@@ -8,6 +8,7 @@
 #include "../solver/solver.h"
 #include "body.h"
 #include "bullet_work.h"
+#include "clash.h"
 #include "contact.h"
 #include "crew.h"
 #include "effort_budget.h"
@@ -99,6 +100,7 @@ struct WorldState {
     bool anyFlung = false;      ///< the solver may have moved some body as far as only a fast one moves
     BulletWork bulletWork;
     std::vector<FlightScratch> flightScratch;  ///< one per worker
+    std::vector<ClashScratch> clashScratch;    ///< likewise
 
     std::vector<ContactEvent> contactEvents;
     std::size_t eventsOfStep = 0;  ///< of the last step; what follows them ended by calls since, and belongs to the next

@@ -15,6 +15,7 @@ inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::
     {"freeBodies", &StepCounters::freeBodies},
     {"solvedBodies", &StepCounters::solvedBodies},
     {"flyers", &StepCounters::flyers},
+    {"clashes", &StepCounters::clashes},
     {"pairsFound", &StepCounters::pairsFound},
     {"boxTests", &StepCounters::boxTests},
     {"contacts", &StepCounters::contacts},

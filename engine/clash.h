@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "flight.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Two shapes of two bodies of a clash.
+struct ClashPair {
+    std::uint32_t contact = 0;  ///< index
+    std::uint32_t first = 0;    ///< of the bodies: that of the contact's shape A
+    std::uint32_t second = 0;
+    FlightObstacle shapes{};
+    std::array<Real, 2> impulse{};  ///< normal, so far, N·s
+    bool isMet = false;             ///< now
+    Vec2 normal{};                  ///< of the contact that is met, from first to second, world
+};
+
+/// What one worker needs for a clash. Kept for its capacity.
+struct ClashScratch {
+    std::vector<Flight> flights;
+    std::vector<Sweep> paths;                ///< by flight: the rest of its step
+    std::vector<std::uint8_t> isNearGround;  ///< by flight: something static or kinematic is beside its path
+    std::vector<ClashPair> pairs;
+    std::vector<ContactConstraint> constraints;
+};
+
+/// A few bodies that bounce off each other in flight: nothing carries or joins them, so each flies on its own parabola
+/// from impact to impact, and what meets at one moment is reflected together. Exact where sub-steps approximate, and
+/// cheaper. Touches only the state of the bodies, of the contacts, and the scratch, so clashes may go in any order.
+/// @param members   slots of dynamic bodies, all of the island
+/// @param contacts  indices of the contacts of the island
+/// @return false: this is no such island, or something comes to rest in it, so it is for the solver. Nothing was
+/// changed.
+bool clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
+           double dt, FlightScratch& scratch, ClashScratch& work);
+
+}  // namespace swept::inline SWEPT_PRECISION
