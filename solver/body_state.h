@@ -14,11 +14,11 @@ inline constexpr BodySlot kFixedSlot = 0;
 /// What the solver reads and writes for every constraint: one element per slot. Motion is relative to the start of the
 /// step, so it stays small and precise wherever the body is.
 struct BodyState {
-    Vec2 velocity{};             ///< of the centre of mass, m/s
+    Vec2 velocity{};           ///< of the centre of mass, m/s
     Real angularVelocity = 0;  ///< rad/s
     Real deltaAngle = 0;       ///< turned since the start of the step, rad
-    Vec2 deltaPosition{};        ///< moved since the start of the step, m
-    Rotation deltaRotation{};    ///< of `deltaAngle`
+    Vec2 deltaPosition{};      ///< moved since the start of the step, m
+    Rotation deltaRotation{};  ///< of `deltaAngle`
 };
 static_assert(sizeof(BodyState) == 8 * sizeof(Real), "a state fills one 8-lane register");
 
@@ -30,8 +30,8 @@ struct BodyInertia {
 
 /// What acceleration and damping do within one sub-step h: v ← decay·v + gain, exactly (see `DampedMotion`).
 struct BodyDrive {
-    Vec2 gain{};               ///< m/s
-    Real angularGain = 0;    ///< rad/s
+    Vec2 gain{};           ///< m/s
+    Real angularGain = 0;  ///< rad/s
     Real decay = 1;
     Real angularDecay = 1;
 };
@@ -42,11 +42,18 @@ struct SolverBodies {
     std::span<const BodyInertia> inertias;
 };
 
-/// Writes two bodies back. The fixed slot is shared by many constraints of one colour and must never be written.
+/// Kinematic bodies are read but never changed by a constraint.
+constexpr bool isMovable(const BodyInertia& inertia) { return inertia.inverseMass > 0 || inertia.inverseInertia > 0; }
+
+/// Writes two bodies back. What cannot be moved is shared by many constraints of one colour and must never be written.
 inline void storePair(const SolverBodies& bodies, BodySlot slotA, const BodyState& a, BodySlot slotB,
                       const BodyState& b) {
-    if (slotA != kFixedSlot) { bodies.states[slotA] = a; }
-    if (slotB != kFixedSlot) { bodies.states[slotB] = b; }
+    if (isMovable(bodies.inertias[slotA])) {
+        bodies.states[slotA] = a;
+    }
+    if (isMovable(bodies.inertias[slotB])) {
+        bodies.states[slotB] = b;
+    }
 }
 
 /// Velocity of a point at `arm` from the centre of mass.

@@ -10,11 +10,6 @@ constexpr std::uint64_t bits(int from, int to) {
     return ((std::uint64_t{1} << to) - 1) & ~((std::uint64_t{1} << from) - 1);
 }
 
-/// Kinematic bodies are read but never changed by a constraint, so they do not tie constraints together.
-bool isMovable(BodySlot slot, const std::vector<BodyInertia>& inertias) {
-    return inertias[slot].inverseMass > 0 || inertias[slot].inverseInertia > 0;
-}
-
 std::array<BodySlot, 2> bodySlots(const ContactConstraint& contact) { return {contact.slotA, contact.slotB}; }
 
 }  // namespace
@@ -23,7 +18,7 @@ int ConstraintGraph::colourFor(std::span<const BodySlot> slots, const std::vecto
     bool allMovable = true;
     std::uint64_t taken = 0;
     for (const BodySlot slot : slots) {
-        const bool movable = isMovable(slot, inertias);
+        const bool movable = isMovable(inertias[slot]);
         allMovable = allMovable && movable;
         taken |= movable ? used_[slot] : 0;
     }
@@ -32,7 +27,7 @@ int ConstraintGraph::colourFor(std::span<const BodySlot> slots, const std::vecto
     if (free == 0) { return kOverflowColour; }
     const int colour = std::countr_zero(free);
     for (const BodySlot slot : slots) {
-        if (isMovable(slot, inertias)) { used_[slot] |= std::uint64_t{1} << colour; }
+        if (isMovable(inertias[slot])) { used_[slot] |= std::uint64_t{1} << colour; }
     }
     return colour;
 }

@@ -6,9 +6,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Where less than this share of a point's response is its own, two points act as one.
-constexpr Real kSingularRatio = 16 * kEpsilon;
-
 /// A pair of states as values: read once, written once per constraint.
 struct PairState {
     BodyState a;
@@ -52,27 +49,36 @@ struct NormalDemand {
 };
 
 /// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
-NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairState& pair, Real h,
-                      bool useBias, bool isCarrying) {
+NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairState& pair,
+                      Real h, bool useBias, bool isCarrying) {
     const Real separation = currentSeparation(contact, point, pair.a, pair.b);
     const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
     // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
-    if (!useBias && closing > contact.bounceSpeed) { return {}; }
+    if (!useBias && closing > contact.bounceSpeed) {
+        return {};
+    }
     // Its overlap or gap is the direct solver's: see `DirectSolver::project`.
-    if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) { return {true, closing}; }
+    if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) {
+        return {true, closing};
+    }
     if (separation > 0) {
-        if (!useBias && !isCarrying) { return {}; }
+        if (!useBias && !isCarrying) {
+            return {};
+        }
         return {true, closing - separation / h};  // apart: may close the gap within this sub-step, no more
     }
-    if (!useBias) { return {true, closing}; }
+    if (!useBias) {
+        return {true, closing};
+    }
     const Real bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
     return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
 }
 
-/// The two points of a contact that begins, as a block: one after the other, the first would take all of the blow and turn the
-/// body, and a box that slides into a wall would climb it. @return whether both ask for something, and are not as good as one
-bool solveTogether(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
-                   Real h, bool useBias) {
+/// The two points of a contact that begins, as a block: one after the other, the first would take all of the blow and
+/// turn the body, and a box that slides into a wall would climb it. @return whether both ask for something, and are not
+/// as good as one
+bool solveTogether(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA,
+                   const BodyInertia& inertiaB, Real h, bool useBias) {
     ContactConstraintPoint& one = contact.points[0];
     ContactConstraintPoint& two = contact.points[1];
     const bool isCarrying = one.normalImpulse > 0 || two.normalImpulse > 0;
@@ -86,7 +92,9 @@ bool solveTogether(ContactConstraint& contact, PairState& pair, const BodyInerti
     const Real twoByOne = shared * two.normalMass;
     const Real rest = 1 - oneByTwo * twoByOne;
     const bool isPush = ofOne.impulseScale > 0 || ofTwo.impulseScale > 0;  // out of an overlap: no blow
-    if (!ofOne.any || !ofTwo.any || isPush || !(rest > kSingularRatio)) { return false; }
+    if (!ofOne.any || !ofTwo.any || isPush || !(rest > kTwoPointsRatio)) {
+        return false;
+    }
     const Real aloneOne = ofOne.changeAt(one);
     const Real aloneTwo = ofTwo.changeAt(two);
     Real totalOne = one.normalImpulse + (aloneOne - oneByTwo * aloneTwo) / rest;
@@ -105,14 +113,17 @@ bool solveTogether(ContactConstraint& contact, PairState& pair, const BodyInerti
     return true;
 }
 
-void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA,
-                  const BodyInertia& inertiaB, Real h, bool useBias) {
-    if (contact.begins && solveTogether(contact, pair, inertiaA, inertiaB, h, useBias)) { return; }
+void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
+                  Real h, bool useBias) {
+    if (contact.begins && solveTogether(contact, pair, inertiaA, inertiaB, h, useBias)) {
+        return;
+    }
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
         const NormalDemand demand = demandOf(contact, point, pair, h, useBias, point.normalImpulse > 0);
-        if (!demand.any) { continue; }
-        const Real total = std::max(point.normalImpulse + demand.changeAt(point), Real(0));
+        // What asks for nothing is pushed with nothing, as in the lanes of a block.
+        const Real total =
+            demand.any ? std::max(point.normalImpulse + demand.changeAt(point), Real(0)) : point.normalImpulse;
         applyPair(pair, inertiaA, inertiaB, point, (total - point.normalImpulse) * contact.normal);
         point.normalImpulse = total;
     }
@@ -127,7 +138,8 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
     const BodyInertia b = inertias[contact.slotB];
     const Vec2 tangent = rightPerp(contact.normal);
     const Real inverseMass = a.inverseMass + b.inverseMass;
-    contact.begins = contact.count > 1 && !(contact.points[0].normalImpulse > 0) && !(contact.points[1].normalImpulse > 0);
+    contact.begins =
+        contact.count > 1 && !(contact.points[0].normalImpulse > 0) && !(contact.points[1].normalImpulse > 0);
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
         point.baseSeparation -= dot(point.anchorB - point.anchorA, contact.normal);
@@ -147,8 +159,10 @@ Real currentSeparation(const ContactConstraint& contact, const ContactConstraint
     return dot(moved + arms, contact.normal) + point.baseSeparation;
 }
 
-void warmStartContacts(std::span<ContactConstraint> contacts, const SolverBodies& bodies) {
-    for (ContactConstraint& contact : contacts) {
+void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
+                       const SolverBodies& bodies) {
+    for (const std::uint32_t place : places) {
+        const ContactConstraint& contact = contacts[place];
         PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
         const Vec2 tangent = rightPerp(contact.normal);
         for (int i = 0; i < contact.count; ++i) {
@@ -160,8 +174,10 @@ void warmStartContacts(std::span<ContactConstraint> contacts, const SolverBodies
     }
 }
 
-void solveContacts(std::span<ContactConstraint> contacts, const SolverBodies& bodies, Real h, bool useBias) {
-    for (ContactConstraint& contact : contacts) {
+void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
+                   const SolverBodies& bodies, Real h, bool useBias) {
+    for (const std::uint32_t place : places) {
+        ContactConstraint& contact = contacts[place];
         PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
         const BodyInertia& inertiaA = bodies.inertias[contact.slotA];
         const BodyInertia& inertiaB = bodies.inertias[contact.slotB];

@@ -10,14 +10,18 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// One contact point in a solve. Anchors are relative to the centres of mass, world orientation, at the start of the step.
+/// Where less than this share of a point's response is its own, two points act as one.
+inline constexpr Real kTwoPointsRatio = 16 * kEpsilon;
+
+/// One contact point in a solve. Anchors are relative to the centres of mass, world orientation, at the start of the
+/// step.
 struct ContactConstraintPoint {
     Vec2 anchorA{};
     Vec2 anchorB{};
-    Real baseSeparation = 0;   ///< separation at the start of the step minus the anchors' own distance along the normal
-    Real normalMass = 0;       ///< kg
-    Real tangentMass = 0;      ///< kg
-    Real normalImpulse = 0;    ///< accumulated over a sub-step, N·s; warm start in, result out
+    Real baseSeparation = 0;  ///< separation at the start of the step minus the anchors' own distance along the normal
+    Real normalMass = 0;      ///< kg
+    Real tangentMass = 0;     ///< kg
+    Real normalImpulse = 0;   ///< accumulated over a sub-step, N·s; warm start in, result out
     Real tangentImpulse = 0;
     Real totalNormalImpulse = 0;  ///< over the whole step, bounces included
     Real bounceApproach = 0;      ///< largest approach speed at which the point bounced, m/s
@@ -30,9 +34,10 @@ struct ContactConstraint {
     Vec2 normal{};  ///< unit, world, from A to B, held for the whole step
     Real friction = 0;
     Real restitution = 0;
-    bool isHeld = false;       ///< a direct solve takes care of overlaps and gaps: what presses just does not move
-    Real maxPushSpeed = 0;     ///< fastest push out of an overlap, m/s
-    /// Relaxation leaves faster approaches to the bounce of the next sub-step, m/s; infinity: the contact never bounces.
+    bool isHeld = false;    ///< a direct solve takes care of overlaps and gaps: what presses just does not move
+    Real maxPushSpeed = 0;  ///< fastest push out of an overlap, m/s
+    /// Relaxation leaves faster approaches to the bounce of the next sub-step, m/s; infinity: the contact never
+    /// bounces.
     Real bounceSpeed = std::numeric_limits<Real>::infinity();
     Softness softness{};
     std::int32_t count = 0;    ///< points
@@ -48,9 +53,13 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
 Real currentSeparation(const ContactConstraint& contact, const ContactConstraintPoint& point, const BodyState& a,
                        const BodyState& b);
 
-/// Kernels over a range of contacts that share no movable body (one colour) or are solved one after the other.
-void warmStartContacts(std::span<ContactConstraint> contacts, const SolverBodies& bodies);
+/// Kernels over contacts that share no movable body (one colour) or are solved one after the other. The wide ones
+/// (wide_contacts.h) do the same to the bit.
+/// @param places  in `contacts`, of those that are meant
+void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
+                       const SolverBodies& bodies);
 /// @param useBias  true: push out of overlap (soft); false: only stop approaching (relaxation, rigid).
-void solveContacts(std::span<ContactConstraint> contacts, const SolverBodies& bodies, Real h, bool useBias);
+void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
+                   const SolverBodies& bodies, Real h, bool useBias);
 
 }  // namespace swept::inline SWEPT_PRECISION

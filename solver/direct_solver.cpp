@@ -26,7 +26,6 @@ constexpr Real kProjectionRate = Real(1) / 4;
 /// end.
 constexpr Real kLargeRatio = Real(1) / 8192;
 
-bool isMovable(const BodyInertia& body) { return body.inverseMass > 0 || body.inverseInertia > 0; }
 
 double dot3(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

@@ -16,7 +16,9 @@ SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias
 /// @return whether the speed was cut
 bool limitSpeed(BodyState& body, Real maxSpeed) {
     const Real speed = length(body.velocity);
-    if (!(speed > maxSpeed)) { return false; }
+    if (!(speed > maxSpeed)) {
+        return false;
+    }
     body.velocity = (maxSpeed / speed) * body.velocity;
     return true;
 }
@@ -44,19 +46,25 @@ void integratePositions(SolverBatch& batch, Real h) {
 
 void addUpImpulses(std::vector<ContactConstraint>& contacts) {
     for (ContactConstraint& contact : contacts) {
-        for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
+        for (ContactConstraintPoint& point : contact.points) {
+            point.totalNormalImpulse += point.normalImpulse;
+        }
     }
 }
 
 /// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
 void makeRigid(SolverBatch& batch, DirectScope scope) {
     for (ContactConstraint& contact : batch.contacts) {
-        if (scope != DirectScope::all) { break; }
+        if (scope != DirectScope::all) {
+            break;
+        }
         contact.softness = {contact.softness.biasRate, 1, 0};
         contact.isHeld = true;
     }
     batch.forEachJointKind([](auto& joints) {
-        for (auto& joint : joints) { joint.isHeld = true; }
+        for (auto& joint : joints) {
+            joint.isHeld = true;
+        }
     });
 }
 
@@ -73,7 +81,9 @@ void prepareJoints(SolverBatch& batch) {
 
 void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
     for (ContactConstraint& contact : batch.contacts) {
-        if (!(contact.restitution > 0)) { continue; }
+        if (!(contact.restitution > 0)) {
+            continue;
+        }
         contact.bounceSpeed = restitutionThreshold;
         bouncing_.push_back(&contact);
     }
@@ -81,7 +91,9 @@ void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
 
 template <bool kJoints>
 void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
-    for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
+    for (ContactConstraint& contact : batch.contacts) {
+        prepareContact(contact, batch.inertias);
+    }
     if constexpr (kJoints) {
         prepareJoints(batch);
         graph_.colour(batch);
@@ -89,7 +101,9 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
         graph_.colourContacts(batch);
     }
     bouncing_.clear();
-    if (settings.bounces) { listBouncing(batch, settings.restitutionThreshold); }
+    if (settings.bounces) {
+        listBouncing(batch, settings.restitutionThreshold);
+    }
 }
 
 template <bool kJoints>
@@ -98,60 +112,74 @@ void Solver::warmStart(SolverBatch& batch) {
     for (const int colour : graph_.activeColours()) {
         if constexpr (kJoints) {
             batch.forEachJointKind([&](auto& joints) {
-                if (!joints.empty()) { swept::warmStart(ofColour(joints, graph_, colour), bodies); }
+                if (!joints.empty()) {
+                    swept::warmStart(ofColour(joints, graph_, colour), bodies);
+                }
             });
         }
-        warmStartContacts(ofColour(batch.contacts, graph_, colour), bodies);
+        contacts_.warmStart(batch, colour);
     }
 }
 
 template <bool kJoints>
-void Solver::solveColours(SolverBatch& batch, Real h, bool useBias) {
+void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
         if constexpr (kJoints) {
             batch.forEachJointKind([&](auto& joints) {
-                if (!joints.empty()) { swept::solve(ofColour(joints, graph_, colour), bodies, h, useBias); }
+                if (!joints.empty()) {
+                    swept::solve(ofColour(joints, graph_, colour), bodies, pass.h, pass.useBias);
+                }
             });
         }
-        solveContacts(ofColour(batch.contacts, graph_, colour), bodies, h, useBias);
+        contacts_.solve(batch, colour, pass);
     }
 }
 
 /// @pre drives of a whole sub-step, or of half a one, twice
 template <bool kJoints>
-void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report) {
+void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, bool isFirst,
+                                SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-    if (settings.direct != DirectScope::none) { report.speedsLimited += integrateVelocities(batch, settings.maxSpeed); }
+    if (settings.direct != DirectScope::none) {
+        report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    }
     warmStart<kJoints>(batch);
-    solveColours<kJoints>(batch, h, true);
+    const bool relaxes = settings.relaxPasses > 0;
+    solveColours<kJoints>(batch, {.h = h, .useBias = true, .hasMoved = isFirst || !relaxes, .isLast = !relaxes});
     integratePositions(batch, h);
-    for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, h, false); }
+    for (int pass = 0; pass < settings.relaxPasses; ++pass) {
+        solveColours<kJoints>(batch, {.h = h, .hasMoved = pass == 0, .isLast = pass + 1 == settings.relaxPasses});
+    }
+    contacts_.addUpBouncing(batch);
 }
 
-/// RATTLE (Andersen 1983): half of the drive, velocities such that the motion ends where the constraints hold, the motion, the
-/// other half, velocities that keep them. Second order and symplectic, so that a pendulum keeps its energy. Iteration comes
-/// after each direct solve, for what that leaves out.
+/// RATTLE (Andersen 1983): half of the drive, velocities such that the motion ends where the constraints hold, the
+/// motion, the other half, velocities that keep them. Second order and symplectic, so that a pendulum keeps its energy.
+/// Iteration comes after each direct solve, for what that leaves out.
 template <bool kJoints>
 void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast,
                              SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     warmStart<kJoints>(batch);
     direct_.solve(batch, h, true, report.direct);
-    solveColours<kJoints>(batch, h, true);
+    solveColours<kJoints>(batch, {.h = h, .useBias = true});
     integratePositions(batch, h);
     direct_.project(batch, h, isLast, report.direct);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.solve(batch, h, false, report.direct);
-    for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, h, false); }
+    for (int pass = 0; pass < settings.relaxPasses; ++pass) {
+        solveColours<kJoints>(batch, {.h = h});
+    }
+    addUpImpulses(batch.contacts);
 }
 
 template <bool kJoints, bool kBounces>
 void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
     for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
-        // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice, and
-        // a ball would rise by 2·speed·h with every bounce.
+        // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice,
+        // and a ball would rise by 2·speed·h with every bounce.
         if constexpr (kBounces) {
             const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
             report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
@@ -159,9 +187,8 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
         if (report.isDirect) {
             subStepDirectly<kJoints>(batch, settings, h, subStep + 1 == settings.subSteps, report);
         } else {
-            subStepIteratively<kJoints>(batch, settings, h, report);
+            subStepIteratively<kJoints>(batch, settings, h, subStep == 0, report);
         }
-        addUpImpulses(batch.contacts);
         if constexpr (kJoints) {
             batch.forEachJointKind([](auto& joints) { addUpReactions(std::span(joints)); });
         }
@@ -173,12 +200,17 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     prepare<kJoints>(batch, settings);
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct);
-    if (report.isDirect) { makeRigid(batch, settings.direct); }
+    if (report.isDirect) {
+        makeRigid(batch, settings.direct);
+    }
+    contacts_.build(batch, graph_, settings.wide && !report.isDirect);
+    report.contactBlocks = contacts_.blockCount();
     if (bouncing_.empty()) {
         runSubSteps<kJoints, false>(batch, settings, report);
     } else {
         runSubSteps<kJoints, true>(batch, settings, report);
     }
+    contacts_.readBack(batch);
     return report;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "constraint_graph.h"
+#include "contact_blocks.h"
 #include "direct_solver.h"
 #include "impact.h"
 #include "solver_batch.h"
@@ -11,30 +12,32 @@
 namespace swept::inline SWEPT_PRECISION {
 
 struct SolverSettings {
-    Real dt = 0;                    ///< the step, s
-    int subSteps = 1;               ///< at least 1
-    int relaxPasses = 1;            ///< per sub-step, at least 0
-    Real restitutionThreshold = 0;  ///< slower approaches do not bounce, m/s
+    Real dt = 0;                                            ///< the step, s
+    int subSteps = 1;                                       ///< at least 1
+    int relaxPasses = 1;                                    ///< per sub-step, at least 0
+    Real restitutionThreshold = 0;                          ///< slower approaches do not bounce, m/s
     Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s
-    bool joints = true;   ///< false: the batch holds none, and they cost nothing
-    bool bounces = true;  ///< false: no contact there has restitution, likewise
-    /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are then those of half a
-    /// sub-step: one half before its motion and one after.
+    bool joints = true;                                     ///< false: the batch holds none, and they cost nothing
+    bool bounces = true;                                    ///< false: no contact there has restitution, likewise
+    bool wide = true;  ///< contacts in blocks where kernels are there; false: one by one, with the same bits
+    /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
+    /// then those of half a sub-step: one half before its motion and one after.
     DirectScope direct = DirectScope::none;
 };
 
 struct SolveReport {
     int colours = 0;
+    int contactBlocks = 0;  ///< of contacts that were solved side by side
     int bounceRounds = 0;   ///< over all sub-steps
     int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
     bool isDirect = false;  ///< whether the direct solver took part
     DirectReport direct{};
 };
 
-/// One sub-stepped solve of a batch, constraints in colour order: per sub-step bounce, integrate velocities, warm start,
-/// solve with soft constraints, integrate positions, relax. "Small Steps" (Macklin et al. 2019) with soft constraints and
-/// relaxation as in Catto's "Solver2D" (2024); bounces are resolved inside the sub-step in which a contact closes, with
-/// the velocity it has there, instead of once at the end of the step.
+/// One sub-stepped solve of a batch, constraints in colour order: per sub-step bounce, integrate velocities, warm
+/// start, solve with soft constraints, integrate positions, relax. "Small Steps" (Macklin et al. 2019) with soft
+/// constraints and relaxation as in Catto's "Solver2D" (2024); bounces are resolved inside the sub-step in which a
+/// contact closes, with the velocity it has there, instead of once at the end of the step.
 class Solver {
 public:
     /// @pre slots are valid, effective data (anchors, separations, limits) filled; masses are computed here.
@@ -44,7 +47,8 @@ private:
     void listBouncing(SolverBatch& batch, Real restitutionThreshold);
     // What is not there is left out of the loops, not asked for in each of their rounds.
     template <bool kJoints>
-    void subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report);
+    void subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, bool isFirst,
+                            SolveReport& report);
     template <bool kJoints>
     void subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast, SolveReport& report);
     template <bool kJoints>
@@ -54,11 +58,12 @@ private:
     template <bool kJoints>
     void warmStart(SolverBatch& batch);
     template <bool kJoints>
-    void solveColours(SolverBatch& batch, Real h, bool useBias);
+    void solveColours(SolverBatch& batch, const ContactPass& pass);
     template <bool kJoints, bool kBounces>
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
     ConstraintGraph graph_;
+    ContactBlocks contacts_;
     DirectSolver direct_;
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;

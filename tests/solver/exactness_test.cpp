@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
@@ -23,15 +22,6 @@ std::vector<Real> valuesOf(SolverBatch& batch) {
     std::vector<Real> values;
     visitBatch(batch, [&](Real& value, Dimension) { values.push_back(value); });
     return values;
-}
-
-/// Every field after the solve, in bits: −0 differs from 0.
-std::vector<std::uint64_t> bitsOf(SolverBatch& batch) {
-    std::vector<std::uint64_t> all;
-    for (const Real value : valuesOf(batch)) {
-        all.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(value)));
-    }
-    return all;
 }
 
 Dimension randomPowers(Random& random) {

@@ -1,0 +1,216 @@
+#include "contact_blocks.h"
+
+#include <algorithm>
+
+namespace swept::inline SWEPT_PRECISION {
+
+#ifndef SWEPT_SIMD
+const ContactKernels* contactKernels() { return nullptr; }
+#endif
+
+namespace {
+
+/// A block with fewer contacts costs more than they do one by one.
+constexpr std::size_t kFewestLanes = 2;
+
+void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
+    lanes.anchorAX[lane] = point.anchorA.x;
+    lanes.anchorAY[lane] = point.anchorA.y;
+    lanes.anchorBX[lane] = point.anchorB.x;
+    lanes.anchorBY[lane] = point.anchorB.y;
+    lanes.baseSeparation[lane] = point.baseSeparation;
+    lanes.normalMass[lane] = point.normalMass;
+    lanes.tangentMass[lane] = point.tangentMass;
+    lanes.normalImpulse[lane] = point.normalImpulse;
+    lanes.tangentImpulse[lane] = point.tangentImpulse;
+    lanes.totalNormalImpulse[lane] = point.totalNormalImpulse;
+    lanes.separation[lane] = 0;
+}
+
+template <std::size_t kPoints>
+void fillLane(WideContact<kPoints>& block, std::size_t lane, const ContactConstraint& contact, const BodyInertia& a,
+              const BodyInertia& b) {
+    block.slotA[lane] = contact.slotA;
+    block.slotB[lane] = contact.slotB;
+    block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
+    block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
+    block.anyBegins = block.anyBegins || contact.begins;
+    block.anyBounces = block.anyBounces || contact.restitution > 0;
+    block.begins[lane] = contact.begins ? Real(1) : Real(0);
+    block.normalX[lane] = contact.normal.x;
+    block.normalY[lane] = contact.normal.y;
+    block.friction[lane] = contact.friction;
+    block.maxPushSpeed[lane] = contact.maxPushSpeed;
+    block.bounceSpeed[lane] = contact.bounceSpeed;
+    block.biasRate[lane] = contact.softness.biasRate;
+    block.massScale[lane] = contact.softness.massScale;
+    block.impulseScale[lane] = contact.softness.impulseScale;
+    block.inverseMassA[lane] = a.inverseMass;
+    block.inverseMassB[lane] = b.inverseMass;
+    block.inverseInertiaA[lane] = a.inverseInertia;
+    block.inverseInertiaB[lane] = b.inverseInertia;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        fillPoint(block.points[i], lane, contact.points[i]);
+    }
+}
+
+/// @param places  at most as many as there are lanes
+template <std::size_t kPoints>
+void fillBlock(WideContact<kPoints>& block, const SolverBatch& batch, std::span<const std::uint32_t> places) {
+    block.movableA = block.movableB = 0;
+    block.anyBegins = block.anyBounces = false;
+    block.lanes = static_cast<std::uint32_t>(places.size());
+    for (std::size_t lane = 0; lane < places.size(); ++lane) {
+        const ContactConstraint& contact = batch.contacts[places[lane]];
+        block.place[lane] = places[lane];
+        fillLane(block, lane, contact, batch.inertias[contact.slotA], batch.inertias[contact.slotB]);
+    }
+    for (std::size_t lane = places.size(); lane < kBlockLanes; ++lane) {
+        fillLane(block, lane, {}, {}, {});
+    }
+}
+
+template <class Block>
+std::span<Block> blocksOf(std::vector<Block>& all, ColourRange range) {
+    return std::span<Block>(all).subspan(range.begin, range.end - range.begin);
+}
+
+/// Visits each contact of blocks in the batch with its block and lane.
+template <class Block, class Visit>
+void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contacts, Visit&& visit) {
+    for (Block& block : blocks) {
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            visit(contacts[block.place[lane]], block, lane);
+        }
+    }
+}
+
+}  // namespace
+
+void ContactBlocks::sortColour(const SolverBatch& batch, ColourRange range) {
+    withOne_.clear();
+    withTwo_.clear();
+    beginning_.clear();
+    for (std::uint32_t place = range.begin; place < range.end; ++place) {
+        const ContactConstraint& contact = batch.contacts[place];
+        if (contact.isHeld || contact.count < 1) {
+            rest_.push_back(place);
+        } else if (contact.count == 1) {
+            withOne_.push_back(place);
+        } else {
+            (contact.begins ? beginning_ : withTwo_).push_back(place);
+        }
+    }
+    // Those that begin share as few blocks as can be: there all lanes take the longer way.
+    withTwo_.insert(withTwo_.end(), beginning_.begin(), beginning_.end());
+}
+
+template <std::size_t kPoints>
+ColourRange ContactBlocks::fill(const SolverBatch& batch, std::span<const std::uint32_t> places, Blocks<kPoints>& to) {
+    const std::uint32_t begin = to.count;
+    while (places.size() >= kFewestLanes) {
+        const std::size_t lanes = std::min(places.size(), kBlockLanes);
+        if (to.count == to.blocks.size()) {
+            to.blocks.emplace_back();
+        }
+        fillBlock(to.blocks[to.count], batch, places.first(lanes));
+        anyBounces_ = anyBounces_ || to.blocks[to.count].anyBounces;
+        ++to.count;
+        places = places.subspan(lanes);
+    }
+    rest_.insert(rest_.end(), places.begin(), places.end());
+    return {begin, to.count};
+}
+
+void ContactBlocks::build(const SolverBatch& batch, const ConstraintGraph& graph, bool wide) {
+    kernels_ = wide ? contactKernels() : nullptr;
+    one_.count = two_.count = 0;
+    anyBounces_ = false;
+    rest_.clear();
+    for (const int c : graph.activeColours()) {
+        Colour& colour = colours_[static_cast<std::size_t>(c)];
+        const ColourRange range = graph.range<ContactConstraint>(c);
+        colour = {};
+        colour.rest.begin = static_cast<std::uint32_t>(rest_.size());
+        if (kernels_ != nullptr && c != kOverflowColour) {
+            sortColour(batch, range);
+            colour.two = fill(batch, withTwo_, two_);
+            colour.one = fill(batch, withOne_, one_);
+        } else {
+            for (std::uint32_t place = range.begin; place < range.end; ++place) {
+                rest_.push_back(place);
+            }
+        }
+        colour.rest.end = static_cast<std::uint32_t>(rest_.size());
+    }
+}
+
+void ContactBlocks::warmStart(SolverBatch& batch, int colour) {
+    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
+    const SolverBodies bodies{batch.states, batch.inertias};
+    if (ranges.two.begin < ranges.two.end) {
+        kernels_->warmStartTwo(blocksOf(two_.blocks, ranges.two), bodies);
+    }
+    if (ranges.one.begin < ranges.one.end) {
+        kernels_->warmStartOne(blocksOf(one_.blocks, ranges.one), bodies);
+    }
+    warmStartContacts(batch.contacts, blocksOf(rest_, ranges.rest), bodies);
+}
+
+void ContactBlocks::solve(SolverBatch& batch, int colour, const ContactPass& pass) {
+    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
+    const SolverBodies bodies{batch.states, batch.inertias};
+    if (ranges.two.begin < ranges.two.end) {
+        kernels_->solveTwo(blocksOf(two_.blocks, ranges.two), bodies, pass);
+    }
+    if (ranges.one.begin < ranges.one.end) {
+        kernels_->solveOne(blocksOf(one_.blocks, ranges.one), bodies, pass);
+    }
+    const std::span<const std::uint32_t> rest = blocksOf(rest_, ranges.rest);
+    solveContacts(batch.contacts, rest, bodies, pass.h, pass.useBias);
+    if (!pass.isLast) {
+        return;
+    }
+    for (const std::uint32_t place : rest) {
+        for (ContactConstraintPoint& point : batch.contacts[place].points) {
+            point.totalNormalImpulse += point.normalImpulse;
+        }
+    }
+}
+
+void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
+    if (!anyBounces_) {
+        return;
+    }
+    const auto addUp = [](ContactConstraint& contact, const auto& block, std::size_t lane) {
+        for (std::size_t i = 0; i < block.points.size(); ++i) {
+            contact.points[i].totalNormalImpulse += block.points[i].normalImpulse[lane];
+        }
+    };
+    const auto addUpAll = [&](const auto& blocks) {
+        for (std::size_t i = 0; i < blocks.count; ++i) {
+            if (blocks.blocks[i].anyBounces) {
+                forEachLane(std::span(&blocks.blocks[i], 1), batch.contacts, addUp);
+            }
+        }
+    };
+    addUpAll(two_);
+    addUpAll(one_);
+}
+
+void ContactBlocks::readBack(SolverBatch& batch) const {
+    const auto read = [](ContactConstraint& contact, const auto& block, std::size_t lane) {
+        for (std::size_t i = 0; i < block.points.size(); ++i) {
+            ContactConstraintPoint& point = contact.points[i];
+            point.normalImpulse = block.points[i].normalImpulse[lane];
+            point.tangentImpulse = block.points[i].tangentImpulse[lane];
+            if (!block.anyBounces) {
+                point.totalNormalImpulse = block.points[i].totalNormalImpulse[lane];
+            }
+        }
+    };
+    forEachLane(std::span(two_.blocks).first(two_.count), batch.contacts, read);
+    forEachLane(std::span(one_.blocks).first(one_.count), batch.contacts, read);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "body_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Constraints side by side in a block: as many as fill 32 bytes, whatever registers there are, so that blocks are laid
+/// out alike on every machine.
+inline constexpr std::size_t kBlockLanes = 32 / sizeof(Real);
+using LaneArray = std::array<Real, kBlockLanes>;
+
+/// One point of each contact of a block; see `ContactConstraintPoint`.
+struct alignas(32) WideContactPoint {
+    LaneArray anchorAX;
+    LaneArray anchorAY;
+    LaneArray anchorBX;
+    LaneArray anchorBY;
+    LaneArray baseSeparation;
+    LaneArray normalMass;
+    LaneArray tangentMass;
+    LaneArray normalImpulse;
+    LaneArray tangentImpulse;
+    LaneArray totalNormalImpulse;
+    LaneArray separation;  ///< now: changes only when bodies move, so one pass finds it and the others read it
+};
+
+/// As many contacts as there are lanes, all with the same number of points, no movable body in two of them. Lanes that
+/// are left over hold contacts of the fixed world with itself, without masses.
+template <std::size_t kPoints>
+struct alignas(32) WideContact {
+    std::array<BodySlot, kBlockLanes> slotA;
+    std::array<BodySlot, kBlockLanes> slotB;
+    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch
+    std::uint32_t lanes = 0;                       ///< in use
+    std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
+    std::uint32_t movableB = 0;
+    bool anyBegins = false;
+    bool anyBounces = false;       ///< totals are added up in the batch, where bounces add to them
+    alignas(32) LaneArray begins;  ///< 1 or 0
+    LaneArray normalX;
+    LaneArray normalY;
+    LaneArray friction;
+    LaneArray maxPushSpeed;
+    LaneArray bounceSpeed;
+    LaneArray biasRate;
+    LaneArray massScale;
+    LaneArray impulseScale;
+    LaneArray inverseMassA;
+    LaneArray inverseMassB;
+    LaneArray inverseInertiaA;
+    LaneArray inverseInertiaB;
+    std::array<WideContactPoint, kPoints> points;
+};
+
+/// One pass over contacts.
+struct ContactPass {
+    Real h = 0;            ///< sub-step, s
+    bool useBias = false;  ///< push out of overlap (soft); else only stop approaching (relaxation, rigid)
+    bool hasMoved = true;  ///< bodies have moved since the pass before: separations are found anew
+    bool isLast = false;   ///< of the sub-step: impulses are added to the totals
+};
+
+/// Kernels over blocks of one colour: what `warmStartContacts` and `solveContacts` do, to the bit.
+struct ContactKernels {
+    const char* name;  ///< of the instruction set
+    void (*warmStartOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies);
+    void (*warmStartTwo)(std::span<WideContact<2>> blocks, const SolverBodies& bodies);
+    void (*solveOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies, const ContactPass& pass);
+    void (*solveTwo)(std::span<WideContact<2>> blocks, const SolverBodies& bodies, const ContactPass& pass);
+};
+
+/// For the widest registers that this machine has; null where built without `SWEPT_SIMD`: contacts are then solved one
+/// by one.
+const ContactKernels* contactKernels();
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,331 @@
+// Compiled once per instruction set: foreach_target.h reads this file again for each.
+#include "contact_constraint.h"
+#include "wide_contacts.h"
+
+// Sizes of registers are known to the compiler here; SSE4 is all there was to SSSE3, soon after it.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3_DL | HWY_SSSE3)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "wide_contacts_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#if HWY_TARGET == HWY_SCALAR
+namespace swept::inline SWEPT_PRECISION {
+namespace HWY_NAMESPACE {
+const ContactKernels* kernels() { return nullptr; }  // machines without registers to speak of: one by one
+}  // namespace HWY_NAMESPACE
+}  // namespace swept::inline SWEPT_PRECISION
+#else
+
+HWY_BEFORE_NAMESPACE();
+#include "wide_bodies.inc"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace HWY_NAMESPACE {
+
+// Every function here does what its scalar twin in contact_constraint.cpp does, in the same order. Signs are moved only
+// where that is exact: x + (−y) is x − y.
+
+/// A group of lanes of a block.
+template <std::size_t kPoints>
+class ContactGroup {
+public:
+    HWY_INLINE ContactGroup(WideContact<kPoints>& block, std::size_t begin, const SolverBodies& bodies)
+        : block_(block),
+          begin_(begin),
+          bodies_(bodies),
+          a_(gather(bodies.states, block.slotA.data() + begin, kVelocities)),
+          b_(gather(bodies.states, block.slotB.data() + begin, kVelocities)),
+          normalX_(at(block.normalX)),
+          normalY_(at(block.normalY)),
+          inverseMassA_(at(block.inverseMassA)),
+          inverseMassB_(at(block.inverseMassB)),
+          inverseInertiaA_(at(block.inverseInertiaA)),
+          inverseInertiaB_(at(block.inverseInertiaB)) {}
+
+    HWY_INLINE void warmStart() {
+        for (WideContactPoint& point : block_.points) {
+            const Lanes normal = at(point.normalImpulse);
+            const Lanes tangent = at(point.tangentImpulse);
+            apply(point, hn::Add(hn::Mul(normal, normalX_), hn::Mul(tangent, normalY_)),
+                  hn::Sub(hn::Mul(normal, normalY_), hn::Mul(tangent, normalX_)));
+        }
+        scatterBodies();
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE void solve(const ContactPass& pass) {
+        if (pass.hasMoved) {
+            findSeparations();
+        }
+        const Lanes h = hn::Set(Tag(), pass.h);
+        if constexpr (kPoints == 2) {
+            if (block_.anyBegins) {
+                solveNormalsOfBeginning<kUseBias>(h);
+            } else {
+                solveNormal<kUseBias>(block_.points[0], h);
+                solveNormal<kUseBias>(block_.points[1], h);
+            }
+        } else {
+            solveNormal<kUseBias>(block_.points[0], h);
+        }
+        for (WideContactPoint& point : block_.points) {
+            solveFriction(point);
+        }
+        if (pass.isLast) {
+            for (WideContactPoint& point : block_.points) {
+                put(hn::Add(at(point.totalNormalImpulse), at(point.normalImpulse)), point.totalNormalImpulse, begin_);
+            }
+        }
+        scatterBodies();
+    }
+
+private:
+    struct Demand {
+        LaneMask any;
+        Lanes speed;
+        Lanes massScale;     ///< 1 in a relaxation
+        Lanes impulseScale;  ///< 0 in a relaxation
+    };
+    struct Totals {
+        LaneMask together;
+        Lanes one;
+        Lanes two;
+    };
+
+    HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
+
+    HWY_INLINE void scatterBodies() const {
+        constexpr std::uint32_t kAll = (1U << kGroup) - 1;
+        const std::uint32_t ofA = block_.movableA >> begin_ & kAll;
+        const std::uint32_t ofB = block_.movableB >> begin_ & kAll;
+        scatterOne(a_, block_.slotA.data() + begin_, ofA, kAll);
+        scatterOne(b_, block_.slotB.data() + begin_, ofB, kAll);
+    }
+    HWY_INLINE void scatterOne(const Quad& body, const BodySlot* slots, std::uint32_t movable,
+                               std::uint32_t all) const {
+        if (movable == all) {
+            scatterVelocities(body, bodies_.states, slots, ~std::uint32_t{0});
+        } else if (movable != 0) {
+            scatterVelocities(body, bodies_.states, slots, movable);
+        }
+    }
+
+    HWY_INLINE void findSeparations() {
+        const Quad a = gather(bodies_.states, block_.slotA.data() + begin_, kMotion);
+        const Quad b = gather(bodies_.states, block_.slotB.data() + begin_, kMotion);
+        const Lanes movedX = hn::Sub(b.x, a.x);
+        const Lanes movedY = hn::Sub(b.y, a.y);
+        for (WideContactPoint& point : block_.points) {
+            const Lanes anchorAX = at(point.anchorAX);
+            const Lanes anchorAY = at(point.anchorAY);
+            const Lanes anchorBX = at(point.anchorBX);
+            const Lanes anchorBY = at(point.anchorBY);
+            const Lanes armX = hn::Sub(hn::Sub(hn::Mul(b.z, anchorBX), hn::Mul(b.w, anchorBY)),
+                                       hn::Sub(hn::Mul(a.z, anchorAX), hn::Mul(a.w, anchorAY)));
+            const Lanes armY = hn::Sub(hn::Add(hn::Mul(b.w, anchorBX), hn::Mul(b.z, anchorBY)),
+                                       hn::Add(hn::Mul(a.w, anchorAX), hn::Mul(a.z, anchorAY)));
+            const Lanes along =
+                hn::Add(hn::Mul(hn::Add(movedX, armX), normalX_), hn::Mul(hn::Add(movedY, armY), normalY_));
+            put(hn::Add(along, at(point.baseSeparation)), point.separation, begin_);
+        }
+    }
+
+    HWY_INLINE Lanes relativeX(const WideContactPoint& point) const {
+        return hn::Sub(hn::Sub(b_.x, hn::Mul(b_.z, at(point.anchorBY))),
+                       hn::Sub(a_.x, hn::Mul(a_.z, at(point.anchorAY))));
+    }
+    HWY_INLINE Lanes relativeY(const WideContactPoint& point) const {
+        return hn::Sub(hn::Add(b_.y, hn::Mul(b_.z, at(point.anchorBX))),
+                       hn::Add(a_.y, hn::Mul(a_.z, at(point.anchorAX))));
+    }
+
+    HWY_INLINE void apply(const WideContactPoint& point, Lanes impulseX, Lanes impulseY) {
+        a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, impulseX));
+        a_.y = hn::Sub(a_.y, hn::Mul(inverseMassA_, impulseY));
+        // The cross product with the opposite impulse.
+        const Lanes twistA = hn::Sub(hn::Mul(at(point.anchorAY), impulseX), hn::Mul(at(point.anchorAX), impulseY));
+        a_.z = hn::Add(a_.z, hn::Mul(inverseInertiaA_, twistA));
+        b_.x = hn::Add(b_.x, hn::Mul(inverseMassB_, impulseX));
+        b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, impulseY));
+        const Lanes twistB = hn::Sub(hn::Mul(at(point.anchorBX), impulseY), hn::Mul(at(point.anchorBY), impulseX));
+        b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, twistB));
+    }
+    HWY_INLINE void applyNormal(const WideContactPoint& point, Lanes impulse) {
+        apply(point, hn::Mul(impulse, normalX_), hn::Mul(impulse, normalY_));
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE Demand demandOf(const WideContactPoint& point, Lanes h, LaneMask isCarrying) const {
+        const Tag tag;
+        const Lanes separation = at(point.separation);
+        const Lanes closing =
+            hn::Neg(hn::Add(hn::Mul(relativeX(point), normalX_), hn::Mul(relativeY(point), normalY_)));
+        const LaneMask isApart = hn::Gt(separation, hn::Zero(tag));
+        const Lanes gap = hn::Div(separation, h);
+        if constexpr (kUseBias) {
+            const Lanes bias = larger(hn::Mul(at(block_.biasRate), separation), hn::Neg(at(block_.maxPushSpeed)));
+            return {hn::Eq(h, h), hn::Sub(closing, hn::IfThenElse(isApart, gap, bias)),
+                    hn::IfThenElse(isApart, hn::Set(tag, Real(1)), at(block_.massScale)),
+                    hn::IfThenZeroElse(isApart, at(block_.impulseScale))};
+        } else {
+            const LaneMask isSlow = hn::Not(hn::Gt(closing, at(block_.bounceSpeed)));
+            return {hn::And(isSlow, hn::Or(hn::Not(isApart), isCarrying)),
+                    hn::Sub(closing, hn::IfThenElseZero(isApart, gap)), hn::Set(tag, Real(1)), hn::Zero(tag)};
+        }
+    }
+
+    /// Of the impulse at a point, by itself.
+    template <bool kUseBias>
+    HWY_INLINE Lanes changeAt(const WideContactPoint& point, const Demand& demand) const {
+        if constexpr (kUseBias) {
+            return hn::Sub(hn::Mul(hn::Mul(at(point.normalMass), demand.massScale), demand.speed),
+                           hn::Mul(demand.impulseScale, at(point.normalImpulse)));
+        } else {
+            return hn::Mul(at(point.normalMass), demand.speed);
+        }
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE Lanes totalAt(const WideContactPoint& point, Lanes h) const {
+        const Lanes before = at(point.normalImpulse);
+        const Demand demand = demandOf<kUseBias>(point, h, hn::Gt(before, hn::Zero(Tag())));
+        const Lanes total = notNegative(hn::Add(before, changeAt<kUseBias>(point, demand)));
+        return kUseBias ? total : hn::IfThenElse(demand.any, total, before);
+    }
+
+    HWY_INLINE void setNormal(WideContactPoint& point, Lanes total) {
+        applyNormal(point, hn::Sub(total, at(point.normalImpulse)));
+        put(total, point.normalImpulse, begin_);
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE void solveNormal(WideContactPoint& point, Lanes h) {
+        setNormal(point, totalAt<kUseBias>(point, h));
+    }
+
+    HWY_INLINE Lanes armAlong(const LaneArray& x, const LaneArray& y) const {
+        return hn::Sub(hn::Mul(at(x), normalY_), hn::Mul(at(y), normalX_));
+    }
+
+    /// What both points do to each other through the bodies.
+    HWY_INLINE Lanes sharedResponse() const {
+        const WideContactPoint& one = block_.points[0];
+        const WideContactPoint& two = block_.points[kPoints - 1];
+        const Lanes spinA = hn::Mul(hn::Mul(inverseInertiaA_, armAlong(one.anchorAX, one.anchorAY)),
+                                    armAlong(two.anchorAX, two.anchorAY));
+        const Lanes spinB = hn::Mul(hn::Mul(inverseInertiaB_, armAlong(one.anchorBX, one.anchorBY)),
+                                    armAlong(two.anchorBX, two.anchorBY));
+        return hn::Add(hn::Add(hn::Add(inverseMassA_, inverseMassB_), spinA), spinB);
+    }
+
+    /// `solveTogether` in all lanes, whether it applies there or not.
+    template <bool kUseBias>
+    HWY_INLINE Totals totalsTogether(Lanes h) const {
+        const Tag tag;
+        const Lanes zero = hn::Zero(tag);
+        const WideContactPoint& one = block_.points[0];
+        const WideContactPoint& two = block_.points[kPoints - 1];
+        const Lanes beforeOne = at(one.normalImpulse);
+        const Lanes beforeTwo = at(two.normalImpulse);
+        const LaneMask isCarrying = hn::Or(hn::Gt(beforeOne, zero), hn::Gt(beforeTwo, zero));
+        const Demand ofOne = demandOf<kUseBias>(one, h, isCarrying);
+        const Demand ofTwo = demandOf<kUseBias>(two, h, isCarrying);
+        const Lanes shared = sharedResponse();
+        const Lanes oneByTwo = hn::Mul(shared, at(one.normalMass));
+        const Lanes twoByOne = hn::Mul(shared, at(two.normalMass));
+        const Lanes rest = hn::Sub(hn::Set(tag, Real(1)), hn::Mul(oneByTwo, twoByOne));
+        const LaneMask isPush = hn::Or(hn::Gt(ofOne.impulseScale, zero), hn::Gt(ofTwo.impulseScale, zero));
+        const LaneMask isTwo = hn::Gt(rest, hn::Set(tag, kTwoPointsRatio));
+        const LaneMask both = hn::And(ofOne.any, ofTwo.any);
+        const LaneMask together = hn::And(hn::And(hn::Gt(at(block_.begins), zero), both), hn::AndNot(isPush, isTwo));
+        const Lanes aloneOne = changeAt<kUseBias>(one, ofOne);
+        const Lanes aloneTwo = changeAt<kUseBias>(two, ofTwo);
+        const Lanes totalOne = hn::Add(beforeOne, hn::Div(hn::Sub(aloneOne, hn::Mul(oneByTwo, aloneTwo)), rest));
+        const Lanes totalTwo = hn::Add(beforeTwo, hn::Div(hn::Sub(aloneTwo, hn::Mul(twoByOne, aloneOne)), rest));
+        const Lanes onlyOne = notNegative(hn::Add(hn::Add(beforeOne, aloneOne), hn::Mul(oneByTwo, beforeTwo)));
+        const Lanes onlyTwo = notNegative(hn::Add(hn::Add(beforeTwo, aloneTwo), hn::Mul(twoByOne, beforeOne)));
+        const LaneMask pullsTwo = hn::Lt(totalTwo, zero);
+        const LaneMask pullsOne = hn::Lt(totalOne, zero);
+        return {together, hn::IfThenElse(pullsTwo, onlyOne, hn::IfThenZeroElse(pullsOne, totalOne)),
+                hn::IfThenZeroElse(pullsTwo, hn::IfThenElse(pullsOne, onlyTwo, totalTwo))};
+    }
+
+    /// @pre some of the contacts begin
+    template <bool kUseBias>
+    HWY_INLINE void solveNormalsOfBeginning(Lanes h) {
+        const Totals totals = totalsTogether<kUseBias>(h);
+        WideContactPoint& one = block_.points[0];
+        WideContactPoint& two = block_.points[kPoints - 1];
+        setNormal(one, hn::IfThenElse(totals.together, totals.one, totalAt<kUseBias>(one, h)));
+        setNormal(two, hn::IfThenElse(totals.together, totals.two, totalAt<kUseBias>(two, h)));
+    }
+
+    HWY_INLINE void solveFriction(WideContactPoint& point) {
+        const Lanes slip = hn::Sub(hn::Mul(relativeX(point), normalY_), hn::Mul(relativeY(point), normalX_));
+        const Lanes before = at(point.tangentImpulse);
+        const Lanes limit = hn::Mul(at(block_.friction), at(point.normalImpulse));
+        const Lanes total = clampedTo(limit, hn::Sub(before, hn::Mul(at(point.tangentMass), slip)));
+        const Lanes impulse = hn::Sub(total, before);
+        apply(point, hn::Mul(impulse, normalY_), hn::Neg(hn::Mul(impulse, normalX_)));
+        put(total, point.tangentImpulse, begin_);
+    }
+
+    WideContact<kPoints>& block_;
+    std::size_t begin_;
+    const SolverBodies& bodies_;
+    Quad a_;
+    Quad b_;
+    Lanes normalX_;
+    Lanes normalY_;
+    Lanes inverseMassA_;
+    Lanes inverseMassB_;
+    Lanes inverseInertiaA_;
+    Lanes inverseInertiaB_;
+};
+
+template <std::size_t kPoints>
+void warmStart(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies) {
+    for (WideContact<kPoints>& block : blocks) {
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
+            ContactGroup<kPoints>(block, i, bodies).warmStart();
+        }
+    }
+}
+
+template <std::size_t kPoints>
+void solve(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, const ContactPass& pass) {
+    for (WideContact<kPoints>& block : blocks) {
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
+            ContactGroup<kPoints> group(block, i, bodies);
+            if (pass.useBias) {
+                group.template solve<true>(pass);
+            } else {
+                group.template solve<false>(pass);
+            }
+        }
+    }
+}
+
+const ContactKernels* kernels() {
+    static const ContactKernels kKernels = {hwy::TargetName(HWY_TARGET), warmStart<1>, warmStart<2>, solve<1>,
+                                            solve<2>};
+    return &kKernels;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace swept::inline SWEPT_PRECISION
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+HWY_EXPORT(kernels);
+}
+
+const ContactKernels* contactKernels() { return HWY_DYNAMIC_DISPATCH(kernels)(); }
+
+}  // namespace swept::inline SWEPT_PRECISION
+#endif
