@@ -1,7 +1,7 @@
 #include "constraint_graph.h"
 
 #include <bit>
-#include <span>
+#include <numeric>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -24,19 +24,27 @@ int ConstraintGraph::colourFor(std::span<const BodySlot> slots, const std::vecto
     }
     const std::uint64_t allowed = allMovable ? bits(0, kFirstFixedColour) : bits(kFirstFixedColour, kOverflowColour);
     const std::uint64_t free = allowed & ~taken;
-    if (free == 0) { return kOverflowColour; }
+    if (free == 0) {
+        return kOverflowColour;
+    }
     const int colour = std::countr_zero(free);
     for (const BodySlot slot : slots) {
-        if (isMovable(inertias[slot])) { used_[slot] |= std::uint64_t{1} << colour; }
+        if (isMovable(inertias[slot])) {
+            used_[slot] |= std::uint64_t{1} << colour;
+        }
     }
     return colour;
 }
 
 template <class Constraint>
-void ConstraintGraph::sortByColour(std::vector<Constraint>& constraints, const std::vector<BodyInertia>& inertias) {
+void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints,
+                                   const std::vector<BodyInertia>& inertias) {
     Kind<Constraint>& kind = std::get<Kind<Constraint>>(kinds_);
     kind.ranges = {};
-    if (constraints.empty()) { return; }
+    places_.resize(constraints.size());
+    if (constraints.empty()) {
+        return;
+    }
     colours_.clear();
     std::array<std::uint32_t, kColourCount> counts{};
     for (const Constraint& constraint : constraints) {
@@ -52,9 +60,22 @@ void ConstraintGraph::sortByColour(std::vector<Constraint>& constraints, const s
         begin += counts[c];
         isUsed_[c] = isUsed_[c] || counts[c] > 0;
     }
-    kind.scratch.resize(constraints.size());
-    for (std::size_t i = 0; i < constraints.size(); ++i) { kind.scratch[next[colours_[i]]++] = constraints[i]; }
-    constraints.swap(kind.scratch);
+    for (std::uint32_t i = 0; i < constraints.size(); ++i) {
+        places_[next[colours_[i]]++] = i;
+    }
+}
+
+template <class Constraint>
+void ConstraintGraph::sortAsListed(std::vector<Constraint>& constraints) {
+    if (constraints.empty()) {
+        return;
+    }
+    std::vector<Constraint>& sorted = std::get<Kind<Constraint>>(kinds_).scratch;
+    sorted.resize(constraints.size());
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+        sorted[i] = constraints[places_[i]];
+    }
+    constraints.swap(sorted);
 }
 
 void ConstraintGraph::begin(const SolverBatch& batch) {
@@ -62,23 +83,33 @@ void ConstraintGraph::begin(const SolverBatch& batch) {
     isUsed_ = {};
 }
 
-void ConstraintGraph::finish(SolverBatch& batch) {
-    sortByColour(batch.contacts, batch.inertias);
+void ConstraintGraph::finish(const SolverBatch& batch) {
+    listByColour(batch.contacts, batch.inertias);
     active_.clear();
     for (int c = 0; c < kColourCount; ++c) {
-        if (isUsed_[static_cast<std::size_t>(c)]) { active_.push_back(c); }
+        if (isUsed_[static_cast<std::size_t>(c)]) {
+            active_.push_back(c);
+        }
     }
 }
 
 void ConstraintGraph::colour(SolverBatch& batch) {
     begin(batch);
-    batch.forEachJointKind([&](auto& joints) { sortByColour(joints, batch.inertias); });
+    batch.forEachJointKind([&](auto& joints) {
+        listByColour(joints, batch.inertias);
+        sortAsListed(joints);
+    });
     finish(batch);
 }
 
-void ConstraintGraph::colourContacts(SolverBatch& batch) {
+void ConstraintGraph::colourContacts(const SolverBatch& batch) {
     begin(batch);
     finish(batch);
+}
+
+void ConstraintGraph::sortContacts(SolverBatch& batch) {
+    sortAsListed(batch.contacts);
+    std::iota(places_.begin(), places_.end(), 0U);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

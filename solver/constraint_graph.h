@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -9,11 +10,12 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Colours of the constraint graph. Two constraints of one colour share no movable body, so a colour can be solved wide or
-/// by many threads, in any order, with the same bits. The last colour is the overflow: solved one after the other.
+/// Colours of the constraint graph. Two constraints of one colour share no movable body, so a colour can be solved wide
+/// or by many threads, in any order, with the same bits. The last colour is the overflow: solved one after the other.
 inline constexpr int kColourCount = 64;
 inline constexpr int kOverflowColour = kColourCount - 1;
-/// Constraints against the fixed world take colours from here on, so that they are solved last: ground has the last word.
+/// Constraints against the fixed world take colours from here on, so that they are solved last: ground has the last
+/// word.
 inline constexpr int kFirstFixedColour = 48;
 
 /// A range of one colour within a kind's array.
@@ -22,16 +24,25 @@ struct ColourRange {
     std::uint32_t end = 0;
 };
 
-/// Greedy colouring in array order (deterministic), then a stable sort of each kind's array by colour.
+/// Greedy colouring in array order (deterministic), then a stable sort by colour: of the joints themselves, kind by
+/// kind, and of the places of the contacts.
 class ConstraintGraph {
 public:
     void colour(SolverBatch& batch);
     /// The same of a batch without joints, of which nothing must be asked then.
-    void colourContacts(SolverBatch& batch);
+    void colourContacts(const SolverBatch& batch);
+    /// Sorts the contacts, too. @pre just coloured
+    void sortContacts(SolverBatch& batch);
 
     /// Colours in use, ascending.
     const std::vector<int>& activeColours() const { return active_; }
-    /// Where a colour's constraints of a kind stand in the array of that kind.
+    /// Places of contacts in the batch, colour by colour.
+    std::span<const std::uint32_t> contacts() const { return places_; }
+    std::span<const std::uint32_t> contactsOf(int colour) const {
+        const ColourRange range = this->range<ContactConstraint>(colour);
+        return contacts().subspan(range.begin, range.end - range.begin);
+    }
+    /// Where a colour's constraints of a kind stand in the array of that kind; of contacts: among `contacts`.
     template <class Constraint>
     ColourRange range(int colour) const {
         return std::get<Kind<Constraint>>(kinds_).ranges[static_cast<std::size_t>(colour)];
@@ -45,16 +56,21 @@ private:
     };
 
     void begin(const SolverBatch& batch);
-    void finish(SolverBatch& batch);
+    void finish(const SolverBatch& batch);
     int colourFor(std::span<const BodySlot> slots, const std::vector<BodyInertia>& inertias);
     template <class Constraint>
-    void sortByColour(std::vector<Constraint>& constraints, const std::vector<BodyInertia>& inertias);
+    void listByColour(const std::vector<Constraint>& constraints, const std::vector<BodyInertia>& inertias);
+    template <class Constraint>
+    void sortAsListed(std::vector<Constraint>& constraints);
 
     std::vector<std::uint64_t> used_;  ///< per slot: colours taken, one bit each
     std::vector<std::uint8_t> colours_;
+    std::vector<std::uint32_t> places_;  ///< of the kind that was coloured last: contacts, in the end
     std::array<bool, kColourCount> isUsed_{};
     std::vector<int> active_;
-    std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>, Kind<WheelConstraint>, Kind<WeldConstraint>, Kind<MotorConstraint>, Kind<MouseConstraint>, Kind<GearConstraint>, Kind<PulleyConstraint>>
+    std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>,
+               Kind<WheelConstraint>, Kind<WeldConstraint>, Kind<MotorConstraint>, Kind<MouseConstraint>,
+               Kind<GearConstraint>, Kind<PulleyConstraint>>
         kinds_;
 };
 

@@ -30,13 +30,14 @@ void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstrain
 template <std::size_t kPoints>
 void fillLane(WideContact<kPoints>& block, std::size_t lane, const ContactConstraint& contact, const BodyInertia& a,
               const BodyInertia& b) {
+    const bool begins = isBeginning(contact);
     block.slotA[lane] = contact.slotA;
     block.slotB[lane] = contact.slotB;
     block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
     block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
-    block.anyBegins = block.anyBegins || contact.begins;
+    block.anyBegins = block.anyBegins || begins;
     block.anyBounces = block.anyBounces || contact.restitution > 0;
-    block.begins[lane] = contact.begins ? Real(1) : Real(0);
+    block.begins[lane] = begins ? Real(1) : Real(0);
     block.normalX[lane] = contact.normal.x;
     block.normalY[lane] = contact.normal.y;
     block.friction[lane] = contact.friction;
@@ -87,18 +88,18 @@ void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contac
 
 }  // namespace
 
-void ContactBlocks::sortColour(const SolverBatch& batch, ColourRange range) {
+void ContactBlocks::sortColour(const SolverBatch& batch, std::span<const std::uint32_t> places) {
     withOne_.clear();
     withTwo_.clear();
     beginning_.clear();
-    for (std::uint32_t place = range.begin; place < range.end; ++place) {
+    for (const std::uint32_t place : places) {
         const ContactConstraint& contact = batch.contacts[place];
         if (contact.isHeld || contact.count < 1) {
             rest_.push_back(place);
         } else if (contact.count == 1) {
             withOne_.push_back(place);
         } else {
-            (contact.begins ? beginning_ : withTwo_).push_back(place);
+            (isBeginning(contact) ? beginning_ : withTwo_).push_back(place);
         }
     }
     // Those that begin share as few blocks as can be: there all lanes take the longer way.
@@ -122,26 +123,36 @@ ColourRange ContactBlocks::fill(const SolverBatch& batch, std::span<const std::u
     return {begin, to.count};
 }
 
-void ContactBlocks::build(const SolverBatch& batch, const ConstraintGraph& graph, bool wide) {
+void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, bool prepared) {
     kernels_ = wide ? contactKernels() : nullptr;
     one_.count = two_.count = 0;
     anyBounces_ = false;
     rest_.clear();
     for (const int c : graph.activeColours()) {
         Colour& colour = colours_[static_cast<std::size_t>(c)];
-        const ColourRange range = graph.range<ContactConstraint>(c);
+        const std::span<const std::uint32_t> places = graph.contactsOf(c);
         colour = {};
         colour.rest.begin = static_cast<std::uint32_t>(rest_.size());
         if (kernels_ != nullptr && c != kOverflowColour) {
-            sortColour(batch, range);
+            sortColour(batch, places);
             colour.two = fill(batch, withTwo_, two_);
             colour.one = fill(batch, withOne_, one_);
         } else {
-            for (std::uint32_t place = range.begin; place < range.end; ++place) {
-                rest_.push_back(place);
-            }
+            rest_.insert(rest_.end(), places.begin(), places.end());
         }
         colour.rest.end = static_cast<std::uint32_t>(rest_.size());
+    }
+    if (prepared) {
+        return;
+    }
+    for (const std::uint32_t place : rest_) {
+        prepareContact(batch.contacts[place], batch.inertias);
+    }
+    if (two_.count > 0) {
+        kernels_->prepareTwo(std::span(two_.blocks).first(two_.count));
+    }
+    if (one_.count > 0) {
+        kernels_->prepareOne(std::span(one_.blocks).first(one_.count));
     }
 }
 

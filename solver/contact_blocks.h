@@ -14,8 +14,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// rest one by one. Impulses of what stands in blocks are there from `build` to `readBack`, and old in the batch.
 class ContactBlocks {
 public:
-    /// @pre coloured and prepared. @param wide  false: everything is solved one by one
-    void build(const SolverBatch& batch, const ConstraintGraph& graph, bool wide);
+    /// @pre coloured. @param wide  false: everything is solved one by one
+    /// @param prepared  whether all contacts are (`prepareContact`); else what stands in blocks is prepared there alone
+    void build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, bool prepared);
     int blockCount() const { return static_cast<int>(one_.count + two_.count); }
     void warmStart(SolverBatch& batch, int colour);
     void solve(SolverBatch& batch, int colour, const ContactPass& pass);
@@ -37,7 +38,7 @@ private:
         std::uint32_t count = 0;                   ///< in use
     };
 
-    void sortColour(const SolverBatch& batch, ColourRange range);
+    void sortColour(const SolverBatch& batch, std::span<const std::uint32_t> places);
     template <std::size_t kPoints>
     ColourRange fill(const SolverBatch& batch, std::span<const std::uint32_t> places, Blocks<kPoints>& to);
 

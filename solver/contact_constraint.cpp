@@ -138,8 +138,7 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
     const BodyInertia b = inertias[contact.slotB];
     const Vec2 tangent = rightPerp(contact.normal);
     const Real inverseMass = a.inverseMass + b.inverseMass;
-    contact.begins =
-        contact.count > 1 && !(contact.points[0].normalImpulse > 0) && !(contact.points[1].normalImpulse > 0);
+    contact.begins = isBeginning(contact);
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
         point.baseSeparation -= dot(point.anchorB - point.anchorA, contact.normal);

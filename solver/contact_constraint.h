@@ -46,6 +46,11 @@ struct ContactConstraint {
     std::array<ContactConstraintPoint, 2> points{};
 };
 
+/// Whether nothing of it pressed before.
+inline bool isBeginning(const ContactConstraint& contact) {
+    return contact.count > 1 && !(contact.points[0].normalImpulse > 0) && !(contact.points[1].normalImpulse > 0);
+}
+
 /// Fills what follows from anchors and inertia: effective masses. `baseSeparation` holds the separation on entry.
 void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> inertias);
 

@@ -68,6 +68,11 @@ void makeRigid(SolverBatch& batch, DirectScope scope) {
     });
 }
 
+/// Bounces and direct solves look at contacts one by one.
+bool needsContactsPrepared(const SolverSettings& settings) {
+    return settings.bounces || settings.direct == DirectScope::all;
+}
+
 void prepareJoints(SolverBatch& batch) {
     batch.forEachJointKind([&batch](auto& joints) {
         for (auto& joint : joints) {
@@ -80,7 +85,8 @@ void prepareJoints(SolverBatch& batch) {
 }  // namespace
 
 void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
-    for (ContactConstraint& contact : batch.contacts) {
+    for (const std::uint32_t place : graph_.contacts()) {
+        ContactConstraint& contact = batch.contacts[place];
         if (!(contact.restitution > 0)) {
             continue;
         }
@@ -91,14 +97,20 @@ void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
 
 template <bool kJoints>
 void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
-    for (ContactConstraint& contact : batch.contacts) {
-        prepareContact(contact, batch.inertias);
+    if (needsContactsPrepared(settings)) {
+        for (ContactConstraint& contact : batch.contacts) {
+            prepareContact(contact, batch.inertias);
+        }
     }
     if constexpr (kJoints) {
         prepareJoints(batch);
         graph_.colour(batch);
     } else {
         graph_.colourContacts(batch);
+    }
+    // What is solved all at once is summed up in the order of the array.
+    if (settings.direct == DirectScope::all) {
+        graph_.sortContacts(batch);
     }
     bouncing_.clear();
     if (settings.bounces) {
@@ -163,15 +175,20 @@ void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings,
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     warmStart<kJoints>(batch);
     direct_.solve(batch, h, true, report.direct);
-    solveColours<kJoints>(batch, {.h = h, .useBias = true});
+    const bool contactsAreDirect = settings.direct == DirectScope::all;
+    const bool relaxes = settings.relaxPasses > 0;
+    solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = !relaxes && !contactsAreDirect});
     integratePositions(batch, h);
     direct_.project(batch, h, isLast, report.direct);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.solve(batch, h, false, report.direct);
     for (int pass = 0; pass < settings.relaxPasses; ++pass) {
-        solveColours<kJoints>(batch, {.h = h});
+        solveColours<kJoints>(batch, {.h = h, .isLast = pass + 1 == settings.relaxPasses});
     }
-    addUpImpulses(batch.contacts);
+    if (!relaxes && contactsAreDirect) {
+        addUpImpulses(batch.contacts);
+    }
+    contacts_.addUpBouncing(batch);
 }
 
 template <bool kJoints, bool kBounces>
@@ -203,7 +220,8 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     if (report.isDirect) {
         makeRigid(batch, settings.direct);
     }
-    contacts_.build(batch, graph_, settings.wide && !report.isDirect);
+    const bool contactsAreDirect = report.isDirect && settings.direct == DirectScope::all;
+    contacts_.build(batch, graph_, settings.wide && !contactsAreDirect, needsContactsPrepared(settings));
     report.contactBlocks = contacts_.blockCount();
     if (bouncing_.empty()) {
         runSubSteps<kJoints, false>(batch, settings, report);

@@ -40,7 +40,8 @@ struct SolveReport {
 /// contact closes, with the velocity it has there, instead of once at the end of the step.
 class Solver {
 public:
-    /// @pre slots are valid, effective data (anchors, separations, limits) filled; masses are computed here.
+    /// @pre slots are valid, effective data (anchors, separations, limits) filled; masses are computed here (and of
+    /// contacts that are solved side by side, only there).
     SolveReport solve(SolverBatch& batch, const SolverSettings& settings);
 
 private:

@@ -68,6 +68,9 @@ struct ContactPass {
 /// Kernels over blocks of one colour: what `warmStartContacts` and `solveContacts` do, to the bit.
 struct ContactKernels {
     const char* name;  ///< of the instruction set
+    /// Masses, and separations less the distance of the anchors: `prepareContact`.
+    void (*prepareOne)(std::span<WideContact<1>> blocks);
+    void (*prepareTwo)(std::span<WideContact<2>> blocks);
     void (*warmStartOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies);
     void (*warmStartTwo)(std::span<WideContact<2>> blocks, const SolverBodies& bodies);
     void (*solveOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies, const ContactPass& pass);

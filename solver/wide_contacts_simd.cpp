@@ -284,6 +284,48 @@ private:
     Lanes inverseInertiaB_;
 };
 
+/// Of a response.
+HWY_INLINE Lanes inverseOrZero(Lanes response) {
+    const Tag tag;
+    return hn::IfThenElseZero(hn::Gt(response, hn::Zero(tag)), hn::Div(hn::Set(tag, Real(1)), response));
+}
+
+template <std::size_t kPoints>
+HWY_INLINE void prepareGroup(WideContact<kPoints>& block, std::size_t begin) {
+    const auto at = [begin](const LaneArray& lanes) { return lanesAt(lanes, begin); };
+    const auto square = [](Lanes a) { return hn::Mul(a, a); };
+    const Lanes x = at(block.normalX);
+    const Lanes y = at(block.normalY);
+    const Lanes inverseMass = hn::Add(at(block.inverseMassA), at(block.inverseMassB));
+    const Lanes inertiaA = at(block.inverseInertiaA);
+    const Lanes inertiaB = at(block.inverseInertiaB);
+    for (WideContactPoint& point : block.points) {
+        const Lanes ax = at(point.anchorAX);
+        const Lanes ay = at(point.anchorAY);
+        const Lanes bx = at(point.anchorBX);
+        const Lanes by = at(point.anchorBY);
+        const Lanes apart = hn::Add(hn::Mul(hn::Sub(bx, ax), x), hn::Mul(hn::Sub(by, ay), y));
+        put(hn::Sub(at(point.baseSeparation), apart), point.baseSeparation, begin);
+        const Lanes normal =
+            hn::Add(hn::Add(inverseMass, hn::Mul(inertiaA, square(hn::Sub(hn::Mul(ax, y), hn::Mul(ay, x))))),
+                    hn::Mul(inertiaB, square(hn::Sub(hn::Mul(bx, y), hn::Mul(by, x)))));
+        const Lanes tangent =
+            hn::Add(hn::Add(inverseMass, hn::Mul(inertiaA, square(hn::Add(hn::Mul(ax, x), hn::Mul(ay, y))))),
+                    hn::Mul(inertiaB, square(hn::Add(hn::Mul(bx, x), hn::Mul(by, y)))));
+        put(inverseOrZero(normal), point.normalMass, begin);
+        put(inverseOrZero(tangent), point.tangentMass, begin);
+    }
+}
+
+template <std::size_t kPoints>
+void prepare(std::span<WideContact<kPoints> > blocks) {
+    for (WideContact<kPoints>& block : blocks) {
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
+            prepareGroup(block, i);
+        }
+    }
+}
+
 template <std::size_t kPoints>
 void warmStart(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies) {
     for (WideContact<kPoints>& block : blocks) {
@@ -308,8 +350,8 @@ void solve(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, 
 }
 
 const ContactKernels* kernels() {
-    static const ContactKernels kKernels = {hwy::TargetName(HWY_TARGET), warmStart<1>, warmStart<2>, solve<1>,
-                                            solve<2>};
+    static const ContactKernels kKernels = {
+        hwy::TargetName(HWY_TARGET), prepare<1>, prepare<2>, warmStart<1>, warmStart<2>, solve<1>, solve<2>};
     return &kKernels;
 }
 
