@@ -14,6 +14,7 @@ struct Contact {
     std::uint32_t bodyA = 0;
     std::uint32_t bodyB = 0;
     Manifold manifold;         ///< at the start of the present step, frame of body A
+    ManifoldMemory memory;     ///< of the shapes' last query: spares work, changes nothing
     std::array<Real, 2> normalImpulse{};   ///< warm start, by point of the manifold
     std::array<Real, 2> tangentImpulse{};
     std::array<Real, 2> totalImpulse{};    ///< normal impulse over the last step, N·s

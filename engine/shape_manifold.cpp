@@ -23,8 +23,14 @@ int faceBeside(const Polygon& polygon, Vec2 normal) {
 }  // namespace
 
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin) {
-    if (a.isChainSegment) { return collide(a.segment, b.polygon, bInA, margin); }
-    const Manifold closest = collide(a.polygon, b.polygon, bInA, margin);
+    ManifoldMemory memory;
+    return shapeManifold(world, a, b, bInA, margin, memory);
+}
+
+Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
+                       ManifoldMemory& memory) {
+    if (a.isChainSegment) { return collide(a.segment, b.polygon, bInA, margin, memory); }
+    const Manifold closest = collide(a.polygon, b.polygon, bInA, margin, memory);
     if (closest.count == 0 || world.bodies[a.body].isDynamic()) { return closest; }
     const int face = faceBeside(a.polygon, closest.normal);
     if (face < 0) { return closest; }

@@ -24,10 +24,27 @@ int pointWithId(const Manifold& manifold, FeatureId id) {
     return -1;
 }
 
+/// Of the same features, in the same order.
+bool hasSamePoints(const Manifold& a, const Manifold& b) {
+    if (a.count != b.count) { return false; }
+    if (a.count == 2) {
+        return a.points[0].id == b.points[0].id && a.points[1].id == b.points[1].id && a.points[0].id != a.points[1].id;
+    }
+    return a.count == 0 || a.points[0].id == b.points[0].id;
+}
+
+/// What there was of a contact before its manifold was renewed.
+struct OldPoints {
+    Manifold manifold;
+    std::array<Real, 2> normalImpulse;
+    std::array<Real, 2> tangentImpulse;
+    Real extent;
+};
+
 /// The old point that a new one continues: of the same features, else the nearest within a part of the extent (clipping
 /// may name a point after either of two vertices that stand at the same place). One that another new point has by name,
 /// or that lies nearer to the other one, is not free: two points must not take over the same impulse.
-int predecessorOf(const Manifold& now, std::size_t index, const Contact& before) {
+int predecessorOf(const Manifold& now, std::size_t index, const OldPoints& before) {
     const ManifoldPoint& point = now.points[index];
     const int same = pointWithId(before.manifold, point.id);
     if (same >= 0) { return same; }
@@ -47,7 +64,7 @@ int predecessorOf(const Manifold& now, std::size_t index, const Contact& before)
     return nearest;
 }
 
-void carryImpulses(const Contact& before, Contact& now) {
+void carryImpulses(const OldPoints& before, Contact& now) {
     now.normalImpulse = {};
     now.tangentImpulse = {};
     for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
@@ -61,9 +78,18 @@ void carryImpulses(const Contact& before, Contact& now) {
 }  // namespace
 
 void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
-    const Contact before = contact;
     const Transform bInA = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
-    contact.manifold = shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin);
+    const Manifold manifold =
+        shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin, contact.memory);
+    if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
+        contact.manifold = manifold;
+        for (auto i = static_cast<std::size_t>(manifold.count); i < contact.normalImpulse.size(); ++i) {
+            contact.normalImpulse[i] = contact.tangentImpulse[i] = 0;
+        }
+        return;
+    }
+    const OldPoints before{contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
+    contact.manifold = manifold;
     carryImpulses(before, contact);
 }
 

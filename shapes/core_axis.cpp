@@ -61,6 +61,21 @@ void tryEnds(const PairView& pair, CoreAxis& best) {
     }
 }
 
+/// The first of the best faces, and how good the next best is.
+struct BestFace {
+    int face = -1;
+    double separation = -std::numeric_limits<double>::infinity();
+    double second = -std::numeric_limits<double>::infinity();
+
+    [[gnu::always_inline]] void offer(int candidate, double candidateSeparation) {
+        const bool isBetter = face < 0 || candidateSeparation > separation;
+        const double behind = isBetter ? separation : candidateSeparation;
+        second = behind > second ? behind : second;
+        face = isBetter ? candidate : face;
+        separation = isBetter ? candidateSeparation : separation;
+    }
+};
+
 /// One face measured with its own vertices: the axis, and where the foot of the support vertex falls.
 struct MeasuredFace {
     FaceAxis axis;
@@ -75,23 +90,25 @@ MeasuredFace measureFace(const PairView& pair, int face) {
     const int support = ofA ? extremeVertex<-1>(pair.b, pair.toB(normal)) : extremeVertex<-1>(pair.a, normal);
     const DVec2 toSupport =
         ofA ? pair.vertexB(support) - pair.vertexA(face) : pair.vertexA(support) - pair.vertexB(face);
-    return {{face, support, dot(normal, toSupport), normal, false}, dot(edge, toSupport), dot(edge, edge)};
+    MeasuredFace measured{{face, support, dot(normal, toSupport), normal, 0, false}, dot(edge, toSupport), dot(edge, edge)};
+    measured.axis.isOverFace = measured.along >= 0 && measured.along <= measured.end;
+    return measured;
 }
 
 /// The stored normals may choose a face beside the best one where several are almost parallel. Then the foot of the
 /// support vertex falls beyond the end of the face, on the side of the better one.
 template <bool ofA>
-FaceAxis settled(const PairView& pair, int face) {
+FaceAxis settled(const PairView& pair, const BestFace& best) {
+    if (best.face < 0) { return {}; }
     const Polygon& reference = ofA ? pair.a : pair.b;
-    MeasuredFace chosen = measureFace<ofA>(pair, face);
-    chosen.axis.isOverFace = chosen.along >= 0 && chosen.along <= chosen.end;
+    MeasuredFace chosen = measureFace<ofA>(pair, best.face);
+    chosen.axis.lead = best.separation - best.second;
     for (int i = 1; i < reference.count && !chosen.axis.isOverFace; ++i) {
         const int beside = chosen.along < 0 ? reference.previous(chosen.axis.face) : reference.next(chosen.axis.face);
-        MeasuredFace other = measureFace<ofA>(pair, beside);
+        const MeasuredFace other = measureFace<ofA>(pair, beside);
         if (!(other.axis.separation > chosen.axis.separation)) {
             break;
         }
-        other.axis.isOverFace = other.along >= 0 && other.along <= other.end;
         chosen = other;
     }
     return chosen.axis;
@@ -100,32 +117,25 @@ FaceAxis settled(const PairView& pair, int face) {
 }  // namespace
 
 FaceAxis bestFaceOfA(const PairView& pair) {
-    int best = -1;
-    double bestSeparation = 0;
+    BestFace best;
     for (int i = 0; i < faceCount(pair.a); ++i) {
         const DVec2 n = pair.normalA(i);
-        const double separation = lowestAlong(pair.b, pair.toB(n)) + dot(n, pair.translation - pair.vertexA(i));
-        if (best < 0 || separation > bestSeparation) {
-            best = i;
-            bestSeparation = separation;
-        }
+        best.offer(i, lowestAlong(pair.b, pair.toB(n)) + dot(n, pair.translation - pair.vertexA(i)));
     }
-    return best < 0 ? FaceAxis{} : settled<true>(pair, best);
+    return settled<true>(pair, best);
 }
 
 FaceAxis bestFaceOfB(const PairView& pair) {
-    int best = -1;
-    double bestSeparation = 0;
+    BestFace best;
     for (int i = 0; i < faceCount(pair.b); ++i) {
         const DVec2 n = pair.normalB(i);
-        const double separation = lowestAlong(pair.a, n) - dot(n, pair.vertexB(i));
-        if (best < 0 || separation > bestSeparation) {
-            best = i;
-            bestSeparation = separation;
-        }
+        best.offer(i, lowestAlong(pair.a, n) - dot(n, pair.vertexB(i)));
     }
-    return best < 0 ? FaceAxis{} : settled<false>(pair, best);
+    return settled<false>(pair, best);
 }
+
+FaceAxis knownFaceOfA(const PairView& pair, int face) { return measureFace<true>(pair, face).axis; }
+FaceAxis knownFaceOfB(const PairView& pair, int face) { return measureFace<false>(pair, face).axis; }
 
 bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB, double preference) {
     if (faceA.face < 0 || faceB.face < 0) {
@@ -142,12 +152,15 @@ bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB
     return lead * lead <= preference * preference * (squaredA < squaredB ? squaredA : squaredB);
 }
 
-CoreAxis coreAxis(const PairView& pair, double preference) {
+BestFaces bestFaces(const PairView& pair) { return {bestFaceOfA(pair), bestFaceOfB(pair)}; }
+
+CoreAxis coreAxis(const PairView& pair, double preference) { return coreAxis(pair, bestFaces(pair), preference); }
+
+CoreAxis coreAxis(const PairView& pair, const BestFaces& faces, double preference) {
     if (pair.a.count == 1 && pair.b.count == 1) {
         return betweenPoints(pair);
     }
-    const FaceAxis faceA = bestFaceOfA(pair);
-    const FaceAxis faceB = bestFaceOfB(pair);
+    const auto& [faceA, faceB] = faces;
     CoreAxis best = prefersA(pair, faceA, faceB, preference) ? asCoreAxis(faceA, true) : asCoreAxis(faceB, false);
     if (pair.a.count <= 2 && pair.b.count <= 2) {
         tryEnds(pair, best);

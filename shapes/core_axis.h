@@ -10,6 +10,7 @@ struct FaceAxis {
     int support = 0;          ///< vertex of the other shape that lies lowest over the face
     double separation = 0;    ///< of the cores along the normal, metres; negative when overlapping
     DVec2 normal;             ///< unit, outward from the reference shape, frame of A
+    double lead = 0;          ///< by how much it was better than the next best face when chosen; 0: not known
     bool isOverFace = false;  ///< the support vertex projects onto the face; then a positive separation is the distance
 };
 
@@ -17,6 +18,10 @@ struct FaceAxis {
 /// face's own vertices in double.
 FaceAxis bestFaceOfA(const PairView& pair);
 FaceAxis bestFaceOfB(const PairView& pair);
+
+/// The same where the best face is known.
+FaceAxis knownFaceOfA(const PairView& pair, int face);
+FaceAxis knownFaceOfB(const PairView& pair, int face);
 
 enum class AxisSource : std::uint8_t { faceOfA, faceOfB, direction };
 
@@ -34,6 +39,15 @@ struct CoreAxis {
 /// two
 ///                    faces; 0 gives the minimum translation.
 CoreAxis coreAxis(const PairView& pair, double preference = 0);
+
+/// Of either shape; of a point, none.
+struct BestFaces {
+    FaceAxis ofA;
+    FaceAxis ofB;
+};
+BestFaces bestFaces(const PairView& pair);
+/// The same from what is known.
+CoreAxis coreAxis(const PairView& pair, const BestFaces& faces, double preference);
 
 /// Of the best faces of A and B: whether A's is taken, by the rule above. @pre one of them exists.
 bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB, double preference);

@@ -43,9 +43,20 @@ Manifold collideWithoutFace(const PairView& pair, const GjkResult& gjk, double m
     return singlePoint(core.points, core.separation, core.normal, vertexPair(gjk), pair.a, pair.b, margin);
 }
 
+/// How long the choice of a face lasts, once cores overlap: until the preference changes, or until the cores come apart.
+/// Separations along faces change by the motion at most, their differences by twice as much.
+double choiceRoomOf(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB) {
+    const DVec2 edgeA = pair.edgeA(faceA.face);
+    const DVec2 edgeB = pair.edgeB(faceB.face);
+    const double shorter = std::sqrt(std::min(dot(edgeA, edgeA), dot(edgeB, edgeB)));
+    const double beyond = std::fabs(faceB.separation - faceA.separation - kFacePreference * shorter);
+    return std::min(0.5 * beyond, -std::max(faceA.separation, faceB.separation));
+}
+
 /// Cores that overlap or touch: clip against the face of least penetration.
-Manifold collideTouching(const PairView& pair, const GjkResult& gjk, double margin) {
-    const CoreAxis axis = coreAxis(pair, kFacePreference);
+Manifold collideTouching(const PairView& pair, const GjkResult& gjk, double margin, PairVerdict& verdict) {
+    const BestFaces faces = bestFaces(pair);
+    const CoreAxis axis = coreAxis(pair, faces, kFacePreference);
     Manifold manifold;
     switch (axis.source) {
         case AxisSource::faceOfA:
@@ -57,7 +68,15 @@ Manifold collideTouching(const PairView& pair, const GjkResult& gjk, double marg
         case AxisSource::direction:
             break;
     }
-    return manifold.count > 0 ? manifold : collideWithoutFace(pair, gjk, margin);
+    if (manifold.count == 0) { return collideWithoutFace(pair, gjk, margin); }
+    const bool haveArea = pair.a.count > 2 || pair.b.count > 2;  // of the Minkowski difference: faces alone decide
+    if (haveArea && faces.ofA.face >= 0 && faces.ofB.face >= 0) {
+        verdict = {.verdict = ManifoldMemory::Verdict::faces, .faceA = faces.ofA.face, .faceB = faces.ofB.face};
+        verdict.takesA = axis.source == AxisSource::faceOfA;
+        verdict.choiceRoom =
+            std::min(choiceRoomOf(pair, faces.ofA, faces.ofB), 0.5 * std::min(faces.ofA.lead, faces.ofB.lead));
+    }
+    return manifold;
 }
 
 bool isFaceNormal(DVec2 faceNormal, DVec2 direction) {
@@ -163,42 +182,110 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
     return manifold;
 }
 
-Manifold collideByGjk(const PairView& pair, double margin) {
+Manifold collideByGjk(const PairView& pair, double margin, PairVerdict& verdict) {
     const GjkResult gjk = closestFeatures(pair, nullptr);
     if (gjk.outcome == GjkOutcome::touching) {
-        return collideTouching(pair, gjk, margin);
+        return collideTouching(pair, gjk, margin, verdict);
     }
     const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
     if (gjk.distance > reach) {
+        verdict.verdict = ManifoldMemory::Verdict::apart;
+        verdict.room = gjk.distance - (reach - margin);
         return {};
     }
     return collideApart(pair, gjk, margin);
 }
 
-/// Polygons without radius in contact overlap or nearly do: separating axes answer most of them without GJK, which is
-/// left with closest vertices.
-Manifold collideSharp(const PairView& pair, double margin) {
-    const FaceAxis faceA = bestFaceOfA(pair);
-    if (faceA.separation > margin) {
-        return {};
-    }
-    const FaceAxis faceB = bestFaceOfB(pair);
-    if (faceB.separation > margin) {
-        return {};
-    }
+/// @param faceA  the best ones. @param verdict  gets all but `room`
+Manifold collideOnBestFaces(const PairView& pair, double margin, const FaceAxis& faceA, const FaceAxis& faceB,
+                            PairVerdict& verdict) {
+    verdict = {.verdict = ManifoldMemory::Verdict::faces, .faceA = faceA.face, .faceB = faceB.face};
+    PairVerdict ofGjk;  // not kept: where no face tells shapes apart, faces are asked first the next time too
     const bool isApart = faceA.separation > 0 || faceB.separation > 0;
     const bool takeA = prefersA(pair, faceA, faceB, isApart ? 0 : kFacePreference);
     if (isApart && !(takeA ? faceA : faceB).isOverFace) {
-        return collideByGjk(pair, margin);
+        return collideByGjk(pair, margin, ofGjk);
     }
     const Manifold manifold =
         takeA ? clipAgainstA(pair, faceA.face, margin, 0) : clipAgainstB(pair, faceB.face, margin, 0);
-    return manifold.count > 0 ? manifold : collideByGjk(pair, margin);
+    if (manifold.count == 0) { return collideByGjk(pair, margin, ofGjk); }
+    verdict.takesA = takeA;
+    verdict.choiceRoom = isApart ? 0 : choiceRoomOf(pair, faceA, faceB);
+    return manifold;
 }
 
-Manifold collideCores(const PairView& pair, double margin) {
+/// @param room  motion up to which the best faces stay the best
+void limitRoom(PairVerdict& verdict, double room) {
+    verdict.room = room;
+    verdict.choiceRoom = std::min(verdict.choiceRoom, room);
+}
+
+/// A face of A or B, and no points.
+Manifold apartAlong(const FaceAxis& face, bool ofA, PairVerdict& verdict) {
+    verdict = {};
+    verdict.verdict = ManifoldMemory::Verdict::apart;
+    (ofA ? verdict.faceA : verdict.faceB) = face.face;
+    verdict.room = face.separation;
+    return {};
+}
+
+/// Polygons without radius in contact overlap or nearly do: separating axes answer most of them without GJK, which is
+/// left with closest vertices.
+Manifold collideSharp(const PairView& pair, double margin, PairVerdict& verdict) {
+    const FaceAxis faceA = bestFaceOfA(pair);
+    if (faceA.separation > margin) {
+        return apartAlong(faceA, true, verdict);
+    }
+    const FaceAxis faceB = bestFaceOfB(pair);
+    if (faceB.separation > margin) {
+        return apartAlong(faceB, false, verdict);
+    }
+    const Manifold manifold = collideOnBestFaces(pair, margin, faceA, faceB, verdict);
+    limitRoom(verdict, 0.5 * std::min(faceA.lead, faceB.lead));  // differences change by twice the motion
+    return manifold;
+}
+
+Manifold collideCores(const PairView& pair, double margin, PairVerdict& verdict) {
     const bool areSharp = pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
-    return areSharp ? collideSharp(pair, margin) : collideByGjk(pair, margin);
+    return areSharp ? collideSharp(pair, margin, verdict) : collideByGjk(pair, margin, verdict);
+}
+
+Manifold clipAgainstChosen(const PairView& pair, const ManifoldMemory& memory, double margin) {
+    return memory.takesA ? clipAgainstA(pair, memory.faceA, margin, 0) : clipAgainstB(pair, memory.faceB, margin, 0);
+}
+
+/// With the best faces known from before. @param motion  since then
+Manifold collideWithKnownFaces(const PairView& pair, const Transform& bInA, Real margin, Real motion,
+                               ManifoldMemory& memory) {
+    const auto reach = static_cast<double>(margin);
+    PairVerdict verdict;
+    const FaceAxis faceA = knownFaceOfA(pair, memory.faceA);
+    const FaceAxis faceB = knownFaceOfB(pair, memory.faceB);
+    Manifold manifold;
+    if (faceA.separation > reach) {
+        manifold = apartAlong(faceA, true, verdict);
+    } else if (faceB.separation > reach) {
+        manifold = apartAlong(faceB, false, verdict);
+    } else {
+        manifold = collideOnBestFaces(pair, reach, faceA, faceB, verdict);
+        limitRoom(verdict, static_cast<double>(memory.room - motion));  // from here: what is left of it
+    }
+    remember(memory, verdict, pair.a, pair.b, bInA);
+    return manifold;
+}
+
+/// The face that told them apart still does. Another may do better; that it does is enough. @return whether it does
+bool isStillApart(const PairView& pair, const Transform& bInA, Real margin, ManifoldMemory& memory) {
+    const bool ofA = memory.faceA != ManifoldMemory::kNoFace;
+    if (!ofA && memory.faceB == ManifoldMemory::kNoFace) { return false; }
+    const FaceAxis face = ofA ? knownFaceOfA(pair, memory.faceA) : knownFaceOfB(pair, memory.faceB);
+    ManifoldMemory now;
+    PairVerdict verdict;
+    apartAlong(face, ofA, verdict);
+    remember(now, verdict, pair.a, pair.b, bInA);
+    if (!(margin < now.room)) { return false; }
+    memory = now;
+    return true;
 }
 
 /// `query(pair, margin)` on the pair at a scale at which its numbers neither overflow nor underflow.
@@ -219,7 +306,34 @@ Manifold atSafeScale(const Polygon& a, const Polygon& b, const Transform& bInA, 
 }  // namespace
 
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin) {
-    return atSafeScale(a, b, bInA, margin, collideCores);
+    PairVerdict verdict;
+    return atSafeScale(a, b, bInA, margin,
+                       [&verdict](const PairView& pair, double reach) { return collideCores(pair, reach, verdict); });
+}
+
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory) {
+    using Verdict = ManifoldMemory::Verdict;
+    const PairView pair(a, b, bInA);
+    if (memory.verdict != Verdict::none) {
+        const Real motion = memory.motionTo(bInA);
+        if (memory.verdict == Verdict::faces) {
+            if (motion < memory.choiceRoom) {
+                const Manifold manifold = clipAgainstChosen(pair, memory, static_cast<double>(margin));
+                if (manifold.count > 0) { return manifold; }
+            }
+            if (motion < memory.room) { return collideWithKnownFaces(pair, bInA, margin, motion, memory); }
+        } else if (motion + margin < memory.room || isStillApart(pair, bInA, margin, memory)) {
+            return {};
+        }
+    }
+    if (RescaledPair(a, b, bInA).isNeeded()) {  // rare enough not to remember anything
+        memory.verdict = Verdict::none;
+        return collide(a, b, bInA, margin);
+    }
+    PairVerdict verdict;
+    const Manifold manifold = collideCores(pair, static_cast<double>(margin), verdict);
+    remember(memory, verdict, a, b, bInA);
+    return manifold;
 }
 
 Manifold collideOnFace(const Polygon& a, int face, const Polygon& b, const Transform& bInA, Real margin, Real sine) {

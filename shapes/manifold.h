@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "chain.h"
+#include "manifold_memory.h"
 #include "polygon.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -31,6 +32,9 @@ struct Manifold {
 /// The deepest point's separation equals `distance()` up to rounding when the shapes are apart; the minimum translation
 /// when they overlap, except that a face axis is preferred to a nearly equal one (by a relative tolerance) for coherence.
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin);
+/// The same manifold, bit for bit, from what the last query about the same two shapes found out, where that still holds.
+/// @param memory  of these two shapes in this order; empty at first
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory);
 
 /// Against one face of A, whatever axis is shorter: the edge of B that faces it, clipped to the face; separations are heights
 /// above it. Nothing is reported where no part of that edge is over the face.
@@ -43,5 +47,6 @@ Manifold collideOnFace(const Polygon& a, int face, const Polygon& b, const Trans
 /// (convex corner) or turned to the segment's own normal (flat or concave corner), so that a body slides over inner
 /// vertices without catching.
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin);
+Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -163,7 +163,7 @@ Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkRe
                        featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}), pair.a, pair.b, margin);
 }
 
-Manifold collideChain(const ChainSegment& segment, const PairView& pair, double margin) {
+Manifold collideChain(const ChainSegment& segment, const PairView& pair, double margin, PairVerdict& verdict) {
     const ChainFace chain = prepare(pair, segment);
     if (dot(chain.face.normal, centerOfB(pair) - chain.face.start) < 0) {
         return {};
@@ -174,6 +174,8 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
         return collideCrossing(pair, chain, margin);
     }
     if (gjk.distance > reach) {
+        verdict.verdict = ManifoldMemory::Verdict::apart;
+        verdict.room = gjk.distance - (reach - margin);
         return {};
     }
     return collideBeside(pair, chain, gjk, margin);
@@ -182,11 +184,21 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
 }  // namespace
 
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin) {
+    ManifoldMemory memory;
+    return collide(a, b, bInA, margin, memory);
+}
+
+Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory) {
+    if (memory.isApart(bInA, margin)) { return {}; }
+    PairVerdict verdict;
     const Polygon core = polygonOf(a);
     const RescaledPair scaled(core, b, bInA, {a.before, a.after});
     if (!scaled.isNeeded()) {
-        return collideChain(a, PairView(core, b, bInA), static_cast<double>(margin));
+        const Manifold manifold = collideChain(a, PairView(core, b, bInA), static_cast<double>(margin), verdict);
+        remember(memory, verdict, core, b, bInA);
+        return manifold;
     }
+    memory.verdict = ManifoldMemory::Verdict::none;  // rare enough not to remember anything
     ChainSegment segment = a;
     for (Vec2* v : {&segment.before, &segment.p, &segment.q, &segment.after}) {
         *v = scaled.scaled(*v);
@@ -196,7 +208,7 @@ Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA,
     scaledA.radius = scaled.scaled(a.radius);
     scaledB.radius = scaled.scaled(b.radius);
     const PairView pair(scaledA, scaledB, scaled.bInA());
-    return restored(scaled, collideChain(segment, pair, static_cast<double>(scaled.scaled(margin))));
+    return restored(scaled, collideChain(segment, pair, static_cast<double>(scaled.scaled(margin)), verdict));
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

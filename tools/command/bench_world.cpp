@@ -1,9 +1,12 @@
 #include "bench_world.h"
 
-#include <cmath>
 #include <iostream>
 #include <memory>
+#include <utility>
 
+#include <swept/samples/scene_reader.h>
+
+#include "../output_files.h"
 #include "../worlds/world_bench.h"
 #include "../worlds/world_child.h"
 #include "../worlds/world_table.h"
@@ -17,6 +20,7 @@ namespace {
 struct WorldArguments {
     worlds::WorldBenchSettings settings;
     int maxBodies = 0;
+    std::string scenesTo;  ///< a directory
     BenchPlaces places;
 };
 
@@ -62,7 +66,30 @@ std::vector<worlds::WorldRow> measureGrowth(const WorldArguments& arguments) {
     return rows;
 }
 
+/// The scenes as they begin, without what their scripts do: for `swept run` and other tools.
+int writeScenes(const WorldArguments& arguments) {
+    const worlds::WorldBenchSettings& settings = arguments.settings;
+    OutputFiles files;
+    files.addDirectory("--write", arguments.scenesTo);
+    std::vector<std::pair<std::string, const worlds::SceneEntry*>> wanted;
+    for (const std::string& name : settings.scenes.empty() ? sceneNames() : settings.scenes) {
+        wanted.emplace_back(arguments.scenesTo + '/' + name + ".json", worlds::sceneNamed(name));
+        files.addFile("--write", wanted.back().first);
+    }
+    std::string error;
+    if (!files.open(error)) {
+        return refuse(error);
+    }
+    for (const auto& [path, entry] : wanted) {
+        *files.stream(path) << writeScene(entry->make(settings.size).scene);
+    }
+    return files.close(error) ? kExitDone : refuse(error);
+}
+
 int measureWorld(const WorldArguments& arguments) {
+    if (!arguments.scenesTo.empty()) {
+        return writeScenes(arguments);
+    }
     std::vector<worlds::WorldRow> rows;
     std::vector<worlds::WorldRow> growth;
     const worlds::WorldBenchSettings& settings = arguments.settings;
@@ -118,6 +145,7 @@ void addBenchWorld(Command bench) {
         .within(100, 1'000'000)
         .excludes(scenes)
         .excludes(size);
+    command.option("--write", arguments->scenesTo, "Instead: write the scenes as they begin, for other tools").type("DIR");
     command.option("--csv", arguments->places.csv, "Write a record for each engine and scene").type("FILE");
     command
         .option("--plots", arguments->places.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
