@@ -31,11 +31,14 @@ struct SceneRun {
     bool underflow = false;
 };
 
-inline SceneRun runOf(const SceneDescription& scene, Precision precision, std::int64_t steps) {
+/// @param tasks  of the world; null: one thread. Underflow is seen on that of the caller only.
+inline SceneRun runOf(const SceneDescription& scene, Precision precision, std::int64_t steps,
+                      TaskSystem* tasks = nullptr) {
     SceneRun run;
     std::string error;
     std::feclearexcept(FE_ALL_EXCEPT);
-    const auto runner = makeRunner(scene, {.precision = precision, .collectEvents = true, .measure = true}, error);
+    const RunnerOptions options{.precision = precision, .collectEvents = true, .measure = true, .tasks = tasks};
+    const auto runner = makeRunner(scene, options, error);
     EXPECT_NE(runner, nullptr) << error;
     if (runner == nullptr) { return run; }
     run.trace = runTrace(*runner, steps, 1, true);
