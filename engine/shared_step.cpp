@@ -24,7 +24,7 @@ double workOf(const StepCounters& counters) {
 }
 
 void shareStep(WorldState& world, const StepCounters& last, FunctionRef<void()> pipeline) {
-    TaskSystem& tasks = *world.tasks;
+    TaskSystem& tasks = *world.userTasks;
     const double start = tasks.startSeconds();
     if (tasks.workerCount() <= 1 || workOf(last) < kWorthStarting * start) {
         world.loops = &world.serialTasks;

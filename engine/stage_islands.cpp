@@ -117,10 +117,10 @@ void listRanges(FastIslands& fast) {
 /// What bounces off each other in flight.
 void clashAll(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
-    const auto workers = static_cast<std::size_t>(world.tasks->workerCount());
+    const auto workers = static_cast<std::size_t>(world.loops->workerCount());
     world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
     world.clashScratch.resize(std::max(workers, world.clashScratch.size()));
-    world.tasks->run(fast.ranges.size(), kClashGrain, [&](std::size_t begin, std::size_t end, int worker) {
+    world.loops->run(fast.ranges.size(), kClashGrain, [&](std::size_t begin, std::size_t end, int worker) {
         const auto w = static_cast<std::size_t>(worker);
         for (std::size_t i = begin; i < end; ++i) {
             IslandRange& range = fast.ranges[i];

@@ -139,7 +139,7 @@ Status World::configure(const WorldSettings& settings) {
 
 const WorldSettings& World::settings() const { return state_->settings; }
 
-void World::setTaskSystem(TaskSystem* tasks) { state_->tasks = tasks != nullptr ? tasks : &state_->serialTasks; }
+void World::setTaskSystem(TaskSystem* tasks) { state_->userTasks = tasks != nullptr ? tasks : &state_->serialTasks; }
 
 Status World::step(double dt) {
     WorldState& world = *state_;

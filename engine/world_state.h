@@ -55,7 +55,7 @@ struct SensorSweeps {
 struct WorldState {
     WorldSettings settings;
     SerialTaskSystem serialTasks;
-    TaskSystem* tasks = &serialTasks;  ///< of the user
+    TaskSystem* userTasks = &serialTasks;  ///< what the user gave; stages use `loops`
     Crew crew;
     TaskSystem* loops = &serialTasks;  ///< where the parallel loops of the present step run
 

@@ -12,12 +12,14 @@ inline void throwChain(SceneDescription& scene, const std::string& name, DVec2 f
     for (int i = 0; i < 5; ++i) {
         const std::string link = name + std::to_string(i);
         addDynamic(scene, link, from + DVec2{0.5 * i, 0}, {box({0.25, 0.1})}).velocity = velocity;
-        if (i > 0) { hinge(scene, name + std::to_string(i - 1), link, from + DVec2{0.5 * i - 0.25, 0}); }
+        if (i > 0) {
+            hinge(scene, name + std::to_string(i - 1), link, from + DVec2{0.5 * i - 0.25, 0});
+        }
     }
 }
 
-/// Everything at once: piles that sleep and that do not, chains thrown at walls and at each other, a motor, bullets, bouncing
-/// flyers, a sensor, a paddle that turns.
+/// Everything at once: piles that sleep and that do not, chains thrown at walls and at each other, a motor, bullets,
+/// bouncing flyers, a sensor, a paddle that turns.
 inline SceneDescription mixedScene() {
     using namespace build;
     SceneDescription scene = build::scene("mixed", {0, 8}, 24);
@@ -38,8 +40,8 @@ inline SceneDescription mixedScene() {
     scene.bodies.back().shapes[0].sensor = true;
     Dice dice(3);
     for (int i = 0; i < 24; ++i) {
-        BodyDescription& ball = addDynamic(scene, "", {dice.range(-18, 18), dice.range(9, 18)},
-                                           {withRestitution(circle(0.2), 0.9)});
+        BodyDescription& ball =
+            addDynamic(scene, "", {dice.range(-18, 18), dice.range(9, 18)}, {withRestitution(circle(0.2), 0.9)});
         ball.velocity = {dice.range(-90, 90), dice.range(-90, 90)};
         ball.bullet = i % 4 == 0;
     }
