@@ -134,7 +134,7 @@ bool isFlung(const Body& body, const BodyState& state) {
 SolveReport solveWithJoints(WorldState& world, std::span<const std::uint32_t> joints, const SolverSettings& settings,
                             Real dt) {
     addJoints(world, joints, settings.dt / static_cast<Real>(settings.subSteps), dt);
-    const SolveReport report = world.solver.solve(world.batch, settings);
+    const SolveReport report = world.solver.solve(world.batch, settings, *world.loops);
     readConstraints(world.batch, world, settings.dt);
     world.batch.clearJoints();  // so that nobody need look for any in a solve without
     return report;
@@ -225,7 +225,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .bounces = world.bouncyShapes > 0,
                                   .direct = group.effort.direct};
     const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
-                                               : world.solver.solve(world.batch, settings);
+                                               : world.solver.solve(world.batch, settings, *world.loops);
     readContacts(world, group.contacts, threshold, part, scale);
     readBodies(world, group);
     StepCounters& counters = world.counters;

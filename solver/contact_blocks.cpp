@@ -71,11 +71,6 @@ void fillBlock(WideContact<kPoints>& block, const SolverBatch& batch, std::span<
     }
 }
 
-template <class Block>
-std::span<Block> blocksOf(std::vector<Block>& all, ColourRange range) {
-    return std::span<Block>(all).subspan(range.begin, range.end - range.begin);
-}
-
 /// Visits each contact of blocks in the batch with its block and lane.
 template <class Block, class Visit>
 void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contacts, Visit&& visit) {
@@ -156,28 +151,34 @@ void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool
     }
 }
 
-void ContactBlocks::warmStart(SolverBatch& batch, int colour) {
+std::size_t ContactBlocks::countOf(int colour) const {
     const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
-    const SolverBodies bodies{batch.states, batch.inertias};
-    if (ranges.two.begin < ranges.two.end) {
-        kernels_->warmStartTwo(blocksOf(two_.blocks, ranges.two), bodies);
-    }
-    if (ranges.one.begin < ranges.one.end) {
-        kernels_->warmStartOne(blocksOf(one_.blocks, ranges.one), bodies);
-    }
-    warmStartContacts(batch.contacts, blocksOf(rest_, ranges.rest), bodies);
+    return (ranges.two.end - ranges.two.begin) + (ranges.one.end - ranges.one.begin) +
+           (ranges.rest.end - ranges.rest.begin);
 }
 
-void ContactBlocks::solve(SolverBatch& batch, int colour, const ContactPass& pass) {
+void ContactBlocks::warmStart(SolverBatch& batch, int colour, RangeCut cut) {
     const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
     const SolverBodies bodies{batch.states, batch.inertias};
-    if (ranges.two.begin < ranges.two.end) {
-        kernels_->solveTwo(blocksOf(two_.blocks, ranges.two), bodies, pass);
+    if (const auto blocks = cut.next(two_.blocks, ranges.two); !blocks.empty()) {
+        kernels_->warmStartTwo(blocks, bodies);
     }
-    if (ranges.one.begin < ranges.one.end) {
-        kernels_->solveOne(blocksOf(one_.blocks, ranges.one), bodies, pass);
+    if (const auto blocks = cut.next(one_.blocks, ranges.one); !blocks.empty()) {
+        kernels_->warmStartOne(blocks, bodies);
     }
-    const std::span<const std::uint32_t> rest = blocksOf(rest_, ranges.rest);
+    warmStartContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies);
+}
+
+void ContactBlocks::solve(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass) {
+    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
+    const SolverBodies bodies{batch.states, batch.inertias};
+    if (const auto blocks = cut.next(two_.blocks, ranges.two); !blocks.empty()) {
+        kernels_->solveTwo(blocks, bodies, pass);
+    }
+    if (const auto blocks = cut.next(one_.blocks, ranges.one); !blocks.empty()) {
+        kernels_->solveOne(blocks, bodies, pass);
+    }
+    const std::span<const std::uint32_t> rest = cut.next(rest_, ranges.rest);
     solveContacts(batch.contacts, rest, bodies, pass.h, pass.useBias);
     if (!pass.isLast) {
         return;

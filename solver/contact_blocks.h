@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "constraint_graph.h"
+#include "range_cut.h"
 #include "solver_batch.h"
 #include "wide_contacts.h"
 
@@ -18,8 +19,11 @@ public:
     /// @param prepared  whether all contacts are (`prepareContact`); else what stands in blocks is prepared there alone
     void build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, bool prepared);
     int blockCount() const { return static_cast<int>(one_.count + two_.count); }
-    void warmStart(SolverBatch& batch, int colour);
-    void solve(SolverBatch& batch, int colour, const ContactPass& pass);
+    /// Blocks, and contacts on their own, of a colour. Those of a range may be solved beside those of another one.
+    std::size_t countOf(int colour) const;
+    /// @param cut  of the parts of the colour
+    void warmStart(SolverBatch& batch, int colour, RangeCut cut);
+    void solve(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
     /// Ends a sub-step for contacts with restitution, whose totals are in the batch; the others had theirs by the last
     /// pass.
     void addUpBouncing(SolverBatch& batch) const;

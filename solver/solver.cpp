@@ -1,14 +1,24 @@
 #include "solver.h"
 
+#include <atomic>
 #include <span>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Joints, blocks of contacts and contacts on their own per part of a parallel loop, and bodies: some microseconds of work.
+constexpr std::size_t kConstraintGrain = 16;
+constexpr std::size_t kBodyGrain = 128;
+
 template <class Constraint>
-std::span<Constraint> ofColour(std::vector<Constraint>& all, const ConstraintGraph& graph, int colour) {
-    const ColourRange range = graph.range<Constraint>(colour);
-    return std::span<Constraint>(all).subspan(range.begin, range.end - range.begin);
+ColourRange rangeOf(const std::vector<Constraint>&, const ConstraintGraph& graph, int colour) {
+    return graph.range<Constraint>(colour);
+}
+
+template <class Constraint>
+std::size_t countOf(const std::vector<Constraint>& joints, const ConstraintGraph& graph, int colour) {
+    const ColourRange range = rangeOf(joints, graph, colour);
+    return joints.empty() ? 0 : range.end - range.begin;
 }
 
 SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias}; }
@@ -23,9 +33,9 @@ bool limitSpeed(BodyState& body, Real maxSpeed) {
     return true;
 }
 
-int integrateVelocities(SolverBatch& batch, Real maxSpeed) {
+int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, std::size_t end) {
     int limited = 0;
-    for (std::size_t i = 1; i < batch.states.size(); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         BodyState& body = batch.states[i];
         const BodyDrive& drive = batch.drives[i];
         body.velocity = drive.decay * body.velocity + drive.gain;
@@ -35,8 +45,8 @@ int integrateVelocities(SolverBatch& batch, Real maxSpeed) {
     return limited;
 }
 
-void integratePositions(SolverBatch& batch, Real h) {
-    for (std::size_t i = 1; i < batch.states.size(); ++i) {
+void integratePositions(SolverBatch& batch, Real h, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
         BodyState& body = batch.states[i];
         body.deltaPosition += h * body.velocity;
         body.deltaAngle += h * body.angularVelocity;
@@ -118,18 +128,35 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
     }
 }
 
+/// All that a colour holds, joints first and one list after the other, in ranges that any worker may take: no two share a
+/// movable body.
+template <bool kJoints, class Visit>
+void Solver::forColour(SolverBatch& batch, int colour, const Visit& visit) {
+    std::size_t count = contacts_.countOf(colour);
+    if constexpr (kJoints) {
+        batch.forEachJointKind([&](auto& joints) { count += countOf(joints, graph_, colour); });
+    }
+    if (colour == kOverflowColour || count <= kConstraintGrain) {
+        visit(RangeCut(0, count));
+        return;
+    }
+    loops_->run(count, kConstraintGrain, [&](std::size_t begin, std::size_t end, int) { visit(RangeCut(begin, end)); });
+}
+
 template <bool kJoints>
 void Solver::warmStart(SolverBatch& batch) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
-        if constexpr (kJoints) {
-            batch.forEachJointKind([&](auto& joints) {
-                if (!joints.empty()) {
-                    swept::warmStart(ofColour(joints, graph_, colour), bodies);
-                }
-            });
-        }
-        contacts_.warmStart(batch, colour);
+        forColour<kJoints>(batch, colour, [&](RangeCut cut) {
+            if constexpr (kJoints) {
+                batch.forEachJointKind([&](auto& joints) {
+                    if (!joints.empty()) {
+                        swept::warmStart(cut.next(joints, rangeOf(joints, graph_, colour)), bodies);
+                    }
+                });
+            }
+            contacts_.warmStart(batch, colour, cut);
+        });
     }
 }
 
@@ -137,15 +164,35 @@ template <bool kJoints>
 void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
-        if constexpr (kJoints) {
-            batch.forEachJointKind([&](auto& joints) {
-                if (!joints.empty()) {
-                    swept::solve(ofColour(joints, graph_, colour), bodies, pass.h, pass.useBias);
-                }
-            });
-        }
-        contacts_.solve(batch, colour, pass);
+        forColour<kJoints>(batch, colour, [&](RangeCut cut) {
+            if constexpr (kJoints) {
+                batch.forEachJointKind([&](auto& joints) {
+                    if (!joints.empty()) {
+                        swept::solve(cut.next(joints, rangeOf(joints, graph_, colour)), bodies, pass.h, pass.useBias);
+                    }
+                });
+            }
+            contacts_.solve(batch, colour, cut, pass);
+        });
     }
+}
+
+/// @return bodies whose speed was cut
+int Solver::integrateVelocities(SolverBatch& batch, Real maxSpeed) {
+    std::atomic<int> limited = 0;
+    loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
+        const int some = swept::integrateVelocities(batch, maxSpeed, begin + 1, end + 1);
+        if (some > 0) {
+            limited.fetch_add(some, std::memory_order_relaxed);
+        }
+    });
+    return limited;
+}
+
+void Solver::integratePositions(SolverBatch& batch, Real h) {
+    loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
+        swept::integratePositions(batch, h, begin + 1, end + 1);
+    });
 }
 
 /// @pre drives of a whole sub-step, or of half a one, twice
@@ -232,7 +279,8 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     return report;
 }
 
-SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings) {
+SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
+    loops_ = &loops;
     return settings.joints ? solveWith<true>(batch, settings) : solveWith<false>(batch, settings);
 }
 

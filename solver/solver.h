@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "../shapes/task_system.h"
 #include "constraint_graph.h"
 #include "contact_blocks.h"
 #include "direct_solver.h"
@@ -42,9 +43,16 @@ class Solver {
 public:
     /// @pre slots are valid, effective data (anchors, separations, limits) filled; masses are computed here (and of
     /// contacts that are solved side by side, only there).
-    SolveReport solve(SolverBatch& batch, const SolverSettings& settings);
+    /// @param loops  runs what is independent: the constraints of a colour, the bodies
+    SolveReport solve(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
+    SolveReport solve(SolverBatch& batch, const SolverSettings& settings) {
+        SerialTaskSystem loops;
+        return solve(batch, settings, loops);
+    }
 
 private:
+    int integrateVelocities(SolverBatch& batch, Real maxSpeed);
+    void integratePositions(SolverBatch& batch, Real h);
     void listBouncing(SolverBatch& batch, Real restitutionThreshold);
     // What is not there is left out of the loops, not asked for in each of their rounds.
     template <bool kJoints>
@@ -56,6 +64,8 @@ private:
     SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings);
     template <bool kJoints>
     void prepare(SolverBatch& batch, const SolverSettings& settings);
+    template <bool kJoints, class Visit>
+    void forColour(SolverBatch& batch, int colour, const Visit& visit);
     template <bool kJoints>
     void warmStart(SolverBatch& batch);
     template <bool kJoints>
@@ -63,6 +73,7 @@ private:
     template <bool kJoints, bool kBounces>
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
+    TaskSystem* loops_ = nullptr;  ///< of the present solve
     ConstraintGraph graph_;
     ContactBlocks contacts_;
     DirectSolver direct_;
