@@ -133,11 +133,11 @@ void addBenchWorld(Command bench) {
         .type("N")
         .within(1, 100'000);
     command.flag("--full", settings.full, "Instead: from the first step, as many as the published benchmark has");
-    const Option size = command.option("--size", settings.size, "Of the number of moving bodies, 1 as published [1]")
+    const Option size = command.option("--size", settings.size, "Of the number of moving bodies, 1 as published [0.25]")
                             .type("X")
                             .withinReals(1e-4, 100);
-    command.option("--repeats", settings.repeats, "Runs of each [3]").type("N").within(1, 100);
-    command.option("--seconds", settings.seconds, "Processor time after which an engine is stopped in a scene [10]")
+    command.option("--repeats", settings.repeats, "Runs of each [2]").type("N").within(1, 100);
+    command.option("--seconds", settings.seconds, "Processor time after which an engine is stopped in a scene [5]")
         .type("S")
         .withinReals(0, 100'000);
     command.option("--growth", arguments->maxBodies, "Instead: cost of a body in worlds of a hundred to N bodies")

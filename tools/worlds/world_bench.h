@@ -15,11 +15,11 @@ namespace swept::worlds {
 struct WorldBenchSettings {
     std::vector<std::string> scenes;   ///< names; empty: all
     std::vector<std::string> engines;  ///< names of contestants; empty: all
-    double size = 1;                   ///< of the number of moving bodies
+    double size = 0.25;                ///< of the number of moving bodies
     int steps = 60;                    ///< that are timed, after those in which the scene becomes what it is about
     bool full = false;                 ///< instead: all steps of the published benchmark, from the first one
-    int repeats = 3;                   ///< runs of each; of each step the fastest counts
-    double seconds = 10;               ///< of processor time; what has used them up in a scene is stopped
+    int repeats = 2;                   ///< runs of each; of each step the fastest counts
+    double seconds = 5;                ///< of processor time; what has used them up in a scene is stopped
     std::string executable = "/proc/self/exe";
 };
 
