@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "../shapes/chain.h"
 #include "../shapes/hull.h"
 #include "scene_reader.h"
 
@@ -343,6 +344,17 @@ bool buildJoints(const SceneDescription& scene, std::span<const std::size_t> wan
 
 ShapeOrigin shapeOrigin(std::uint64_t userData) {
     return {static_cast<int>(userData >> kIndexBits), static_cast<int>(userData & 0xFFFFFFFFu)};
+}
+
+std::vector<Polygon> polygonsOf(const ShapeDescription& shape) {
+    const auto* const chain = std::get_if<ChainGeometry>(&shape.geometry);
+    if (chain == nullptr) { return {std::visit(PolygonMaker{real(shape.radius)}, shape.geometry).value()}; }
+    const std::vector<Vec2> points = realPoints(chain->points);
+    std::vector<Polygon> edges;
+    for (int i = 0; i < chainSegmentCount(static_cast<int>(points.size()), chain->loop); ++i) {
+        edges.push_back(polygonOf(chainSegment(points, chain->loop, real(shape.radius), i)));
+    }
+    return edges;
 }
 
 bool buildWorld(const SceneDescription& scene, SceneWorld& built, std::string& error) {

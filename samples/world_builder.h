@@ -23,6 +23,9 @@ struct ShapeOrigin {
 };
 ShapeOrigin shapeOrigin(std::uint64_t userData);
 
+/// The convex pieces of a shape, frame of its body: one, or one for each edge of a chain. @pre `buildWorld` accepts it
+std::vector<Polygon> polygonsOf(const ShapeDescription& shape);
+
 /// @return whether all of it could be made; else `error` says what was refused, with its JSON pointer.
 bool buildWorld(const SceneDescription& scene, SceneWorld& built, std::string& error);
 

@@ -1,94 +1,52 @@
 #include <algorithm>
 
-#include <swept/engine/world.h>
+#include <swept/samples/world_builder.h>
 
+#include "../reference/joint_ends.h"
+#include "../worlds/bench_scene.h"
 #include "broadphase_peer_scenes.h"
-#include "peer_scenes.h"
 
 namespace swept::bench {
 namespace {
 
 constexpr double kDt = 1.0 / 60;
 
-ProxyKind kindOf(BodyType type) {
+ProxyKind kindOf(SceneBodyType type) {
     switch (type) {
-        case BodyType::fixed: return ProxyKind::fixed;
-        case BodyType::kinematic: return ProxyKind::kinematic;
-        case BodyType::dynamic: return ProxyKind::dynamic;
+        case SceneBodyType::fixed: return ProxyKind::fixed;
+        case SceneBodyType::kinematic: return ProxyKind::kinematic;
+        case SceneBodyType::dynamic: return ProxyKind::dynamic;
     }
     return ProxyKind::fixed;  // unreachable, but GCC cannot know
 }
 
 /// Our world, which tells the bounds of what moves.
-class Recorder final : public PeerWorld {
+class Recorder {
 public:
-    explicit Recorder(const char* name) {
-        motion_.name = name;
-        settings_.profile = Profile::fast;
-        settings_.gravity = {0, -10};
-        (void)world_.configure(settings_);
+    explicit Recorder(const worlds::BenchScene& bench) : scene_(bench.scene), ends_(jointEndsOf(bench.scene)) {
+        scene_.settings.profile = SceneProfile::fast;
+        std::string error;  // what other benchmarks play can be built
+        (void)buildWorld(scene_, built_, error);
+        bodies_.resize(scene_.bodies.size());
+        motion_.name = scene_.name;
+        for (std::uint32_t body = 0; body < bodies_.size(); ++body) { track(body); }
+        remove({bench.absent.rbegin(), bench.absent.rend()});
     }
 
-    void setGravity(Vec2 gravity) override {
-        settings_.gravity = gravity;
-        (void)world_.configure(settings_);
-    }
-    void setSleep(bool allowed) override {
-        settings_.sleep = allowed;
-        (void)world_.configure(settings_);
-    }
-
-    std::uint32_t addBody(const PeerBody& body) override {
-        const auto number = static_cast<std::uint32_t>(bodies_.size());
-        Tracked& tracked = bodies_.emplace_back();
-        tracked.id = world_.createBody(body.def).value();
-        tracked.type = body.def.type;
-        for (const PeerShape& shape : body.shapes) {
-            (void)world_.addShape(tracked.id, shape.polygon, shape.def);
-            track(number, shape.polygon, shape.def.filter);
-        }
-        if (!body.loop.empty()) {
-            ShapeDef def;
-            def.friction = body.loopFriction;
-            (void)world_.addChain(tracked.id, body.loop, true, def);
-            for (std::size_t i = 0; i < body.loop.size(); ++i) {
-                const Vec2 next = body.loop[(i + 1) % body.loop.size()];
-                track(number, makeSegment(body.loop[i], next).value(), def.filter);
-            }
-        }
-        return number;
-    }
-
-    void removeBody(std::uint32_t body) override {
-        Tracked& tracked = bodies_[body];
-        (void)world_.destroyBody(tracked.id);
-        tracked.isGone = true;
-        if (isRecording_) {
-            for (const TrackedShape& shape : tracked.shapes) {
-                if (shape.proxy != kNoProxy) { pending_.removed.push_back(shape.proxy); }
-            }
+    void change(const worlds::SceneChange& change) {
+        remove(change.removed);
+        std::string error;
+        (void)rebuildBodies(scene_, change.added, jointsOn(ends_, change.added), built_, error);
+        for (const std::uint32_t body : change.added) { track(body); }
+        for (const worlds::SceneChange::Push& push : change.pushed) {
+            const BodyId id = built_.bodies[push.body];
+            (void)built_.world.setVelocity(id, toReal(push.velocity), built_.world.angularVelocity(id));
         }
     }
 
-    void addHinge(const PeerHinge& hinge) override {
-        RevoluteJointDef def;
-        def.base.bodyA = bodies_[hinge.a].id;
-        def.base.bodyB = bodies_[hinge.b].id;
-        def.anchor = hinge.anchor;
-        def.limits = hinge.limits;
-        def.motor = hinge.motor;
-        def.spring = hinge.spring;
-        (void)world_.createJoint(def);
-    }
-
-    void setVelocity(std::uint32_t body, Vec2 velocity) override {
-        (void)world_.setVelocity(bodies_[body].id, velocity, 0);
-    }
-
-    void step(double dt) override { (void)world_.step(dt); }
+    void step(double dt) { (void)built_.world.step(dt); }
 
     void startRecording() {
-        isRecording_ = true;
         pending_ = {};
         note();
     }
@@ -97,7 +55,7 @@ public:
         for (std::uint32_t number = 0; number < bodies_.size(); ++number) {
             Tracked& tracked = bodies_[number];
             if (tracked.isGone) { continue; }
-            const WorldTransform pose = poseOf(tracked);
+            const WorldTransform pose = poseOf(number);
             const bool isNew = !tracked.shapes.empty() && tracked.shapes.front().proxy == kNoProxy;
             if (isNew || !(pose == tracked.lastPose)) { noteBody(number, pose, isNew); }
         }
@@ -117,25 +75,38 @@ private:
         std::uint32_t proxy = kNoProxy;  // numbered when it is first told of
     };
     struct Tracked {
-        BodyId id{};
-        BodyType type = BodyType::fixed;
         bool isGone = false;
         WorldTransform lastPose{};
         std::vector<TrackedShape> shapes;
     };
 
-    void track(std::uint32_t body, const Polygon& polygon, const Filter& filter) {
-        bodies_[body].shapes.push_back({polygon, filter});
+    void track(std::uint32_t body) {
+        bodies_[body] = {};
+        for (const ShapeDescription& shape : scene_.bodies[body].shapes) {
+            const Filter filter{shape.filter.category, shape.filter.mask, shape.filter.group};
+            for (const Polygon& polygon : polygonsOf(shape)) { bodies_[body].shapes.push_back({polygon, filter}); }
+        }
     }
 
-    WorldTransform poseOf(const Tracked& tracked) const {
-        return {world_.position(tracked.id), rotationFromAngle(world_.angle(tracked.id))};
+    void remove(const std::vector<std::uint32_t>& bodies) {
+        for (const std::uint32_t body : bodies) {
+            (void)built_.world.destroyBody(built_.bodies[body]);
+            bodies_[body].isGone = true;
+            for (const TrackedShape& shape : bodies_[body].shapes) {
+                if (shape.proxy != kNoProxy) { pending_.removed.push_back(shape.proxy); }
+            }
+        }
+    }
+
+    WorldTransform poseOf(std::uint32_t body) const {
+        const BodyId id = built_.bodies[body];
+        return {built_.world.position(id), rotationFromAngle(built_.world.angle(id))};
     }
 
     void noteBody(std::uint32_t number, const WorldTransform& pose, bool isNew) {
         Tracked& tracked = bodies_[number];
         tracked.lastPose = pose;
-        const Vec2 motion = static_cast<Real>(kDt) * world_.velocity(tracked.id);
+        const Vec2 motion = static_cast<Real>(kDt) * built_.world.velocity(built_.bodies[number]);
         for (TrackedShape& shape : tracked.shapes) {
             const Aabb bounds = boundsOf(shape.polygon, pose);
             if (isNew) {
@@ -148,7 +119,7 @@ private:
 
     ProxyTraits traitsOf(const TrackedShape& shape, std::uint32_t body, const Aabb& bounds) const {
         ProxyTraits traits;
-        traits.kind = kindOf(bodies_[body].type);
+        traits.kind = kindOf(scene_.bodies[body].type);
         traits.body = body;
         traits.filter = shape.filter;
         traits.extent = static_cast<float>(extentOf(shape.polygon));
@@ -156,28 +127,41 @@ private:
         return traits;
     }
 
-    World world_;
-    WorldSettings settings_;
+    SceneDescription scene_;
+    std::vector<JointEnds> ends_;
+    SceneWorld built_;
     std::vector<Tracked> bodies_;
     Motion motion_;
     MotionStep pending_;
-    bool isRecording_ = false;
 };
 
 }  // namespace
+
+const char* nameOf(PeerScene scene) {
+    switch (scene) {
+        case PeerScene::compounds: return "compounds";
+        case PeerScene::smash: return "smash";
+        case PeerScene::spinner: return "spinner";
+        case PeerScene::tumbler: return "tumbler";
+        case PeerScene::washer: return "washer";
+        case PeerScene::jointGrid: return "joint-grid";
+        case PeerScene::rain: return "rain";
+        case PeerScene::junkyard: return "junkyard";
+    }
+    return "";  // unreachable, but GCC cannot know
+}
 
 RecordedScene recordPeerScene(PeerScene scene, double stepScale) {
     constexpr int kWarmSteps = 15;  // until boxes are renewed at different times again
     constexpr int kTimedSteps = 30;
     const auto scaled = [stepScale](int steps) { return 1 + static_cast<int>(stepScale * steps); };
-    const std::unique_ptr<PeerScript> script = makePeerScript(scene);
-    Recorder recorder(nameOf(scene));
-    script->create(recorder);
-    const int skipped = scaled(script->stepsToSkip());
+    const worlds::BenchScene bench = worlds::sceneNamed(nameOf(scene))->make(1);
+    Recorder recorder(bench);
+    const int skipped = scaled(bench.warmSteps);
     const int last = skipped + scaled(kWarmSteps) + scaled(kTimedSteps);
     for (int step = 0; step < last; ++step) {
         if (step == skipped) { recorder.startRecording(); }
-        script->beforeStep(recorder, step);
+        if (bench.script) { recorder.change(bench.script(step)); }
         recorder.step(kDt);
         if (step >= skipped) { recorder.note(); }
     }
