@@ -25,6 +25,8 @@ struct StepCounters {
     std::uint64_t mostSubSteps = 0;    ///< of any of them
     std::uint64_t directBodies = 0;    ///< in islands whose rigid rows are solved all at once
     std::uint64_t factorisations = 0;  ///< of their matrices
+    std::uint64_t directRounds = 0;    ///< in which it was found what presses and what sticks
+    std::uint64_t directGivenUp = 0;   ///< solves in which it was not: left to iteration
     std::uint64_t overPenetration = 0; ///< contacts deeper than `maxPenetration` when the step began
     std::uint64_t overJointError = 0;  ///< joints farther apart than `maxJointError` when the step began
     std::uint64_t overLostTime = 0;    ///< bodies that lost more than `maxLostTime` in all, and lost some in the step

@@ -12,14 +12,16 @@ namespace {
 /// Sub-steps are no longer than this part of the time √(extent/|gravity|) in which things fall their own size.
 constexpr double kSubStepRatio = 0.1;
 /// Stacks that iteration carries badly: so many times as high as their thinnest body, or with masses so far apart.
-constexpr double kHighStack = 8;
+constexpr double kHighStack = 2;
 constexpr Real kHeavyRatio = 8;
+/// Contacts that close loops: in larger webs the factor fills up.
+constexpr std::uint32_t kMostWebBodies = 256;
 /// Joints in an island that iteration brings together badly.
 constexpr std::uint32_t kLongChain = 16;
-/// Towers at rest that are solved all at once make do with a quarter of the sub-steps: their error does not depend on
-/// them. At rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by
-/// iteration, unless masses are far apart.
-constexpr std::int8_t kTowerDoublings = -2;
+/// What rests and is solved all at once makes do with an eighth of the sub-steps: its error does not depend on them. At
+/// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration, unless
+/// masses are far apart.
+constexpr std::int8_t kTowerDoublings = -3;
 constexpr double kRestRatioOfFall = 1.0 / 8;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
 constexpr int kFewestSubStepsForJoints = 8;
@@ -93,6 +95,9 @@ std::int8_t doublingsFor(const IslandLoad& load, std::int8_t fewest, double grav
 /// Whether the contacts tie the bodies, and the ground, together without closing a loop: a tower, not a wall.
 bool isTree(const IslandLoad& load) { return load.contacts + load.joints <= load.bodies; }
 
+/// Contact graphs of convex bodies in the plane are planar, and have fewer edges than three times the nodes.
+bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && load.contacts <= 3 * load.bodies; }
+
 /// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and
 /// joints that are exact each time are worth it only where iteration over them is hopeless.
 DirectScope scopeForJoints(const IslandLoad& load, int subSteps) {
@@ -123,8 +128,10 @@ std::int8_t doublingsForWhips(const IslandLoad& load, int subSteps) {
 DirectScope scopeForContacts(const IslandLoad& load, bool rests) {
     const bool isHigh = load.highest - load.lowest >= kHighStack * static_cast<double>(load.thinnest);
     const bool isHeavy = load.heaviest >= kHeavyRatio * load.lightest;
-    const bool isStack = load.bodies > 1 && load.thinnest > 0 && isTree(load);
-    return isStack && ((isHigh && rests) || isHeavy) ? DirectScope::all : DirectScope::none;
+    const bool isStack = load.bodies > 1 && load.thinnest > 0;
+    const bool needsIt = (isHigh && rests) || isHeavy;
+    const bool mayHaveIt = isTree(load) || (rests && isWeb(load));
+    return isStack && needsIt && mayHaveIt ? DirectScope::all : DirectScope::none;
 }
 
 Effort effortFor(const IslandLoad& load, double gravity, double dt, int subSteps) {

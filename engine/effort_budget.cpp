@@ -74,7 +74,10 @@ void measureBodies(WorldState& world, Real dt) {
             continue;
         }
         IslandErrors& errors = world.islandErrors[world.islands.find(slot)];
-        errors.doublings = std::max(errors.doublings, body.effort.doublings);
+        // What was solved all at once had few sub-steps and no error: that tells nothing about what iteration needs.
+        const bool tells = body.effort.direct != DirectScope::all;
+        const std::int8_t doublings = tells ? body.effort.doublings : std::max(body.effort.doublings, std::int8_t{0});
+        errors.doublings = std::max(errors.doublings, doublings);
         errors.push = std::max(errors.push, pushOf(body, dt));
     }
 }
@@ -165,7 +168,7 @@ std::int8_t doublingsFor(const WorldSettings& settings, const IslandErrors& erro
     // What is solved all at once has its few sub-steps for other reasons, and what no budget bounds gets no worse.
     const bool mayLower =
         holdsContacts == errors.hasContacts && holdsJoints == errors.hasJoints && usual.direct == DirectScope::none;
-    const Search search(settings, errors.doublings);
+    const Search search(settings, usual.direct == DirectScope::all ? usual.doublings : errors.doublings);
     auto doublings = static_cast<std::int8_t>(usual.doublings - (mayLower ? kMostHalvings : 0));
     if (holdsJoints) {
         doublings = std::max(doublings, search.doublingsForError(errors.jointError, settings.maxJointError));

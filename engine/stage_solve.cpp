@@ -236,6 +236,8 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     counters.mostSubSteps = std::max(counters.mostSubSteps, static_cast<std::uint64_t>(part.subSteps));
     counters.directBodies += report.isDirect ? world.batch.states.size() - 1 : 0;
     counters.factorisations += static_cast<std::uint64_t>(report.direct.factorisations);
+    counters.directRounds += static_cast<std::uint64_t>(report.direct.rounds);
+    counters.directGivenUp += static_cast<std::uint64_t>(report.direct.givenUp);
     counters.bounceRounds += static_cast<std::uint64_t>(report.bounceRounds);
     counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
     counters.constraints += world.batch.contacts.size() + group.joints.size();

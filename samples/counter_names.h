@@ -30,6 +30,8 @@ inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::
     {"mostSubSteps", &StepCounters::mostSubSteps},
     {"directBodies", &StepCounters::directBodies},
     {"factorisations", &StepCounters::factorisations},
+    {"directRounds", &StepCounters::directRounds},
+    {"directGivenUp", &StepCounters::directGivenUp},
     {"overPenetration", &StepCounters::overPenetration},
     {"overJointError", &StepCounters::overJointError},
     {"overLostTime", &StepCounters::overLostTime},

@@ -3,28 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "direct_parts.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-constexpr std::uint32_t kNoNode = ~std::uint32_t{0};
-/// Strength of a row, in units of its own mass times the ratio of the heaviest mass in the island to that of its
-/// bodies. About the square root of what a double resolves at 10⁶ : 1: as many digits are left for the light bodies as
-/// for the rows.
-constexpr double kStrength = 16384;
-/// The same where positions are moved: rows that contradict each other (a card wedged between planks) must give.
-constexpr double kProjectionStrength = kStrength / 64;
 /// Blocks of the factor per body beyond which a batch is left to iteration.
-constexpr std::size_t kMostBlocksPerBody = 16;
-/// Rounds of one solve: contacts are taken in during the first ones only, so that none goes in and out for ever.
-constexpr int kMaxRounds = 16;
-constexpr int kTakeInRounds = 3;
+constexpr std::size_t kMostBlocksPerBody = 32;
+/// Strength of a row, in units of its own mass times the ratio of the heaviest mass in the island to that of its
+/// bodies. For joints about the square root of what a double resolves at 10⁶ : 1: as many digits are left for the light
+/// bodies as for the rows.
+constexpr double kJointStrength = 16384;
+/// Contacts that close no loop are at least as strong; what they resolve goes by the square of how many there are, one
+/// on another, and with equal masses there are digits left.
+constexpr double kTowerStrength = 64 * kJointStrength;
+/// Rows in loops depend on each other, and what is too strong finds a state in which they work against each other: a
+/// pyramid of boxes pressed itself apart.
+constexpr double kLoopStrength = kJointStrength / 16;
 /// Changes this much smaller than the largest in the island are noise.
 constexpr double kNoiseRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 36);
-/// Part of an overlap or gap that a projection closes.
-constexpr Real kProjectionRate = Real(1) / 4;
-/// Separations beyond this part of the distance to the centre of mass are closed within the step, smaller ones at its
-/// end.
-constexpr Real kLargeRatio = Real(1) / 8192;
 
 
 double dot3(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -32,6 +29,17 @@ double dot3(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1]
 Block3 velocityOf(const BodyState& state) {
     return {static_cast<double>(state.velocity.x), static_cast<double>(state.velocity.y),
             static_cast<double>(state.angularVelocity)};
+}
+
+/// Speed of the row per velocity of A, and of B.
+struct RowEnds {
+    Block3 a;
+    Block3 b;
+};
+RowEnds endsOf(const JointRow& row) {
+    const auto x = static_cast<double>(row.linear.x);
+    const auto y = static_cast<double>(row.linear.y);
+    return {{-x, -y, -static_cast<double>(row.spinA)}, {x, y, static_cast<double>(row.spinB)}};
 }
 
 void addOuter(Block33& block, double factor, const Block3& a, const Block3& b) {
@@ -49,13 +57,9 @@ void addScaled(Block3& to, double factor, const Block3& a) {
     }
 }
 
-bool sticks(const ContactConstraint& contact, const ContactConstraintPoint& point) {
-    return std::fabs(point.tangentImpulse) < contact.friction * point.normalImpulse;
-}
-
 }  // namespace
 
-bool DirectSolver::prepare(const SolverBatch& batch, DirectScope scope) {
+bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope) {
     if (scope == DirectScope::freeJoints && !batch.contacts.empty()) {
         return false;
     }
@@ -63,7 +67,13 @@ bool DirectSolver::prepare(const SolverBatch& batch, DirectScope scope) {
     isFactorised_ = false;
     contacts_.clear();
     listNodes(batch);
-    return !nodes_.empty() && listEdges(batch);
+    if (nodes_.empty() || !listEdges(batch)) {
+        return false;
+    }
+    if (scope == DirectScope::all) {
+        listContacts(batch);
+    }
+    return true;
 }
 
 void DirectSolver::listNodes(const SolverBatch& batch) {
@@ -99,30 +109,47 @@ bool DirectSolver::listEdges(const SolverBatch& batch) {
     if (scope_ == DirectScope::all) {
         tie(batch.contacts);
     }
+    weighIslands(batch);
     const auto count = static_cast<std::uint32_t>(nodes_.size());
-    heaviest_.assign(count, 0);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        double& heaviest = heaviest_[islands_.find(i)];
-        heaviest = std::max(heaviest, nodes_[i].mass);
-    }
-    for (std::uint32_t i = 0; i < count; ++i) {
-        heaviest_[i] = heaviest_[islands_.find(i)];
-    }
     return matrix_.analyse(count, edges_, kMostBlocksPerBody * count);
 }
 
-DirectSolver::Row DirectSolver::rowOf(const SolverBatch& batch, const DirectRow& held, bool atRest) const {
-    const auto x = static_cast<double>(held.row.linear.x);
-    const auto y = static_cast<double>(held.row.linear.y);
-    Row row{.nodeA = nodeOf_[held.slotA], .nodeB = nodeOf_[held.slotB], .impulse = held.impulse};
+void DirectSolver::weighIslands(const SolverBatch& batch) {
+    loads_.assign(nodes_.size(), {});
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+        TiedLoad& load = loads_[islands_.find(i)];
+        const double mass = nodes_[i].mass;
+        load.heaviest = std::max(load.heaviest, mass);
+        load.lightest = load.bodies++ == 0 ? mass : std::min(load.lightest, mass);
+    }
+    if (scope_ == DirectScope::all) {
+        for (const ContactConstraint& contact : batch.contacts) {
+            const std::uint32_t a = nodeOf_[contact.slotA];
+            const std::uint32_t node = a != kNoNode ? a : nodeOf_[contact.slotB];
+            if (node != kNoNode) {
+                ++loads_[islands_.find(node)].contacts;
+            }
+        }
+    }
+    for (TiedLoad& load : loads_) {
+        if (scope_ != DirectScope::all) {
+            load.strength = kJointStrength;
+        } else if (load.contacts > load.bodies) {
+            load.strength = kLoopStrength;
+        } else {
+            const double spread = load.lightest > 0 ? load.heaviest / load.lightest : kTowerStrength;
+            load.strength = std::max(kTowerStrength / std::max(spread, 1.0), kJointStrength);
+        }
+    }
+}
+
+DirectSolver::Row DirectSolver::rowOf(const SolverBatch& batch, const DirectRow& held) {
+    const RowEnds ends = endsOf(held.row);
+    Row row{.nodeA = nodeOf_[held.slotA], .nodeB = nodeOf_[held.slotB]};
     double inverse = 0;
     double inverseMass = 0;
-    double heaviest = 0;
-    row.excess = static_cast<double>(held.bias);
+    std::uint32_t island = 0;
     const auto add = [&](std::uint32_t node, BodySlot slot, const Block3& all, Block3& moved) {
-        if (!atRest) {
-            row.excess += dot3(all, velocityOf(batch.states[slot]));
-        }
         if (node == kNoNode) {
             return;
         }
@@ -132,100 +159,67 @@ DirectSolver::Row DirectSolver::rowOf(const SolverBatch& batch, const DirectRow&
         moved = {linear > 0 ? all[0] : 0, linear > 0 ? all[1] : 0, angular > 0 ? all[2] : 0};
         inverse += linear * (moved[0] * moved[0] + moved[1] * moved[1]) + angular * moved[2] * moved[2];
         inverseMass += linear;
-        heaviest = heaviest_[node];
+        island = islands_.find(node);
     };
-    add(row.nodeA, held.slotA, {-x, -y, -static_cast<double>(held.row.spinA)}, row.ofA);
-    add(row.nodeB, held.slotB, {x, y, static_cast<double>(held.row.spinB)}, row.ofB);
+    add(row.nodeA, held.slotA, ends.a, row.ofA);
+    add(row.nodeB, held.slotB, ends.b, row.ofB);
     if (inverse > 0) {
-        row.strength = std::max(heaviest * inverseMass, 1.0) / inverse;
+        const TiedLoad& load = loads_[island];
+        row.strength = load.strength * (std::max(load.heaviest * inverseMass, 1.0) / inverse);
     }
     return row;
+}
+
+double DirectSolver::excessOf(const SolverBatch& batch, const DirectRow& held) const {
+    const RowEnds ends = endsOf(held.row);
+    double excess = static_cast<double>(held.bias);
+    excess += dot3(ends.a, velocityOf(batch.states[held.slotA]));
+    excess += dot3(ends.b, velocityOf(batch.states[held.slotB]));
+    return excess;
 }
 
 void DirectSolver::gatherJoints(SolverBatch& batch, Real h, bool useBias, bool atRest) {
     jointRows_.clear();
     addJointRows(batch, h, useBias, jointRows_);
     joints_.clear();
-    for (const DirectRow& row : jointRows_) {
-        joints_.push_back(rowOf(batch, row, atRest));
+    for (const DirectRow& held : jointRows_) {
+        Row row = rowOf(batch, held);
+        row.excess = atRest ? static_cast<double>(held.bias) : excessOf(batch, held);
+        joints_.push_back({row, held.impulse});
     }
-}
-
-void DirectSolver::addPoint(const SolverBatch& batch, ContactConstraint& contact, ContactConstraintPoint& point,
-                            Real bias, bool presses, bool isStuck, bool atRest) {
-    const DirectRow normal{rowAlong(contact.normal, point.anchorA, point.anchorB), contact.slotA, contact.slotB, bias,
-                           &point.normalImpulse};
-    const DirectRow tangent{rowAlong(rightPerp(contact.normal), point.anchorA, point.anchorB), contact.slotA,
-                            contact.slotB, 0, &point.tangentImpulse};
-    const auto friction = static_cast<double>(contact.friction);
-    contacts_.push_back({rowOf(batch, normal, atRest), presses ? Hold::held : Hold::free, friction});
-    contacts_.push_back({rowOf(batch, tangent, atRest), presses && isStuck ? Hold::held : Hold::free, friction});
-}
-
-void DirectSolver::gatherContacts(SolverBatch& batch, Real h, bool useBias) {
-    contacts_.clear();
-    for (ContactConstraint& contact : batch.contacts) {
-        const BodyState& a = batch.states[contact.slotA];
-        const BodyState& b = batch.states[contact.slotB];
-        for (int i = 0; i < contact.count; ++i) {
-            ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-            const bool pressed = point.normalImpulse > 0;
-            const Real closing = -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), contact.normal);
-            const Real separation = useBias ? currentSeparation(contact, point, a, b) : Real(0);
-            const Real bias = !pressed && separation > 0 ? separation / h : Real(0);
-            // What touches and does not part is guessed to press: a stack that comes down comes down on all its
-            // contacts.
-            const bool presses = useBias ? pressed || closing >= bias : pressed && closing <= contact.bounceSpeed;
-            addPoint(batch, contact, point, bias, presses, contact.friction > 0 && (!pressed || sticks(contact, point)),
-                     false);
-        }
-    }
-}
-
-bool DirectSolver::gatherOverlaps(SolverBatch& batch, Real h) {
-    contacts_.clear();
-    bool anyLarge = false;
-    for (ContactConstraint& contact : batch.contacts) {
-        const BodyState& a = batch.states[contact.slotA];
-        const BodyState& b = batch.states[contact.slotB];
-        for (int i = 0; i < contact.count; ++i) {
-            ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-            const Real separation = currentSeparation(contact, point, a, b);
-            const bool presses = point.normalImpulse > 0 || separation < 0;
-            const Real size = std::max(lengthSquared(point.anchorA), lengthSquared(point.anchorB));
-            anyLarge = anyLarge || (presses && square(separation) > square(kLargeRatio) * size);
-            const Real move = std::max(kProjectionRate * separation, -contact.maxPushSpeed * h);
-            addPoint(batch, contact, point, move, presses, sticks(contact, point), true);
-        }
-    }
-    return anyLarge;
 }
 
 bool DirectSolver::holdsAsBefore() const {
-    return isFactorised_ && joints_.empty() &&
-           std::equal(contacts_.begin(), contacts_.end(), holds_.begin(), holds_.end(),
-                      [](const ContactRow& row, std::uint8_t held) { return (row.hold == Hold::held) == (held != 0); });
+    if (!isFactorised_ || factorised_ != strength_ || !joints_.empty()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (holdsOf(contacts_[i].normalHold == Hold::held, contacts_[i].tangentHold == Hold::held) != holds_[i]) {
+            return false;
+        }
+    }
+    return true;
 }
 
-void DirectSolver::addToMatrix(const Row& row, double strength) {
+void DirectSolver::addToMatrix(const Row& row) {
     if (!(row.strength > 0)) {
         return;
     }
-    const double k = strength * row.strength;
+    const double k = strength_ * row.strength;
     if (row.nodeA != kNoNode) {
         addOuter(matrix_.diagonal(row.nodeA), k, row.ofA, row.ofA);
     }
     if (row.nodeB != kNoNode) {
         addOuter(matrix_.diagonal(row.nodeB), k, row.ofB, row.ofB);
     }
-    if (row.nodeA == kNoNode || row.nodeB == kNoNode || row.nodeA == row.nodeB) {
-        return;
+    if (row.nodeA != kNoNode && row.nodeB != kNoNode && row.nodeA != row.nodeB) {
+        const BlockLdlt::OffDiagonal off = matrix_.offDiagonal(row.nodeA, row.nodeB);
+        addOuter(off.block, k, off.rowIsB ? row.ofB : row.ofA, off.rowIsB ? row.ofA : row.ofB);
     }
-    const BlockLdlt::OffDiagonal off = matrix_.offDiagonal(row.nodeA, row.nodeB);
-    addOuter(off.block, k, off.rowIsB ? row.ofB : row.ofA, off.rowIsB ? row.ofA : row.ofB);
 }
 
-void DirectSolver::assemble(double strength, DirectReport& report) {
+void DirectSolver::assemble(DirectReport& report) {
+    factorised_ = strength_;
     matrix_.clear();
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
         const Node& node = nodes_[i];
@@ -233,15 +227,19 @@ void DirectSolver::assemble(double strength, DirectReport& report) {
         block[0] = block[4] = node.mass > 0 ? node.mass : 1;
         block[8] = node.inertia > 0 ? node.inertia : 1;
     }
-    for (const Row& row : joints_) {
-        addToMatrix(row, strength);
+    for (const HeldJoint& joint : joints_) {
+        addToMatrix(joint.row);
     }
     holds_.clear();
-    for (const ContactRow& contact : contacts_) {
-        const bool held = contact.hold == Hold::held;
-        holds_.push_back(held);
-        if (held) {
-            addToMatrix(contact.row, strength);
+    for (const ContactPoint& contact : contacts_) {
+        const bool presses = contact.normalHold == Hold::held;
+        const bool sticks = contact.tangentHold == Hold::held;
+        holds_.push_back(holdsOf(presses, sticks));
+        if (presses) {
+            addToMatrix(contact.normal);
+        }
+        if (sticks) {
+            addToMatrix(contact.tangent);
         }
     }
     matrix_.factorise();
@@ -249,37 +247,32 @@ void DirectSolver::assemble(double strength, DirectReport& report) {
     ++report.factorisations;
 }
 
-void DirectSolver::computeChange(double strength) {
+void DirectSolver::push(const Row& row, double impulse) {
+    if (row.nodeA != kNoNode) {
+        addScaled(change_[row.nodeA], impulse, row.ofA);
+    }
+    if (row.nodeB != kNoNode) {
+        addScaled(change_[row.nodeB], impulse, row.ofB);
+    }
+}
+
+void DirectSolver::computeChange() {
     std::fill(change_.begin(), change_.end(), Block3{});
-    const auto push = [this](const Row& row, double impulse) {
-        if (row.nodeA != kNoNode) {
-            addScaled(change_[row.nodeA], impulse, row.ofA);
-        }
-        if (row.nodeB != kNoNode) {
-            addScaled(change_[row.nodeB], impulse, row.ofB);
+    const auto pushContact = [&](const Row& row, Hold hold) {
+        if (hold == Hold::held) {
+            push(row, row.guess - strength_ * row.strength * row.excess);
+        } else if (hold == Hold::forced) {
+            push(row, row.impulse);
         }
     };
-    for (const Row& row : joints_) {
-        push(row, -strength * row.strength * row.excess);
+    for (const HeldJoint& joint : joints_) {
+        push(joint.row, -strength_ * joint.row.strength * joint.row.excess);
     }
-    for (const ContactRow& contact : contacts_) {
-        if (contact.hold == Hold::held) {
-            push(contact.row, -strength * contact.row.strength * contact.row.excess);
-        }
-        if (contact.hold == Hold::forced) {
-            push(contact.row, contact.row.change);
-        }
+    for (const ContactPoint& contact : contacts_) {
+        pushContact(contact.normal, contact.normalHold);
+        pushContact(contact.tangent, contact.tangentHold);
     }
     matrix_.solve(change_);
-    for (Row& row : joints_) {
-        row.change = -strength * row.strength * changedExcess(row);
-    }
-    for (ContactRow& contact : contacts_) {
-        Row& row = contact.row;
-        if (contact.hold == Hold::held) {
-            row.change = -strength * row.strength * changedExcess(row);
-        }
-    }
 }
 
 double DirectSolver::changedExcess(const Row& row) const {
@@ -293,48 +286,13 @@ double DirectSolver::changedExcess(const Row& row) const {
     return excess;
 }
 
-/// Lets go what pulls, lets slide what would stick beyond its friction, takes in what would sink in. @return whether
-/// any did
-bool DirectSolver::correct(bool mayTakeIn) {
-    bool changed = false;
-    for (std::size_t i = 0; i < contacts_.size(); i += 2) {
-        ContactRow& normal = contacts_[i];
-        ContactRow& tangent = contacts_[i + 1];
-        const auto pressed = static_cast<double>(*normal.row.impulse);
-        const auto rubbed = static_cast<double>(*tangent.row.impulse);
-        if (normal.hold != Hold::held) {
-            if (!mayTakeIn || !(changedExcess(normal.row) < 0)) {
-                continue;
-            }
-            normal.hold = Hold::held;
-            tangent.hold = normal.friction > 0 ? Hold::held : Hold::free;
-            changed = true;
-        } else if (pressed + normal.row.change < 0) {
-            normal.hold = tangent.hold = Hold::forced;
-            normal.row.change = -pressed;
-            tangent.row.change = -rubbed;
-            changed = true;
-        } else if (tangent.hold == Hold::held) {
-            const double limit = tangent.friction * (pressed + normal.row.change);
-            if (std::fabs(rubbed + tangent.row.change) <= limit) {
-                continue;
-            }
-            tangent.hold = Hold::forced;
-            tangent.row.change = std::clamp(rubbed + tangent.row.change, -limit, limit) - rubbed;
-            changed = true;
-        }
-    }
-    return changed;
-}
-
 /// What is so small against the largest change in its island is the rounding of the solution; left in, it would
 /// multiply with its like until it underflows.
 void DirectSolver::dropNoise() {
     largest_.assign(nodes_.size(), Block3{});
-    const auto size = [](double x, double y) { return std::max(std::fabs(x), std::fabs(y)); };
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
         Block3& largest = largest_[islands_.find(i)];
-        largest[0] = std::max(largest[0], size(change_[i][0], change_[i][1]));
+        largest[0] = std::max({largest[0], std::fabs(change_[i][0]), std::fabs(change_[i][1])});
         largest[1] = std::max(largest[1], std::fabs(change_[i][2]));
     }
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
@@ -343,22 +301,6 @@ void DirectSolver::dropNoise() {
             if (std::fabs(change_[i][k]) < kNoiseRatio * largest[k < 2 ? 0 : 1]) {
                 change_[i][k] = 0;
             }
-        }
-    }
-    const auto rootOf = [this](const Row& row) { return islands_.find(row.nodeA != kNoNode ? row.nodeA : row.nodeB); };
-    for (const ContactRow& contact : contacts_) {
-        if (contact.row.nodeA == kNoNode && contact.row.nodeB == kNoNode) {
-            continue;
-        }
-        double& largest = largest_[rootOf(contact.row)][2];
-        largest = size(largest, static_cast<double>(*contact.row.impulse));
-    }
-    for (ContactRow& contact : contacts_) {
-        if (contact.row.nodeA == kNoNode && contact.row.nodeB == kNoNode) {
-            continue;
-        }
-        if (std::fabs(contact.row.change) < kNoiseRatio * largest_[rootOf(contact.row)][2]) {
-            contact.row.change = 0;
         }
     }
 }
@@ -372,63 +314,33 @@ void DirectSolver::applyToBodies(SolverBatch& batch) const {
     }
 }
 
-void DirectSolver::applyToImpulses() const {
-    const auto apply = [](const Row& row) {
-        *row.impulse = static_cast<Real>(static_cast<double>(*row.impulse) + row.change);
-    };
-    for (const Row& row : joints_) {
-        apply(row);
+void DirectSolver::applyToImpulses() {
+    for (const HeldJoint& joint : joints_) {
+        const double change = -strength_ * joint.row.strength * changedExcess(joint.row);
+        *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
     }
-    for (const ContactRow& contact : contacts_) {
-        if (contact.hold != Hold::free) {
-            apply(contact.row);
-        }
+    for (ContactPoint& contact : contacts_) {
+        const auto keep = [this, &contact](const Row& row, double least) {
+            return std::fabs(row.impulse) < noise_[contact.island] ? Real(0)
+                                                                   : static_cast<Real>(std::max(row.impulse, least));
+        };
+        contact.point->normalImpulse = keep(contact.normal, 0);
+        contact.point->tangentImpulse = keep(contact.tangent, contact.tangent.impulse);
     }
 }
 
-void DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
+bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
+    strength_ = 1;
     gatherJoints(batch, h, useBias, false);
-    if (scope_ == DirectScope::all) {
-        gatherContacts(batch, h, useBias);
+    gatherContacts(batch, h, useBias);
+    if (!findImpulses(report)) {
+        ++report.givenUp;
+        return false;
     }
-    for (int round = 0; round < kMaxRounds; ++round) {
-        if (!holdsAsBefore()) {
-            assemble(kStrength, report);
-        }
-        computeChange(kStrength);
-        if (correct(useBias && round < kTakeInRounds)) {
-            continue;
-        }
-        dropNoise();
-        applyToBodies(batch);
-        applyToImpulses();
-        return;
-    }
-    ++report.givenUp;
-}
-
-void DirectSolver::moveBodies(SolverBatch& batch) const {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        BodyState& state = batch.states[nodes_[i].slot];
-        state.deltaPosition += {static_cast<Real>(change_[i][0]), static_cast<Real>(change_[i][1])};
-        state.deltaAngle += static_cast<Real>(change_[i][2]);
-        state.deltaRotation = rotationFromAngle(static_cast<double>(state.deltaAngle));
-    }
-}
-
-void DirectSolver::project(SolverBatch& batch, Real h, bool always, DirectReport& report) {
-    if (scope_ != DirectScope::all || batch.contacts.empty()) {
-        return;
-    }
-    if (!gatherOverlaps(batch, h) && !always) {
-        return;
-    }
-    gatherJoints(batch, h, false, true);
-    assemble(kProjectionStrength, report);
-    computeChange(kProjectionStrength);
-    isFactorised_ = false;
+    applyToImpulses();
     dropNoise();
-    moveBodies(batch);
+    applyToBodies(batch);
+    return true;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -15,42 +15,64 @@ enum class DirectScope : std::uint8_t {
     none,
     freeJoints,  ///< what joints hold rigidly, as long as there are no contacts
     joints,      ///< what joints hold rigidly
-    all,         ///< that, and what presses or sticks
+    all,         ///< that, and all contacts
 };
 
 /// What the direct solver did in a step.
 struct DirectReport {
     int factorisations = 0;
-    int givenUp = 0;  ///< solves in which no set of contacts was found that agrees with itself: left to iteration
+    int rounds = 0;   ///< of the search for what presses and what sticks
+    int givenUp = 0;  ///< solves in which that was not found: left to iteration
 };
 
-/// Solves rigid rows of a batch at once, in place of iteration: those that joints hold, and of the contacts those that
-/// press or stick. Which contacts these are is guessed from the impulses they carry, and corrected in a few rounds;
-/// what slides, is limited or springs is left to the iterations around it. (Subspace minimisation after Silcowitz,
-/// Niebe & Erleben, "Projected Gauss–Seidel subspace minimization method for interactive rigid body dynamics", 2010, in
-/// terms of the bodies instead of the impulses.)
+/// Solves rigid rows of a batch at once, in place of iteration: those that joints hold, and contacts.
 ///
 /// The rows are dampers of strength k, far stronger than any mass in the island asks for, around the impulses they
-/// carried before: a step of the method of multipliers (Hestenes 1969), (M + Σ k·JᵀJ)·Δv = −Σ k·Jᵀ(J·v + bias), then λ
-/// ← λ − k·(J·(v + Δv) + bias). The matrix has a block per body, is positive definite whatever rows depend on each
-/// other (four legs on a floor), and a chain or a stack is factorised in time proportional to its length, for any ratio
-/// of masses. What is left of the speed of a row is the change of its impulse over k: nothing at rest.
+/// carried before: a step of the method of multipliers (Hestenes 1969). The matrix M + Σ k·JᵀJ has a block per body, is
+/// positive definite whatever rows depend on each other (four legs on a floor, a ring of wedges), and a chain or a
+/// stack is factorised in time proportional to its length, for any ratio of masses. What is left of the speed of a row
+/// is the change of its impulse over k: nothing at rest.
+///
+/// The damper of a contact only pushes, that of its friction gives way at a limit. As long as that limit is given, the
+/// velocities are the minimum of a convex function that is quadratic piece by piece,
+///     ½ ΔvᵀMΔv + Σ ψ(J·(v + Δv) + bias),  −ψ′(e) = clamp(λ₀ − k·e, least, most),
+/// which Newton's method with a line search finds from anywhere (after Castro, Permenter & Han, "An unconstrained
+/// convex formulation of compliant contact", 2022). Limits of friction follow the normal impulses in a few rounds
+/// around it.
 class DirectSolver {
 public:
-    /// Once a step: bodies and islands. @return false when there is nothing to do, or the system is too tangled to pay
-    bool prepare(const SolverBatch& batch, DirectScope scope);
-    /// Changes velocities and impulses. @param useBias  as in the kernels of the constraints
-    void solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report);
+    /// Once a step: bodies, islands, rows. @pre contacts stay where they are until the step ends
+    /// @return false when there is nothing to do, or the system is too tangled to pay
+    bool prepare(SolverBatch& batch, DirectScope scope);
+
+    /// Changes velocities and impulses. Contacts come with the impulses expected, not yet applied; joints with theirs
+    /// applied.
+    /// @param useBias  as in the kernels of the constraints
+    /// @return whether contacts, if any are in scope, are solved; else nothing was changed
+    bool solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report);
     /// Moves the bodies, not their velocities, towards zero separation of all that presses or overlaps. (What a
     /// velocity does about a gap needs impulses, and those of a tower's lowest contact would tilt the tower.)
     /// @param always  else only if some separation is more than a small part of the contact's own size
     void project(SolverBatch& batch, Real h, bool always, DirectReport& report);
+
+    // A sub-step solves contacts twice, each time for a half of what gravity does. These share out their impulses: each
+    // solve expects half of what the sub-step before ended with, and at rest finds just that.
+    void beginFirstHalf();
+    void beginSecondHalf();
+    void addHalves();
 
 private:
     struct Node {
         BodySlot slot = kFixedSlot;
         double mass = 0;  ///< 0: cannot be moved
         double inertia = 0;
+    };
+    struct TiedLoad {
+        std::uint32_t bodies = 0;
+        std::uint32_t contacts = 0;
+        double lightest = 0;  ///< kg
+        double heaviest = 0;
+        double strength = 0;  ///< of its rows, see `rowOf`
     };
     /// A row as the matrix sees it.
     struct Row {
@@ -59,51 +81,90 @@ private:
         Block3 ofA{};  ///< zero where the body cannot be moved
         Block3 ofB{};
         double strength = 0;  ///< k, impulse per speed; 0: nothing can move
-        double excess = 0;    ///< speed plus bias: before the change, then after it
-        double change = 0;    ///< of the impulse: found where it is held, given where it is forced
+        double excess = 0;    ///< speed plus bias before the solve
+        double guess = 0;     ///< λ₀
+        double impulse = 0;   ///< λ: found where it is held, given where it is forced
+        double at = 0;        ///< excess at the present place of the search
+        double along = 0;     ///< what its direction adds to that
+    };
+    struct HeldJoint {
+        Row row;
         Real* impulse = nullptr;
     };
-    enum class Hold : std::uint8_t { free, held, forced };
-    /// The normal of a contact point, or the tangent that follows it.
-    struct ContactRow {
-        Row row;
-        Hold hold = Hold::free;
-        double friction = 0;
+    enum class Hold : std::uint8_t {
+        free,    ///< carries nothing, whatever it does
+        held,    ///< its damper is part of the matrix
+        forced,  ///< at a limit: carries a given impulse
+    };
+    struct ContactPoint {
+        ContactConstraint* contact = nullptr;
+        ContactConstraintPoint* point = nullptr;
+        std::uint32_t island = 0;
+        Row normal;
+        Row tangent;
+        Hold normalHold = Hold::free;
+        Hold tangentHold = Hold::free;
+        double limit = 0;         ///< of friction
+        bool isExpected = false;  ///< to press
+        Real half = 0;            ///< expected normal impulse of half a sub-step
+        Real tangentHalf = 0;
+        Real first = 0;  ///< impulses of the first half
+        Real tangentFirst = 0;
     };
 
+    // direct_solver.cpp
     void listNodes(const SolverBatch& batch);
     bool listEdges(const SolverBatch& batch);
-    Row rowOf(const SolverBatch& batch, const DirectRow& row, bool atRest) const;
+    void weighIslands(const SolverBatch& batch);
+    Row rowOf(const SolverBatch& batch, const DirectRow& row);
+    double excessOf(const SolverBatch& batch, const DirectRow& row) const;
     void gatherJoints(SolverBatch& batch, Real h, bool useBias, bool atRest);
-    void gatherContacts(SolverBatch& batch, Real h, bool useBias);
-    bool gatherOverlaps(SolverBatch& batch, Real h);
-    void addPoint(const SolverBatch& batch, ContactConstraint& contact, ContactConstraintPoint& point, Real bias,
-                  bool presses, bool sticks, bool atRest);
+    void assemble(DirectReport& report);
+    void addToMatrix(const Row& row);
     bool holdsAsBefore() const;
-    void assemble(double strength, DirectReport& report);
-    void addToMatrix(const Row& row, double strength);
-    void computeChange(double strength);
+    void push(const Row& row, double impulse);
     double changedExcess(const Row& row) const;
-    bool correct(bool mayTakeIn);
+    void computeChange();
     void dropNoise();
     void applyToBodies(SolverBatch& batch) const;
-    void applyToImpulses() const;
+    void applyToImpulses();
+
+    // direct_contacts.cpp
+    void listContacts(SolverBatch& batch);
+    void gatherContacts(const SolverBatch& batch, Real h, bool useBias);
+    bool findImpulses(DirectReport& report);
+    bool settle(DirectReport& report);
+    bool classify(bool isFirm);
+    bool followLimits();
+    bool tighten();
+    void guessHolds();
+    void findNoise();
+    double slopeAt(double part) const;
+    double searchLine();
+
+    // direct_projection.cpp
+    bool gatherOverlaps(const SolverBatch& batch, Real h, bool isLast);
     void moveBodies(SolverBatch& batch) const;
 
     DirectScope scope_ = DirectScope::none;
     std::vector<std::uint32_t> nodeOf_;  ///< by slot
     std::vector<Node> nodes_;
-    IslandFinder islands_;          ///< of nodes
-    std::vector<double> heaviest_;  ///< mass in the island, by node
+    IslandFinder islands_;         ///< of nodes
+    std::vector<TiedLoad> loads_;  ///< by their first node
     std::vector<BlockEdge> edges_;
     std::vector<DirectRow> jointRows_;
-    std::vector<Row> joints_;
-    std::vector<ContactRow> contacts_;  ///< normal and tangent of each point in turn
-    std::vector<std::uint8_t> holds_;   ///< which of them were held when the matrix was factorised
+    std::vector<HeldJoint> joints_;
+    std::vector<ContactPoint> contacts_;
+    std::vector<std::uint8_t> holds_;  ///< which of them were held when the matrix was factorised
     bool isFactorised_ = false;
+    double factorised_ = 0;  ///< strength with which
+    int roundsLeft_ = 0;     ///< of this solve
+    double strength_ = 1;    ///< of all rows, in units of their own
     BlockLdlt matrix_;
     std::vector<Block3> change_;   ///< of the velocities, by node
-    std::vector<Block3> largest_;  ///< of the changes in an island: linear, angular, impulse; by its first node
+    std::vector<Block3> place_;    ///< where the search stands: the last change that was tried
+    std::vector<Block3> largest_;  ///< of the changes in an island: linear, angular; by its first node
+    std::vector<double> noise_;    ///< impulses of no meaning in an island, by its first node
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -217,25 +217,42 @@ void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settin
 /// motion, the other half, velocities that keep them. Second order and symplectic, so that a pendulum keeps its energy.
 /// Iteration comes after each direct solve, for what that leaves out.
 template <bool kJoints>
-void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast,
-                             SolveReport& report) {
+void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     warmStart<kJoints>(batch);
     direct_.solve(batch, h, true, report.direct);
-    const bool contactsAreDirect = settings.direct == DirectScope::all;
-    const bool relaxes = settings.relaxPasses > 0;
-    solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = !relaxes && !contactsAreDirect});
+    solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = settings.relaxPasses == 0});
     integratePositions(batch, h);
-    direct_.project(batch, h, isLast, report.direct);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.solve(batch, h, false, report.direct);
     for (int pass = 0; pass < settings.relaxPasses; ++pass) {
         solveColours<kJoints>(batch, {.h = h, .isLast = pass + 1 == settings.relaxPasses});
     }
-    if (!relaxes && contactsAreDirect) {
-        addUpImpulses(batch.contacts);
-    }
     contacts_.addUpBouncing(batch);
+}
+
+/// The same where contacts are solved all at once, too: iteration has its way only where that fails.
+template <bool kJoints>
+void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast,
+                               SolveReport& report) {
+    report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    direct_.beginFirstHalf();
+    if (!direct_.solve(batch, h, true, report.direct)) {
+        warmStart<kJoints>(batch);
+        solveColours<kJoints>(batch, {.h = h, .useBias = true});
+    }
+    integratePositions(batch, h);
+    direct_.project(batch, h, isLast, report.direct);
+    report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    direct_.beginSecondHalf();
+    if (!direct_.solve(batch, h, false, report.direct)) {
+        warmStart<kJoints>(batch);
+        for (int pass = 0; pass < settings.relaxPasses; ++pass) {
+            solveColours<kJoints>(batch, {.h = h});
+        }
+    }
+    direct_.addHalves();
+    addUpImpulses(batch.contacts);
 }
 
 template <bool kJoints, bool kBounces>
@@ -248,8 +265,10 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
             const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
             report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
         }
-        if (report.isDirect) {
-            subStepDirectly<kJoints>(batch, settings, h, subStep + 1 == settings.subSteps, report);
+        if (report.isDirect && settings.direct == DirectScope::all) {
+            subStepOfContacts<kJoints>(batch, settings, h, subStep + 1 == settings.subSteps, report);
+        } else if (report.isDirect) {
+            subStepDirectly<kJoints>(batch, settings, h, report);
         } else {
             subStepIteratively<kJoints>(batch, settings, h, subStep == 0, report);
         }

@@ -59,7 +59,10 @@ private:
     void subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, bool isFirst,
                             SolveReport& report);
     template <bool kJoints>
-    void subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast, SolveReport& report);
+    void subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report);
+    template <bool kJoints>
+    void subStepOfContacts(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast,
+                           SolveReport& report);
     template <bool kJoints>
     SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings);
     template <bool kJoints>

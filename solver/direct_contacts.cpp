@@ -1,0 +1,333 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "direct_parts.h"
+#include "direct_solver.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Rounds of Newton's method for given limits of friction: one at rest, a few where something gives. What takes longer
+/// goes to and fro between two pieces, as rows do that are too stiff.
+constexpr int kMostRounds = 12;
+/// The same for a whole solve: a web of 256 bodies that never settles must not stop the world.
+constexpr int kMostRoundsOfSolve = 48;
+/// Dampers are then made weaker by this, as often as that. What they leave is mended by the next solve.
+constexpr double kWeaker = 1.0 / 64;
+constexpr double kWeakest = kWeaker * kWeaker;
+/// Rounds in which the limits follow the normal impulses.
+constexpr int kMostLimitRounds = 8;
+/// Limits that are wrong by no more than this part are left to the next solve.
+constexpr double kLimitTolerance = 1.0 / 64;
+/// Impulses that a solve changed by more than this part of the largest are solved for again around the new ones, at
+/// most so many times.
+constexpr double kFarRatio = 1.0 / 64;
+constexpr int kMostTightenings = 4;
+/// Impulses this much smaller than the largest in the island mean nothing: what is at the brink stays as it was.
+constexpr double kBrinkRatio = 1.0 / (1 << 20);
+/// A search along a line ends when its slope has fallen to this part.
+constexpr double kSlopeRatio = 1.0 / 16;
+constexpr int kMostLineSteps = 12;
+
+DirectRow normalOf(const ContactConstraint& contact, const ContactConstraintPoint& point, Real bias) {
+    return {rowAlong(contact.normal, point.anchorA, point.anchorB), contact.slotA, contact.slotB, bias, nullptr};
+}
+DirectRow tangentOf(const ContactConstraint& contact, const ContactConstraintPoint& point) {
+    return {rowAlong(rightPerp(contact.normal), point.anchorA, point.anchorB), contact.slotA, contact.slotB, 0,
+            nullptr};
+}
+
+}  // namespace
+
+void DirectSolver::listContacts(SolverBatch& batch) {
+    for (ContactConstraint& contact : batch.contacts) {
+        const std::uint32_t a = nodeOf_[contact.slotA];
+        const std::uint32_t b = nodeOf_[contact.slotB];
+        if (a == kNoNode && b == kNoNode) {
+            continue;
+        }
+        const std::uint32_t island = islands_.find(a != kNoNode ? a : b);
+        for (int i = 0; i < contact.count; ++i) {
+            ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
+            contacts_.push_back({.contact = &contact,
+                                 .point = &point,
+                                 .island = island,
+                                 .normal = rowOf(batch, normalOf(contact, point, 0)),
+                                 .tangent = rowOf(batch, tangentOf(contact, point))});
+        }
+    }
+}
+
+void DirectSolver::beginFirstHalf() {
+    for (ContactPoint& contact : contacts_) {
+        contact.half = contact.point->normalImpulse *= Real(0.5);
+        contact.tangentHalf = contact.point->tangentImpulse *= Real(0.5);
+    }
+}
+
+void DirectSolver::beginSecondHalf() {
+    for (ContactPoint& contact : contacts_) {
+        contact.first = contact.point->normalImpulse;
+        contact.tangentFirst = contact.point->tangentImpulse;
+        contact.point->normalImpulse = contact.half;
+        contact.point->tangentImpulse = contact.tangentHalf;
+    }
+}
+
+void DirectSolver::addHalves() {
+    for (const ContactPoint& contact : contacts_) {
+        contact.point->normalImpulse += contact.first;
+        contact.point->tangentImpulse += contact.tangentFirst;
+    }
+}
+
+void DirectSolver::gatherContacts(const SolverBatch& batch, Real h, bool useBias) {
+    for (ContactPoint& contact : contacts_) {
+        const ContactConstraint& constraint = *contact.contact;
+        const ContactConstraintPoint& point = *contact.point;
+        const BodyState& a = batch.states[constraint.slotA];
+        const BodyState& b = batch.states[constraint.slotB];
+        const Real expected = useBias ? point.normalImpulse : contact.first;
+        const Real separation = useBias ? currentSeparation(constraint, point, a, b) : Real(0);
+        const Real bias = !(expected > 0) && separation > 0 ? separation / h : Real(0);
+        const Real closing = -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), constraint.normal);
+        // What bounces must arrive in the next sub-step with its speed.
+        const bool isOut = !useBias && (!(expected > 0) || closing > constraint.bounceSpeed);
+        const bool presses = !isOut && (expected > 0 || closing >= bias);
+        contact.normal.guess = isOut ? 0 : static_cast<double>(point.normalImpulse);
+        contact.tangent.guess = isOut ? 0 : static_cast<double>(point.tangentImpulse);
+        contact.normal.impulse = contact.tangent.impulse = 0;
+        contact.normal.excess = excessOf(batch, normalOf(constraint, point, bias));
+        contact.tangent.excess = excessOf(batch, tangentOf(constraint, point));
+        // What touches and does not part is guessed to press, and to stick: a stack that comes down comes down on all
+        // its contacts.
+        contact.limit = static_cast<double>(constraint.friction) * contact.normal.guess;
+        const bool isNew = !(point.normalImpulse > 0);
+        if (isNew && constraint.friction > 0) {
+            contact.limit = std::numeric_limits<double>::infinity();
+        }
+        contact.isExpected = presses;
+        contact.normalHold = isOut ? Hold::free : Hold::held;
+    }
+    guessHolds();
+}
+
+void DirectSolver::guessHolds() {
+    for (ContactPoint& contact : contacts_) {
+        if (contact.normalHold == Hold::free) {
+            contact.tangentHold = Hold::free;
+            continue;
+        }
+        const bool sticks = contact.isExpected && std::fabs(contact.tangent.guess) < contact.limit;
+        contact.normalHold = contact.isExpected ? Hold::held : Hold::forced;
+        contact.tangentHold = sticks ? Hold::held : Hold::forced;
+        contact.normal.impulse = contact.tangent.impulse = 0;
+        if (!sticks && contact.isExpected && !std::isinf(contact.limit)) {
+            contact.tangent.impulse = std::clamp(contact.tangent.guess, -contact.limit, contact.limit);
+        }
+    }
+}
+
+void DirectSolver::findNoise() {
+    for (const ContactPoint& contact : contacts_) {
+        double& noise = noise_[contact.island];
+        noise = std::max(noise, kBrinkRatio * contact.normal.guess);
+        if (contact.normalHold == Hold::held) {
+            const Row& row = contact.normal;
+            noise = std::max(noise, kBrinkRatio * (row.guess - strength_ * row.strength * changedExcess(row)));
+        }
+    }
+}
+
+/// Impulses and holds by what the dampers say at `change_`.
+/// @param isFirm  what is at the brink stays as it was
+/// @return whether anything is held otherwise than before
+bool DirectSolver::classify(bool isFirm) {
+    bool changed = false;
+    const auto set = [&changed](Hold& hold, Hold now) {
+        changed = changed || hold != now;
+        hold = now;
+    };
+    for (ContactPoint& contact : contacts_) {
+        if (contact.normalHold == Hold::free) {
+            continue;
+        }
+        const double brink = isFirm ? noise_[contact.island] : 0;
+        Row& normal = contact.normal;
+        Row& tangent = contact.tangent;
+        const double pressed = normal.guess - strength_ * normal.strength * changedExcess(normal);
+        const bool presses = pressed > (contact.normalHold == Hold::held ? -brink : brink);
+        set(contact.normalHold, presses ? Hold::held : Hold::forced);
+        normal.impulse = presses ? pressed : 0;
+        // A limit that is not known yet holds as long as the point presses.
+        const double limit = std::isinf(contact.limit) && !presses ? 0 : contact.limit;
+        const double rubbed = tangent.guess - strength_ * tangent.strength * changedExcess(tangent);
+        const bool sticks =
+            limit > 0 && std::fabs(rubbed) <= limit + (contact.tangentHold == Hold::held ? brink : -brink);
+        const double before = tangent.impulse;
+        tangent.impulse = sticks ? rubbed : std::clamp(rubbed, -limit, limit);
+        changed = changed || (!sticks && contact.tangentHold == Hold::forced && before * tangent.impulse < 0);
+        set(contact.tangentHold, sticks ? Hold::held : Hold::forced);
+    }
+    return changed;
+}
+
+double DirectSolver::slopeAt(double part) const {
+    double slope = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const Node& node = nodes_[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double way = change_[i][k] - place_[i][k];
+            slope += (k < 2 ? node.mass : node.inertia) * way * (place_[i][k] + part * way);
+        }
+    }
+    for (const ContactPoint& contact : contacts_) {
+        if (contact.normalHold == Hold::free) {
+            continue;
+        }
+        const auto impulseOf = [this, part](const Row& row, double least, double most) {
+            return std::clamp(row.guess - strength_ * row.strength * (row.at + part * row.along), least, most);
+        };
+        const double pressed = impulseOf(contact.normal, 0, std::numeric_limits<double>::infinity());
+        const double limit = std::isinf(contact.limit) && !(pressed > 0) ? 0 : contact.limit;
+        slope -= pressed * contact.normal.along + impulseOf(contact.tangent, -limit, limit) * contact.tangent.along;
+    }
+    return slope;
+}
+
+/// From `place_` towards `change_`, to about the lowest point of the function. @return the part of the way
+double DirectSolver::searchLine() {
+    for (ContactPoint& contact : contacts_) {
+        for (Row* const row : {&contact.normal, &contact.tangent}) {
+            const double there = changedExcess(*row);
+            std::swap(change_, place_);
+            row->at = changedExcess(*row);
+            std::swap(change_, place_);
+            row->along = there - row->at;
+        }
+    }
+    double high = 1;
+    double highSlope = slopeAt(1);
+    double low = 0;
+    double lowSlope = slopeAt(0);
+    if (!(highSlope > 0) || !(lowSlope < 0)) {
+        return 1;
+    }
+    const double small = -kSlopeRatio * lowSlope;
+    for (int i = 0; i < kMostLineSteps; ++i) {
+        const double secant = low + (high - low) * (lowSlope / (lowSlope - highSlope));
+        const double middle = i % 2 == 0 ? secant : 0.5 * (low + high);
+        const double slope = slopeAt(middle);
+        if (std::fabs(slope) <= small) {
+            return middle;
+        }
+        (slope < 0 ? low : high) = middle;
+        (slope < 0 ? lowSlope : highSlope) = slope;
+    }
+    return low > 0 ? low : high;
+}
+
+/// The minimum for the limits of friction that there are. @return whether it was found
+bool DirectSolver::settle(DirectReport& report) {
+    bool hasPlace = false;
+    for (int round = 0; round < kMostRounds && roundsLeft_-- > 0; ++round) {
+        if (!holdsAsBefore()) {
+            assemble(report);
+        }
+        computeChange();
+        ++report.rounds;
+        if (round == 0) {
+            findNoise();
+        }
+        if (!classify(true)) {
+            return true;
+        }
+        if (hasPlace) {
+            const double part = searchLine();
+            if (part < 1) {
+                for (std::size_t i = 0; i < change_.size(); ++i) {
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        change_[i][k] = place_[i][k] + part * (change_[i][k] - place_[i][k]);
+                    }
+                }
+                classify(false);
+            }
+        }
+        place_ = change_;
+        hasPlace = true;
+    }
+    return false;
+}
+
+/// @return whether some limit was too far from what its normal impulse says
+bool DirectSolver::followLimits() {
+    bool isFar = false;
+    for (ContactPoint& contact : contacts_) {
+        if (contact.normalHold == Hold::free) {
+            continue;
+        }
+        const double limit = static_cast<double>(contact.contact->friction) * contact.normal.impulse;
+        const double rubbed = std::fabs(contact.tangent.impulse);
+        const double slack = kLimitTolerance * limit + noise_[contact.island];
+        const bool isTooStrong = rubbed > limit + slack;
+        const bool isTooWeak = contact.tangentHold == Hold::forced && rubbed + slack < limit;
+        isFar = isFar || isTooStrong || isTooWeak;
+        contact.limit = limit;
+    }
+    return isFar;
+}
+
+/// Impulses that moved far are where dampers still give way: around the new ones they do so by a small part of that.
+/// @return whether there were any
+bool DirectSolver::tighten() {
+    bool isFar = false;
+    for (const ContactPoint& contact : contacts_) {
+        const double change = std::fabs(contact.normal.impulse - contact.normal.guess);
+        const double rub = std::fabs(contact.tangent.impulse - contact.tangent.guess);
+        isFar = isFar || std::max(change, rub) > kFarRatio * (noise_[contact.island] / kBrinkRatio);
+    }
+    if (!isFar) {
+        return false;
+    }
+    for (ContactPoint& contact : contacts_) {
+        if (contact.normalHold == Hold::free) {
+            continue;
+        }
+        contact.normal.guess = contact.normal.impulse;
+        contact.tangent.guess = contact.tangent.impulse;
+    }
+    return true;
+}
+
+bool DirectSolver::findImpulses(DirectReport& report) {
+    noise_.assign(nodes_.size(), 0);
+    strength_ = 1;
+    roundsLeft_ = kMostRoundsOfSolve;
+    if (contacts_.empty()) {
+        if (!holdsAsBefore()) {
+            assemble(report);
+        }
+        computeChange();
+        return true;
+    }
+    int tightenings = 0;
+    for (int round = 0; round < kMostLimitRounds; ++round) {
+        while (!settle(report)) {
+            if (!(strength_ > kWeakest) || roundsLeft_ <= 0) {
+                return false;
+            }
+            strength_ *= kWeaker;
+            guessHolds();
+        }
+        if (!followLimits()) {
+            if (tightenings++ >= kMostTightenings || !tighten()) {
+                break;
+            }
+        }
+        classify(false);
+    }
+    return true;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

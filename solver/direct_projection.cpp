@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+
+#include "direct_parts.h"
+#include "direct_solver.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Weaker than where speeds are solved: rows that contradict each other (a card wedged between planks) must give.
+constexpr double kProjectionStrength = 1.0 / 4;
+/// Part of an overlap or gap that a projection closes.
+constexpr Real kProjectionRate = Real(1) / 4;
+/// Separations beyond this part of the distance to the centre of mass are closed within the step, smaller ones at its
+/// end.
+constexpr Real kLargeRatio = Real(1) / 8192;
+constexpr Real kSmallRatio = Real(1) / (1 << 20);
+
+bool isStuck(const ContactConstraint& contact, const ContactConstraintPoint& point) {
+    return std::fabs(point.tangentImpulse) < contact.friction * point.normalImpulse;
+}
+
+}  // namespace
+
+bool DirectSolver::gatherOverlaps(const SolverBatch& batch, Real h, bool isLast) {
+    bool anyLarge = false;
+    for (ContactPoint& contact : contacts_) {
+        const ContactConstraint& constraint = *contact.contact;
+        const ContactConstraintPoint& point = *contact.point;
+        const Real separation =
+            currentSeparation(constraint, point, batch.states[constraint.slotA], batch.states[constraint.slotB]);
+        const bool presses = point.normalImpulse > 0 || separation < 0;
+        const Real size = std::max(lengthSquared(point.anchorA), lengthSquared(point.anchorB));
+        anyLarge = anyLarge || (presses && square(separation) > square(isLast ? kSmallRatio : kLargeRatio) * size);
+        contact.normalHold = presses ? Hold::held : Hold::free;
+        contact.tangentHold = presses && isStuck(constraint, point) ? Hold::held : Hold::free;
+        contact.normal.excess =
+            static_cast<double>(std::max(kProjectionRate * separation, -constraint.maxPushSpeed * h));
+        contact.tangent.excess = contact.normal.guess = contact.tangent.guess = 0;
+    }
+    return anyLarge;
+}
+
+void DirectSolver::moveBodies(SolverBatch& batch) const {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        BodyState& state = batch.states[nodes_[i].slot];
+        state.deltaPosition += {static_cast<Real>(change_[i][0]), static_cast<Real>(change_[i][1])};
+        state.deltaAngle += static_cast<Real>(change_[i][2]);
+        state.deltaRotation = rotationFromAngle(static_cast<double>(state.deltaAngle));
+    }
+}
+
+void DirectSolver::project(SolverBatch& batch, Real h, bool always, DirectReport& report) {
+    if (contacts_.empty() || !gatherOverlaps(batch, h, always)) {
+        return;
+    }
+    gatherJoints(batch, h, false, true);
+    strength_ = kProjectionStrength;
+    assemble(report);
+    computeChange();
+    isFactorised_ = false;
+    dropNoise();
+    moveBodies(batch);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

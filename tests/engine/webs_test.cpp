@@ -1,0 +1,166 @@
+#include "world_support.h"
+
+/// Structures at rest whose contacts close loops, or are many, one on another: all contacts are solved at once. Each is
+/// named as in `swept bench accuracy`; limits are ten times what was measured, or more.
+
+namespace swept::test {
+namespace {
+
+struct Structure {
+    World world = makeWorld();
+    std::vector<BodyId> bodies;
+    std::vector<DVec2> starts;
+
+    void add(DVec2 position, double angle, const Polygon& polygon, double friction) {
+        BodyDef def = dynamicAt(position);
+        def.angle = angle;
+        bodies.push_back(addBody(world, def, polygon, material(friction)));
+        starts.push_back(position);
+    }
+    double worstMove() const {
+        double worst = 0;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            worst = std::max(worst, length(world.position(bodies[i]) - starts[i]));
+        }
+        return worst;
+    }
+    double fastest() const {
+        double speed = 0;
+        for (const BodyId body : bodies) {
+            speed = std::max(speed, length(velocityOf(world, body)));
+        }
+        return speed;
+    }
+};
+
+/// Tents of two cards 20° from the vertical whose top edges touch, one plank per level.
+Structure cards(int levels, double cardLength, double thickness) {
+    Structure s;
+    addStatic(s.world, box(10 * cardLength, cardLength), material(0.7), {0, -cardLength});
+    const double tilt = 20 * kPi / 180;
+    const double height = cardLength * std::cos(tilt) + thickness * std::sin(tilt);
+    const double width = cardLength * std::sin(tilt) + thickness * std::cos(tilt);
+    for (int level = 0; level < levels; ++level) {
+        const double base = level * (height + thickness);
+        const int tents = levels - level;
+        for (int tent = 0; tent < tents; ++tent) {
+            const double x = 2 * width * (tent - 0.5 * (tents - 1));
+            for (const int side : {-1, 1}) {
+                s.add({x + side * 0.5 * width, base + 0.5 * height}, side * tilt, box(thickness / 2, cardLength / 2),
+                      0.7);
+            }
+        }
+        s.add({0, base + height + thickness / 2}, 0, box(tents * width, thickness / 2), 0.7);
+    }
+    return s;
+}
+
+/// Fifteen wedges that fill a half ring.
+Structure arch(double inner, double outer) {
+    Structure s;
+    addStatic(s.world, box(10, 0.5), material(0.6), {0, -0.5});
+    constexpr int kWedges = 15;
+    for (int i = 0; i < kWedges; ++i) {
+        const auto ray = [](int k) { return DVec2{std::cos(kPi * k / kWedges), std::sin(kPi * k / kWedges)}; };
+        const DVec2 a = ray(i);
+        const DVec2 b = ray(i + 1);
+        const DVec2 middle = 0.25 * (inner + outer) * (a + b);
+        std::vector<Vec2> corners;
+        for (const DVec2 corner : {inner * a, outer * a, outer * b, inner * b}) {
+            corners.push_back(vec(corner.x - middle.x, corner.y - middle.y));
+        }
+        s.add(middle, 0, must(makePolygon(corners)), 0.6);
+    }
+    return s;
+}
+
+Structure pyramid(int rows) {
+    Structure s;
+    addStatic(s.world, box(2.0 * rows, 0.5), material(0.6), {0, -0.5});
+    for (int row = 0; row < rows; ++row) {
+        for (int i = 0; i < rows - row; ++i) {
+            s.add({1.05 * (i - 0.5 * (rows - row - 1)), row + 0.5}, 0, box(0.5, 0.5), 0.6);
+        }
+    }
+    return s;
+}
+
+Structure stack(int count) {
+    Structure s;
+    addStatic(s.world, box(20, 0.5), material(0.6), {0, -0.5});
+    for (int i = 0; i < count; ++i) {
+        s.add({0, i + 0.5}, 0, box(0.5, 0.5), 0.6);
+    }
+    return s;
+}
+
+/// Runs, and holds the structure to its place.
+void expectStands(const std::string& name, Structure s, double seconds, double side, double limit) {
+    runFor(s.world, seconds);
+    expectAtMost(name + " move", s.worstMove() / side, limit);
+    expectAtMost(name + " speed", s.fastest(), 1e-3 * std::sqrt(kGravity * side));
+    EXPECT_EQ(s.world.counters().directBodies, s.bodies.size()) << name;
+    EXPECT_EQ(s.world.counters().directGivenUp, 0U) << name;
+}
+
+TEST(Webs, CardHousesStand) {
+    expectStands("cards-L4", cards(3, 4, 0.2), 10, 4, 1e-6);
+    expectStands("cards-L0.4", cards(3, 0.4, 0.02), 10, 0.4, 1e-5);
+    expectStands("cards-thin", cards(3, 0.4, 0.002), 3, 0.4, 1e-5);
+}
+
+TEST(Webs, ArchesStand) {
+    expectStands("arch", arch(5, 6.5), 10, 1.5, 1e-5);
+    expectStands("arch-thin", arch(5, 6), 10, 1, 1e-5);
+}
+
+TEST(Webs, PyramidOfTwenty) { expectStands("pyramid-20", pyramid(20), 1, 1, 1e-5); }
+
+TEST(Webs, TallStacks) {
+    expectStands("stack-200", stack(200), 2, 1, 1e-5);
+    expectStands("stack-500", stack(500), 1, 1, 1e-4);
+    expectStands("stack-1000", stack(1000), 0.5, 1, 1e-3);
+}
+
+/// Twice the lengths, masses or times: the same to the bit, but for those factors.
+TEST(Webs, ScaleByPowersOfTwo) {
+    const auto endOf = [](double length, double mass, double time) {
+        World world = makeWorld(awakeSettings(kGravity * length / (time * time)));
+        addStatic(world, box(10 * length, 0.5 * length), material(0.6), {0, -0.5 * length});
+        BodyId last;
+        for (int row = 0; row < 5; ++row) {
+            for (int i = 0; i < 5 - row; ++i) {
+                const DVec2 place{1.05 * (i - 0.5 * (4 - row)), 1.0 * row + 0.5};
+                last = addBody(world, dynamicAt(length * place, vec(0, 0), 0.01 * row / time),
+                               box(0.5 * length, 0.5 * length), material(0.6, 0, mass / (length * length)));
+            }
+        }
+        run(world, 60, kStep * time);
+        EXPECT_GT(world.counters().directBodies, 0U);
+        return 1 / length * world.position(last);
+    };
+    const DVec2 plain = endOf(1, 1, 1);
+    for (const double factor : {1.0 / 64, 32.0}) {
+        EXPECT_EQ(endOf(factor, 1, 1), plain) << "length";
+        EXPECT_EQ(endOf(1, factor, 1), plain) << "mass";
+        EXPECT_EQ(endOf(1, 1, factor), plain) << "time";
+        EXPECT_EQ(endOf(factor, 4 * factor, 2 * factor), plain) << "all";
+    }
+}
+
+/// A card house that someone leans on, and leaves alone, stands still afterwards where it came to be.
+TEST(Webs, CardsComeToRestAgain) {
+    Structure s = cards(2, 0.4, 0.02);
+    runFor(s.world, 0.5);
+    for (int i = 0; i < 30; ++i) {
+        const BodyId plank = s.bodies.back();
+        must(s.world.applyForce(plank, vec(0.02 * s.world.mass(plank) * kGravity, 0), s.world.centerOfMass(plank)));
+        run(s.world, 1);
+    }
+    runFor(s.world, 1);
+    expectAtMost("leant-on cards move", s.worstMove() / 0.4, 1e-3);
+    expectAtMost("leant-on cards speed", s.fastest(), 1e-6);
+}
+
+}  // namespace
+}  // namespace swept::test
