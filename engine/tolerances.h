@@ -32,7 +32,7 @@ inline constexpr Real kBoxMarginRatio = Real(1) / 8;
 inline constexpr Real kBoxStepsAhead = 2;
 inline constexpr Real kMaxAheadRatio = 4;
 /// Fastest push out of an overlap: this part of the pair's extent per step.
-inline constexpr Real kPushRatio = Real(1) / 4;
+inline constexpr Real kPushRatio = Real(1) / 16;
 /// A flyer that overlaps something by up to this part of the extent is set back to the surface before it flies on.
 inline constexpr Real kShallowRatio = 8 * kTargetRatio;
 /// A fast body that contacts hold (the soft solver) may sink into them by this part of the extent before it is stopped.
