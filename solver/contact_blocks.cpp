@@ -178,16 +178,7 @@ void ContactBlocks::solve(SolverBatch& batch, int colour, RangeCut cut, const Co
     if (const auto blocks = cut.next(one_.blocks, ranges.one); !blocks.empty()) {
         kernels_->solveOne(blocks, bodies, pass);
     }
-    const std::span<const std::uint32_t> rest = cut.next(rest_, ranges.rest);
-    solveContacts(batch.contacts, rest, bodies, pass.h, pass.useBias);
-    if (!pass.isLast) {
-        return;
-    }
-    for (const std::uint32_t place : rest) {
-        for (ContactConstraintPoint& point : batch.contacts[place].points) {
-            point.totalNormalImpulse += point.normalImpulse;
-        }
-    }
+    solveContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies, pass);
 }
 
 void ContactBlocks::addUpBouncing(SolverBatch& batch) const {

@@ -51,7 +51,7 @@ struct NormalDemand {
 /// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
 NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairState& pair,
                       Real h, bool useBias, bool isCarrying) {
-    const Real separation = currentSeparation(contact, point, pair.a, pair.b);
+    const Real separation = point.separation;
     const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
     // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
     if (!useBias && closing > contact.bounceSpeed) {
@@ -129,6 +129,19 @@ void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia
     }
 }
 
+void findSeparations(ContactConstraint& contact, const PairState& pair) {
+    for (int i = 0; i < contact.count; ++i) {
+        ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
+        point.separation = currentSeparation(contact, point, pair.a, pair.b);
+    }
+}
+
+void addUp(ContactConstraint& contact) {
+    for (ContactConstraintPoint& point : contact.points) {
+        point.totalNormalImpulse += point.normalImpulse;
+    }
+}
+
 Real inverseOrZero(Real x) { return x > 0 ? 1 / x : Real(0); }
 
 }  // namespace
@@ -174,15 +187,21 @@ void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const st
 }
 
 void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
-                   const SolverBodies& bodies, Real h, bool useBias) {
+                   const SolverBodies& bodies, const ContactPass& pass) {
     for (const std::uint32_t place : places) {
         ContactConstraint& contact = contacts[place];
         PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
         const BodyInertia& inertiaA = bodies.inertias[contact.slotA];
         const BodyInertia& inertiaB = bodies.inertias[contact.slotB];
-        solveNormals(contact, pair, inertiaA, inertiaB, h, useBias);
+        if (pass.hasMoved) {
+            findSeparations(contact, pair);
+        }
+        solveNormals(contact, pair, inertiaA, inertiaB, pass.h, pass.useBias);
         // Friction after the normals: the limit it is held to is that of this pass.
         solveFriction(contact, pair, inertiaA, inertiaB);
+        if (pass.isLast) {
+            addUp(contact);
+        }
         storePair(bodies, contact.slotA, pair.a, contact.slotB, pair.b);
     }
 }

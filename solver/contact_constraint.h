@@ -24,6 +24,7 @@ struct ContactConstraintPoint {
     Real normalImpulse = 0;   ///< accumulated over a sub-step, N·s; warm start in, result out
     Real tangentImpulse = 0;
     Real totalNormalImpulse = 0;  ///< over the whole step, bounces included
+    Real separation = 0;          ///< now: changes only when bodies move, so one pass finds it and the others read it
     Real bounceApproach = 0;      ///< largest approach speed at which the point bounced, m/s
 };
 
@@ -58,13 +59,20 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
 Real currentSeparation(const ContactConstraint& contact, const ContactConstraintPoint& point, const BodyState& a,
                        const BodyState& b);
 
+/// One pass over contacts.
+struct ContactPass {
+    Real h = 0;            ///< sub-step, s
+    bool useBias = false;  ///< push out of overlap (soft); else only stop approaching (relaxation, rigid)
+    bool hasMoved = true;  ///< bodies have moved since the pass before: separations are found anew
+    bool isLast = false;   ///< of the sub-step: impulses are added to the totals
+};
+
 /// Kernels over contacts that share no movable body (one colour) or are solved one after the other. The wide ones
 /// (wide_contacts.h) do the same to the bit.
 /// @param places  in `contacts`, of those that are meant
 void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
                        const SolverBodies& bodies);
-/// @param useBias  true: push out of overlap (soft); false: only stop approaching (relaxation, rigid).
 void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
-                   const SolverBodies& bodies, Real h, bool useBias);
+                   const SolverBodies& bodies, const ContactPass& pass);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -3,26 +3,91 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+bool hasParts(const FreedomParts& parts) { return parts.hasSpring || parts.hasMotor || parts.hasLimits; }
+
 Real angleOf(const RevoluteConstraint& joint, const JointPair& pair) {
     return joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
 }
 
-void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
+/// The joint as it stands in this sub-step: two points that are held together.
+struct Hinge {
+    Vec2 armA;
+    Vec2 armB;
+    PointMatrix matrix;
+};
+
+Hinge hingeOf(const RevoluteConstraint& joint, const JointPair& pair) {
     const Vec2 armA = rotate(pair.a.deltaRotation, joint.anchorA);
     const Vec2 armB = rotate(pair.b.deltaRotation, joint.anchorB);
-    const HeldRows point = heldPoint(pair, armA, armB);
-    const Vec2 gap = joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (armB - armA);
-    if (!joint.isHeld || !useBias) {
-        const Vec2 change = heldChange(point, pair, gap, joint.linearImpulse, joint.softness, useBias);
-        joint.linearImpulse += change;
-        apply(point, pair, change);
+    return {armA, armB, pointMatrix(pair.inertiaA, armA, pair.inertiaB, armB)};
+}
+
+Vec2 speedsOf(const Hinge& hinge, const JointPair& pair) {
+    const Vec2 moving = pair.b.velocity - pair.a.velocity;
+    return {moving.x - hinge.armB.y * pair.b.angularVelocity + hinge.armA.y * pair.a.angularVelocity,
+            moving.y + hinge.armB.x * pair.b.angularVelocity - hinge.armA.x * pair.a.angularVelocity};
+}
+
+void push(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& pair, Vec2 impulse) {
+    pair.a.velocity -= pair.inertiaA.inverseMass * impulse;
+    pair.b.velocity += pair.inertiaB.inverseMass * impulse;
+    pair.a.angularVelocity += pair.inertiaA.inverseInertia * hinge.armA.y * impulse.x;
+    pair.a.angularVelocity -= pair.inertiaA.inverseInertia * hinge.armA.x * impulse.y;
+    pair.b.angularVelocity -= pair.inertiaB.inverseInertia * hinge.armB.y * impulse.x;
+    pair.b.angularVelocity += pair.inertiaB.inverseInertia * hinge.armB.x * impulse.y;
+    joint.linearImpulse += impulse;
+}
+
+/// Turns the bodies, and leaves the point to itself.
+void turn(const JointPair& pair, Real impulse) {
+    pair.a.angularVelocity -= pair.inertiaA.inverseInertia * impulse;
+    pair.b.angularVelocity += pair.inertiaB.inverseInertia * impulse;
+}
+
+/// Turning while the point is held, see `GuidedRow`.
+struct Spin {
+    Real mass = 0;
+    Vec2 answer;
+};
+
+Spin spinOf(const Hinge& hinge, const JointPair& pair) {
+    const Real turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    // Without mass to resist it the point is held by nothing: bodies that only turn.
+    const bool heavy = hinge.matrix.determinant > 0;
+    const Real inverse = heavy ? fullDeterminant(pair, hinge.armA, hinge.armB) / hinge.matrix.determinant : turns;
+    const Vec2 pull{-(pair.inertiaA.inverseInertia * hinge.armA.y + pair.inertiaB.inverseInertia * hinge.armB.y),
+                    pair.inertiaA.inverseInertia * hinge.armA.x + pair.inertiaB.inverseInertia * hinge.armB.x};
+    return {inverse > 0 ? 1 / inverse : Real(0), -solve(hinge.matrix, pull)};
+}
+
+void solvePoint(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& pair, bool useBias) {
+    if (!useBias) {
+        push(joint, hinge, pair, -solve(hinge.matrix, speedsOf(hinge, pair)));
+        return;
     }
-    if (!joint.hasSpring && !joint.hasMotor && !joint.hasLimits) { return; }
+    if (joint.isHeld) {
+        return;
+    }
+    const Vec2 gap = joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (hinge.armB - hinge.armA);
+    const Vec2 firm = solve(hinge.matrix, speedsOf(hinge, pair) + joint.softness.biasRate * gap);
+    push(joint, hinge, pair, -joint.softness.massScale * firm - joint.softness.impulseScale * joint.linearImpulse);
+}
+
+void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
+    const Hinge hinge = hingeOf(joint, pair);
+    solvePoint(joint, hinge, pair, useBias);
+    if (!hasParts(joint)) {
+        return;
+    }
     // The angle last, but guided: the point stays as it was just solved.
-    const GuidedRow spin = guidedSpin(point, pair, armA, armB);
+    const Spin spin = spinOf(hinge, pair);
     solveFreedom(
-        joint, spin.mass, angleOf(joint, pair), joint.softness, h, useBias, [&] { return speedOf(spin.row, pair); },
-        [&](Real impulse) { apply(spin, point, pair, impulse, joint.linearImpulse); });
+        joint, spin.mass, angleOf(joint, pair), joint.softness, h, useBias,
+        [&] { return pair.b.angularVelocity - pair.a.angularVelocity; },
+        [&](Real impulse) {
+            turn(pair, impulse);
+            push(joint, hinge, pair, impulse * spin.answer);
+        });
 }
 
 }  // namespace
@@ -34,13 +99,14 @@ void warmStart(std::span<RevoluteConstraint> joints, const SolverBodies& bodies)
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        const Vec2 armA = rotate(a.deltaRotation, joint.anchorA);
-        const Vec2 armB = rotate(b.deltaRotation, joint.anchorB);
-        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, armA);
-        applyImpulse(b, pair.inertiaB, joint.linearImpulse, armB);
-        const Real mass = joint.hasSpring ? guidedSpin(heldPoint(pair, armA, armB), pair, armA, armB).mass : Real(0);
+        const Hinge hinge = hingeOf(joint, pair);
+        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, hinge.armA);
+        applyImpulse(b, pair.inertiaB, joint.linearImpulse, hinge.armB);
+        const Real mass = joint.hasSpring ? spinOf(hinge, pair).mass : Real(0);
         pushSpring(joint, mass, angleOf(joint, pair));
-        apply(kSpinRow, pair, joint.impulse());
+        if (hasParts(joint)) {
+            turn(pair, joint.impulse());
+        }
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }

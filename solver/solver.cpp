@@ -2,11 +2,13 @@
 
 #include <atomic>
 #include <span>
+#include <type_traits>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Joints, blocks of contacts and contacts on their own per part of a parallel loop, and bodies: some microseconds of work.
+/// Joints, blocks of contacts and contacts on their own per part of a parallel loop, and bodies: some microseconds of
+/// work.
 constexpr std::size_t kConstraintGrain = 16;
 constexpr std::size_t kBodyGrain = 128;
 
@@ -20,6 +22,10 @@ std::size_t countOf(const std::vector<Constraint>& joints, const ConstraintGraph
     const ColourRange range = rangeOf(joints, graph, colour);
     return joints.empty() ? 0 : range.end - range.begin;
 }
+
+/// Of arrays of joints.
+template <class Joints>
+constexpr bool kAreHinges = std::is_same_v<std::remove_cvref_t<Joints>, std::vector<RevoluteConstraint>>;
 
 SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias}; }
 
@@ -128,13 +134,19 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
     }
 }
 
-/// All that a colour holds, joints first and one list after the other, in ranges that any worker may take: no two share a
-/// movable body.
+/// All that a colour holds, joints first and one list after the other, in ranges that any worker may take: no two share
+/// a movable body.
 template <bool kJoints, class Visit>
 void Solver::forColour(SolverBatch& batch, int colour, const Visit& visit) {
     std::size_t count = contacts_.countOf(colour);
     if constexpr (kJoints) {
-        batch.forEachJointKind([&](auto& joints) { count += countOf(joints, graph_, colour); });
+        batch.forEachJointKind([&](auto& joints) {
+            if constexpr (kAreHinges<decltype(joints)>) {
+                count += joints.empty() ? 0 : hinges_.countOf(colour);
+            } else {
+                count += countOf(joints, graph_, colour);
+            }
+        });
     }
     if (colour == kOverflowColour || count <= kConstraintGrain) {
         visit(RangeCut(0, count));
@@ -144,13 +156,18 @@ void Solver::forColour(SolverBatch& batch, int colour, const Visit& visit) {
 }
 
 template <bool kJoints>
-void Solver::warmStart(SolverBatch& batch) {
+void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
     const SolverBodies bodies = bodiesOf(batch);
     for (const int colour : graph_.activeColours()) {
         forColour<kJoints>(batch, colour, [&](RangeCut cut) {
             if constexpr (kJoints) {
                 batch.forEachJointKind([&](auto& joints) {
-                    if (!joints.empty()) {
+                    if (joints.empty()) {
+                        return;
+                    }
+                    if constexpr (kAreHinges<decltype(joints)>) {
+                        hinges_.warmStart(batch, colour, cut, hasMoved);
+                    } else {
                         swept::warmStart(cut.next(joints, rangeOf(joints, graph_, colour)), bodies);
                     }
                 });
@@ -167,7 +184,12 @@ void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
         forColour<kJoints>(batch, colour, [&](RangeCut cut) {
             if constexpr (kJoints) {
                 batch.forEachJointKind([&](auto& joints) {
-                    if (!joints.empty()) {
+                    if (joints.empty()) {
+                        return;
+                    }
+                    if constexpr (kAreHinges<decltype(joints)>) {
+                        hinges_.solve(batch, colour, cut, pass);
+                    } else {
                         swept::solve(cut.next(joints, rangeOf(joints, graph_, colour)), bodies, pass.h, pass.useBias);
                     }
                 });
@@ -203,8 +225,8 @@ void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settin
     if (settings.direct != DirectScope::none) {
         report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     }
-    warmStart<kJoints>(batch);
     const bool relaxes = settings.relaxPasses > 0;
+    warmStart<kJoints>(batch, isFirst || !relaxes);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .hasMoved = isFirst || !relaxes, .isLast = !relaxes});
     integratePositions(batch, h);
     for (int pass = 0; pass < settings.relaxPasses; ++pass) {
@@ -219,7 +241,7 @@ void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settin
 template <bool kJoints>
 void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-    warmStart<kJoints>(batch);
+    warmStart<kJoints>(batch, true);
     direct_.solve(batch, h, true, report.direct);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = settings.relaxPasses == 0});
     integratePositions(batch, h);
@@ -238,7 +260,7 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.beginFirstHalf();
     if (!direct_.solve(batch, h, true, report.direct)) {
-        warmStart<kJoints>(batch);
+        warmStart<kJoints>(batch, true);
         solveColours<kJoints>(batch, {.h = h, .useBias = true});
     }
     integratePositions(batch, h);
@@ -246,7 +268,7 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.beginSecondHalf();
     if (!direct_.solve(batch, h, false, report.direct)) {
-        warmStart<kJoints>(batch);
+        warmStart<kJoints>(batch, true);
         for (int pass = 0; pass < settings.relaxPasses; ++pass) {
             solveColours<kJoints>(batch, {.h = h});
         }
@@ -273,7 +295,13 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
             subStepIteratively<kJoints>(batch, settings, h, subStep == 0, report);
         }
         if constexpr (kJoints) {
-            batch.forEachJointKind([](auto& joints) { addUpReactions(std::span(joints)); });
+            batch.forEachJointKind([&](auto& joints) {
+                if constexpr (kAreHinges<decltype(joints)>) {
+                    hinges_.addUpRest(batch);
+                } else {
+                    addUpReactions(std::span(joints));
+                }
+            });
         }
     }
 }
@@ -289,12 +317,19 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     const bool contactsAreDirect = report.isDirect && settings.direct == DirectScope::all;
     contacts_.build(batch, graph_, settings.wide && !contactsAreDirect, needsContactsPrepared(settings));
     report.contactBlocks = contacts_.blockCount();
+    if constexpr (kJoints) {
+        hinges_.build(batch, graph_, settings.wide && !report.isDirect);
+        report.hingeBlocks = hinges_.blockCount();
+    }
     if (bouncing_.empty()) {
         runSubSteps<kJoints, false>(batch, settings, report);
     } else {
         runSubSteps<kJoints, true>(batch, settings, report);
     }
     contacts_.readBack(batch);
+    if constexpr (kJoints) {
+        hinges_.readBack(batch);
+    }
     return report;
 }
 

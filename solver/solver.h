@@ -7,6 +7,7 @@
 #include "constraint_graph.h"
 #include "contact_blocks.h"
 #include "direct_solver.h"
+#include "hinge_blocks.h"
 #include "impact.h"
 #include "solver_batch.h"
 
@@ -28,6 +29,7 @@ struct SolverSettings {
 
 struct SolveReport {
     int colours = 0;
+    int hingeBlocks = 0;    ///< of hinges that were solved side by side
     int contactBlocks = 0;  ///< of contacts that were solved side by side
     int bounceRounds = 0;   ///< over all sub-steps
     int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
@@ -70,7 +72,7 @@ private:
     template <bool kJoints, class Visit>
     void forColour(SolverBatch& batch, int colour, const Visit& visit);
     template <bool kJoints>
-    void warmStart(SolverBatch& batch);
+    void warmStart(SolverBatch& batch, bool hasMoved);
     template <bool kJoints>
     void solveColours(SolverBatch& batch, const ContactPass& pass);
     template <bool kJoints, bool kBounces>
@@ -79,6 +81,7 @@ private:
     TaskSystem* loops_ = nullptr;  ///< of the present solve
     ConstraintGraph graph_;
     ContactBlocks contacts_;
+    HingeBlocks hinges_;
     DirectSolver direct_;
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;

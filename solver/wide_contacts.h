@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "body_state.h"
+#include "contact_constraint.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -55,14 +55,6 @@ struct alignas(32) WideContact {
     LaneArray inverseInertiaA;
     LaneArray inverseInertiaB;
     std::array<WideContactPoint, kPoints> points;
-};
-
-/// One pass over contacts.
-struct ContactPass {
-    Real h = 0;            ///< sub-step, s
-    bool useBias = false;  ///< push out of overlap (soft); else only stop approaching (relaxation, rigid)
-    bool hasMoved = true;  ///< bodies have moved since the pass before: separations are found anew
-    bool isLast = false;   ///< of the sub-step: impulses are added to the totals
 };
 
 /// Kernels over blocks of one colour: what `warmStartContacts` and `solveContacts` do, to the bit.

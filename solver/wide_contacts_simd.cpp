@@ -12,7 +12,7 @@
 #if HWY_TARGET == HWY_SCALAR
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
-const ContactKernels* kernels() { return nullptr; }  // machines without registers to speak of: one by one
+const ContactKernels* kernelsForContacts() { return nullptr; }  // machines without registers to speak of: one by one
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION
 #else
@@ -50,7 +50,7 @@ public:
             apply(point, hn::Add(hn::Mul(normal, normalX_), hn::Mul(tangent, normalY_)),
                   hn::Sub(hn::Mul(normal, normalY_), hn::Mul(tangent, normalX_)));
         }
-        scatterBodies();
+        scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
     template <bool kUseBias>
@@ -77,7 +77,7 @@ public:
                 put(hn::Add(at(point.totalNormalImpulse), at(point.normalImpulse)), point.totalNormalImpulse, begin_);
             }
         }
-        scatterBodies();
+        scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
 private:
@@ -94,22 +94,6 @@ private:
     };
 
     HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
-
-    HWY_INLINE void scatterBodies() const {
-        constexpr std::uint32_t kAll = (1U << kGroup) - 1;
-        const std::uint32_t ofA = block_.movableA >> begin_ & kAll;
-        const std::uint32_t ofB = block_.movableB >> begin_ & kAll;
-        scatterOne(a_, block_.slotA.data() + begin_, ofA, kAll);
-        scatterOne(b_, block_.slotB.data() + begin_, ofB, kAll);
-    }
-    HWY_INLINE void scatterOne(const Quad& body, const BodySlot* slots, std::uint32_t movable,
-                               std::uint32_t all) const {
-        if (movable == all) {
-            scatterVelocities(body, bodies_.states, slots, ~std::uint32_t{0});
-        } else if (movable != 0) {
-            scatterVelocities(body, bodies_.states, slots, movable);
-        }
-    }
 
     HWY_INLINE void findSeparations() {
         const Quad a = gather(bodies_.states, block_.slotA.data() + begin_, kMotion);
@@ -349,7 +333,7 @@ void solve(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, 
     }
 }
 
-const ContactKernels* kernels() {
+const ContactKernels* kernelsForContacts() {
     static const ContactKernels kKernels = {
         hwy::TargetName(HWY_TARGET), prepare<1>, prepare<2>, warmStart<1>, warmStart<2>, solve<1>, solve<2>};
     return &kKernels;
@@ -364,10 +348,10 @@ HWY_AFTER_NAMESPACE();
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
-HWY_EXPORT(kernels);
+HWY_EXPORT(kernelsForContacts);
 }
 
-const ContactKernels* contactKernels() { return HWY_DYNAMIC_DISPATCH(kernels)(); }
+const ContactKernels* contactKernels() { return HWY_DYNAMIC_DISPATCH(kernelsForContacts)(); }
 
 }  // namespace swept::inline SWEPT_PRECISION
 #endif

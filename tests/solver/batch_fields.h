@@ -237,7 +237,9 @@ struct RandomSolve {
         for (int i = times * random_.integer(1, 16); i > 0; --i) {
             addContact();
         }
-        addJoints(batch.revolutes, [this](auto& joint) { fill(joint); });
+        for (int i = 0; i < times; ++i) {
+            addJoints(batch.revolutes, [this](auto& joint) { fill(joint); });
+        }
         addJoints(batch.distances, [this](auto& joint) { fill(joint); });
         addJoints(batch.prismatics, [this](auto& joint) { fill(joint); });
         addJoints(batch.wheels, [this](auto& joint) { fill(joint); });

@@ -7,7 +7,8 @@
 
 #include "batch_fields.h"
 
-/// Blocks of contacts against contacts one by one: the same bits with every instruction set of this machine.
+/// Blocks of contacts and of hinges against the same one by one: the same bits with every instruction set of this
+/// machine.
 
 namespace swept::test {
 namespace {
@@ -36,9 +37,14 @@ void forgetPrepared(SolverBatch& batch) {
     }
 }
 
-/// @return blocks
-int expectSameBits(int times, std::uint64_t seeds) {
-    int blocks = 0;
+/// Of contacts and of hinges.
+struct BlockCounts {
+    int contacts = 0;
+    int hinges = 0;
+};
+
+BlockCounts expectSameBits(int times, std::uint64_t seeds) {
+    BlockCounts blocks;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         RandomSolve narrow(seed, times);
         RandomSolve wide(seed, times);
@@ -58,13 +64,14 @@ int expectSameBits(int times, std::uint64_t seeds) {
             forgetPrepared(narrow.batch);
             forgetPrepared(wide.batch);
         }
-        EXPECT_EQ(ofNarrow.contactBlocks, 0);
+        EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks, 0);
         EXPECT_EQ(ofNarrow.bounceRounds, ofWide.bounceRounds) << "seed " << seed;
         EXPECT_EQ(bitsOf(narrow.batch), bitsOf(wide.batch)) << "seed " << seed;
         if (testing::Test::HasFailure()) {
             break;
         }
-        blocks += ofWide.contactBlocks;
+        blocks.contacts += ofWide.contactBlocks;
+        blocks.hinges += ofWide.hingeBlocks;
     }
     return blocks;
 }
@@ -80,12 +87,14 @@ protected:
 
 TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     if (contactKernels() == nullptr) {  // of the plain processor
-        EXPECT_EQ(expectSameBits(1, 10), 0);
+        EXPECT_EQ(expectSameBits(1, 10).contacts, 0);
         return;
     }
     ASSERT_STREQ(contactKernels()->name, hwy::TargetName(GetParam()));
-    EXPECT_GT(expectSameBits(1, 300), 300) << "too few blocks to prove anything";
-    EXPECT_GT(expectSameBits(16, 60), 1'000);
+    EXPECT_GT(expectSameBits(1, 300).contacts, 300) << "too few blocks to prove anything";
+    const BlockCounts blocks = expectSameBits(16, 60);
+    EXPECT_GT(blocks.contacts, 1'000);
+    EXPECT_GT(blocks.hinges, 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThisMachine, WideContacts, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
@@ -96,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(OfThisMachine, WideContacts, testing::ValuesIn(hwy::Sup
 TEST(WideContact, BlocksAreLaidOutAlikeEverywhere) {
     EXPECT_EQ(sizeof(LaneArray), 32U);
     EXPECT_EQ(sizeof(WideContact<2>) - sizeof(WideContact<1>), sizeof(WideContactPoint));
-    EXPECT_EQ(expectSameBits(4, 20) > 0, contactKernels() != nullptr);
+    EXPECT_EQ(expectSameBits(4, 20).contacts > 0, contactKernels() != nullptr);
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "wide_contacts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What the solve of a hinge has beside its point. All joints of a block have the same.
+struct HingeParts {
+    bool hasSpring = false;
+    bool hasMotor = false;
+    bool hasLimits = false;
+
+    bool any() const { return hasSpring || hasMotor || hasLimits; }
+    bool operator==(const HingeParts&) const = default;
+};
+
+/// As many hinges as there are lanes, no movable body in two of them; see `RevoluteConstraint`. Lanes that are left
+/// over hold the fixed world to itself.
+struct alignas(32) WideRevolute {
+    std::array<BodySlot, kBlockLanes> slotA;
+    std::array<BodySlot, kBlockLanes> slotB;
+    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch
+    std::uint32_t lanes = 0;                       ///< in use
+    std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
+    std::uint32_t movableB = 0;
+    HingeParts parts;
+    alignas(32) LaneArray anchorAX;
+    LaneArray anchorAY;
+    LaneArray anchorBX;
+    LaneArray anchorBY;
+    LaneArray offsetX;  ///< between the centres at the start of the step
+    LaneArray offsetY;
+    LaneArray baseAngle;
+    LaneArray biasRate;
+    LaneArray massScale;
+    LaneArray impulseScale;
+    LaneArray inverseMassA;
+    LaneArray inverseMassB;
+    LaneArray inverseInertiaA;
+    LaneArray inverseInertiaB;
+    // As the bodies stand: changes only when they move.
+    LaneArray armAX;
+    LaneArray armAY;
+    LaneArray armBX;
+    LaneArray armBY;
+    LaneArray gapX;
+    LaneArray gapY;
+    LaneArray matrixXX;
+    LaneArray matrixXY;
+    LaneArray matrixYY;
+    LaneArray determinant;
+    // Accumulated.
+    LaneArray impulseX;
+    LaneArray impulseY;
+    LaneArray totalX;
+    LaneArray totalY;
+    LaneArray totalTwist;
+    // Of parts; idle where there are none.
+    LaneArray lower;
+    LaneArray upper;
+    LaneArray motorSpeed;
+    LaneArray maxMotorImpulse;
+    LaneArray springPush;
+    LaneArray springDrag;
+    LaneArray lowerImpulse;
+    LaneArray upperImpulse;
+    LaneArray motorImpulse;
+    LaneArray springImpulse;
+};
+
+/// Kernels over blocks of one colour: what `warmStart` and `solve` of hinges do, to the bit.
+struct RevoluteKernels {
+    /// @param hasMoved  since the pass before
+    void (*warmStart)(std::span<WideRevolute> blocks, const SolverBodies& bodies, bool hasMoved);
+    void (*solve)(std::span<WideRevolute> blocks, const SolverBodies& bodies, const ContactPass& pass);
+};
+
+/// Null where there are none, see `contactKernels`.
+const RevoluteKernels* revoluteKernels();
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,325 @@
+// Compiled once per instruction set: foreach_target.h reads this file again for each.
+#include "wide_revolutes.h"
+
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3_DL | HWY_SSSE3)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "wide_revolutes_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#if HWY_TARGET == HWY_SCALAR
+namespace swept::inline SWEPT_PRECISION {
+namespace HWY_NAMESPACE {
+const RevoluteKernels* kernelsForHinges() { return nullptr; }
+}  // namespace HWY_NAMESPACE
+}  // namespace swept::inline SWEPT_PRECISION
+#else
+
+HWY_BEFORE_NAMESPACE();
+#include "wide_bodies.inc"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace HWY_NAMESPACE {
+
+// Every function here does what its scalar twin in revolute_constraint.cpp and joint_rows.h does, in the same order.
+// Signs are moved only where that is exact.
+
+struct Pair {
+    Lanes x;
+    Lanes y;
+};
+
+/// A group of lanes of a block.
+class RevoluteGroup {
+public:
+    HWY_INLINE RevoluteGroup(WideRevolute& block, std::size_t begin, const SolverBodies& bodies)
+        : block_(block),
+          begin_(begin),
+          bodies_(bodies),
+          a_(gather(bodies.states, block.slotA.data() + begin, kVelocities)),
+          b_(gather(bodies.states, block.slotB.data() + begin, kVelocities)),
+          inverseMassA_(at(block.inverseMassA)),
+          inverseMassB_(at(block.inverseMassB)),
+          inverseInertiaA_(at(block.inverseInertiaA)),
+          inverseInertiaB_(at(block.inverseInertiaB)) {}
+
+    HWY_INLINE void warmStart(bool hasMoved) {
+        if (hasMoved) {
+            findGeometry();
+        }
+        const Lanes x = at(block_.impulseX);
+        const Lanes y = at(block_.impulseY);
+        a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, x));
+        a_.y = hn::Sub(a_.y, hn::Mul(inverseMassA_, y));
+        const Lanes twistA = hn::Sub(hn::Mul(at(block_.armAY), x), hn::Mul(at(block_.armAX), y));
+        a_.z = hn::Add(a_.z, hn::Mul(inverseInertiaA_, twistA));
+        b_.x = hn::Add(b_.x, hn::Mul(inverseMassB_, x));
+        b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, y));
+        const Lanes twistB = hn::Sub(hn::Mul(at(block_.armBX), y), hn::Mul(at(block_.armBY), x));
+        b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, twistB));
+        if (block_.parts.any()) {
+            warmStartParts();
+        }
+        scatterPair(block_, begin_, bodies_, a_, b_);
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE void solve(const ContactPass& pass) {
+        if (pass.hasMoved) {
+            findGeometry();
+        }
+        solvePoint<kUseBias>();
+        if (block_.parts.any()) {
+            solveParts<kUseBias>(hn::Set(Tag(), pass.h));
+        }
+        if (pass.isLast) {
+            addUp();
+        }
+        scatterPair(block_, begin_, bodies_, a_, b_);
+    }
+
+private:
+    /// Turning while the point is held.
+    struct Spin {
+        Lanes mass;
+        Pair answer;
+    };
+
+    HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
+    HWY_INLINE void add(Lanes change, LaneArray& lanes) const { put(hn::Add(at(lanes), change), lanes, begin_); }
+
+    HWY_INLINE void findGeometry() {
+        const Quad a = gather(bodies_.states, block_.slotA.data() + begin_, kMotion);
+        const Quad b = gather(bodies_.states, block_.slotB.data() + begin_, kMotion);
+        const auto rotated = [this](const Quad& body, const LaneArray& anchorX, const LaneArray& anchorY) {
+            const Lanes x = at(anchorX);
+            const Lanes y = at(anchorY);
+            return Pair{hn::Sub(hn::Mul(body.z, x), hn::Mul(body.w, y)),
+                        hn::Add(hn::Mul(body.w, x), hn::Mul(body.z, y))};
+        };
+        const Pair armA = rotated(a, block_.anchorAX, block_.anchorAY);
+        const Pair armB = rotated(b, block_.anchorBX, block_.anchorBY);
+        put(armA.x, block_.armAX, begin_);
+        put(armA.y, block_.armAY, begin_);
+        put(armB.x, block_.armBX, begin_);
+        put(armB.y, block_.armBY, begin_);
+        put(hn::Add(hn::Add(at(block_.offsetX), hn::Sub(b.x, a.x)), hn::Sub(armB.x, armA.x)), block_.gapX, begin_);
+        put(hn::Add(hn::Add(at(block_.offsetY), hn::Sub(b.y, a.y)), hn::Sub(armB.y, armA.y)), block_.gapY, begin_);
+        findMatrix(armA, armB);
+    }
+
+    /// `pointMatrix`.
+    HWY_INLINE void findMatrix(const Pair& armA, const Pair& armB) {
+        const auto square = [](Lanes v) { return hn::Mul(v, v); };
+        const Lanes mass = hn::Add(inverseMassA_, inverseMassB_);
+        const Lanes spin = hn::Add(hn::Mul(inverseInertiaA_, hn::Add(square(armA.x), square(armA.y))),
+                                   hn::Mul(inverseInertiaB_, hn::Add(square(armB.x), square(armB.y))));
+        const auto response = [&](Lanes alongA, Lanes alongB) {
+            return hn::Add(hn::Add(mass, hn::Mul(inverseInertiaA_, square(alongA))),
+                           hn::Mul(inverseInertiaB_, square(alongB)));
+        };
+        const Lanes mixedA = hn::Neg(hn::Mul(hn::Mul(inverseInertiaA_, armA.x), armA.y));
+        const Lanes mixedB = hn::Mul(hn::Mul(inverseInertiaB_, armB.x), armB.y);
+        const Lanes crossed = hn::Sub(hn::Mul(armA.x, armB.y), hn::Mul(armA.y, armB.x));
+        put(response(armA.y, armB.y), block_.matrixXX, begin_);
+        put(hn::Sub(mixedA, mixedB), block_.matrixXY, begin_);
+        put(response(armA.x, armB.x), block_.matrixYY, begin_);
+        put(hn::Add(hn::Mul(mass, hn::Add(mass, spin)),
+                    hn::Mul(hn::Mul(inverseInertiaA_, inverseInertiaB_), square(crossed))),
+            block_.determinant, begin_);
+    }
+
+    /// Impulse with matrix·impulse = rhs.
+    HWY_INLINE Pair solved(const Pair& rhs) const {
+        const Lanes xy = at(block_.matrixXY);
+        const Lanes determinant = at(block_.determinant);
+        const LaneMask isHeavy = hn::Gt(determinant, hn::Zero(Tag()));
+        const Lanes x = hn::Sub(hn::Mul(at(block_.matrixYY), rhs.x), hn::Mul(xy, rhs.y));
+        const Lanes y = hn::Sub(hn::Mul(at(block_.matrixXX), rhs.y), hn::Mul(xy, rhs.x));
+        return {hn::IfThenElseZero(isHeavy, hn::Div(x, determinant)),
+                hn::IfThenElseZero(isHeavy, hn::Div(y, determinant))};
+    }
+
+    HWY_INLINE void push(const Pair& impulse) {
+        a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, impulse.x));
+        a_.y = hn::Sub(a_.y, hn::Mul(inverseMassA_, impulse.y));
+        b_.x = hn::Add(b_.x, hn::Mul(inverseMassB_, impulse.x));
+        b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, impulse.y));
+        a_.z = hn::Add(a_.z, hn::Mul(hn::Mul(inverseInertiaA_, at(block_.armAY)), impulse.x));
+        a_.z = hn::Sub(a_.z, hn::Mul(hn::Mul(inverseInertiaA_, at(block_.armAX)), impulse.y));
+        b_.z = hn::Sub(b_.z, hn::Mul(hn::Mul(inverseInertiaB_, at(block_.armBY)), impulse.x));
+        b_.z = hn::Add(b_.z, hn::Mul(hn::Mul(inverseInertiaB_, at(block_.armBX)), impulse.y));
+        add(impulse.x, block_.impulseX);
+        add(impulse.y, block_.impulseY);
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE void solvePoint() {
+        const Lanes speedX =
+            hn::Add(hn::Sub(hn::Sub(b_.x, a_.x), hn::Mul(at(block_.armBY), b_.z)), hn::Mul(at(block_.armAY), a_.z));
+        const Lanes speedY =
+            hn::Sub(hn::Add(hn::Sub(b_.y, a_.y), hn::Mul(at(block_.armBX), b_.z)), hn::Mul(at(block_.armAX), a_.z));
+        if constexpr (kUseBias) {
+            const Lanes rate = at(block_.biasRate);
+            const Lanes scale = hn::Neg(at(block_.massScale));
+            const Lanes back = at(block_.impulseScale);
+            const Pair firm = solved(
+                {hn::Add(speedX, hn::Mul(rate, at(block_.gapX))), hn::Add(speedY, hn::Mul(rate, at(block_.gapY)))});
+            push({hn::Sub(hn::Mul(scale, firm.x), hn::Mul(back, at(block_.impulseX))),
+                  hn::Sub(hn::Mul(scale, firm.y), hn::Mul(back, at(block_.impulseY)))});
+        } else {
+            const Pair firm = solved({speedX, speedY});
+            push({hn::Neg(firm.x), hn::Neg(firm.y)});
+        }
+    }
+
+    /// `guidedSpin`. @pre in lanes in use, one body or both can turn
+    HWY_INLINE Spin spinOf() const {
+        const Tag tag;
+        const Lanes mass = hn::Add(inverseMassA_, inverseMassB_);
+        const Lanes turn = hn::Add(inverseInertiaA_, inverseInertiaB_);
+        const Lanes apartX = hn::Sub(at(block_.armAX), at(block_.armBX));
+        const Lanes apartY = hn::Sub(at(block_.armAY), at(block_.armBY));
+        const Lanes apart = hn::Add(hn::Mul(apartX, apartX), hn::Mul(apartY, apartY));
+        const Lanes all =
+            hn::Mul(mass, hn::Add(hn::Mul(mass, turn), hn::Mul(hn::Mul(inverseInertiaA_, inverseInertiaB_), apart)));
+        const Lanes determinant = at(block_.determinant);
+        const Lanes zero = hn::Zero(tag);
+        const Lanes inverse = hn::IfThenElse(hn::Gt(determinant, zero), hn::Div(all, determinant), turn);
+        const Pair pull{
+            hn::Neg(hn::Add(hn::Mul(inverseInertiaA_, at(block_.armAY)), hn::Mul(inverseInertiaB_, at(block_.armBY)))),
+            hn::Add(hn::Mul(inverseInertiaA_, at(block_.armAX)), hn::Mul(inverseInertiaB_, at(block_.armBX)))};
+        const Pair answer = solved(pull);
+        return {hn::IfThenElseZero(hn::Gt(inverse, zero), hn::Div(hn::Set(tag, Real(1)), inverse)),
+                {hn::Neg(answer.x), hn::Neg(answer.y)}};
+    }
+
+    HWY_INLINE Lanes speed() const { return hn::Sub(b_.z, a_.z); }
+    HWY_INLINE Lanes angle() const { return hn::Add(at(block_.baseAngle), hn::Sub(b_.w, a_.w)); }
+    HWY_INLINE Lanes twist() const {
+        return hn::Sub(hn::Add(hn::Add(at(block_.springImpulse), at(block_.motorImpulse)), at(block_.lowerImpulse)),
+                       at(block_.upperImpulse));
+    }
+    HWY_INLINE void turn(Lanes impulse) {
+        a_.z = hn::Sub(a_.z, hn::Mul(inverseInertiaA_, impulse));
+        b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, impulse));
+    }
+    HWY_INLINE void turnGuided(const Spin& spin, Lanes impulse) {
+        turn(impulse);
+        push({hn::Mul(impulse, spin.answer.x), hn::Mul(impulse, spin.answer.y)});
+    }
+
+    HWY_INLINE void warmStartParts() {
+        if (block_.parts.hasSpring) {
+            const Lanes wanted = hn::Mul(at(block_.springPush), angle());
+            put(hn::Mul(hn::Neg(spinOf().mass), wanted), block_.springImpulse, begin_);
+        }
+        turn(twist());
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE void solveParts(Lanes h) {
+        const Spin spin = spinOf();
+        const Lanes place = angle();
+        if (block_.parts.hasSpring && kUseBias) {
+            const Lanes change =
+                hn::Mul(at(block_.springDrag), hn::Sub(at(block_.springImpulse), hn::Mul(spin.mass, speed())));
+            add(change, block_.springImpulse);
+            turnGuided(spin, change);
+        }
+        if (block_.parts.hasMotor) {
+            const Lanes before = at(block_.motorImpulse);
+            const Lanes wanted = hn::Sub(before, hn::Mul(spin.mass, hn::Sub(speed(), at(block_.motorSpeed))));
+            const Lanes change = hn::Sub(clampedTo(at(block_.maxMotorImpulse), wanted), before);
+            add(change, block_.motorImpulse);
+            turnGuided(spin, change);
+        }
+        if (!block_.parts.hasLimits) {
+            return;
+        }
+        const Lanes lower =
+            limitChange<kUseBias>(spin.mass, speed(), hn::Sub(place, at(block_.lower)), block_.lowerImpulse, h);
+        add(lower, block_.lowerImpulse);
+        turnGuided(spin, lower);
+        const Lanes upper = limitChange<kUseBias>(spin.mass, hn::Neg(speed()), hn::Sub(at(block_.upper), place),
+                                                  block_.upperImpulse, h);
+        add(upper, block_.upperImpulse);
+        turnGuided(spin, hn::Neg(upper));
+    }
+
+    template <bool kUseBias>
+    HWY_INLINE Lanes limitChange(Lanes mass, Lanes speedOut, Lanes room, const LaneArray& impulse, Lanes h) const {
+        const Tag tag;
+        const Lanes before = at(impulse);
+        const Lanes zero = hn::Zero(tag);
+        const LaneMask isInside = hn::Gt(room, zero);
+        const Lanes free = hn::Mul(hn::Neg(mass), hn::Add(speedOut, hn::Div(room, h)));
+        // `scalarChange`, of a rigid constraint without error in a relaxation.
+        const Lanes error = kUseBias ? hn::Mul(at(block_.biasRate), room) : zero;
+        const Lanes scale = kUseBias ? at(block_.massScale) : hn::Set(tag, Real(1));
+        const Lanes back = kUseBias ? at(block_.impulseScale) : zero;
+        const Lanes held =
+            hn::Sub(hn::Mul(hn::Mul(hn::Neg(scale), mass), hn::Add(speedOut, error)), hn::Mul(back, before));
+        const Lanes change = hn::IfThenElse(isInside, free, held);
+        return hn::Sub(notNegative(hn::Add(before, change)), before);
+    }
+
+    HWY_INLINE void addUp() {
+        add(at(block_.impulseX), block_.totalX);
+        add(at(block_.impulseY), block_.totalY);
+        add(twist(), block_.totalTwist);
+    }
+
+    WideRevolute& block_;
+    std::size_t begin_;
+    const SolverBodies& bodies_;
+    Quad a_;
+    Quad b_;
+    Lanes inverseMassA_;
+    Lanes inverseMassB_;
+    Lanes inverseInertiaA_;
+    Lanes inverseInertiaB_;
+};
+
+void warmStart(std::span<WideRevolute> blocks, const SolverBodies& bodies, bool hasMoved) {
+    for (WideRevolute& block : blocks) {
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
+            RevoluteGroup(block, i, bodies).warmStart(hasMoved);
+        }
+    }
+}
+
+void solve(std::span<WideRevolute> blocks, const SolverBodies& bodies, const ContactPass& pass) {
+    for (WideRevolute& block : blocks) {
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
+            RevoluteGroup group(block, i, bodies);
+            if (pass.useBias) {
+                group.solve<true>(pass);
+            } else {
+                group.solve<false>(pass);
+            }
+        }
+    }
+}
+
+const RevoluteKernels* kernelsForHinges() {
+    static const RevoluteKernels kKernels = {warmStart, solve};
+    return &kKernels;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace swept::inline SWEPT_PRECISION
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace swept::inline SWEPT_PRECISION {
+
+namespace {
+HWY_EXPORT(kernelsForHinges);
+}
+
+const RevoluteKernels* revoluteKernels() { return HWY_DYNAMIC_DISPATCH(kernelsForHinges)(); }
+
+}  // namespace swept::inline SWEPT_PRECISION
+#endif
