@@ -229,13 +229,13 @@ bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverB
 /// Sweeps of the projection: each takes an impact one contact further, and the soft tail does not matter, since the energy is
 /// made right at the end.
 constexpr std::size_t kProjectionSweeps = 64;
-/// Where thousands press against each other, rounds and sweeps would take seconds and still not be done. So the contacts that
-/// all sweeps of a call visit together are counted: up to 8 contacts do as they like, from 2048 on there are 8 visits for
-/// each of them. What still approaches then is plastic, the solver's.
+/// Where thousands press against each other, rounds and sweeps would take seconds and still not be done. So the contacts that a
+/// call visits, in all rounds and sweeps together, are counted: up to 8 contacts do as they like, from 8192 on there are 2
+/// visits for each of them. What still approaches then is plastic, the solver's.
 constexpr std::size_t kAlwaysVisits = 16384;
-constexpr std::size_t kVisitsOfContact = 8;
+constexpr std::size_t kVisitsOfContact = 2;
 /// Fewer sweeps than this are no projection.
-constexpr std::size_t kFewestSweeps = 4;
+constexpr std::size_t kFewestSweeps = 2;
 
 /// One Gauss–Seidel sweep of the projection. @return the largest change of a normal velocity, relative to that before
 Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
@@ -357,8 +357,9 @@ int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBod
     scratch.visits = 0;
     for (int round = 0; round < maxRounds; ++round) {
         if (scratch.visits >= most) { return round; }
+        scratch.visits += contacts.size();
         if (listApproaching(contacts, bodies, rule, scratch)) {
-            reflectTogether(bodies, scratch, most - scratch.visits);
+            reflectTogether(bodies, scratch, most - std::min(most, scratch.visits));
             continue;
         }
         bool applied = false;

@@ -39,14 +39,14 @@ struct ImpactScratch {
     Real restitution = 0;                       ///< of the contacts in this round, 0 where they are too slow to bounce
     std::vector<std::uint32_t> seen;            ///< by slot: the round in which a contact was found there
     std::uint32_t round = 0;
-    std::size_t visits = 0;                     ///< contacts visited by all sweeps of the last call: its cost
+    std::size_t visits = 0;                     ///< contacts visited by the last call, in all its rounds and sweeps: its cost
 };
 
 /// Like `resolveImpacts`, but contacts that approach at the same time and share a body are reflected together, whatever their
 /// order: the velocities are projected onto those at which none of them approaches, and then changed as much again, times the
 /// restitution (generalised reflections: Smith, Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on Simultaneous Impact",
 /// 2012). Keeps symmetry, and energy for restitution 1. Contacts of different restitution are taken in turn.
-/// Its cost is bounded by the number of contacts: about 8 visits each among thousands, more among few.
+/// Its cost is bounded by the number of contacts: a few visits each among thousands, more among few.
 int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
                    int maxRounds, ImpactScratch& scratch);
 

@@ -360,7 +360,7 @@ TEST(Impact, OfThousandsCostsAFewVisitsOfEach) {
         EXPECT_LE(block.energy(), before * (1 + 1e-4L)) << side;
         EXPECT_GT(scratch.visits, 0U);
         // The last round may exceed the budget by its least number of sweeps.
-        EXPECT_LE(scratch.visits, std::max<std::size_t>(16384, 8 * all.size()) + 4 * all.size()) << side;
+        EXPECT_LE(scratch.visits, std::max<std::size_t>(16384, 2 * all.size()) + 3 * all.size()) << side;
     }
 }
 
