@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "../broadphase/broadphase.h"
 #include "../shapes/manifold.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -22,6 +23,13 @@ struct Contact {
     Real restitution = 0;
     Real extent = 0;           ///< of the pair
     Real approachSpeed = 0;    ///< at the start of the step, m/s
+    // Copies of what never changes: the stage of contacts then need not fetch shapes and bodies, which lie all over memory.
+    Real extentA = 0;
+    Real extentB = 0;
+    ProxyId proxyA{};
+    ProxyId proxyB{};
+    bool dynamicA = false;     ///< the body is
+    bool dynamicB = false;
     bool sensor = false;
     bool touching = false;     ///< begin was reported, end was not
     bool apart = false;        ///< found this step: boxes no longer overlap

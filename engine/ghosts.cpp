@@ -7,13 +7,12 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-bool isGroundContact(const WorldState& world, const Contact& contact) {
-    if (!contact.isSolid() || !contact.updated || contact.apart) { return false; }
-    return world.bodies[contact.bodyA].isDynamic() != world.bodies[contact.bodyB].isDynamic();
+bool isGroundContact(const Contact& contact) {
+    return contact.dynamicA != contact.dynamicB && contact.isSolid() && contact.updated && !contact.apart;
 }
 
 GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
-    const bool groundIsA = !world.bodies[contact.bodyA].isDynamic();
+    const bool groundIsA = !contact.dynamicA;
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     const Shape& ground = world.shapes[groundIsA ? contact.shapeA : contact.shapeB];
     const Shape& own = world.shapes[groundIsA ? contact.shapeB : contact.shapeA];
@@ -88,12 +87,10 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const 
     std::vector<std::uint32_t>& firstOf = world.firstGroundContact;
     firstOf.resize(world.bodies.slotCount(), kNoIndex);
     world.nextGroundContact.assign(contacts.size(), kNoIndex);
-    const auto bodyOf = [&world](const Contact& contact) {
-        return world.bodies[contact.bodyA].isDynamic() ? contact.bodyA : contact.bodyB;
-    };
+    const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
     for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-        if (!isGroundContact(world, contacts[i])) { continue; }
+        if (!isGroundContact(contacts[i])) { continue; }
         std::uint32_t& first = firstOf[bodyOf(contacts[i])];
         anyTwo = anyTwo || first != kNoIndex;
         world.nextGroundContact[i] = first;
@@ -105,7 +102,9 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const 
             dropGhostsOf(world, contacts, first);
         }
     }
-    for (const Contact& contact : contacts) { firstOf[bodyOf(contact)] = kNoIndex; }
+    for (const Contact& contact : contacts) {
+        if (contact.dynamicA != contact.dynamicB) { firstOf[bodyOf(contact)] = kNoIndex; }
+    }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -13,8 +13,18 @@ namespace {
 /// Contacts per block: enough work, some microseconds, to pay for handing it over.
 constexpr std::size_t kContactGrain = 32;
 
+bool isAwake(const WorldState& world, std::uint32_t body) { return !(world.motionBounds[body] < 0); }
+
 bool isMoving(const WorldState& world, const Contact& contact) {
-    return world.bodies[contact.bodyA].awake || world.bodies[contact.bodyB].awake;
+    return isAwake(world, contact.bodyA) || isAwake(world, contact.bodyB);
+}
+
+/// So that the contacts of a body need not ask it one by one.
+void noteMotionBounds(WorldState& world) {
+    world.motionBounds.assign(world.bodies.slotCount(), -1);
+    for (const std::uint32_t slot : world.awake) {
+        world.motionBounds[slot] = motionBound(world, slot, static_cast<Real>(world.lastDt));
+    }
 }
 
 int pointWithId(const Manifold& manifold, FeatureId id) {
@@ -95,15 +105,22 @@ void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
 
 namespace {
 
+/// `contactReach` of one side.
+Real reachOf(const WorldState& world, std::uint32_t body, std::uint32_t shape, Real extent) {
+    // What sleeps or never moves is rare beside what moves, or cheap; speculative bodies make the world watched.
+    if (!isAwake(world, body) || world.watched) { return contactReach(world, world.shapes[shape]); }
+    return reachOfMotion(world.motionBounds[body], extent, false);
+}
+
 /// Writes only to the contact: contacts may be updated in any order.
 void updateContact(const WorldState& world, Contact& contact) {
     contact.updated = isMoving(world, contact);
     if (!contact.updated) { return; }
-    const Shape& a = world.shapes[contact.shapeA];
-    const Shape& b = world.shapes[contact.shapeB];
-    contact.apart = !overlaps(world.broadphase->box(a.proxy), world.broadphase->box(b.proxy));
+    contact.apart = !overlaps(world.broadphase->box(contact.proxyA), world.broadphase->box(contact.proxyB));
     if (contact.apart) { return; }
     if (contact.sensor) {
+        const Shape& a = world.shapes[contact.shapeA];
+        const Shape& b = world.shapes[contact.shapeB];
         const Transform bInA =
             relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
         const Distance closest = distance(a.polygon, b.polygon, bInA);
@@ -112,7 +129,9 @@ void updateContact(const WorldState& world, Contact& contact) {
         contact.manifold.points[0] = {.point = Real(0.5) * (closest.pointA + closest.pointB)};
         return;
     }
-    refreshManifold(world, contact, contactReach(world, a) + contactReach(world, b));
+    refreshManifold(world, contact,
+                    reachOf(world, contact.bodyA, contact.shapeA, contact.extentA) +
+                        reachOf(world, contact.bodyB, contact.shapeB, contact.extentB));
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
 }
@@ -161,6 +180,9 @@ void noticeTouching(WorldState& world, Contact& contact) {
         contact.touching = touching;
     }
     if (!contact.isSolid()) { return; }
+    const bool sleepsA = contact.dynamicA && !isAwake(world, contact.bodyA);
+    const bool sleepsB = contact.dynamicB && !isAwake(world, contact.bodyB);
+    if (!sleepsA && !sleepsB) { return; }
     if (disturbs(world, contact.bodyA) && world.bodies[contact.bodyB].isDynamic()) { wake(world, contact.bodyB); }
     if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
 }
@@ -188,6 +210,7 @@ void countAhead(WorldState& world) {
 }  // namespace
 
 void collideContacts(WorldState& world) {
+    noteMotionBounds(world);
     world.loops->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
     });

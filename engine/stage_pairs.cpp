@@ -32,6 +32,12 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.friction = std::sqrt(a.def.friction) * std::sqrt(b.def.friction);
     contact.restitution = std::max(a.def.restitution, b.def.restitution);
     contact.extent = std::min(a.extent, b.extent);
+    contact.extentA = a.extent;
+    contact.extentB = b.extent;
+    contact.proxyA = a.proxy;
+    contact.proxyB = b.proxy;
+    contact.dynamicA = world.bodies[a.body].isDynamic();
+    contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;
     return contact;
 }

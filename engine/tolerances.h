@@ -25,6 +25,14 @@ inline constexpr Real kFastRatio = Real(1) / 4;
 /// moves farther is fast, and swept), and at least as far as the second one, so that resting contacts never flicker.
 inline constexpr Real kMaxReachRatio = Real(1) / 4;
 inline constexpr Real kMinReachRatio = Real(1) / 128;
+/// By the two of them: how far ahead of a body contact points are made. @param motion  of a step, at most, metres
+/// @param isAhead  in mode `speculative`, however far
+constexpr Real reachOfMotion(Real motion, Real extent, bool isAhead) {
+    const Real least = kMinReachRatio * extent;
+    const Real most = kMaxReachRatio * extent;
+    if (motion < least) { return least; }
+    return isAhead || motion < most ? motion : most;
+}
 /// Boxes are made larger than needed by this part of the extent, to be moved more rarely.
 inline constexpr Real kBoxMarginRatio = Real(1) / 8;
 /// They also reach ahead along the body's velocity for so many steps, unless that is more than so many extents: a box of a bullet

@@ -155,10 +155,8 @@ Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
 Real contactReach(const WorldState& world, const Shape& shape) {
     const Body& body = world.bodies[shape.body];
     if (body.def.type == BodyType::fixed) { return 0; }
-    const Real motion = motionBound(world, shape.body, static_cast<Real>(world.lastDt));
-    const Real least = kMinReachRatio * shape.extent;
-    if (modeOf(world, body) == ContinuousMode::speculative) { return std::max(motion, least); }
-    return std::clamp(motion, least, kMaxReachRatio * shape.extent);
+    const bool isAhead = modeOf(world, body) == ContinuousMode::speculative;
+    return reachOfMotion(motionBound(world, shape.body, static_cast<Real>(world.lastDt)), shape.extent, isAhead);
 }
 
 Aabb neededBox(const WorldState& world, const Shape& shape) {

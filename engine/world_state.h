@@ -78,6 +78,7 @@ struct WorldState {
     std::vector<ProxyPair> newPairs;
 
     std::vector<Contact> contacts;
+    std::vector<Real> motionBounds;  ///< by body slot, as the stage of contacts begins; negative where nothing is awake
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
     PairTable pairs;  ///< of shape slots that have a contact
