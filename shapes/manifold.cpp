@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gjk.h"
-#include "manifold_clip.h"
+#include "manifold_clip_inline.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

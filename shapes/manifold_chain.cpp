@@ -1,6 +1,6 @@
 #include "gjk.h"
 #include "manifold.h"
-#include "manifold_clip.h"
+#include "manifold_clip_inline.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
