@@ -11,6 +11,11 @@ constexpr int kLoopShift = 32;
 constexpr int kFrontShift = 16;
 constexpr std::uint64_t kBlockMask = 0xFFFF;
 constexpr std::size_t kMostBlocks = 4096;
+/// How often each worker claims blocks of a loop if all are equally fast: a claim costs as much as some contacts do, so
+/// that short loops are shared out at once, while long ones may be of uneven work.
+constexpr std::size_t kFewBlocks = 64;
+constexpr std::size_t kClaimsOfFew = 1;
+constexpr std::size_t kClaimsOfMany = 8;
 /// Loops are counted from 1 on; this one never comes.
 constexpr std::uint64_t kOver = ~std::uint64_t{0};
 
@@ -47,18 +52,21 @@ private:
 }  // namespace
 
 /// From the front or from the back: so two workers keep to the same ends of loops that follow each other, and find the
-/// bodies that they had in their own caches.
-bool Crew::takeBlock(std::uint64_t ticket, bool fromFront, int worker) {
+/// bodies and contacts that they had in their own caches. To fetch a block of contacts from the other's cache takes as
+/// long as to solve it.
+bool Crew::takeBlocks(std::uint64_t ticket, bool fromFront, int worker) {
     while (hasBlock(ticket)) {
-        const std::uint64_t rest = fromFront ? ticket + (std::uint64_t{1} << kFrontShift) : ticket - 1;
+        // The share may be that of another loop: then it is just not the best.
+        const std::uint64_t share = share_.load(std::memory_order_relaxed);
+        const std::uint64_t taken = std::min(share, endOf(ticket) - frontOf(ticket));
+        const std::uint64_t rest = fromFront ? ticket + (taken << kFrontShift) : ticket - taken;
         if (!ticket_.compare_exchange_weak(ticket, rest, std::memory_order_acq_rel, std::memory_order_acquire)) {
             continue;
         }
-        // The loop cannot end before this block is done, so its description stays.
-        const std::size_t block = fromFront ? frontOf(ticket) : endOf(ticket) - 1;
-        const std::size_t begin = block * blockLength_;
-        (*body_)(begin, std::min(begin + blockLength_, count_), worker);
-        done_.fetch_add(1, std::memory_order_release);
+        // The loop cannot end before these blocks are done, so its description stays.
+        const std::size_t first = fromFront ? frontOf(ticket) : endOf(ticket) - taken;
+        (*body_)(first * blockLength_, std::min((first + taken) * blockLength_, count_), worker);
+        done_.fetch_add(static_cast<std::uint32_t>(taken), std::memory_order_release);
         return true;
     }
     return false;
@@ -70,7 +78,8 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     }
     const std::size_t length = std::max({grain, (count - 1) / kMostBlocks + 1, std::size_t{1}});
     const std::size_t blocks = (count - 1) / length + 1;
-    if (blocks < 2 || helpers_.load(std::memory_order_relaxed) == 0) {
+    const auto helpers = static_cast<std::size_t>(helpers_.load(std::memory_order_relaxed));
+    if (blocks < 2 || helpers == 0) {
         body(0, count, leader_);
         return;
     }
@@ -78,9 +87,11 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     count_ = count;
     blockLength_ = length;
     done_.store(0, std::memory_order_relaxed);
+    const std::size_t claims = (blocks <= kFewBlocks ? kClaimsOfFew : kClaimsOfMany) * (helpers + 1);
+    share_.store((blocks - 1) / claims + 1, std::memory_order_relaxed);
     const std::uint64_t loop = (ticket_.load(std::memory_order_relaxed) >> kLoopShift) + 1;
     ticket_.store((loop << kLoopShift) | blocks, std::memory_order_release);
-    while (takeBlock(ticket_.load(std::memory_order_relaxed), true, leader_)) {
+    while (takeBlocks(ticket_.load(std::memory_order_relaxed), true, leader_)) {
     }
     Patience patience;
     while (done_.load(std::memory_order_acquire) != blocks) {
@@ -96,7 +107,7 @@ void Crew::help(int worker) {
         if (ticket == kOver) {
             return;
         }
-        if (takeBlock(ticket, fromFront, worker)) {
+        if (takeBlocks(ticket, fromFront, worker)) {
             patience.renew();
         } else {
             patience.wait();
@@ -106,6 +117,7 @@ void Crew::help(int worker) {
 
 void Crew::lead(TaskSystem& tasks, FunctionRef<void()> work) {
     workers_ = std::max(tasks.workerCount(), 1);
+    startSeconds_ = tasks.startSeconds();
     ticket_.store(0, std::memory_order_relaxed);
     helpers_.store(0, std::memory_order_relaxed);
     isLed_.store(false, std::memory_order_relaxed);

@@ -10,6 +10,8 @@ namespace swept {
 /// implementation and every number of workers, provided that all threads have the same floating-point environment.
 class TaskSystem {
 public:
+    static constexpr double kAtOnce = 1e-9;  ///< s
+
     virtual ~TaskSystem() = default;
 
     /// Upper bound of the worker indices that `run` hands out, at least 1.
@@ -22,10 +24,11 @@ public:
                      FunctionRef<void(std::size_t begin, std::size_t end, int worker)> body) = 0;
 
     /// Seconds, roughly, that `run` costs and takes until other threads work: a step that is short in comparison stays
-    /// on the calling thread. A step has hundreds of loops, most of them a few microseconds long; so a world asks for
-    /// one range per worker, once a step, and its workers go through all loops together (engine/crew.h). Unless it is
-    /// 0: then other threads wait for the next loop already, and each is handed over as it is.
-    virtual double startSeconds() const { return 2e-5; }
+    /// on its thread. A step has hundreds of loops, most of them a few microseconds long; so a world asks for one range
+    /// per worker, once a step, and its workers go through all loops together (engine/crew.h). Unless it is 0: then
+    /// other threads wait for the next loop already, and each is handed over as it is. Below `kAtOnce` everything is
+    /// shared, however small: so that tests of small worlds see it.
+    virtual double startSeconds() const { return 1e-4; }
 };
 
 /// Everything on the calling thread, in one range.

@@ -66,7 +66,11 @@ private:
     void subStepOfContacts(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast,
                            SolveReport& report);
     template <bool kJoints>
-    SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings);
+    SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
+    template <bool kJoints>
+    std::size_t partsOf(SolverBatch& batch, int colour) const;
+    template <bool kJoints>
+    bool isWorthSharing(SolverBatch& batch) const;
     template <bool kJoints>
     void prepare(SolverBatch& batch, const SolverSettings& settings);
     template <bool kJoints, class Visit>
@@ -78,7 +82,8 @@ private:
     template <bool kJoints, bool kBounces>
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
-    TaskSystem* loops_ = nullptr;  ///< of the present solve
+    SerialTaskSystem serial_;
+    TaskSystem* loops_ = &serial_;  ///< of the present solve
     ConstraintGraph graph_;
     ContactBlocks contacts_;
     HingeBlocks hinges_;
