@@ -1,6 +1,7 @@
 #include "solver.h"
 
 #include <atomic>
+#include <limits>
 #include <span>
 #include <type_traits>
 
@@ -43,13 +44,18 @@ bool limitSpeed(BodyState& body, Real maxSpeed) {
 }
 
 int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, std::size_t end) {
-    int limited = 0;
     for (std::size_t i = begin; i < end; ++i) {
         BodyState& body = batch.states[i];
         const BodyDrive& drive = batch.drives[i];
         body.velocity = drive.decay * body.velocity + drive.gain;
         body.angularVelocity = drive.angularDecay * body.angularVelocity + drive.angularGain;
-        limited += limitSpeed(body, maxSpeed) ? 1 : 0;
+    }
+    if (!(maxSpeed < std::numeric_limits<Real>::infinity())) {
+        return 0;
+    }
+    int limited = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        limited += limitSpeed(batch.states[i], maxSpeed) ? 1 : 0;
     }
     return limited;
 }

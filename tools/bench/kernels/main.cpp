@@ -80,6 +80,8 @@ int run(int argc, char** argv) {
     }
     registerShapeKernelsF32();
     registerShapeKernelsF64();
+    registerSolverKernelsF32();
+    registerSolverKernelsF64();
     registerToiKernels();
     std::cout << machineText() << '\n';
     RatioReporter reporter;
