@@ -12,6 +12,7 @@
 #include "bench_accuracy.h"
 #include "bench_broadphase.h"
 #include "bench_run.h"
+#include "bench_threads.h"
 #include "bench_world.h"
 #include "commands.h"
 #include "progress.h"
@@ -107,6 +108,7 @@ void addBenchCommand(Command app) {
     toi.runs([arguments] { return arguments->certify > 0 ? certify(*arguments) : measure(*arguments); });
     addBenchBroadphase(all);
     addBenchAccuracy(all);
+    addBenchThreads(all);
     addBenchWorld(all);
 }
 

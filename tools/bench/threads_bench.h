@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <swept/samples/scene_description.h>
+
+namespace swept::bench {
+
+/// A world that is stepped and timed.
+class TimedWorld {
+public:
+    virtual ~TimedWorld() = default;
+    virtual void step() = 0;
+};
+
+struct ThreadsBenchSettings {
+    int threads = 2;
+    int mostBodies = 10'000;
+    double seconds = 1;  ///< spent on a row
+};
+
+/// One thread against several, of the same scene step by step in turns.
+struct ThreadsBenchRow {
+    std::string scene;
+    std::string engine;
+    int bodies = 0;
+    double oneSeconds = 0;      ///< of a step, median
+    double severalSeconds = 0;  ///< likewise
+    double quickestOne = 0;     ///< of any step: on a machine that others use too this says more
+    double quickestSeveral = 0;
+};
+
+/// Scenes of so many bodies each: pyramids at rest, mixed shapes that fall on a heap, fast disks between walls.
+struct ThreadsScene {
+    const char* name;
+    SceneDescription (*make)(int bodies);
+};
+const std::vector<ThreadsScene>& threadsScenes();
+
+/// Rows at most: without Box2D 3 there are half as many.
+std::size_t threadsRowCount(const ThreadsBenchSettings& settings);
+std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
+                                          const std::function<void(const ThreadsBenchRow&)>& watch);
+void writeThreadsTable(std::ostream& out, const std::vector<ThreadsBenchRow>& rows);
+void writeThreadsCsv(std::ostream& csv, const std::vector<ThreadsBenchRow>& rows, int threads);
+
+}  // namespace swept::bench

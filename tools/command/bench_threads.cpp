@@ -1,0 +1,58 @@
+#include "bench_threads.h"
+
+#include <iostream>
+#include <memory>
+
+#include "../bench/threads_bench.h"
+#include "../task_threads.h"
+#include "bench_run.h"
+#include "commands.h"
+#include "progress.h"
+
+namespace swept {
+namespace {
+
+struct ThreadsArguments {
+    bench::ThreadsBenchSettings settings;
+    BenchPlaces places;
+};
+
+int measureThreads(const ThreadsArguments& arguments) {
+    if (makeTaskSystem(arguments.settings.threads) == nullptr) {
+        return refuse("bench threads: built without oneTBB, so there is only one thread");
+    }
+    std::vector<bench::ThreadsBenchRow> rows;
+    return runBench(
+        arguments.places,
+        {.title = "bench threads: 1 against " + std::to_string(arguments.settings.threads),
+         .measure =
+             [&] {
+                 Progress progress("bench", static_cast<std::int64_t>(bench::threadsRowCount(arguments.settings)));
+                 std::int64_t done = 0;
+                 rows = bench::benchThreads(arguments.settings,
+                                            [&](const bench::ThreadsBenchRow&) { progress.update(++done); });
+                 bench::writeThreadsTable(std::cout, rows);
+             },
+         .writeCsv = [&](std::ostream& csv) { bench::writeThreadsCsv(csv, rows, arguments.settings.threads); },
+         .writeOther = {},
+         .plot = {}});
+}
+
+}  // namespace
+
+void addBenchThreads(Command bench) {
+    const Command command =
+        bench.command("threads", "One thread against several, from 10 bodies on, with Box2D 3 beside it");
+    const auto arguments = std::make_shared<ThreadsArguments>();
+    command.option("--threads", arguments->settings.threads, "Threads, the calling one included [2]")
+        .type("N")
+        .within(2, kMostThreads);
+    command.option("--most", arguments->settings.mostBodies, "Largest number of bodies [10000]")
+        .type("N")
+        .within(10, 1'000'000);
+    command.option("--seconds", arguments->settings.seconds, "Spent on each row [1]").type("S").withinReals(0.01, 1000);
+    command.option("--csv", arguments->places.csv, "Write the table").type("FILE");
+    command.runs([arguments] { return measureThreads(*arguments); });
+}
+
+}  // namespace swept
