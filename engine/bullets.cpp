@@ -187,7 +187,7 @@ void report(WorldState& world, const BulletPair& pair, const ContactConstraint& 
     const ContactConstraintPoint& a = constraint.points[0];
     const ContactConstraintPoint& b = constraint.points[1];
     const Real speed = std::max(a.bounceApproach, b.bounceApproach);
-    if (!(speed > second.flight.threshold)) { return; }
+    if (!(speed > second.flight.threshold())) { return; }
     const Vec2 arm = b.totalNormalImpulse > a.totalNormalImpulse ? b.anchorB : a.anchorB;
     second.flight.scratch->events.push_back({.type = ContactEventType::hit,
                                              .shapeA = world.shapes.idOf(world.shapes[pair.shapes.other].head),
@@ -245,7 +245,7 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
     }
     prepareContact(constraint, scratch.inertias);
     ContactConstraint* const only[] = {&constraint};
-    const ImpactRule rule{.restitutionThreshold = second.threshold, .resolvePlastic = true};
+    const ImpactRule rule{.restitutionThreshold = second.threshold(), .resolvePlastic = true};
     resolveImpacts(only, {scratch.states, scratch.inertias}, rule, kPairRounds);
     for (Flight* flight : {&first, &second}) {
         const BodySlot slot = flight == &first ? kFirstSlot : kSecondSlot;
@@ -255,7 +255,7 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
     report(world, pair, constraint, time);
     setApart(world, pair, manifold, constraint.normal);
     const Real fastest = std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach);
-    const bool bounces = constraint.restitution > 0 && fastest > second.threshold;
+    const bool bounces = constraint.restitution > 0 && fastest > second.threshold();
     pair.carrier = bounces ? Vec2{} : constraint.normal;
 }
 

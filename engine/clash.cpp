@@ -91,19 +91,20 @@ bool begin(Clash& clash, std::span<const std::uint32_t> members, std::span<const
 }
 
 /// Sets apart what sank below its target, the lighter one farther. Deep overlaps are from before, and stay as they are.
-void setApart(Clash& clash, const ClashPair& pair, const Manifold& manifold, Vec2 normal) {
+void setApart(Clash& clash, ClashPair& pair) {
     Flight& first = clash.work.flights[pair.first];
     Flight& second = clash.work.flights[pair.second];
     const WorldState& world = clash.world;
-    const Real deepest = deepestSeparation(manifold);
-    const double gap = targetOf(world, pair.shapes) - static_cast<double>(deepest);
+    const double target = targetOf(world, pair.shapes);
+    const double gap = target - static_cast<double>(pair.deepest);
     const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
-    if (!(gap > noise) || deepest < -kShallowRatio * world.contacts[pair.contact].extent) {
+    if (!(gap > noise) || pair.deepest < -kShallowRatio * world.contacts[pair.contact].extent) {
         return;
     }
+    pair.deepest = static_cast<Real>(target);
     const auto inverseFirst = static_cast<double>(first.body().inverseMass);
     const auto inverseSecond = static_cast<double>(second.body().inverseMass);
-    const DVec2 way = (gap / (inverseFirst + inverseSecond)) * toDouble(normal);
+    const DVec2 way = (gap / (inverseFirst + inverseSecond)) * toDouble(pair.normal);
     const auto shift = [](Flight& flight, DVec2 by) {
         flight.motion.center += by;
         flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
@@ -114,16 +115,36 @@ void setApart(Clash& clash, const ClashPair& pair, const Manifold& manifold, Vec
 
 BodySlot slotOf(std::size_t flight) { return static_cast<BodySlot>(flight + 1); }
 
+/// Of a pair as it stands now.
+Manifold manifoldOf(const Clash& clash, const ClashPair& pair, bool isStart) {
+    const Real reach = reachOf(clash.world, pair.shapes);
+    const Flight& first = clash.work.flights[pair.first];
+    const Flight& second = clash.work.flights[pair.second];
+    if (!isStart) {
+        return obstacleManifold(clash.world, pair.shapes, first.motion.pose, second.motion.pose, reach);
+    }
+    // The contact has that of the start of the step, with points that are farther apart, too.
+    Manifold manifold = clash.world.contacts[pair.contact].manifold;
+    manifold.count = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const bool isThere = k < static_cast<std::size_t>(clash.world.contacts[pair.contact].manifold.count);
+        if (!isThere || manifold.points[k].separation > reach) {
+            continue;
+        }
+        manifold.points[static_cast<std::size_t>(manifold.count++)] = manifold.points[k];
+    }
+    return manifold;
+}
+
 /// Contacts of this moment.
-void listMet(Clash& clash) {
+void listMet(Clash& clash, bool isStart) {
     ClashScratch& work = clash.work;
     work.constraints.clear();
     for (std::size_t i = 0; i < work.pairs.size(); ++i) {
         ClashPair& pair = work.pairs[i];
         const Flight& first = work.flights[pair.first];
         const Flight& second = work.flights[pair.second];
-        const Manifold manifold = obstacleManifold(clash.world, pair.shapes, first.motion.pose, second.motion.pose,
-                                                   reachOf(clash.world, pair.shapes));
+        const Manifold manifold = manifoldOf(clash, pair, isStart);
         if (manifold.count == 0) {
             continue;
         }
@@ -132,11 +153,12 @@ void listMet(Clash& clash) {
                                                     contact.friction, contact.restitution, 0);
         pair.isMet = true;
         pair.normal = constraint.normal;
+        pair.deepest = deepestSeparation(manifold);
         constraint.source = static_cast<std::uint32_t>(i);
         constraint.slotA = slotOf(pair.first);
         constraint.slotB = slotOf(pair.second);
         work.constraints.push_back(constraint);
-        setApart(clash, pair, manifold, constraint.normal);
+        setApart(clash, pair);
     }
 }
 
@@ -149,7 +171,7 @@ void report(Clash& clash, const ContactConstraint& constraint) {
     pair.impulse[0] += a.totalNormalImpulse;
     pair.impulse[1] += b.totalNormalImpulse;
     const Real speed = std::max(a.bounceApproach, b.bounceApproach);
-    if (!(speed > std::max(first.threshold, second.threshold))) {
+    if (!(speed > std::max(first.threshold(), second.threshold()))) {
         return;
     }
     const WorldState& world = clash.world;
@@ -176,7 +198,7 @@ void reflect(Clash& clash) {
         scratch.states.push_back(
             {.velocity = flight.motion.velocity, .angularVelocity = flight.motion.angularVelocity});
         scratch.inertias.push_back({flight.body().inverseMass, flight.body().inverseInertia});
-        threshold = std::max(threshold, flight.threshold);
+        threshold = std::max(threshold, flight.threshold());
     }
     scratch.order.clear();
     for (ContactConstraint& constraint : clash.work.constraints) {
@@ -196,9 +218,9 @@ void reflect(Clash& clash) {
     }
 }
 
-/// Contacts of this moment, all together; then each body with the ground.
-void resolvePairs(Clash& clash) {
-    listMet(clash);
+/// Contacts of this moment, all together.
+void resolvePairs(Clash& clash, bool isStart) {
+    listMet(clash, isStart);
     if (clash.work.constraints.empty()) {
         return;
     }
@@ -239,7 +261,7 @@ bool allLeave(const Clash& clash) {
 /// What meets now and only moves apart along the normal, however it turns, does not meet again: the separation along a
 /// fixed axis grows at least as fast as the centres part, less what the turns may bring. The speed of a parabola is
 /// linear in time: least at one of its ends.
-bool staysApart(const ClashScratch& work, const ClashPair& pair) {
+bool staysApart(const WorldState& world, const ClashScratch& work, const ClashPair& pair) {
     if (!pair.isMet) {
         return false;
     }
@@ -248,10 +270,40 @@ bool staysApart(const ClashScratch& work, const ClashPair& pair) {
     const DVec2 normal = toDouble(pair.normal);
     const DVec2 parting = (second.c1 - second.c0) - (first.c1 - first.c0);
     const double slowest = dot(parting, normal) - std::fabs(dot(second.k - first.k, normal));
-    const double turns =
-        std::fabs(first.a1 - first.a0) * static_cast<double>(work.flights[pair.first].body().radius) +
-        std::fabs(second.a1 - second.a0) * static_cast<double>(work.flights[pair.second].body().radius);
+    const double turns = std::fabs(first.a1 - first.a0) * turningArm(world.shapes[pair.shapes.other]) +
+                         std::fabs(second.a1 - second.a0) * turningArm(world.shapes[pair.shapes.own]);
     return slowest >= turns;
+}
+
+/// Whether the circles of both shapes miss each other. The distance of the centres is least near where it is least on
+/// the chord of their relative path; the path is within a quarter of its bend of that.
+bool passesBy(const WorldState& world, const ClashScratch& work, const ClashPair& pair) {
+    const Sweep& first = work.paths[pair.first];
+    const Sweep& second = work.paths[pair.second];
+    const DVec2 start = second.c0 - first.c0;
+    const DVec2 way = (second.c1 - second.c0) - (first.c1 - first.c0);
+    const double square = dot(way, way);
+    const double nearest = square > 0 ? std::clamp(-dot(start, way) / square, 0.0, 1.0) : 0;
+    const double bend = 0.25 * length(second.k - first.k);
+    const double circles = static_cast<double>(world.shapes[pair.shapes.own].radius) +
+                           static_cast<double>(world.shapes[pair.shapes.other].radius);
+    return length(start + nearest * way) - bend > circles + 2 * targetOf(world, pair.shapes);
+}
+
+/// The separation at which a pair meets next: its target; one below what there is where it meets now; and where it
+/// overlaps, that is undone along the normal. `firstImpactWith` would find both by itself, with more searches.
+void aim(const Clash& clash, ClashPair& pair) {
+    const WorldState& world = clash.world;
+    const double target = targetOf(world, pair.shapes);
+    pair.shapes.level = target;
+    pair.shapes.lift = {};
+    if (!pair.isMet) {
+        return;
+    }
+    const auto deepest = static_cast<double>(pair.deepest);
+    const double up = deepest < 0 ? target - deepest : 0;
+    pair.shapes.lift = up * toDouble(pair.normal);
+    pair.shapes.level = levelInContact(world, pair.shapes, deepest + up);
 }
 
 NextImpact nextImpactOf(Clash& clash) {
@@ -269,11 +321,10 @@ NextImpact nextImpactOf(Clash& clash) {
         if (!(next.fraction > 0)) {
             break;
         }
-        if (staysApart(work, pair)) {
+        if (staysApart(clash.world, work, pair) || passesBy(clash.world, work, pair)) {
             continue;
         }
-        pair.shapes.level = targetOf(clash.world, pair.shapes);
-        pair.shapes.lift = {};
+        aim(clash, pair);
         const FirstImpact impact = firstImpactWith(clash.world, work.paths[pair.second], work.paths[pair.first],
                                                    pair.shapes, next.fraction, clash.scratch);
         if (impact.hit) {
@@ -297,7 +348,7 @@ bool flyThrough(Clash& clash) {
     ClashScratch& work = clash.work;
     const int most =
         std::min(kImpactsPerMember * static_cast<int>(work.flights.size()), clash.world.settings.maxImpacts);
-    resolvePairs(clash);
+    resolvePairs(clash, true);
     if (!allLeave(clash)) {
         return false;
     }
@@ -310,7 +361,7 @@ bool flyThrough(Clash& clash) {
         }
         ++clash.scratch.impacts;
         if (next.isPair) {
-            resolvePairs(clash);
+            resolvePairs(clash, false);
             resolveGround(clash);
         } else {
             resolveStanding(work.flights[next.flight]);

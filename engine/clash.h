@@ -18,6 +18,7 @@ struct ClashPair {
     std::array<Real, 2> impulse{};  ///< normal, so far, N·s
     bool isMet = false;             ///< now
     Vec2 normal{};                  ///< of the contact that is met, from first to second, world
+    Real deepest = 0;               ///< separation there, metres
 };
 
 /// What one worker needs for a clash. Kept for its capacity.

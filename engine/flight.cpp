@@ -103,7 +103,7 @@ bool report(Flight& flight, const ContactConstraint& constraint) {
     const ContactConstraintPoint& first = constraint.points[0];
     const ContactConstraintPoint& second = constraint.points[1];
     const Real speed = std::max(first.bounceApproach, second.bounceApproach);
-    if (!(speed > flight.threshold)) { return false; }
+    if (!(speed > flight.threshold())) { return false; }
     const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
     const Shape& other = flight.world->shapes[obstacle.other];
     const Vec2 arm = second.totalNormalImpulse > first.totalNormalImpulse ? second.anchorB : first.anchorB;
@@ -125,7 +125,7 @@ bool report(Flight& flight, const ContactConstraint& constraint) {
 void noteCarrier(Flight& flight, const ContactConstraint& constraint) {
     const Real pull = -dot(accelerationOf(*flight.world, flight.body()), constraint.normal);
     const Real fastest = std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach);
-    if (!(pull > 0) || fastest > flight.threshold) { return; }
+    if (!(pull > 0) || fastest > flight.threshold()) { return; }
     const auto isSame = [&](Vec2 normal) { return dot(normal, constraint.normal) > kSameNormal; };
     const auto last = flight.carriers.begin() + flight.carrierCount;
     if (last == flight.carriers.end() || std::any_of(flight.carriers.begin(), last, isSame)) { return; }
@@ -163,6 +163,34 @@ void dropGhosts(Flight& flight) {
     }
 }
 
+/// @pre the separations of the constraints are those of the points
+void noteMet(Flight& flight) {
+    FlightScratch& scratch = *flight.scratch;
+    for (const ContactConstraint& constraint : scratch.constraints) {
+        const FlightObstacle& obstacle = scratch.obstacles[constraint.source];
+        const double lowest = targetOf(*flight.world, obstacle) - toleranceOf(*flight.world, obstacle) -
+                              static_cast<double>(roundingOf(*flight.world, obstacle));
+        if (constraint.slotA != kFixedSlot || static_cast<double>(deepestOf(constraint)) < lowest) { continue; }
+        scratch.met.push_back({obstacle.own, obstacle.other, constraint.normal});
+    }
+}
+
+/// What was met just now, and along whose normal the path only leads away, however the body turns, is not met again: the
+/// separation along that axis grows as the centre goes, less what the turn may bring.
+void dropWhatIsLeft(const Flight& flight, const Sweep& sweep) {
+    FlightScratch& scratch = *flight.scratch;
+    if (scratch.met.empty()) { return; }
+    std::erase_if(scratch.obstacles, [&](const FlightObstacle& obstacle) {
+        const auto isSame = [&](const MetGround& met) { return met.own == obstacle.own && met.other == obstacle.other; };
+        const auto met = std::find_if(scratch.met.begin(), scratch.met.end(), isSame);
+        if (met == scratch.met.end()) { return false; }
+        const DVec2 normal = toDouble(met->normal);
+        const double slowest = dot(sweep.c1 - sweep.c0, normal) - std::fabs(dot(sweep.k, normal));
+        return slowest >= std::fabs(sweep.a1 - sweep.a0) * turningArm(flight.world->shapes[obstacle.own]);
+    });
+    scratch.met.clear();
+}
+
 /// Impacts beyond `maxImpacts` are for a budget of lost time, up to this many times as many.
 constexpr std::int64_t kMostTimesMaxImpacts = 16;
 
@@ -196,11 +224,10 @@ void flyThrough(Flight& flight) {
 
 }  // namespace
 
-const Body& Flight::body() const { return world->bodies[slot]; }
+Real Flight::threshold() const { return bounceThreshold(*world, body(), static_cast<Real>(dt)); }
 
 Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
     Flight flight{.world = &world, .slot = slot, .scratch = &scratch, .motion = world.motions[slot], .dt = dt};
-    flight.threshold = bounceThreshold(world, world.bodies[slot], static_cast<Real>(dt));
     flight.stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
     return flight;
 }
@@ -239,6 +266,7 @@ void advance(Flight& flight, const Sweep& sweep, double fraction) {
 
 FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
     findObstacles(*flight.world, flight.slot, sweep, *flight.scratch);
+    dropWhatIsLeft(flight, sweep);
     const auto count = static_cast<std::size_t>(flight.carrierCount);
     if (count > 0) { allowSag(*flight.world, sweep, {flight.carriers.data(), count}, *flight.scratch); }
     return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch, limit);
@@ -251,12 +279,14 @@ bool resolveHere(Flight& flight) {
     scratch.inertias.assign(2, {});
     scratch.constraints.clear();
     scratch.order.clear();
+    scratch.met.clear();
     for (std::size_t i = 0; i < scratch.obstacles.size(); ++i) {
         addConstraint(flight, scratch.obstacles[i], static_cast<std::uint32_t>(i));
     }
     dropWhatIsNotMet(flight);
     dropGhosts(flight);
     if (scratch.constraints.empty()) { return false; }
+    noteMet(flight);
     scratch.states[kFlyerSlot].velocity = flight.motion.velocity;
     scratch.states[kFlyerSlot].angularVelocity = flight.motion.angularVelocity;
     scratch.inertias[kFlyerSlot] = {body.inverseMass, body.inverseInertia};
@@ -265,7 +295,7 @@ bool resolveHere(Flight& flight) {
         scratch.order.push_back(&constraint);
     }
     const SolverBodies bodies{scratch.states, scratch.inertias};
-    ImpactRule rule{.restitutionThreshold = flight.threshold, .resolvePlastic = true};
+    ImpactRule rule{.restitutionThreshold = flight.threshold(), .resolvePlastic = true};
     if (reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact) == kMaxImpactRounds) {
         rule.restitutionThreshold = std::numeric_limits<Real>::infinity();
         reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact);

@@ -23,6 +23,13 @@ struct FlightObstacle {
     DVec2 lift{};               ///< overlap at the start, undone along the contact normal for the sweep
 };
 
+/// Something static that a flyer met just now, and is not below its target of.
+struct MetGround {
+    std::uint32_t own = 0;  ///< slots, as in `FlightObstacle`
+    std::uint32_t other = 0;
+    Vec2 normal{};          ///< towards the flyer
+};
+
 /// An obstacle by its distance from the start of a sweep.
 struct NearObstacle {
     double distanceSquared = 0;  ///< of its box, m²
@@ -34,6 +41,7 @@ struct NearObstacle {
 struct FlightScratch {
     std::vector<FlightObstacle> obstacles;
     std::vector<NearObstacle> nearest;
+    std::vector<MetGround> met;  ///< since the flyer moved last
     std::vector<std::uint32_t> found;
     std::vector<Vec2> normals;
     std::vector<BodyState> states;
@@ -59,12 +67,12 @@ struct Flight {
     BodyMotion motion;
     double dt;
     double elapsed = 0;   ///< seconds
-    Real threshold = 0;   ///< slower approaches do not bounce, m/s
     std::array<Vec2, 4> carriers{};  ///< normals of what carries it
     int carrierCount = 0;
     bool stops = false;  ///< mode `stop`: it stays at its first hit
 
     const Body& body() const;
+    Real threshold() const;  ///< slower approaches do not bounce, m/s
     double remaining() const { return dt - elapsed; }
 };
 

@@ -4,6 +4,11 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+inline const Body& Flight::body() const { return world->bodies[slot]; }
+
+/// What a turn moves: the farthest vertex, not what is round about it, metres. 0 of a disk about its centre.
+inline double turningArm(const Shape& shape) { return static_cast<double>(shape.radius - shape.polygon.radius); }
+
 /// Of a body as it is at the start of the step.
 Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch);
 /// The rest of the step as a sweep: the parabola through its exact end points with the present velocity. Exact without

@@ -19,6 +19,7 @@ struct Shape {
     ShapeDef def;
     Real extent = 0;
     Real size = 0;         ///< largest coordinate of a vertex plus radius: what the rounding of its poses is relative to
+    Real radius = 0;       ///< farthest point from the body's centre of mass
     std::uint32_t body = kNoIndex;
     std::uint32_t head = kNoIndex;         ///< slot of the shape that the user knows
     std::uint32_t nextInChain = kNoIndex;

@@ -36,8 +36,11 @@ void listBodies(WorldState& world) {
         if (body.def.type == BodyType::kinematic) {
             fast.kinematics.push_back(slot);
         }
+        if (body.role != BodyRole::solved) {
+            continue;
+        }
         const std::uint32_t root = world.islands.find(slot);
-        if (body.role != BodyRole::solved || fast.isFast[root] == 0) {
+        if (fast.isFast[root] == 0) {
             continue;
         }
         fast.bodies.push_back({root, i, slot});

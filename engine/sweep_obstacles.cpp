@@ -11,12 +11,13 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Box of all positions of the centre: hull of the control points of the path, a quadratic Bézier curve.
-Aabb centerBox(const Sweep& sweep) {
+/// Box of all that is within `reach` of a position of the centre: hull of the control points of the path, a quadratic Bézier
+/// curve.
+Aabb boxAround(const Sweep& sweep, double reach) {
     const DVec2 control = sweep.c0 + 0.5 * ((sweep.c1 - sweep.c0) - sweep.k);
     const DVec2 lower{std::min({sweep.c0.x, control.x, sweep.c1.x}), std::min({sweep.c0.y, control.y, sweep.c1.y})};
     const DVec2 upper{std::max({sweep.c0.x, control.x, sweep.c1.x}), std::max({sweep.c0.y, control.y, sweep.c1.y})};
-    return roundedOutward(lower, upper);
+    return roundedOutward({lower.x - reach, lower.y - reach}, {upper.x + reach, upper.y + reach});
 }
 
 bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
@@ -50,11 +51,7 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
     ++scratch.toiCalls;
     scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
     if (toi.state == ToiState::hit && toi.fraction <= 0) {
-        // What rounding, or a corner that turns in, leaves of an approach that was dealt with must not count as an impact again
-        // and again: bars that come to rest on uneven ground lost 1.7 % of their time by it.
-        const Real sink = std::max(roundingOf(world, obstacle), kChatterSlops * slopOf(world, obstacle));
-        const double band = 2 * toleranceOf(world, obstacle) + static_cast<double>(sink);
-        obstacle.level = std::min(obstacle.level, toi.separation - band);
+        obstacle.level = std::min(obstacle.level, levelInContact(world, obstacle, toi.separation));
         toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
         ++scratch.toiCalls;
         scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
@@ -186,6 +183,13 @@ Real reachOf(const WorldState& world, const FlightObstacle& obstacle) {
     return static_cast<Real>(met) + roundingOf(world, obstacle);
 }
 
+double levelInContact(const WorldState& world, const FlightObstacle& obstacle, double separation) {
+    // What rounding, or a corner that turns in, leaves of an approach that was dealt with must not count as an impact again
+    // and again: bars that come to rest on uneven ground lost 1.7 % of their time by it.
+    const Real sink = std::max(roundingOf(world, obstacle), kChatterSlops * slopOf(world, obstacle));
+    return separation - 2 * toleranceOf(world, obstacle) - static_cast<double>(sink);
+}
+
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle) {
     const double target = targetOf(world, obstacle);
     const auto wanted = static_cast<double>(world.settings.toiTolerance);
@@ -198,13 +202,12 @@ Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
 
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
     scratch.obstacles.clear();
-    const Aabb path = centerBox(sweep);
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& own = world.shapes[slot];
         if (own.def.sensor) { continue; }
-        const Real reach = radiusAbout(own.polygon, world.bodies[body].localCenter) + kTargetRatio * own.extent;
+        const Real reach = own.radius + kTargetRatio * own.extent;
         scratch.found.clear();
-        world.broadphase->queryGround(grown(path, reach), [&](ProxyId id) {
+        world.broadphase->queryGround(boxAround(sweep, static_cast<double>(reach)), [&](ProxyId id) {
             scratch.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
             return true;
         });

@@ -20,6 +20,8 @@ double toleranceOf(const WorldState& world, const FlightObstacle& obstacle);
 Real roundingOf(const WorldState& world, const FlightObstacle& obstacle);
 /// Separation up to which what the sweeps met shows up in a manifold, metres.
 Real reachOf(const WorldState& world, const FlightObstacle& obstacle);
+/// Separation at which what has this separation, and was dealt with, counts as met again, metres.
+double levelInContact(const WorldState& world, const FlightObstacle& obstacle, double separation);
 /// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
 /// carries it, metres.
 Real slopOf(const WorldState& world, const FlightObstacle& obstacle);

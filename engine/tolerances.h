@@ -35,6 +35,9 @@ constexpr Real reachOfMotion(Real motion, Real extent, bool isAhead) {
 }
 /// Boxes are made larger than needed by this part of the extent, to be moved more rarely.
 inline constexpr Real kBoxMarginRatio = Real(1) / 8;
+/// Fast shapes whose farthest point is no farther from the centre than this part of their extent (squares: 0.71) have the boxes of
+/// their circles.
+inline constexpr Real kRoundRatio = Real(3) / 4;
 /// They also reach ahead along the body's velocity for so many steps, unless that is more than so many extents: a box of a bullet
 /// that reaches far ahead finds more than it saves.
 inline constexpr Real kBoxStepsAhead = 2;

@@ -115,10 +115,11 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     body.extent = 0;
     body.radius = 0;
     for (const std::uint32_t shapeSlot : body.shapes) {
-        const Shape& shape = world.shapes[shapeSlot];
+        Shape& shape = world.shapes[shapeSlot];
+        shape.radius = radiusAbout(shape.polygon, center);
         if (shape.def.sensor) { continue; }
         body.extent = body.extent > 0 ? std::min(body.extent, shape.extent) : shape.extent;
-        body.radius = std::max(body.radius, radiusAbout(shape.polygon, center));
+        body.radius = std::max(body.radius, shape.radius);
     }
     const bool isMassless = body.isDynamic() && body.mass <= 0;
     if (isMassless && !wasMassless) { ++world.masslessBodies; }
@@ -155,11 +156,35 @@ Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
 Real contactReach(const WorldState& world, const Shape& shape) {
     const Body& body = world.bodies[shape.body];
     if (body.def.type == BodyType::fixed) { return 0; }
+    const auto dt = static_cast<Real>(world.lastDt);
     const bool isAhead = modeOf(world, body) == ContinuousMode::speculative;
-    return reachOfMotion(motionBound(world, shape.body, static_cast<Real>(world.lastDt)), shape.extent, isAhead);
+    const Real most = kMaxReachRatio * shape.extent;
+    const Vec2 velocity = world.motions[shape.body].velocity;
+    // What is fast along one axis is told without a root, and many of those that are asked for their reach are.
+    if (!isAhead && dt * std::max(std::fabs(velocity.x), std::fabs(velocity.y)) >= most) { return most; }
+    return reachOfMotion(motionBound(world, shape.body, dt), shape.extent, isAhead);
 }
 
+namespace {
+
+/// What is fast leaves its box in every step, so a box that is quickly made is better than a tight one: that of its circle,
+/// unless it is much wider than the shape.
+bool isRoundEnough(const WorldState& world, const Shape& shape) {
+    const Body& body = world.bodies[shape.body];
+    return body.fast && body.isDynamic() && shape.radius <= kRoundRatio * shape.extent;
+}
+
+Aabb circleBox(DVec2 center, double radius) {
+    return roundedOutward({center.x - radius, center.y - radius}, {center.x + radius, center.y + radius});
+}
+
+}  // namespace
+
 Aabb neededBox(const WorldState& world, const Shape& shape) {
+    if (isRoundEnough(world, shape)) {
+        const Real radius = shape.radius + contactReach(world, shape);
+        return circleBox(world.motions[shape.body].center, static_cast<double>(radius) * (1 + static_cast<double>(kEpsilon)));
+    }
     const Aabb tight = boundsOf(shape.polygon, world.motions[shape.body].pose);
     switch (world.bodies[shape.body].def.type) {
         case BodyType::fixed: return tight;
@@ -174,8 +199,9 @@ namespace {
 Aabb fattened(const WorldState& world, const Shape& shape, const Aabb& needed) {
     if (world.bodies[shape.body].def.type == BodyType::fixed) { return needed; }
     const Vec2 ahead = (kBoxStepsAhead * static_cast<Real>(world.lastDt)) * world.motions[shape.body].velocity;
-    const bool isWorthIt = length(ahead) <= kMaxAheadRatio * shape.extent;
-    const Aabb enough = isWorthIt ? hullOf(needed, {needed.lower + ahead, needed.upper + ahead}) : needed;
+    // What is too fast to look ahead leaves any margin in the next step.
+    if (!(length(ahead) <= kMaxAheadRatio * shape.extent)) { return needed; }
+    const Aabb enough = hullOf(needed, {needed.lower + ahead, needed.upper + ahead});
     return grown(enough, kBoxMarginRatio * shape.extent);
 }
 

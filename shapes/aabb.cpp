@@ -1,25 +1,8 @@
 #include "aabb.h"
 
-#include "rounding.h"
-
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
-
-/// The largest `Real` not above a + b. The error of a rounded sum is itself a floating-point number (Knuth's TwoSum), so
-/// its sign says on which side of the exact sum the rounded one lies, however far apart the magnitudes are.
-Real sumRoundedDown(Real a, Real b) {
-    constexpr Real kMax = std::numeric_limits<Real>::max();
-    const Real sum = a + b;
-    if (!(std::fabs(sum) <= kMax)) { return std::isnan(sum) ? sum : (sum > 0 ? kMax : -kMax); }
-    const Real partOfB = sum - a;
-    const Real partOfA = sum - partOfB;
-    const Real error = (a - partOfA) + (b - partOfB);
-    if (!(error < 0)) { return sum; }
-    return sum > -kMax ? nextDown(sum) : sum;
-}
-
-Real sumRoundedUp(Real a, Real b) { return -sumRoundedDown(-a, -b); }
 
 /// Part of a ray's line, as fractions.
 struct Span {
@@ -51,15 +34,6 @@ Span slab(double lower, double upper, double origin, double direction) {
 }
 
 }  // namespace
-
-Aabb roundedOutward(DVec2 lower, DVec2 upper) {
-    return {{roundedDown(lower.x), roundedDown(lower.y)}, {roundedUp(upper.x), roundedUp(upper.y)}};
-}
-
-Aabb grown(const Aabb& a, Real margin) {
-    return {{sumRoundedDown(a.lower.x, -margin), sumRoundedDown(a.lower.y, -margin)},
-            {sumRoundedUp(a.upper.x, margin), sumRoundedUp(a.upper.y, margin)}};
-}
 
 RayHit rayCast(const Aabb& box, DVec2 origin, DVec2 direction, Real maxFraction) {
     const DVec2 lower = toDouble(box.lower);

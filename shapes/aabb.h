@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rounding.h"
 #include "transform.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -31,10 +32,20 @@ inline bool isValid(const Aabb& a) {
 
 /// The smallest `Aabb` of `Real` that contains [lower, upper]: each bound is rounded outward. Bounds beyond the range of
 /// `Real` become its largest finite values.
-Aabb roundedOutward(DVec2 lower, DVec2 upper);
+constexpr Aabb roundedOutward(DVec2 lower, DVec2 upper) {
+    const double exact[4] = {lower.x, lower.y, -upper.x, -upper.y};
+    Real down[4] = {};
+    for (int i = 0; i < 4; ++i) { down[i] = roundedDown(exact[i]); }
+    return {{down[0], down[1]}, {-down[2], -down[3]}};
+}
 
 /// The box grown by `margin` ≥ 0 metres on every side (rounded outward).
-Aabb grown(const Aabb& a, Real margin);
+constexpr Aabb grown(const Aabb& a, Real margin) {
+    const Real bounds[4] = {a.lower.x, a.lower.y, -a.upper.x, -a.upper.y};
+    Real down[4] = {};
+    for (int i = 0; i < 4; ++i) { down[i] = sumRoundedDown(bounds[i], -margin); }
+    return {{down[0], down[1]}, {-down[2], -down[3]}};
+}
 
 struct RayHit {
     bool hit = false;

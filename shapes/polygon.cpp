@@ -1,5 +1,6 @@
 #include "polygon.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "convexity.h"
@@ -183,7 +184,7 @@ Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose) {
 
 Real radiusAbout(const Polygon& polygon, Vec2 center) {
     double farthest = 0;
-    for (const Vec2 v : polygon.points()) { farthest = std::fmax(farthest, length(toDouble(v) - toDouble(center))); }
+    for (const Vec2 v : polygon.points()) { farthest = std::max(farthest, length(toDouble(v) - toDouble(center))); }
     // Difference, square, sum, root and the last sum lose less than 4 roundings of ½ eps.
     constexpr double kRoundUp = 1 + 4 * std::numeric_limits<double>::epsilon();
     return roundedUp((farthest + static_cast<double>(polygon.radius)) * (farthest > 0 ? kRoundUp : 1.0));

@@ -26,16 +26,43 @@ constexpr T nextDown(T x) {
     return -nextUp(-x);
 }
 
+/// The next smaller one of a number other than +0 (−infinity below the lowest), if so asked. Nobody can predict which way a sum
+/// was rounded, so there is no branch, and four of them may go side by side.
+template <class T>
+constexpr T steppedDown(bool isAsked, T x) {
+    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    const Bits bits = std::bit_cast<Bits>(x);
+    const Bits isNegative = bits >> (8 * sizeof(T) - 1);
+    const Bits step = 2 * isNegative - 1;
+    return std::bit_cast<T>(bits + (isAsked ? step : Bits{0}));
+}
+
 /// The largest `Real` that is not above `x`; the nearest finite one where `x` is out of range. NaN stays NaN.
 constexpr Real roundedDown(double x) {
-    constexpr Real kMax = std::numeric_limits<Real>::max();
-    if (x >= static_cast<double>(kMax)) { return kMax; }
-    if (x <= -static_cast<double>(kMax)) { return -kMax; }
-    const Real nearest = static_cast<Real>(x);
-    return static_cast<double>(nearest) > x ? nextDown(nearest) : nearest;
+    constexpr double kMax = static_cast<double>(std::numeric_limits<Real>::max());
+    const double low = x > kMax ? kMax : x;
+    const double inRange = low < -kMax ? -kMax : low;
+    const Real nearest = static_cast<Real>(inRange);  // not +0 where it is above: what is below 0 becomes −0
+    return steppedDown(static_cast<double>(nearest) > inRange, nearest);
 }
 
 /// The smallest `Real` that is not below `x`; the nearest finite one where `x` is out of range. NaN stays NaN.
 constexpr Real roundedUp(double x) { return -roundedDown(-x); }
+
+/// The largest `Real` not above a + b. The error of a rounded sum is itself a floating-point number (Knuth's TwoSum), so
+/// its sign says on which side of the exact sum the rounded one lies, however far apart the magnitudes are. The nearest finite
+/// one where the sum is out of range; NaN stays NaN.
+constexpr Real sumRoundedDown(Real a, Real b) {
+    constexpr Real kMax = std::numeric_limits<Real>::max();
+    const Real sum = a + b;
+    const Real partOfB = sum - a;
+    const Real partOfA = sum - partOfB;
+    const Real error = (a - partOfA) + (b - partOfB);
+    const Real down = steppedDown(error < 0, sum);  // a sum of 0 has no error
+    return down > kMax ? kMax : (down < -kMax ? -kMax : down);
+}
+
+/// The smallest `Real` not below a + b, likewise.
+constexpr Real sumRoundedUp(Real a, Real b) { return -sumRoundedDown(-a, -b); }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -159,9 +159,8 @@ double expOfMinus(double x) {
     return std::ldexp(polynomial(kExponential, r), -static_cast<int>(exponent));
 }
 
-DampedMotion dampedMotion(double x) {
+DampedMotion motionWithDamping(double x) {
     const double decay = expOfMinus(x);
-    if (!(x > 0)) { return {1, 1, 0.5}; }
     if (x <= 1) {
         const double phi2 = polynomial(kPhi2, x);
         return {decay, 1 - x * phi2, phi2};

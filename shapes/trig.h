@@ -35,6 +35,8 @@ struct DampedMotion {
     double phi1;
     double phi2;
 };
-DampedMotion dampedMotion(double x);
+DampedMotion motionWithDamping(double x);  ///< @pre x > 0
+/// The limits for x ≤ 0 and NaN: without damping it costs nothing.
+inline DampedMotion dampedMotion(double x) { return x > 0 ? motionWithDamping(x) : DampedMotion{1, 1, 0.5}; }
 
 }  // namespace swept::inline SWEPT_PRECISION
