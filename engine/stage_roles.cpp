@@ -8,6 +8,9 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Bodies per block of a parallel loop.
+constexpr std::size_t kResetGrain = 128;
+
 void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
@@ -145,8 +148,10 @@ void listActiveJoints(WorldState& world) {
 void assignRoles(WorldState& world, Real dt) {
     bool anyKinematic = false;
     world.bullets = 0;
+    world.loops->run(world.awake.size(), kResetGrain, [&world, dt](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { resetBody(world, world.awake[i], dt); }
+    });
     for (const std::uint32_t slot : world.awake) {
-        resetBody(world, slot, dt);
         world.bullets += world.bodies[slot].def.bullet ? 1 : 0;
         anyKinematic = anyKinematic || world.bodies[slot].def.type == BodyType::kinematic;
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "constraint_builder.h"
@@ -20,11 +21,15 @@ bool limitSpeed(Vec2& velocity, Real maxSpeed) {
     return true;
 }
 
-/// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt.
-void moveFreely(WorldState& world, std::uint32_t slot, double dt) {
+/// Free bodies per block of a parallel loop.
+constexpr std::size_t kFreeGrain = 64;
+
+/// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its speed was
+/// cut
+std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     const Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
-    world.counters.speedsLimited += limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
+    std::uint64_t limited = limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
     const bool dynamic = body.isDynamic();
     const DampedMotion linear = dampedMotion(dynamic ? static_cast<double>(body.def.linearDamping) * dt : 0);
     const DampedMotion angular = dampedMotion(dynamic ? static_cast<double>(body.def.angularDamping) * dt : 0);
@@ -36,8 +41,9 @@ void moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     motion.angle += angular.phi1 * dt * spin + angular.phi2 * dt * dt * angularAcceleration;
     motion.velocity = toReal(linear.decay * velocity + (linear.phi1 * dt) * acceleration);
     motion.angularVelocity = static_cast<Real>(angular.decay * spin + angular.phi1 * dt * angularAcceleration);
-    world.counters.speedsLimited += limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
+    limited += limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
     updatePose(world, slot);
+    return limited;
 }
 
 BodyDrive driveOf(const WorldState& world, const Body& body, Real h) {
@@ -198,10 +204,18 @@ void readContacts(WorldState& world, std::span<Contact> contacts, Real threshold
 }  // namespace
 
 void moveFreeBodies(WorldState& world, double dt) {
-    for (const std::uint32_t slot : world.awake) {
-        const Body& body = world.bodies[slot];
-        if (body.role == BodyRole::free && body.isDynamic()) { moveFreely(world, slot, dt); }
-    }
+    if (world.counters.freeBodies == 0) { return; }
+    std::atomic<std::uint64_t> limited = 0;
+    world.loops->run(world.awake.size(), kFreeGrain, [&](std::size_t begin, std::size_t end, int) {
+        std::uint64_t some = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t slot = world.awake[i];
+            const Body& body = world.bodies[slot];
+            if (body.role == BodyRole::free && body.isDynamic()) { some += moveFreely(world, slot, dt); }
+        }
+        if (some > 0) { limited.fetch_add(some, std::memory_order_relaxed); }
+    });
+    world.counters.speedsLimited += limited;
 }
 
 void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part) {
@@ -271,7 +285,8 @@ void solveTiedBodies(WorldState& world, double dt) {
 
 void moveKinematicBodies(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
-        if (world.bodies[slot].def.type == BodyType::kinematic) { moveFreely(world, slot, dt); }
+        if (world.bodies[slot].def.type != BodyType::kinematic) { continue; }
+        world.counters.speedsLimited += moveFreely(world, slot, dt);
     }
 }
 
