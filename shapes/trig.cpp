@@ -1,5 +1,7 @@
 #include "trig.h"
 
+#include "trig_series.h"
+
 #include <array>
 #include <cmath>
 
@@ -12,7 +14,6 @@ namespace {
 constexpr double kHalfPi1 = 0x1.921fb544p+0;
 constexpr double kHalfPi2 = 0x1.0b4611a4p-34;
 constexpr double kHalfPi3 = 0x1.13198a2e03707p-65;
-constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kPiRest = 0x1.1a62633145c07p-53;  // π − kPi
@@ -59,14 +60,6 @@ constexpr double polynomialInPairs(const std::array<double, N>& c, double z) {
     const double high = (c[4] + c[5] * z) + z2 * top;
     return low + z4 * high;
 }
-
-constexpr double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }  // exact up to 22!
-
-// Taylor's polynomials; on [−π/4, π/4] the first terms left out, x¹⁹/19! and x¹⁸/18!, are below 2⁻⁵⁸.
-constexpr std::array<double, 8> kSine = {-1 / factorial(3),  1 / factorial(5),   -1 / factorial(7),  1 / factorial(9),
-                                         -1 / factorial(11), 1 / factorial(13), -1 / factorial(15), 1 / factorial(17)};
-constexpr std::array<double, 7> kCosine = {1 / factorial(4),   -1 / factorial(6), 1 / factorial(8), -1 / factorial(10),
-                                           1 / factorial(12), -1 / factorial(14), 1 / factorial(16)};
 
 /// On [−π/4, π/4]; the low part enters to first order.
 SinCos sinCosOfReduced(TwoParts x) {

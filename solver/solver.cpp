@@ -6,14 +6,20 @@
 #include <type_traits>
 
 namespace swept::inline SWEPT_PRECISION {
+
+#ifndef SWEPT_SIMD
+RotateBodies rotationKernel() { return nullptr; }
+#endif
+
 namespace {
 
 /// Joints, blocks of contacts and contacts on their own per part of a parallel loop, and bodies.
 constexpr std::size_t kConstraintGrain = 8;
 constexpr std::size_t kBodyGrain = 128;
-/// A solve is shared when its colours hold so many of these in the mean. All of it or nothing: what one worker wrote and
-/// another reads has to come from cache to cache, which takes as long as solving it. Pyramids of 55 boxes on two cores, per
-/// step: 1000 boxes 5 % slower when shared, 2000 boxes (100 per colour) 8 % faster, 4000 boxes 18 %, 8000 boxes 30 %.
+/// A solve is shared when its colours hold so many of these in the mean. All of it or nothing: what one worker wrote
+/// and another reads has to come from cache to cache, which takes as long as solving it. Pyramids of 55 boxes on two
+/// cores, per step: 1000 boxes 5 % slower when shared, 2000 boxes (100 per colour) 8 % faster, 4000 boxes 18 %, 8000
+/// boxes 30 %.
 constexpr std::size_t kFewestPerColour = 96;
 
 template <class Constraint>
@@ -60,11 +66,15 @@ int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, st
     return limited;
 }
 
-void integratePositions(SolverBatch& batch, Real h, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-        BodyState& body = batch.states[i];
+void moveBodies(std::span<BodyState> bodies, Real h) {
+    for (BodyState& body : bodies) {
         body.deltaPosition += h * body.velocity;
         body.deltaAngle += h * body.angularVelocity;
+    }
+}
+
+void rotateBodies(std::span<BodyState> bodies) {
+    for (BodyState& body : bodies) {
         body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle));
     }
 }
@@ -238,7 +248,9 @@ int Solver::integrateVelocities(SolverBatch& batch, Real maxSpeed) {
 
 void Solver::integratePositions(SolverBatch& batch, Real h) {
     loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
-        swept::integratePositions(batch, h, begin + 1, end + 1);
+        const std::span<BodyState> bodies = std::span(batch.states).subspan(begin + 1, end - begin);
+        moveBodies(bodies, h);
+        rotate_(bodies);
     });
 }
 
@@ -334,6 +346,10 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
 template <bool kJoints>
 SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
     prepare<kJoints>(batch, settings);
+    rotate_ = settings.wide ? rotationKernel() : nullptr;
+    if (rotate_ == nullptr) {
+        rotate_ = rotateBodies;
+    }
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct);
     if (report.isDirect) {

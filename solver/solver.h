@@ -10,6 +10,7 @@
 #include "hinge_blocks.h"
 #include "impact.h"
 #include "solver_batch.h"
+#include "wide_rotations.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -84,6 +85,7 @@ private:
 
     SerialTaskSystem serial_;
     TaskSystem* loops_ = &serial_;  ///< of the present solve
+    RotateBodies rotate_ = nullptr;  ///< likewise; null: body by body
     ConstraintGraph graph_;
     ContactBlocks contacts_;
     HingeBlocks hinges_;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <swept/solver/wide_contacts.h>
+#include <swept/solver/wide_rotations.h>
 
 #ifdef SWEPT_SIMD
 #include <hwy/targets.h>
@@ -7,8 +8,8 @@
 
 #include "batch_fields.h"
 
-/// Blocks of contacts and of hinges against the same one by one: the same bits with every instruction set of this
-/// machine.
+/// Blocks of contacts and of hinges, and bodies that turn, against the same one by one: the same bits with every
+/// instruction set of this machine.
 
 namespace swept::test {
 namespace {
@@ -95,6 +96,40 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     const BlockCounts blocks = expectSameBits(16, 60);
     EXPECT_GT(blocks.contacts, 1'000);
     EXPECT_GT(blocks.hinges, 200);
+}
+
+/// Angles of all sizes and both signs, next to where they need reduction, and what is no angle.
+std::vector<BodyState> turnedBodies() {
+    constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+    std::vector<Real> angles{0, -Real(0), kInfinity, -kInfinity, std::numeric_limits<Real>::quiet_NaN()};
+    Random random(7);
+    for (int i = 0; i < 4'000; ++i) {
+        const double size = std::pow(2.0, random.range(i % 2 == 0 ? -100 : -8, i % 3 == 0 ? 24 : 0));
+        angles.push_back(static_cast<Real>(random.sign() * size));
+        angles.push_back(static_cast<Real>(random.sign() * (0.7853981633974483 + random.range(-1e-6, 1e-6))));
+    }
+    std::vector<BodyState> bodies(angles.size());
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        bodies[i].deltaAngle = angles[i];
+    }
+    return bodies;
+}
+
+TEST_P(WideContacts, BodiesTurnToTheBitAsOneByOne) {
+    const RotateBodies rotate = rotationKernel();
+    ASSERT_EQ(rotate == nullptr, contactKernels() == nullptr);
+    if (rotate == nullptr) {
+        return;
+    }
+    std::vector<BodyState> bodies = turnedBodies();
+    for (std::size_t begin = 0; begin < bodies.size(); begin += 11) {  // and what is left over
+        rotate(std::span(bodies).subspan(begin, std::min<std::size_t>(11, bodies.size() - begin)));
+    }
+    for (const BodyState& body : bodies) {
+        const Rotation wanted = rotationFromAngle(static_cast<double>(body.deltaAngle));
+        ASSERT_EQ(body.deltaRotation, wanted) << body.deltaAngle;
+        ASSERT_EQ(std::signbit(body.deltaRotation.s), std::signbit(wanted.s)) << body.deltaAngle;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThisMachine, WideContacts, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
