@@ -1,0 +1,85 @@
+#include "world_support.h"
+
+/// Steps from 1 Hz to 10 kHz, and steps that vary: all stays finite and in its place, and no energy is made.
+
+namespace swept::test {
+namespace {
+
+/// A stack, a ball that bounces, a pendulum and a chain, side by side.
+struct Yard {
+    World world = makeWorld();
+    std::vector<BodyId> bodies;
+    BodyId bob;
+    double start = 0;
+
+    explicit Yard(int boxes) {
+        addStatic(world, box(20, 0.5), material(0.6), {0, -0.5});
+        for (int i = 0; i < boxes; ++i) {
+            bodies.push_back(addBody(world, dynamicAt({-5, i + 0.5}), box(0.5, 0.5), material(0.6)));
+        }
+        bodies.push_back(addBody(world, dynamicAt({0, 3}), circle(0.5), material(0.3, 0.5)));
+        ShapeDef ghost;
+        ghost.filter.mask = 0;
+        BodyId before = addStatic(world, circle(0.02), ghost, {8, 5});
+        bob = hang(before, {8, 5}, {9, 5}, ghost);
+        before = addStatic(world, circle(0.02), ghost, {14, 5});
+        for (int i = 0; i < 5; ++i) {
+            before = hang(before, {14.0 + 0.4 * i, 5}, {14.4 + 0.4 * i, 5}, ghost);
+        }
+        start = energy();
+    }
+    BodyId hang(BodyId from, DVec2 anchor, DVec2 place, const ShapeDef& shape) {
+        const BodyId body = addBody(world, dynamicAt(place), circle(0.1), shape);
+        RevoluteJointDef hinge;
+        hinge.base.bodyA = from;
+        hinge.base.bodyB = body;
+        hinge.anchor = anchor;
+        must(world.createJoint(hinge));
+        bodies.push_back(body);
+        return body;
+    }
+    double energy() const { return energyOf(world, bodies, kGravity); }
+    void expectSound(const std::string& when) const {
+        for (const BodyId body : bodies) {
+            const DVec2 p = world.position(body);
+            ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(world.angle(body))) << when;
+            ASSERT_GT(p.y, -0.1) << when;
+            ASSERT_LT(std::abs(p.x), 20) << when;
+        }
+    }
+    /// Of the hinge of the pendulum, metres.
+    double gap() const { return std::abs(length(world.position(bob) - DVec2{8, 5}) - 1); }
+};
+
+/// @param gain  of energy that is allowed, as a part of what there is: what a step's own error makes of a swing
+void expectGoesWell(const std::string& name, double seconds, double gain, double gap, const std::vector<double>& steps,
+                    int boxes = 3) {
+    Yard yard(boxes);
+    double most = 0;
+    double widest = 0;
+    double time = 0;
+    for (std::size_t i = 0; time < seconds; ++i) {
+        const double dt = steps[i % steps.size()];
+        must(yard.world.step(dt));
+        time += dt;
+        yard.expectSound(name + " step " + std::to_string(i));
+        if (::testing::Test::HasFatalFailure()) {
+            return;
+        }
+        most = std::max(most, yard.energy() / yard.start - 1);
+        widest = std::max(widest, yard.gap());
+    }
+    expectAtMost(name + " energy gained", most, gain);
+    expectAtMost(name + " gap", widest, gap);
+}
+
+/// Without boxes: a step of 1 Hz is three times as long as they take to fall their own height. They fall over and sink
+/// into the ground by up to a side.
+TEST(StepSizes, OneHertz) { expectGoesWell("1 Hz", 600, 1e-6, 1e-6, {1.0}, 0); }
+TEST(StepSizes, TenKilohertz) { expectGoesWell("10 kHz", 0.25, kIsDouble ? 1e-12 : 1e-4, 1e-6, {1e-4}); }
+TEST(StepSizes, FromCallToCall) {
+    expectGoesWell("varied", 10, 5e-4, 5e-5, {1.0 / 60, 1.0 / 30, 1.0 / 240, 1.0 / 61, 0.05, 1e-3, 1.0 / 144});
+}
+
+}  // namespace
+}  // namespace swept::test
