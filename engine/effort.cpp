@@ -100,7 +100,7 @@ bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && loa
 
 /// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and
 /// joints that are exact each time are worth it only where iteration over them is hopeless.
-DirectScope scopeForJoints(const IslandLoad& load, int subSteps) {
+DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps) {
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     const bool hasLoop = load.joints > load.bodies;
     if (hasLoop || subSteps < kFewestSubStepsForJoints) {
@@ -110,7 +110,7 @@ DirectScope scopeForJoints(const IslandLoad& load, int subSteps) {
     if (isHopeless) {
         return DirectScope::joints;
     }
-    return load.contacts == 0 ? DirectScope::freeJoints : DirectScope::none;
+    return isTouching ? DirectScope::none : DirectScope::freeJoints;
 }
 
 /// Half as long for four times the ratio; never for what is at rest.
@@ -137,8 +137,9 @@ DirectScope scopeForContacts(const IslandLoad& load, bool rests) {
 Effort effortFor(const IslandLoad& load, double gravity, double dt, int subSteps) {
     const double restSpeed = kRestRatioOfFall * gravity * dt;
     const bool rests = static_cast<double>(load.fastest) <= restSpeed * restSpeed;
+    const bool isTouching = load.contacts > 0;
     if (load.joints > 0) {
-        const DirectScope scope = scopeForJoints(load, subSteps);
+        const DirectScope scope = scopeForJoints(load, isTouching, subSteps);
         const bool mayWhip = scope != DirectScope::none && !rests;
         return {.doublings = mayWhip ? doublingsForWhips(load, subSteps) : std::int8_t{0}, .direct = scope};
     }

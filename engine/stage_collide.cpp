@@ -105,14 +105,16 @@ void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
 
 namespace {
 
-/// `contactReach` of one side.
+/// `contactReach` of one side. @tparam kWatched  whether the world is: that of speculative bodies is not what was noted
+template <bool kWatched>
 Real reachOf(const WorldState& world, std::uint32_t body, std::uint32_t shape, Real extent) {
-    // What sleeps or never moves is rare beside what moves, or cheap; speculative bodies make the world watched.
-    if (!isAwake(world, body) || world.watched) { return contactReach(world, world.shapes[shape]); }
+    // What sleeps or never moves is rare beside what moves, or cheap.
+    if (kWatched || !isAwake(world, body)) { return contactReach(world, world.shapes[shape]); }
     return reachOfMotion(world.motionBounds[body], extent, false);
 }
 
 /// Writes only to the contact: contacts may be updated in any order.
+template <bool kWatched>
 void updateContact(const WorldState& world, Contact& contact) {
     contact.updated = isMoving(world, contact);
     if (!contact.updated) { return; }
@@ -130,10 +132,17 @@ void updateContact(const WorldState& world, Contact& contact) {
         return;
     }
     refreshManifold(world, contact,
-                    reachOf(world, contact.bodyA, contact.shapeA, contact.extentA) +
-                        reachOf(world, contact.bodyB, contact.shapeB, contact.extentB));
+                    reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
+                        reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB));
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
+}
+
+template <bool kWatched>
+void updateContacts(WorldState& world) {
+    world.loops->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { updateContact<kWatched>(world, world.contacts[i]); }
+    });
 }
 
 bool isTouching(const Contact& contact) {
@@ -211,9 +220,11 @@ void countAhead(WorldState& world) {
 
 void collideContacts(WorldState& world) {
     noteMotionBounds(world);
-    world.loops->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { updateContact(world, world.contacts[i]); }
-    });
+    if (world.watched) {
+        updateContacts<true>(world);
+    } else {
+        updateContacts<false>(world);
+    }
     dropGhosts(world, world.contacts, world.awake);
     if (world.joints.size() > 0) { wakeAcrossJoints(world); }
     bool anyApart = false;

@@ -229,13 +229,14 @@ double DirectSolver::searchLine() {
 }
 
 /// The minimum for the limits of friction that there are. @return whether it was found
+template <bool kJoints>
 bool DirectSolver::settle(DirectReport& report) {
     bool hasPlace = false;
     for (int round = 0; round < kMostRounds && roundsLeft_-- > 0; ++round) {
         if (!holdsAsBefore()) {
-            assemble(report);
+            assemble<kJoints>(report);
         }
-        computeChange();
+        computeChange<kJoints>();
         ++report.rounds;
         if (round == 0) {
             findNoise();
@@ -300,20 +301,21 @@ bool DirectSolver::tighten() {
     return true;
 }
 
+template <bool kJoints>
 bool DirectSolver::findImpulses(DirectReport& report) {
     noise_.assign(nodes_.size(), 0);
     strength_ = 1;
     roundsLeft_ = kMostRoundsOfSolve;
     if (contacts_.empty()) {
         if (!holdsAsBefore()) {
-            assemble(report);
+            assemble<kJoints>(report);
         }
-        computeChange();
+        computeChange<kJoints>();
         return true;
     }
     int tightenings = 0;
     for (int round = 0; round < kMostLimitRounds; ++round) {
-        while (!settle(report)) {
+        while (!settle<kJoints>(report)) {
             if (!(strength_ > kWeakest) || roundsLeft_ <= 0) {
                 return false;
             }
@@ -329,5 +331,8 @@ bool DirectSolver::findImpulses(DirectReport& report) {
     }
     return true;
 }
+
+template bool DirectSolver::findImpulses<false>(DirectReport&);
+template bool DirectSolver::findImpulses<true>(DirectReport&);
 
 }  // namespace swept::inline SWEPT_PRECISION

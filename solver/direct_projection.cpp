@@ -50,17 +50,23 @@ void DirectSolver::moveBodies(SolverBatch& batch) const {
     }
 }
 
+template <bool kJoints>
 void DirectSolver::project(SolverBatch& batch, Real h, bool always, DirectReport& report) {
     if (contacts_.empty() || !gatherOverlaps(batch, h, always)) {
         return;
     }
-    gatherJoints(batch, h, false, true);
+    if constexpr (kJoints) {
+        gatherJoints(batch, h, false, true);
+    }
     strength_ = kProjectionStrength;
-    assemble(report);
-    computeChange();
+    assemble<kJoints>(report);
+    computeChange<kJoints>();
     isFactorised_ = false;
     dropNoise();
     moveBodies(batch);
 }
+
+template void DirectSolver::project<false>(SolverBatch&, Real, bool, DirectReport&);
+template void DirectSolver::project<true>(SolverBatch&, Real, bool, DirectReport&);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -65,6 +65,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope) {
     }
     scope_ = scope;
     isFactorised_ = false;
+    joints_.clear();
     contacts_.clear();
     listNodes(batch);
     if (nodes_.empty() || !listEdges(batch)) {
@@ -218,6 +219,7 @@ void DirectSolver::addToMatrix(const Row& row) {
     }
 }
 
+template <bool kJoints>
 void DirectSolver::assemble(DirectReport& report) {
     factorised_ = strength_;
     matrix_.clear();
@@ -227,8 +229,10 @@ void DirectSolver::assemble(DirectReport& report) {
         block[0] = block[4] = node.mass > 0 ? node.mass : 1;
         block[8] = node.inertia > 0 ? node.inertia : 1;
     }
-    for (const HeldJoint& joint : joints_) {
-        addToMatrix(joint.row);
+    if constexpr (kJoints) {
+        for (const HeldJoint& joint : joints_) {
+            addToMatrix(joint.row);
+        }
     }
     holds_.clear();
     for (const ContactPoint& contact : contacts_) {
@@ -256,6 +260,7 @@ void DirectSolver::push(const Row& row, double impulse) {
     }
 }
 
+template <bool kJoints>
 void DirectSolver::computeChange() {
     std::fill(change_.begin(), change_.end(), Block3{});
     const auto pushContact = [&](const Row& row, Hold hold) {
@@ -265,8 +270,10 @@ void DirectSolver::computeChange() {
             push(row, row.impulse);
         }
     };
-    for (const HeldJoint& joint : joints_) {
-        push(joint.row, -strength_ * joint.row.strength * joint.row.excess);
+    if constexpr (kJoints) {
+        for (const HeldJoint& joint : joints_) {
+            push(joint.row, -strength_ * joint.row.strength * joint.row.excess);
+        }
     }
     for (const ContactPoint& contact : contacts_) {
         pushContact(contact.normal, contact.normalHold);
@@ -314,10 +321,13 @@ void DirectSolver::applyToBodies(SolverBatch& batch) const {
     }
 }
 
+template <bool kJoints>
 void DirectSolver::applyToImpulses() {
-    for (const HeldJoint& joint : joints_) {
-        const double change = -strength_ * joint.row.strength * changedExcess(joint.row);
-        *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
+    if constexpr (kJoints) {
+        for (const HeldJoint& joint : joints_) {
+            const double change = -strength_ * joint.row.strength * changedExcess(joint.row);
+            *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
+        }
     }
     for (ContactPoint& contact : contacts_) {
         const auto keep = [this, &contact](const Row& row, double least) {
@@ -329,18 +339,28 @@ void DirectSolver::applyToImpulses() {
     }
 }
 
+template <bool kJoints>
 bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
     strength_ = 1;
-    gatherJoints(batch, h, useBias, false);
+    if constexpr (kJoints) {
+        gatherJoints(batch, h, useBias, false);
+    }
     gatherContacts(batch, h, useBias);
-    if (!findImpulses(report)) {
+    if (!findImpulses<kJoints>(report)) {
         ++report.givenUp;
         return false;
     }
-    applyToImpulses();
+    applyToImpulses<kJoints>();
     dropNoise();
     applyToBodies(batch);
     return true;
 }
+
+template void DirectSolver::assemble<false>(DirectReport&);
+template void DirectSolver::assemble<true>(DirectReport&);
+template void DirectSolver::computeChange<false>();
+template void DirectSolver::computeChange<true>();
+template bool DirectSolver::solve<false>(SolverBatch&, Real, bool, DirectReport&);
+template bool DirectSolver::solve<true>(SolverBatch&, Real, bool, DirectReport&);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -49,10 +49,12 @@ public:
     /// applied.
     /// @param useBias  as in the kernels of the constraints
     /// @return whether contacts, if any are in scope, are solved; else nothing was changed
+    template <bool kJoints>
     bool solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report);
     /// Moves the bodies, not their velocities, towards zero separation of all that presses or overlaps. (What a
     /// velocity does about a gap needs impulses, and those of a tower's lowest contact would tilt the tower.)
     /// @param always  else only if some separation is more than a small part of the contact's own size
+    template <bool kJoints>
     void project(SolverBatch& batch, Real h, bool always, DirectReport& report);
 
     // A sub-step solves contacts twice, each time for a half of what gravity does. These share out their impulses: each
@@ -119,20 +121,26 @@ private:
     Row rowOf(const SolverBatch& batch, const DirectRow& row);
     double excessOf(const SolverBatch& batch, const DirectRow& row) const;
     void gatherJoints(SolverBatch& batch, Real h, bool useBias, bool atRest);
+    // Without joints nothing of theirs is looked at.
+    template <bool kJoints>
     void assemble(DirectReport& report);
     void addToMatrix(const Row& row);
     bool holdsAsBefore() const;
     void push(const Row& row, double impulse);
     double changedExcess(const Row& row) const;
+    template <bool kJoints>
     void computeChange();
     void dropNoise();
     void applyToBodies(SolverBatch& batch) const;
+    template <bool kJoints>
     void applyToImpulses();
 
     // direct_contacts.cpp
     void listContacts(SolverBatch& batch);
     void gatherContacts(const SolverBatch& batch, Real h, bool useBias);
+    template <bool kJoints>
     bool findImpulses(DirectReport& report);
+    template <bool kJoints>
     bool settle(DirectReport& report);
     bool classify(bool isFirm);
     bool followLimits();

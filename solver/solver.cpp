@@ -88,7 +88,7 @@ void addUpImpulses(std::vector<ContactConstraint>& contacts) {
 }
 
 /// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
-void makeRigid(SolverBatch& batch, DirectScope scope) {
+void makeContactsRigid(SolverBatch& batch, DirectScope scope) {
     for (ContactConstraint& contact : batch.contacts) {
         if (scope != DirectScope::all) {
             break;
@@ -96,6 +96,8 @@ void makeRigid(SolverBatch& batch, DirectScope scope) {
         contact.softness = {contact.softness.biasRate, 1, 0};
         contact.isHeld = true;
     }
+}
+void makeJointsRigid(SolverBatch& batch) {
     batch.forEachJointKind([](auto& joints) {
         for (auto& joint : joints) {
             joint.isHeld = true;
@@ -279,11 +281,11 @@ template <bool kJoints>
 void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     warmStart<kJoints>(batch, true);
-    direct_.solve(batch, h, true, report.direct);
+    direct_.solve<kJoints>(batch, h, true, report.direct);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = settings.relaxPasses == 0});
     integratePositions(batch, h);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-    direct_.solve(batch, h, false, report.direct);
+    direct_.solve<kJoints>(batch, h, false, report.direct);
     for (int pass = 0; pass < settings.relaxPasses; ++pass) {
         solveColours<kJoints>(batch, {.h = h, .isLast = pass + 1 == settings.relaxPasses});
     }
@@ -296,15 +298,15 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
                                SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.beginFirstHalf();
-    if (!direct_.solve(batch, h, true, report.direct)) {
+    if (!direct_.solve<kJoints>(batch, h, true, report.direct)) {
         warmStart<kJoints>(batch, true);
         solveColours<kJoints>(batch, {.h = h, .useBias = true});
     }
     integratePositions(batch, h);
-    direct_.project(batch, h, isLast, report.direct);
+    direct_.project<kJoints>(batch, h, isLast, report.direct);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.beginSecondHalf();
-    if (!direct_.solve(batch, h, false, report.direct)) {
+    if (!direct_.solve<kJoints>(batch, h, false, report.direct)) {
         warmStart<kJoints>(batch, true);
         for (int pass = 0; pass < settings.relaxPasses; ++pass) {
             solveColours<kJoints>(batch, {.h = h});
@@ -353,7 +355,10 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct);
     if (report.isDirect) {
-        makeRigid(batch, settings.direct);
+        makeContactsRigid(batch, settings.direct);
+        if constexpr (kJoints) {
+            makeJointsRigid(batch);
+        }
     }
     const bool contactsAreDirect = report.isDirect && settings.direct == DirectScope::all;
     contacts_.build(batch, graph_, settings.wide && !contactsAreDirect, needsContactsPrepared(settings));

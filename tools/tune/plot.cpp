@@ -1,7 +1,6 @@
 #include "plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ostream>
 
@@ -61,17 +60,19 @@ void writeBlock(std::ostream& out, const std::string& name, const std::vector<co
     out << "\n\n";
 }
 
-void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, const std::vector<std::string>& names) {
+/// What the plot shows under one name.
+struct Block {
+    const char* name;
+    const char* style;
+    std::vector<const Row*> rows;
+};
+
+void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, const std::vector<Block>& blocks) {
     // In gnuplot a quote within a quoted text is doubled.
     std::string title;
     for (const char c : subject.scene.name) {
         title += c == '\'' ? std::string("''") : std::string(1, c);
     }
-    constexpr std::array<const char*, 7> kStyles{
-        "with steps lc rgb '#d62728' lw 1.5",         "with points lc rgb '#d62728' pt 7 ps 1.1",
-        "with points lc rgb '#9467bd' pt 5 ps 1.1",   "with points lc rgb '#1f77b4' pt 9 ps 1.3",
-        "with points lc rgb '#17becf' pt 11 ps 1.3",  "with points lc rgb '#000000' pt 4 ps 2 lw 2",
-        "with points lc rgb '#2ca02c' pt 6 ps 3 lw 3"};
     out << bench::kPlotStyle << "set logscale xy\nset format y '10^{%T}'\nset key outside right top vertical\n"
         << "set title '" << title << ": what accuracy costs' noenhanced\n"
         << "set xlabel 'processor time, ms per simulated second'\nset ylabel '" << axis.label()
@@ -80,12 +81,13 @@ void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, co
         << "    if (terminal eq 'png') { set terminal pngcairo size 1100,600 font 'sans,12'; set output 'tune.png' }\n"
         << "    if (terminal eq 'svg') { set terminal svg size 1100,600 font 'sans,12'; set output 'tune.svg' }\n"
         << "    plot ";
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        out << (i == 0 ? "" : ", \\\n        ") << "'tune.dat' index " << i << ' ' << kStyles[i] << " title '"
-            << names[i] << '\'';
+    const char* separator = "";
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        out << separator << "'tune.dat' index " << i << ' ' << blocks[i].style << " title '" << blocks[i].name << '\'';
+        separator = ", \\\n        ";
     }
     if (axis.limit() > 0) {
-        out << ", \\\n        " << roundedText(axis.limit(), 6) << " with lines lc rgb '#444444' dt 2 title 'accepted'";
+        out << separator << roundedText(axis.limit(), 6) << " with lines lc rgb '#444444' dt 2 title 'accepted'";
     }
     out << "\n}\n";
 }
@@ -95,29 +97,40 @@ void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, co
 std::string plotRows(const std::string& directory, const Subject& subject, const std::vector<Limit>& limits,
                      const Knowledge& known, const Verdict& verdict, std::string& error) {
     const Axis axis(limits, known);
-    const std::vector<std::string> names{"front",      "f32", "f64", "Box2D 2.4.1", "Box2D 3", "as the scene is now",
-                                         "recommended"};
-    std::vector<std::vector<const Row*>> blocks(names.size());
+    std::vector<Block> blocks{{"front", "with steps lc rgb '#d62728' lw 1.5", {}},
+                              {"f32", "with points lc rgb '#d62728' pt 7 ps 1.1", {}},
+                              {"f64", "with points lc rgb '#9467bd' pt 5 ps 1.1", {}},
+                              {"Box2D 2.4.1", "with points lc rgb '#1f77b4' pt 9 ps 1.3", {}},
+                              {"Box2D 3", "with points lc rgb '#17becf' pt 11 ps 1.3", {}},
+                              {"as the scene is now", "with points lc rgb '#000000' pt 4 ps 2 lw 2", {}},
+                              {"recommended", "with points lc rgb '#2ca02c' pt 6 ps 3 lw 3", {}}};
+    constexpr std::size_t kFront = 0;
+    constexpr std::size_t kFirstEngine = 1;
+    const std::size_t nowAt = blocks.size() - 2;
     for (const std::size_t i : verdict.front) {
-        blocks[0].push_back(&known.rows[i]);
+        blocks[kFront].rows.push_back(&known.rows[i]);
     }
     const Config own = ownConfig(subject.scene);
     for (const Row& row : known.rows) {
-        blocks[1 + static_cast<std::size_t>(row.config.engine)].push_back(&row);
+        blocks[kFirstEngine + static_cast<std::size_t>(row.config.engine)].rows.push_back(&row);
         if (row.config == own) {
-            blocks[5].push_back(&row);
+            blocks[nowAt].rows.push_back(&row);
         }
     }
     if (verdict.recommended >= 0) {
-        blocks[6].push_back(&known.rows[static_cast<std::size_t>(verdict.recommended)]);
+        blocks.back().rows.push_back(&known.rows[static_cast<std::size_t>(verdict.recommended)]);
     }
+    // gnuplot does not count a block without points, and warns of it.
+    std::erase_if(blocks, [&axis](const Block& block) {
+        return std::none_of(block.rows.begin(), block.rows.end(), [&](const Row* row) { return axis.isDrawn(*row); });
+    });
     const auto data = [&](std::ostream& out) {
         out << "# a block each: ms of processor time per simulated second, error\n";
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            writeBlock(out, names[i], blocks[i], axis);
+        for (const Block& block : blocks) {
+            writeBlock(out, block.name, block.rows, axis);
         }
     };
-    const auto script = [&](std::ostream& out) { writeScript(out, subject, axis, names); };
+    const auto script = [&](std::ostream& out) { writeScript(out, subject, axis, blocks); };
     return bench::drawPlots(directory, {{"tune", data, script}}, error);
 }
 
