@@ -91,7 +91,8 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
         EXPECT_EQ(expectSameBits(1, 10).contacts, 0);
         return;
     }
-    ASSERT_STREQ(contactKernels()->name, hwy::TargetName(GetParam()));
+    // SSSE3 is left out of the kernels: a machine that has no more takes the plain ones, which clang has, GCC not.
+    ASSERT_STREQ(contactKernels()->name, hwy::TargetName(GetParam() == HWY_SSSE3 ? HWY_EMU128 : GetParam()));
     EXPECT_GT(expectSameBits(1, 300).contacts, 300) << "too few blocks to prove anything";
     const BlockCounts blocks = expectSameBits(16, 60);
     EXPECT_GT(blocks.contacts, 1'000);
