@@ -1,9 +1,8 @@
 // Compiled once per instruction set: foreach_target.h reads this file again for each.
 #include "contact_constraint.h"
 #include "wide_contacts.h"
+#include "wide_targets.h"
 
-// Sizes of registers are known to the compiler here; SSE4 is all there was to SSSE3, soon after it.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3_DL | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wide_contacts_simd.cpp"
 #include <hwy/foreach_target.h>

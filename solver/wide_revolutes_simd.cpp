@@ -1,7 +1,7 @@
 // Compiled once per instruction set: foreach_target.h reads this file again for each.
 #include "wide_revolutes.h"
+#include "wide_targets.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3_DL | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wide_revolutes_simd.cpp"
 #include <hwy/foreach_target.h>

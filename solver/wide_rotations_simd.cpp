@@ -3,8 +3,8 @@
 
 #include "../shapes/trig_series.h"
 #include "wide_rotations.h"
+#include "wide_targets.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3_DL | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wide_rotations_simd.cpp"
 #include <hwy/foreach_target.h>
