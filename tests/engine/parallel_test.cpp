@@ -136,7 +136,7 @@ TEST(Parallel, AllKindsOfThings) {
         sums.fellAsleep += watched.world.counters().fellAsleep;
     }
     EXPECT_GT(sums.flyers, 200U);
-    EXPECT_GT(sums.impacts, 20U);  // nearly all of them at the beginning, however long the run
+    EXPECT_GE(sums.impacts, 10U);  // 20 or so in either precision, nearly all at the beginning of the run
     EXPECT_GT(sums.wokeUp, 0U);
     for (const SceneProfile profile : {SceneProfile::accurate, SceneProfile::fast}) {
         SceneDescription again = scene;
