@@ -19,8 +19,8 @@ constexpr std::uint32_t kMostWebBodies = 256;
 /// Joints in an island that iteration brings together badly.
 constexpr std::uint32_t kLongChain = 16;
 /// What rests and is solved all at once makes do with an eighth of the sub-steps: its error does not depend on them. At
-/// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration, unless
-/// masses are far apart.
+/// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration,
+/// unless masses are far apart.
 constexpr std::int8_t kTowerDoublings = -3;
 constexpr double kRestRatioOfFall = 1.0 / 8;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
@@ -60,12 +60,8 @@ void addBodies(WorldState& world) {
 }
 
 void addContactsAndJoints(WorldState& world) {
-    for (const Contact& contact : world.contacts) {
-        if (!contact.isSolid()) {
-            continue;
-        }
-        const bool aMoves = world.bodies[contact.bodyA].isDynamic();
-        ++world.islandLoads[world.islands.find(aMoves ? contact.bodyA : contact.bodyB)].contacts;
+    for (const TouchingPair& pair : world.touching) {
+        ++world.islandLoads[world.islands.find(pair.dynamicA ? pair.bodyA : pair.bodyB)].contacts;
     }
     for (const std::uint32_t i : world.activeJoints) {
         const auto bodies = world.joints[i].allBodies();
@@ -157,7 +153,7 @@ void assignEfforts(WorldState& world, double dt) {
     const bool fast = world.settings.profile == Profile::fast;
     const bool budgeted = hasErrorBudget(world.settings);
     if (fast && !budgeted) {
-        for (const std::uint32_t slot : world.awake) {
+        for (const std::uint32_t slot : world.tied) {
             world.bodies[slot].effort = {};
         }
         return;

@@ -1,45 +1,25 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <vector>
 
 #include "body.h"
 #include "contact.h"
+#include "island_items.h"
 #include "joint.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A body, contact or joint, and the island that it belongs to.
-struct IslandItem {
-    std::uint32_t root = 0;
-    std::uint32_t order = 0;  ///< of the item in its list: that of waking, of finding, of slots
-    std::uint32_t item = 0;   ///< slot, or index of a contact
-    auto operator<=>(const IslandItem&) const = default;
-};
-
-/// Places of one island in the lists of `FastIslands`.
-struct IslandRange {
-    std::uint32_t bodies = 0;  ///< the first one
-    std::uint32_t bodyCount = 0;
-    std::uint32_t contacts = 0;
-    std::uint32_t contactCount = 0;
-    std::uint32_t joints = 0;
-    std::uint32_t jointCount = 0;
-    bool isDone = false;  ///< this step: its bodies bounced off each other in flight (clash.h)
-};
-
 /// Islands with something fast in them, and what one of them needs while it advances. Kept for its capacity.
 struct FastIslands {
-    bool any = false;                  ///< this step
-    std::vector<std::uint8_t> isFast;  ///< by root
-    std::vector<IslandItem> bodies;    ///< sorted, as the others
-    std::vector<IslandItem> contacts;
-    std::vector<IslandItem> joints;
-    std::vector<std::uint32_t> bodySlots;       ///< of `bodies`
-    std::vector<std::uint32_t> contactIndices;  ///< of `contacts`
-    std::vector<IslandRange> ranges;
+    bool any = false;  ///< this step
+    std::vector<std::uint32_t>
+        numbers;  ///< by body slot: which of these islands it is in, if any; by their lowest members
+    std::vector<std::uint8_t> isDone;  ///< by island, this step: its bodies bounced off each other in flight (clash.h)
+    IslandItems bodies;                ///< slots, in order of waking
+    IslandItems contacts;              ///< indices
+    IslandItems joints;                ///< slots
     std::vector<std::uint32_t> kinematics;      ///< awake ones
     std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
 

@@ -227,16 +227,27 @@ void collideContacts(WorldState& world) {
     }
     dropGhosts(world, world.contacts, world.awake);
     if (world.joints.size() > 0) { wakeAcrossJoints(world); }
-    bool anyApart = false;
-    for (Contact& contact : world.contacts) {
+    world.touching.clear();
+    std::uint32_t apart = 0;
+    for (std::uint32_t i = 0; i < world.contacts.size(); ++i) {
+        Contact& contact = world.contacts[i];
         noticeTouching(world, contact);
-        anyApart = anyApart || (contact.updated && contact.apart);
+        if (contact.updated && contact.apart) {
+            ++apart;
+        } else if (contact.isSolid()) {
+            world.touching.push_back({.contact = i - apart,  // once those are removed
+                                      .bodyA = contact.bodyA,
+                                      .bodyB = contact.bodyB,
+                                      .dynamicA = contact.dynamicA,
+                                      .dynamicB = contact.dynamicB});
+        }
     }
     if (world.watched) { countAhead(world); }
-    if (anyApart) {
+    if (apart > 0) {
         removeContacts(world, [](const Contact& contact) { return contact.updated && contact.apart; });
     }
     world.counters.contacts = world.contacts.size();
+    world.counters.touching = world.touching.size();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -12,51 +12,51 @@ bool isFastTied(const WorldState& world, const Body& body) {
     return body.role == BodyRole::solved && body.fast && modeOf(world, body) == ContinuousMode::subStep;
 }
 
-/// Marks the islands, and gives all their bodies the role `together`.
-void listBodies(WorldState& world) {
+/// Numbers the islands with something fast by their lowest members, which stand for them in `world.islands`.
+void numberIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
-    fast.bodies.clear();
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         if (!isFastTied(world, world.bodies[slot])) {
             continue;
         }
         if (!fast.any) {
-            fast.isFast.assign(world.bodies.slotCount(), 0);
+            fast.numbers.assign(world.bodies.slotCount(), kNoIndex);
         }
         fast.any = true;
-        fast.isFast[world.islands.find(slot)] = 1;
+        fast.numbers[world.islands.find(slot)] = 0;
     }
     if (!fast.any) {
         return;
     }
-    fast.kinematics.clear();
-    for (std::uint32_t i = 0; i < world.awake.size(); ++i) {
-        const std::uint32_t slot = world.awake[i];
-        const Body& body = world.bodies[slot];
-        if (body.def.type == BodyType::kinematic) {
-            fast.kinematics.push_back(slot);
+    std::uint32_t count = 0;
+    for (std::uint32_t& number : fast.numbers) {
+        if (number != kNoIndex) {
+            number = count++;
         }
-        if (body.role != BodyRole::solved) {
-            continue;
-        }
-        const std::uint32_t root = world.islands.find(slot);
-        if (fast.isFast[root] == 0) {
-            continue;
-        }
-        fast.bodies.push_back({root, i, slot});
     }
-    std::sort(fast.bodies.begin(), fast.bodies.end());
-    for (const IslandItem& item : fast.bodies) {
-        world.bodies[item.item].role = BodyRole::together;
-    }
+    fast.isDone.assign(count, 0);
 }
 
-/// The member of two bodies, if there is one.
-std::uint32_t memberOf(const WorldState& world, std::uint32_t a, std::uint32_t b) {
-    if (world.bodies[a].role == BodyRole::together) {
-        return a;
+/// Gives all bodies of the islands the role `together`, and the number of their island.
+void listBodies(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    fast.bodies.clear();
+    fast.kinematics.clear();
+    for (const std::uint32_t slot : world.tied) {
+        const std::uint32_t number = fast.numbers[world.islands.find(slot)];
+        if (number == kNoIndex) {
+            continue;
+        }
+        world.bodies[slot].role = BodyRole::together;
+        fast.numbers[slot] = number;
+        fast.bodies.add(number, slot);
     }
-    return world.bodies[b].role == BodyRole::together ? b : kNoIndex;
+    for (const std::uint32_t slot : world.awake) {
+        if (world.kinematicBodies > 0 && world.bodies[slot].def.type == BodyType::kinematic) {
+            fast.kinematics.push_back(slot);
+        }
+    }
+    fast.bodies.sort(fast.isDone.size());
 }
 
 void listContactsAndJoints(WorldState& world) {
@@ -65,57 +65,27 @@ void listContactsAndJoints(WorldState& world) {
     fast.joints.clear();
     for (std::uint32_t i = 0; i < world.contacts.size(); ++i) {
         const Contact& contact = world.contacts[i];
-        const std::uint32_t member = memberOf(world, contact.bodyA, contact.bodyB);
-        if (contact.sensor || member == kNoIndex) {
-            continue;
+        const std::uint32_t ofA = fast.numbers[contact.bodyA];
+        const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[contact.bodyB];
+        if (!contact.sensor && number != kNoIndex) {
+            fast.contacts.add(number, i);
         }
-        fast.contacts.push_back({world.islands.find(member), i, i});
     }
     for (const std::uint32_t i : world.activeJoints) {
         for (const std::uint32_t slot : world.joints[i].allBodies()) {
-            if (world.bodies[slot].role != BodyRole::together) {
+            if (fast.numbers[slot] == kNoIndex) {
                 continue;
             }
-            fast.joints.push_back({world.islands.find(slot), i, i});
+            fast.joints.add(fast.numbers[slot], i);
             break;
         }
     }
-    std::sort(fast.contacts.begin(), fast.contacts.end());
-    std::sort(fast.joints.begin(), fast.joints.end());
+    fast.contacts.sort(fast.isDone.size());
+    fast.joints.sort(fast.isDone.size());
 }
 
 /// Islands per task: each has several sweeps.
 constexpr std::size_t kClashGrain = 2;
-
-/// Items of one island, from `next` on, which moves behind them. @return how many
-std::uint32_t takeIsland(const std::vector<IslandItem>& items, std::uint32_t& next, std::uint32_t root) {
-    const std::uint32_t first = next;
-    while (next < items.size() && items[next].root == root) {
-        ++next;
-    }
-    return next - first;
-}
-
-void listRanges(FastIslands& fast) {
-    fast.bodySlots.clear();
-    for (const IslandItem& item : fast.bodies) {
-        fast.bodySlots.push_back(item.item);
-    }
-    fast.contactIndices.clear();
-    for (const IslandItem& item : fast.contacts) {
-        fast.contactIndices.push_back(item.item);
-    }
-    fast.ranges.clear();
-    IslandRange next;
-    while (next.bodies < fast.bodies.size()) {
-        const std::uint32_t root = fast.bodies[next.bodies].root;
-        IslandRange range = next;
-        range.bodyCount = takeIsland(fast.bodies, next.bodies, root);
-        range.contactCount = takeIsland(fast.contacts, next.contacts, root);
-        range.jointCount = takeIsland(fast.joints, next.joints, root);
-        fast.ranges.push_back(range);
-    }
-}
 
 /// What bounces off each other in flight.
 void clashAll(WorldState& world, double dt) {
@@ -123,16 +93,12 @@ void clashAll(WorldState& world, double dt) {
     const auto workers = static_cast<std::size_t>(world.loops->workerCount());
     world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
     world.clashScratch.resize(std::max(workers, world.clashScratch.size()));
-    world.loops->run(fast.ranges.size(), kClashGrain, [&](std::size_t begin, std::size_t end, int worker) {
+    world.loops->run(fast.isDone.size(), kClashGrain, [&](std::size_t begin, std::size_t end, int worker) {
         const auto w = static_cast<std::size_t>(worker);
         for (std::size_t i = begin; i < end; ++i) {
-            IslandRange& range = fast.ranges[i];
-            const std::span<const std::uint32_t> bodies =
-                std::span(fast.bodySlots).subspan(range.bodies, range.bodyCount);
-            const std::span<const std::uint32_t> contacts =
-                std::span(fast.contactIndices).subspan(range.contacts, range.contactCount);
-            range.isDone = range.jointCount == 0 &&
-                           clash(world, bodies, contacts, dt, world.flightScratch[w], world.clashScratch[w]);
+            const bool isDone = fast.joints.of(i).empty() && clash(world, fast.bodies.of(i), fast.contacts.of(i), dt,
+                                                                   world.flightScratch[w], world.clashScratch[w]);
+            fast.isDone[i] = isDone ? 1 : 0;
         }
     });
 }
@@ -148,32 +114,29 @@ bool isInside(const WorldState& world, const Contact& contact) {
 }  // namespace
 
 void findFastIslands(WorldState& world) {
-    listBodies(world);
+    numberIslands(world);
     if (world.fastIslands.any) {
+        listBodies(world);
         listContactsAndJoints(world);
     }
 }
 
 void advanceFastIslands(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
-    listRanges(fast);
     clashAll(world, dt);
-    for (const IslandRange& range : fast.ranges) {
-        if (range.isDone) {
+    for (std::size_t island = 0; island < fast.isDone.size(); ++island) {
+        const std::span<const std::uint32_t> bodies = fast.bodies.of(island);
+        if (fast.isDone[island] != 0) {
             ++world.counters.clashes;
-            world.counters.sweeps += range.bodyCount;
+            world.counters.sweeps += bodies.size();
             continue;
         }
-        const auto bodies = fast.bodySlots.begin() + range.bodies;
-        fast.members.assign(bodies, bodies + range.bodyCount);
-        fast.jointSlots.clear();
-        for (std::uint32_t i = 0; i < range.jointCount; ++i) {
-            fast.jointSlots.push_back(fast.joints[range.joints + i].item);
-        }
+        fast.members.assign(bodies.begin(), bodies.end());
+        const std::span<const std::uint32_t> joints = fast.joints.of(island);
+        fast.jointSlots.assign(joints.begin(), joints.end());
         fast.held.clear();
         fast.sources.clear();
-        for (std::uint32_t i = 0; i < range.contactCount; ++i) {
-            const std::uint32_t index = fast.contactIndices[range.contacts + i];
+        for (const std::uint32_t index : fast.contacts.of(island)) {
             if (!isInside(world, world.contacts[index])) {
                 continue;
             }

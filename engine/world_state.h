@@ -18,6 +18,7 @@
 #include "pair_table.h"
 #include "shape.h"
 #include "slot_pool.h"
+#include "touching.h"
 #include "world.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -82,6 +83,9 @@ struct WorldState {
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
     PairTable pairs;  ///< of shape slots that have a contact
+    std::vector<TouchingPair> touching;  ///< in order of the contacts; of this step, until the solve
+    std::vector<BodyTraits> traits;      ///< by body slot, of this step
+    std::vector<std::uint32_t> tied;     ///< slots of bodies whose role was `solved` when roles were given, in order of waking
 
     std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
     FastIslands fastIslands;

@@ -1,15 +1,18 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <vector>
 
 #include <swept/engine/ids.h>
+#include <swept/engine/island_items.h>
 #include <swept/engine/pair_table.h>
 #include <swept/engine/slot_pool.h>
 
 #include "../support/random.h"
 
-/// The two containers of the world that keep names and pairs apart, against the standard library's.
+/// The containers of the world that keep names, pairs and islands apart, against the standard library's.
 
 namespace swept::test {
 namespace {
@@ -70,7 +73,9 @@ TEST(SlotPool, AgreesWithAMap) {
         const BodyId probe = given[static_cast<std::size_t>(random.integer(0, static_cast<int>(given.size()) - 1))];
         const auto found = living.find(std::pair(probe.index, probe.generation));
         ASSERT_EQ(pool.isValid(probe), found != living.end()) << "operation " << i;
-        if (found != living.end()) { ASSERT_EQ(*pool.find(probe), found->second) << "operation " << i; }
+        if (found != living.end()) {
+            ASSERT_EQ(*pool.find(probe), found->second) << "operation " << i;
+        }
         ASSERT_EQ(pool.size(), living.size());
     }
     EXPECT_GT(reused, 1'000);
@@ -100,12 +105,42 @@ TEST(PairTable, AgreesWithASet) {
             ASSERT_EQ(table.size(), pairs.size()) << "seed " << seed << " operation " << i;
         }
         // Whatever is left is found, and can be taken out again, in either order of the two.
-        for (const auto& [a, b] : pairs) { EXPECT_FALSE(table.insert(b, a)) << "seed " << seed; }
-        for (const auto& [a, b] : pairs) { table.erase(b, a); }
+        for (const auto& [a, b] : pairs) {
+            EXPECT_FALSE(table.insert(b, a)) << "seed " << seed;
+        }
+        for (const auto& [a, b] : pairs) {
+            table.erase(b, a);
+        }
         EXPECT_EQ(table.size(), 0u);
     }
     EXPECT_GT(repeated, 10'000);
     EXPECT_GT(erased, 10'000);
+}
+
+TEST(IslandItems, StandIslandByIslandInTheOrderOfAdding) {
+    IslandItems items;  // used again and again, as the world does
+    std::size_t empty = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        Random random(seed);
+        const auto islands = static_cast<std::size_t>(random.integer(1, 40));
+        std::vector<std::vector<std::uint32_t>> expected(islands);
+        items.clear();
+        const int count = random.integer(0, 100);
+        for (int i = 0; i < count; ++i) {
+            const auto island = static_cast<std::size_t>(random.integer(0, static_cast<int>(islands) - 1));
+            const auto item = static_cast<std::uint32_t>(random.integer(0, 1000));
+            expected[island].push_back(item);
+            items.add(static_cast<std::uint32_t>(island), item);
+        }
+        items.sort(islands);
+        for (std::size_t island = 0; island < islands; ++island) {
+            const auto found = items.of(island);
+            ASSERT_TRUE(std::equal(found.begin(), found.end(), expected[island].begin(), expected[island].end()))
+                << "seed " << seed << " island " << island;
+            empty += found.empty() ? 1 : 0;
+        }
+    }
+    EXPECT_GT(empty, 100u);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+namespace swept {
+
+/// A contact with points, as far as roles and islands are about it: most of what they ask they then find here, in
+/// order, instead of all over memory.
+struct TouchingPair {
+    std::uint32_t contact = 0;  ///< index
+    std::uint32_t bodyA = 0;    ///< slots
+    std::uint32_t bodyB = 0;
+    bool dynamicA = false;  ///< the body is
+    bool dynamicB = false;
+
+    bool areDynamic() const { return dynamicA && dynamicB; }
+};
+
+/// What the contacts of a step ask of bodies, and tell about them: bits of one byte per body slot, so that those of all
+/// bodies fit into the nearest cache. What others need of them `Body` has, too.
+using BodyTraits = std::uint8_t;
+inline constexpr BodyTraits kIsAwake = 1;
+inline constexpr BodyTraits kIsFast = 2;
+inline constexpr BodyTraits kHasContact = 4;
+inline constexpr BodyTraits kTouchesDynamic = 8;
+
+}  // namespace swept
