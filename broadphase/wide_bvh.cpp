@@ -58,7 +58,8 @@ std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)>
 std::uint64_t WideBvh::visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
     bool goOn = true;
     const std::uint64_t tests = kernels_.query(tree(ProxyKind::fixed), box, goOn, visit);
-    return goOn ? tests + kernels_.query(tree(ProxyKind::kinematic), box, goOn, visit) : tests;
+    const WideTree& kinematic = tree(ProxyKind::kinematic);
+    return goOn && kinematic.height() > 0 ? tests + kernels_.query(kinematic, box, goOn, visit) : tests;
 }
 
 void WideBvh::visitAlong(SweepVisit& visit) const {

@@ -129,18 +129,19 @@ bool WideTree::prepareJoin(std::span<std::uint32_t> places) {
     if (due) { rebuild(places); }
     settleJumps(places);
     refit();
-    // Per box, since more boxes have more nodes.
+    // Per box, since more boxes have more nodes. What a box is compared with goes with the area of the nodes.
     const double spread = spread_ * builtSize_;
     const double built = builtSpread_ * size_;
-    if (spread > built && built > 0) { decay_ += movedCount_ * (spread / built - 1); }
+    const double ratio = built > 0 ? spread / built : 0;
+    if (ratio > 1) { decay_ += movedCount_ * (ratio * ratio - 1); }
     return due;
 }
 
 bool WideTree::isWorthRebuilding() const {
-    // A build takes about as long as joining every box twice, so it pays when the decay has cost that much already: what
-    // is lost is never more than twice what the best moment would have cost ("ski rental"). Decay counts what moves here;
-    // the other limit is for trees at rest that others move through.
-    constexpr double kBuildInJoins = 2;
+    // A build takes about as long as joining every box between once (a thousand) and twice (ten thousand), so it pays when
+    // the decay has cost that much already: what is lost is never more than twice what the best moment would have cost
+    // ("ski rental"). Decay counts what moves here; the other limit is for trees at rest that others move through.
+    constexpr double kBuildInJoins = 1.5;
     return misplaced_ > kWide + size_ / 2 || decay_ > kBuildInJoins * size_;
 }
 

@@ -16,6 +16,7 @@ namespace swept::inline SWEPT_PRECISION {
 inline constexpr std::uint32_t kWide = 8;
 inline constexpr std::uint32_t kLaneBits = 3;
 inline constexpr std::uint32_t kLaneMask = kWide - 1;
+inline constexpr std::uint8_t kAllLanes = (1U << kWide) - 1;
 inline constexpr std::uint32_t kNoSlot = std::numeric_limits<std::uint32_t>::max();
 
 /// Eight boxes, coordinate by coordinate, as lanes of one comparison. Empty lanes hold `kNoBox`.

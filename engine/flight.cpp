@@ -5,6 +5,7 @@
 
 #include "constraint_builder.h"
 #include "flight_state.h"
+#include "free_path.h"
 #include "ghosts.h"
 #include "modes.h"
 #include "sweep_obstacles.h"
@@ -17,21 +18,6 @@ namespace {
 /// approaches after that many is stopped plastically.
 constexpr int kMaxImpactRounds = 64;
 constexpr BodySlot kFlyerSlot = 1;
-
-/// Acceleration and damping over a time, exactly.
-struct Drift {
-    DampedMotion linear;
-    DampedMotion angular;
-    DVec2 acceleration;
-    double angularAcceleration;
-};
-
-Drift driftOf(const Flight& flight, double time) {
-    const Body& body = flight.body();
-    return {dampedMotion(static_cast<double>(body.def.linearDamping) * time),
-            dampedMotion(static_cast<double>(body.def.angularDamping) * time),
-            toDouble(accelerationOf(*flight.world, body)), static_cast<double>(angularAccelerationOf(body))};
-}
 
 /// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
 /// between two impacts of a sliding body is undone by it.
@@ -233,34 +219,17 @@ Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch&
 }
 
 Sweep sweepOf(const Flight& flight) {
-    const double time = flight.remaining();
-    const Drift drift = driftOf(flight, time);
-    const DVec2 velocity = toDouble(flight.motion.velocity);
-    const auto spin = static_cast<double>(flight.motion.angularVelocity);
-    Sweep sweep;
-    sweep.localCenter = toDouble(flight.body().localCenter);
-    sweep.c0 = flight.motion.center;
-    const DVec2 path =
-        (drift.linear.phi1 * time) * velocity + (drift.linear.phi2 * time * time) * drift.acceleration;
-    sweep.c1 = sweep.c0 + path;
-    sweep.k = path - time * velocity;
-    sweep.a0 = flight.motion.angle;
-    sweep.a1 = sweep.a0 + drift.angular.phi1 * time * spin +
-               drift.angular.phi2 * time * time * drift.angularAcceleration;
-    return sweep;
+    const Body& body = flight.body();
+    return freePath(body, flight.motion, driftOf(*flight.world, body, flight.remaining()));
 }
 
 void advance(Flight& flight, const Sweep& sweep, double fraction) {
+    const Body& body = flight.body();
     const double time = fraction * flight.remaining();
-    const Drift drift = driftOf(flight, time);
-    const DVec2 velocity = toDouble(flight.motion.velocity);
-    const auto spin = static_cast<double>(flight.motion.angularVelocity);
-    const Vec2 newVelocity =
-        toReal(drift.linear.decay * velocity + (drift.linear.phi1 * time) * drift.acceleration);
-    const double newSpin = drift.angular.decay * spin + drift.angular.phi1 * time * drift.angularAcceleration;
-    flight.motion = motionAt(sweep, fraction, flight.body().localCenter);
-    flight.motion.velocity = newVelocity;
-    flight.motion.angularVelocity = static_cast<Real>(newSpin);
+    const FreeVelocity after = velocityAfter(flight.motion, driftOf(*flight.world, body, time));
+    flight.motion = motionAt(sweep, fraction, body.localCenter);
+    flight.motion.velocity = after.linear;
+    flight.motion.angularVelocity = after.angular;
     flight.elapsed = fraction >= 1 ? flight.dt : flight.elapsed + time;
 }
 
@@ -348,6 +317,7 @@ void enterLedger(const Flight& flight, LostTimeReason reason) {
 }
 
 void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+    if (flyClear(world, slot, dt)) { return; }
     Flight flight = flightOf(world, slot, dt, scratch);
     limitSpeed(flight);
     flyThrough(flight);

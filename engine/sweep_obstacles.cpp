@@ -15,8 +15,11 @@ namespace {
 /// curve.
 Aabb boxAround(const Sweep& sweep, double reach) {
     const DVec2 control = sweep.c0 + 0.5 * ((sweep.c1 - sweep.c0) - sweep.k);
-    const DVec2 lower{std::min({sweep.c0.x, control.x, sweep.c1.x}), std::min({sweep.c0.y, control.y, sweep.c1.y})};
-    const DVec2 upper{std::max({sweep.c0.x, control.x, sweep.c1.x}), std::max({sweep.c0.y, control.y, sweep.c1.y})};
+    // Two by two, without a branch: nobody can predict which way a body flies.
+    const DVec2 lower{std::min(std::min(sweep.c0.x, sweep.c1.x), control.x),
+                      std::min(std::min(sweep.c0.y, sweep.c1.y), control.y)};
+    const DVec2 upper{std::max(std::max(sweep.c0.x, sweep.c1.x), control.x),
+                      std::max(std::max(sweep.c0.y, sweep.c1.y), control.y)};
     return roundedOutward({lower.x - reach, lower.y - reach}, {upper.x + reach, upper.y + reach});
 }
 
@@ -200,14 +203,17 @@ Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
     return kTargetRatio * std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
 }
 
+Aabb boxOfPath(const Shape& own, const Sweep& sweep) {
+    return boxAround(sweep, static_cast<double>(own.radius + kTargetRatio * own.extent));
+}
+
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
     scratch.obstacles.clear();
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& own = world.shapes[slot];
         if (own.def.sensor) { continue; }
-        const Real reach = own.radius + kTargetRatio * own.extent;
         scratch.found.clear();
-        world.broadphase->queryGround(boxAround(sweep, static_cast<double>(reach)), [&](ProxyId id) {
+        world.broadphase->queryGround(boxOfPath(own, sweep), [&](ProxyId id) {
             scratch.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
             return true;
         });

@@ -26,6 +26,8 @@ double levelInContact(const WorldState& world, const FlightObstacle& obstacle, d
 /// carries it, metres.
 Real slopOf(const WorldState& world, const FlightObstacle& obstacle);
 
+/// Box of all places of a shape on the path of its body, however that turns.
+Aabb boxOfPath(const Shape& own, const Sweep& sweep);
 /// Static and kinematic shapes in the way of a sweep of the body, in order of their slots.
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch);
 
