@@ -13,7 +13,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// Hot state of a body, one element per body slot, in an array of its own: what every stage of the step reads.
 struct BodyMotion {
     DVec2 center{};         ///< of mass, world
-    double angle = 0;     ///< unwrapped
+    double angle = 0;       ///< unwrapped
     WorldTransform pose{};  ///< of the body frame; follows from centre, angle and local centre
     Vec2 velocity{};        ///< of the centre of mass
     Real angularVelocity = 0;
@@ -21,31 +21,24 @@ struct BodyMotion {
 
 /// Part a body plays in the present step.
 enum class BodyRole : std::uint8_t {
-    idle,    ///< static or asleep
-    free,    ///< nothing holds it: one step of its parabola
-    solved,  ///< tied to others by contacts or joints: the sub-stepped solver
+    idle,      ///< static or asleep
+    free,      ///< nothing holds it: one step of its parabola
+    solved,    ///< tied to others by contacts or joints: the sub-stepped solver
     together,  ///< in an island with something fast: the same solver, from impact to impact of the whole island
-    flyer,   ///< fast, with nothing but static and kinematic things in its way: the impact loop
+    flyer,     ///< fast, with nothing but static and kinematic things in its way: the impact loop
 };
 
-/// The rest of a body.
+/// The rest of a body. What every stage asks comes first and close together: of a world of many bodies each line of
+/// memory that a stage reads has its price.
 struct Body {
-    BodyDef def;                  ///< as given; pose and velocity there are not kept up to date
-    std::vector<std::uint32_t> shapes;  ///< shape slots, in order of creation
-    std::vector<std::uint32_t> joints;  ///< joint slots
-    std::uint32_t holdingJoints = 0;    ///< of them, all but filters
-
-    double mass = 0;
-    double inertia = 0;
     Real inverseMass = 0;
     Real inverseInertia = 0;
+    Real extent = 0;  ///< smallest extent of its solid shapes; 0: none
+    Real radius = 0;  ///< farthest solid point from the centre of mass
     Vec2 localCenter{};
-    Real extent = 0;       ///< smallest extent of its solid shapes; 0: none
-    Real radius = 0;       ///< farthest solid point from the centre of mass
-
-    double lostTime = 0;     ///< seconds, of all steps
-    Vec2 force{};            ///< for the next step
+    Vec2 force{};  ///< for the next step
     Real torque = 0;
+    std::uint32_t holdingJoints = 0;  ///< of `joints`, all but filters
 
     bool awake = false;
     bool touchesDynamic = false;  ///< this step: contact points with a dynamic body
@@ -58,24 +51,33 @@ struct Body {
     bool fast = false;            ///< this step: startled, or some point may move more than a quarter of the extent
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
-    Effort effort;                ///< of its island, this step
-    std::uint32_t slot = 0;       ///< in the solver, this step
-    DVec2 startCenter{};            ///< at the start of this step
+    Effort effort;           ///< of its island, this step
+    std::uint32_t slot = 0;  ///< in the solver, this step
+    DVec2 startCenter{};     ///< at the start of this step
     double startAngle = 0;
 
-    DVec2 restCenter{};             ///< pose since which it has hardly moved
+    BodyDef def;                        ///< as given; pose and velocity there are not kept up to date
+    std::vector<std::uint32_t> shapes;  ///< shape slots, in order of creation
+    std::vector<std::uint32_t> joints;  ///< joint slots
+    double mass = 0;
+    double inertia = 0;
+    double lostTime = 0;  ///< seconds, of all steps
+
+    DVec2 restCenter{};  ///< pose since which it has hardly moved
     double restAngle = 0;
-    double restTime = 0;          ///< seconds it has hardly moved
+    double restTime = 0;  ///< seconds it has hardly moved
     int restSteps = 0;
-    std::uint32_t nextAsleep = 0; ///< ring of the bodies that fell asleep together
+    std::uint32_t nextAsleep = 0;  ///< ring of the bodies that fell asleep together
 
     bool isDynamic() const { return def.type == BodyType::dynamic; }
 };
 
-/// Body pose from centre of mass and angle.
-inline WorldTransform poseOf(DVec2 center, double angle, Vec2 localCenter) {
-    const Rotation rotation = rotationFromAngle(angle);
+/// Body pose from centre of mass and rotation, or angle.
+constexpr WorldTransform poseOf(DVec2 center, Rotation rotation, Vec2 localCenter) {
     return {center - toDouble(rotate(rotation, localCenter)), rotation};
+}
+inline WorldTransform poseOf(DVec2 center, double angle, Vec2 localCenter) {
+    return poseOf(center, rotationFromAngle(angle), localCenter);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -23,10 +23,10 @@ double workOf(const StepCounters& counters) {
            kPerToiCall * static_cast<double>(counters.toiCalls);
 }
 
-void shareStep(WorldState& world, const StepCounters& last, FunctionRef<void()> pipeline) {
+void shareStep(WorldState& world, double work, FunctionRef<void()> pipeline) {
     TaskSystem& tasks = *world.userTasks;
     const double start = tasks.startSeconds();
-    if (tasks.workerCount() <= 1 || workOf(last) < kWorthStarting * start) {
+    if (tasks.workerCount() <= 1 || work < kWorthStarting * start) {
         world.loops = &world.serialTasks;
         pipeline();
     } else if (start <= 0) {

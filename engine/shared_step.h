@@ -8,6 +8,7 @@ namespace swept::inline SWEPT_PRECISION {
 double workOf(const StepCounters& counters);
 /// Calls `pipeline` with `world.loops` set to where its parallel loops run: on the threads of the task system when a
 /// step as long as the last one gains by them, else on the calling thread.
-void shareStep(WorldState& world, const StepCounters& last, FunctionRef<void()> pipeline);
+/// @param work  `workOf` the last step; not asked for where there is but one thread
+void shareStep(WorldState& world, double work, FunctionRef<void()> pipeline);
 
 }  // namespace swept::inline SWEPT_PRECISION

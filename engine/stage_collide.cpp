@@ -220,6 +220,11 @@ void countAhead(WorldState& world) {
 
 void collideContacts(WorldState& world) {
     noteMotionBounds(world);
+    if (world.contacts.empty()) {
+        world.touching.clear();
+        if (world.joints.size() > 0) { wakeAcrossJoints(world); }
+        return;
+    }
     if (world.watched) {
         updateContacts<true>(world);
     } else {

@@ -24,8 +24,8 @@ bool limitSpeed(Vec2& velocity, Real maxSpeed) {
 /// Free bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
 
-/// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its speed was
-/// cut
+/// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its
+/// speed was cut
 std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     const Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
@@ -38,11 +38,16 @@ std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     const DVec2 velocity = toDouble(motion.velocity);
     const auto spin = static_cast<double>(motion.angularVelocity);
     motion.center += (linear.phi1 * dt) * velocity + (linear.phi2 * dt * dt) * acceleration;
+    const double angleBefore = motion.angle;
     motion.angle += angular.phi1 * dt * spin + angular.phi2 * dt * dt * angularAcceleration;
     motion.velocity = toReal(linear.decay * velocity + (linear.phi1 * dt) * acceleration);
     motion.angularVelocity = static_cast<Real>(angular.decay * spin + angular.phi1 * dt * angularAcceleration);
     limited += limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
-    updatePose(world, slot);
+    if (motion.angle == angleBefore) {  // much of what flies does not turn, and sines and cosines are most of a pose
+        motion.pose = poseOf(motion.center, motion.pose.rotation, body.localCenter);
+    } else {
+        updatePose(world, slot);
+    }
     return limited;
 }
 
@@ -61,8 +66,8 @@ bool isMember(const Body& body, const TiedGroup& group) {
     return body.role == group.role && body.effort == group.effort;
 }
 
-/// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic one
-/// takes part with its velocity and its pose at the start of the step.
+/// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic
+/// one takes part with its velocity and its pose at the start of the step.
 void addBodies(WorldState& world, const TiedGroup& group, Real h) {
     for (const std::uint32_t slot : group.bodies) {
         Body& body = world.bodies[slot];
@@ -89,8 +94,8 @@ Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& bat
     return fastest;
 }
 
-/// @param h  seconds of a sub-step. In one shorter than the world's, overlap is pushed out no faster than in that: what the
-/// relaxation leaves of the push would be energy.
+/// @param h  seconds of a sub-step. In one shorter than the world's, overlap is pushed out no faster than in that: what
+/// the relaxation leaves of the push would be energy.
 /// @param scale  of the impulses that are kept, which are those of the world's sub-steps
 void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h, Real scale) {
     const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, group.effort));
@@ -98,10 +103,9 @@ void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h, Rea
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
         Contact& contact = group.contacts[i];
         if (!isSolved(world, contact, group)) { continue; }
-        ContactConstraint constraint =
-            constraintOf(contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
-                         world.motions[contact.bodyB], contact.friction, contact.restitution,
-                         kPushRatio * contact.extent / dt);
+        ContactConstraint constraint = constraintOf(
+            contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
+            world.motions[contact.bodyB], contact.friction, contact.restitution, kPushRatio * contact.extent / dt);
         constraint.slotA = world.bodies[contact.bodyA].slot;
         constraint.slotB = world.bodies[contact.bodyB].slot;
         constraint.softness = softness;
@@ -130,10 +134,11 @@ void addJoints(WorldState& world, std::span<const std::uint32_t> joints, Real h,
     for (const std::uint32_t i : joints) { addConstraint(world.batch, world, i, h, dt); }
 }
 
-/// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else need ask.
+/// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else
+/// need ask.
 bool isFlung(const Body& body, const BodyState& state) {
-    const Real moved = std::fabs(state.deltaPosition.x) + std::fabs(state.deltaPosition.y) +
-                       std::fabs(state.deltaAngle) * body.radius;
+    const Real moved =
+        std::fabs(state.deltaPosition.x) + std::fabs(state.deltaPosition.y) + std::fabs(state.deltaAngle) * body.radius;
     return moved > kFastRatio * body.extent;
 }
 

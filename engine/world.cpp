@@ -37,7 +37,9 @@ private:
 Status checkKinds(const WorldSettings& settings) {
     if (settings.profile > Profile::fast) { return {StatusCode::outOfRange, "profile"}; }
     if (settings.continuous > ContinuousMode::subStep) { return {StatusCode::outOfRange, "continuous"}; }
-    if (static_cast<int>(settings.broadphase) >= kBroadphaseKindCount) { return {StatusCode::outOfRange, "broadphase"}; }
+    if (static_cast<int>(settings.broadphase) >= kBroadphaseKindCount) {
+        return {StatusCode::outOfRange, "broadphase"};
+    }
     return Status::success();
 }
 
@@ -70,6 +72,7 @@ Status check(const WorldSettings& settings) {
 }
 
 void clearForces(WorldState& world) {
+    world.forcesGiven = false;
     for (const std::uint32_t slot : world.awake) {
         world.bodies[slot].force = {};
         world.bodies[slot].torque = 0;
@@ -103,12 +106,13 @@ void advance(WorldState& world, double dt) {
     putBackOverflown(world);
     if (world.watched) { limitWays(world, dt); }
     clock.stop(world.stageTimes.solve);
-    if (world.anyFast || world.anyFlung) { sweepFastBodies(world, dt); }
+    const bool sweeps = world.anyFast || world.anyFlung;
+    if (sweeps) { sweepFastBodies(world, dt); }
     if (world.kinematicBodies > 0) { moveKinematicBodies(world, dt); }
-    putBackOverflown(world);
+    if (sweeps || world.kinematicBodies > 0) { putBackOverflown(world); }
     if (world.sensorShapes > 0) { sweepSensors(world, dt); }
     clock.stop(world.stageTimes.continuous);
-    clearForces(world);
+    if (world.forcesGiven) { clearForces(world); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
     moveProxies(world);
     if (world.settings.sleep) { putToSleep(world, dt); }
@@ -149,7 +153,7 @@ Status World::step(double dt) {
     if (!isInRange(1 / dt)) { return {StatusCode::outOfRange, "dt"}; }
     if (world.masslessBodies > 0) { return {StatusCode::missingMass, "body"}; }
     const std::uint64_t wokenBetween = world.counters.wokeUp - world.wokenBySteps;
-    const StepCounters last = world.counters;
+    const double work = world.userTasks == &world.serialTasks ? 0 : workOf(world.counters);
     world.counters = {};
     world.counters.wokeUp = wokenBetween;
     const auto reported = static_cast<std::ptrdiff_t>(world.eventsOfStep);
@@ -157,7 +161,7 @@ Status World::step(double dt) {
     world.jointBreaks.clear();
     world.lostTime.clear();
     world.impactPoses.clear();
-    shareStep(world, last, [&world, dt] { advance(world, dt); });
+    shareStep(world, work, [&world, dt] { advance(world, dt); });
     world.wokenBySteps = world.counters.wokeUp;
     world.eventsOfStep = world.contactEvents.size();
     return Status::success();

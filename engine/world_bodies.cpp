@@ -61,8 +61,8 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     if (!id) { return Status{StatusCode::outOfMemory, "body"}; }
     world.motions.resize(world.bodies.slotCount());
     BodyMotion& motion = world.motions[id->index];
-    motion = {.center = def.position, .angle = def.angle, .velocity = def.velocity,
-              .angularVelocity = def.angularVelocity};
+    motion = {
+        .center = def.position, .angle = def.angle, .velocity = def.velocity, .angularVelocity = def.angularVelocity};
     world.bodies[id->index].nextAsleep = id->index;
     updatePose(world, id->index);
     world.kinematicBodies += def.type == BodyType::kinematic ? 1U : 0U;
@@ -109,9 +109,7 @@ BodyType World::type(BodyId id) const {
     const Body* body = state_->bodies.find(id);
     return body != nullptr ? body->def.type : BodyType::fixed;
 }
-DVec2 World::position(BodyId id) const {
-    return isValid(id) ? state_->motions[id.index].pose.position : DVec2{};
-}
+DVec2 World::position(BodyId id) const { return isValid(id) ? state_->motions[id.index].pose.position : DVec2{}; }
 double World::angle(BodyId id) const { return isValid(id) ? state_->motions[id.index].angle : 0; }
 DVec2 World::centerOfMass(BodyId id) const { return isValid(id) ? state_->motions[id.index].center : DVec2{}; }
 Vec2 World::velocity(BodyId id) const { return isValid(id) ? state_->motions[id.index].velocity : Vec2{}; }
@@ -156,7 +154,8 @@ Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
     const Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (body->def.type == BodyType::fixed) { return {StatusCode::wrongBodyType, "body"}; }
-    for (const Status& status : {checkNumber(velocity, "velocity"), checkNumber(static_cast<double>(angularVelocity), "angularVelocity")}) {
+    for (const Status& status :
+         {checkNumber(velocity, "velocity"), checkNumber(static_cast<double>(angularVelocity), "angularVelocity")}) {
         if (!status.ok()) { return status; }
     }
     wake(world, id.index);
@@ -174,6 +173,7 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
         if (!status.ok()) { return status; }
     }
     wake(world, id.index);
+    world.forcesGiven = true;
     body->force += force;
     body->torque += cross(toReal(point - world.motions[id.index].center), force);
     return Status::success();
@@ -187,6 +187,7 @@ Status World::applyTorque(BodyId id, Real torque) {
     const Status number = checkNumber(static_cast<double>(torque), "torque");
     if (!number.ok()) { return number; }
     wake(world, id.index);
+    world.forcesGiven = true;
     body->torque += torque;
     return Status::success();
 }
@@ -201,8 +202,7 @@ Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
     }
     BodyMotion& motion = world.motions[id.index];
     const Vec2 velocity = motion.velocity + body->inverseMass * impulse;
-    const Real spin =
-        motion.angularVelocity + body->inverseInertia * cross(toReal(point - motion.center), impulse);
+    const Real spin = motion.angularVelocity + body->inverseInertia * cross(toReal(point - motion.center), impulse);
     const bool good = isInRange(velocity) && isInRange(static_cast<double>(spin));
     if (!good) { return {StatusCode::outOfRange, "impulse"}; }
     wake(world, id.index);

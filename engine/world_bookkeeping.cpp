@@ -37,8 +37,8 @@ Aabb boxAfter(const WorldState& world, const Shape& shape, const Aabb& tight) {
 bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
     for (const std::uint32_t slot : world.bodies[bodyA].joints) {
         const Joint& joint = world.joints[slot];
-        const bool connects = (joint.bodyA == bodyA && joint.bodyB == bodyB) ||
-                              (joint.bodyA == bodyB && joint.bodyB == bodyA);
+        const bool connects =
+            (joint.bodyA == bodyA && joint.bodyB == bodyB) || (joint.bodyA == bodyB && joint.bodyB == bodyA);
         if (connects && (!joint.base.collideConnected || !joint.holds())) { return true; }
     }
     return false;
@@ -131,26 +131,8 @@ void updatePose(WorldState& world, std::uint32_t slot) {
     motion.pose = poseOf(motion.center, motion.angle, world.bodies[slot].localCenter);
 }
 
-Vec2 accelerationOf(const WorldState& world, const Body& body) {
-    return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
-}
-
 Real bounceThreshold(const WorldState& world, const Body& body, Real dt) {
     return dt * std::max(length(world.settings.gravity), length(accelerationOf(world, body)));
-}
-
-Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
-
-Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
-    const Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    Real speed = length(motion.velocity);
-    Real spin = std::fabs(motion.angularVelocity);
-    if (body.isDynamic()) {
-        speed += dt * length(accelerationOf(world, body));
-        spin += dt * std::fabs(angularAccelerationOf(body));
-    }
-    return dt * (speed + spin * body.radius);
 }
 
 Real contactReach(const WorldState& world, const Shape& shape) {
@@ -167,8 +149,8 @@ Real contactReach(const WorldState& world, const Shape& shape) {
 
 namespace {
 
-/// What is fast leaves its box in every step, so a box that is quickly made is better than a tight one: that of its circle,
-/// unless it is much wider than the shape.
+/// What is fast leaves its box in every step, so a box that is quickly made is better than a tight one: that of its
+/// circle, unless it is much wider than the shape.
 bool isRoundEnough(const WorldState& world, const Shape& shape) {
     const Body& body = world.bodies[shape.body];
     return body.fast && body.isDynamic() && shape.radius <= kRoundRatio * shape.extent;
@@ -183,13 +165,17 @@ Aabb circleBox(DVec2 center, double radius) {
 Aabb neededBox(const WorldState& world, const Shape& shape) {
     if (isRoundEnough(world, shape)) {
         const Real radius = shape.radius + contactReach(world, shape);
-        return circleBox(world.motions[shape.body].center, static_cast<double>(radius) * (1 + static_cast<double>(kEpsilon)));
+        return circleBox(world.motions[shape.body].center,
+                         static_cast<double>(radius) * (1 + static_cast<double>(kEpsilon)));
     }
     const Aabb tight = boundsOf(shape.polygon, world.motions[shape.body].pose);
     switch (world.bodies[shape.body].def.type) {
-        case BodyType::fixed: return tight;
-        case BodyType::kinematic: return grown(boxAfter(world, shape, tight), contactReach(world, shape));
-        case BodyType::dynamic: return grown(tight, contactReach(world, shape));
+        case BodyType::fixed:
+            return tight;
+        case BodyType::kinematic:
+            return grown(boxAfter(world, shape, tight), contactReach(world, shape));
+        case BodyType::dynamic:
+            return grown(tight, contactReach(world, shape));
     }
     return tight;  // unreachable, but GCC cannot know
 }
@@ -250,12 +236,11 @@ void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed)
         }
         world.pairs.erase(contact.shapeA, contact.shapeB);
         if (contact.touching) {
-            world.contactEvents.push_back(
-                {.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
-                 .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
-                 .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
-                 .bodyA = world.bodies.idOf(contact.bodyA),
-                 .bodyB = world.bodies.idOf(contact.bodyB)});
+            world.contactEvents.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
+                                           .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
+                                           .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
+                                           .bodyA = world.bodies.idOf(contact.bodyA),
+                                           .bodyB = world.bodies.idOf(contact.bodyB)});
         }
     }
     world.contacts.erase(keep, world.contacts.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -65,12 +66,12 @@ struct WorldState {
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
-    std::vector<std::uint32_t> awake;  ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
     std::uint32_t sensorShapes = 0;
     std::uint32_t bouncyShapes = 0;  ///< with restitution: without any, nothing bounces
     SensorSweeps sensorSweeps;
     std::uint32_t kinematicBodies = 0;
-    std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
+    std::uint32_t watchedBodies = 0;   ///< with a mode of their own that has work beside sweeps (modes.h)
     std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
 
@@ -108,14 +109,16 @@ struct WorldState {
     std::vector<ClashScratch> clashScratch;    ///< likewise
 
     std::vector<ContactEvent> contactEvents;
-    std::size_t eventsOfStep = 0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
+    std::size_t eventsOfStep =
+        0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
     std::vector<ChainTouch> chainTouches;  ///< scratch: pairs with a chain that touch, one entry per segment
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
     StepCounters counters;
     StageTimes stageTimes;
-    double lastDt = 0;  ///< of the last step, s; predicts how far boxes must reach
+    bool forcesGiven = false;        ///< since the last step: some body has a force or a torque for the next one
+    double lastDt = 0;               ///< of the last step, s; predicts how far boxes must reach
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 
@@ -152,15 +155,31 @@ void updateProxies(WorldState& world, std::uint32_t body, bool always);
 void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed);
 /// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
 void removeJoint(WorldState& world, JointId id);
-/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its extent
-/// (all of it in mode `speculative`).
+/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its
+/// extent (all of it in mode `speculative`).
 Real contactReach(const WorldState& world, const Shape& shape);
-/// Length of the longest path that a point of the body can take within dt, metres.
-Real motionBound(const WorldState& world, std::uint32_t body, Real dt);
-/// Acceleration of a dynamic body: gravity and force, m/s²; angular, rad/s².
-Vec2 accelerationOf(const WorldState& world, const Body& body);
-/// Approach speed up to which a body does not bounce, m/s: what gravity, or all that pulls the body, gives it in a step.
+/// Approach speed up to which a body does not bounce, m/s: what gravity, or all that pulls the body, gives it in a
+/// step.
 Real bounceThreshold(const WorldState& world, const Body& body, Real dt);
-Real angularAccelerationOf(const Body& body);
+
+// --- asked for every body, several times a step: inline
+
+/// Acceleration of a dynamic body: gravity and force, m/s²; angular, rad/s².
+inline Vec2 accelerationOf(const WorldState& world, const Body& body) {
+    return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
+}
+inline Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
+/// Length of the longest path that a point of the body can take within dt, metres.
+inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    Real speed = length(motion.velocity);
+    Real spin = std::fabs(motion.angularVelocity);
+    if (body.isDynamic()) {
+        speed += dt * length(accelerationOf(world, body));
+        spin += dt * std::fabs(angularAccelerationOf(body));
+    }
+    return dt * (speed + spin * body.radius);
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

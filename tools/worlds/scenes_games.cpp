@@ -25,6 +25,20 @@ BenchScene crates(const char* name, double size, bool sleep) {
 
 }  // namespace
 
+/// What a body costs that nothing holds. They fall side by side, slowly enough not to be swept.
+BenchScene makeDisks(double size) {
+    constexpr int kWide = 100;
+    const int count = scaledCount(10000, size);
+    BenchScene bench = emptyBench("disks", 10, 300);
+    bench.scene.gravity = {0, -0.01};
+    bench.scene.settings.sleep = false;
+    for (int i = 0; i < count; ++i) {
+        const DVec2 position{3.0 * (i % kWide), 3.0 * (i / kWide)};
+        build::addDynamic(bench.scene, "", position, {build::circle(0.5)}).velocity = {1, 0};
+    }
+    return bench;
+}
+
 BenchScene makeCrates(double size) { return crates("crates", size, false); }
 BenchScene makeCratesAsleep(double size) { return crates("crates-asleep", size, true); }
 

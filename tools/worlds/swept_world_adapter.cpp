@@ -19,6 +19,7 @@ public:
         (void)built_.world.step(scene_.settings.dt);
         lastSeconds_ = watch.seconds();
         seconds_ += lastSeconds_;
+        watchStages(lastSeconds_ >= kShortestWatched);
         ++steps_;
     }
 
@@ -62,11 +63,22 @@ public:
 
     double lastStepSeconds() const override { return lastSeconds_; }
     PeerStages stages() const override {
+        if (!built_.world.settings().measureStageTimes) { return {}; }
         const StageTimes& times = built_.world.stageTimes();
         return {times.pairs, times.collide, times.islands, times.solve, times.continuous, times.finish};
     }
 
 private:
+    /// Seconds. Of a shorter step the clocks at the ends of its stages would be the greater part.
+    static constexpr double kShortestWatched = 5e-6;
+
+    void watchStages(bool on) {
+        WorldSettings settings = built_.world.settings();
+        if (settings.measureStageTimes == on) { return; }
+        settings.measureStageTimes = on;
+        (void)built_.world.configure(settings);  // as valid as it was
+    }
+
     const SceneDescription& scene_;
     SceneWorld built_;
     std::vector<JointEnds> ends_;

@@ -82,6 +82,11 @@ int run(int argc, char** argv) {
     registerShapeKernelsF64();
     registerSolverKernelsF32();
     registerSolverKernelsF64();
+    registerFlightKernelsF32();
+    registerFlightKernelsF64();
+#if defined(SWEPT_BENCH_CHIPMUNK)
+    registerFlightChipmunk();
+#endif
     registerToiKernels();
     std::cout << machineText() << '\n';
     RatioReporter reporter;
