@@ -52,7 +52,6 @@ struct Body {
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
     Effort effort;           ///< of its island, this step
-    std::uint32_t slot = 0;  ///< in the solver, this step
     DVec2 startCenter{};     ///< at the start of this step
     double startAngle = 0;
 

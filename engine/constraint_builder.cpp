@@ -11,10 +11,7 @@ ContactConstraint constraintOf(const Manifold& manifold, const BodyMotion& a, Ve
     constraint.count = manifold.count;
     const Vec2 fromAToB = toReal(b.center - a.center);
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        ContactConstraintPoint& point = constraint.points[i];
-        point.anchorA = rotate(a.pose.rotation, manifold.points[i].point - localCenterA);
-        point.anchorB = point.anchorA - fromAToB;
-        point.baseSeparation = manifold.points[i].separation;
+        constraint.points[i] = constraintPointOf(manifold.points[i], a, localCenterA, fromAToB);
     }
     return constraint;
 }

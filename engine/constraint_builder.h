@@ -4,7 +4,16 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Constraint of a contact's manifold, taken at the given poses (world); slots are left to the caller. Impulses are zero.
+/// Anchors and separation of a point of a manifold, taken at the pose of A (world); the rest is zero.
+/// @param fromAToB  between the centres of mass
+inline ContactConstraintPoint constraintPointOf(const ManifoldPoint& point, const BodyMotion& a, Vec2 localCenterA,
+                                                Vec2 fromAToB) {
+    const Vec2 anchorA = rotate(a.pose.rotation, point.point - localCenterA);
+    return {.anchorA = anchorA, .anchorB = anchorA - fromAToB, .baseSeparation = point.separation};
+}
+
+/// Constraint of a contact's manifold, taken at the given poses (world); slots are left to the caller. Impulses are
+/// zero.
 /// @param maxPushSpeed  m/s
 ContactConstraint constraintOf(const Manifold& manifold, const BodyMotion& a, Vec2 localCenterA, const BodyMotion& b,
                                Real friction, Real restitution, Real maxPushSpeed);

@@ -121,8 +121,8 @@ struct ConstraintFiller {
         constraint.maxImpulse = def.maxForce ? h * *def.maxForce : std::numeric_limits<Real>::infinity();
     }
     void fillSide(GearSide& side, const Joint& geared) const {
-        side.slotA = world.bodies[geared.bodyA].slot;
-        side.slotB = world.bodies[geared.bodyB].slot;
+        side.slotA = world.solverSlots[geared.bodyA];
+        side.slotB = world.solverSlots[geared.bodyB];
         side.slides = geared.type() == JointType::prismatic;
         side.axis = axisOf(world, geared);
         side.anchorA = armOf(world, geared.bodyA, geared.localAnchorA);
@@ -154,8 +154,8 @@ struct ConstraintFiller {
     typename Part::Constraint constraintOf(const Part& part) const {
         typename Part::Constraint constraint = part.memory;
         constraint.isHeld = false;
-        constraint.slotA = world.bodies[joint.bodyA].slot;
-        constraint.slotB = world.bodies[joint.bodyB].slot;
+        constraint.slotA = world.solverSlots[joint.bodyA];
+        constraint.slotB = world.solverSlots[joint.bodyB];
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
         constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
         constraint.centerOffset = centerOffset(world, joint);

@@ -209,6 +209,16 @@ void wakeAcrossJoints(WorldState& world) {
     }
 }
 
+TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
+    return {.contact = place,
+            .bodyA = contact.bodyA,
+            .bodyB = contact.bodyB,
+            .dynamicA = contact.dynamicA,
+            .dynamicB = contact.dynamicB,
+            .points = static_cast<std::uint8_t>(contact.manifold.count),
+            .begins = !(contact.normalImpulse[0] > 0) && !(contact.normalImpulse[1] > 0)};
+}
+
 void countAhead(WorldState& world) {
     for (const Contact& contact : world.contacts) {
         const bool counts = contact.updated && !contact.apart && contact.isSolid();
@@ -240,11 +250,7 @@ void collideContacts(WorldState& world) {
         if (contact.updated && contact.apart) {
             ++apart;
         } else if (contact.isSolid()) {
-            world.touching.push_back({.contact = i - apart,  // once those are removed
-                                      .bodyA = contact.bodyA,
-                                      .bodyB = contact.bodyB,
-                                      .dynamicA = contact.dynamicA,
-                                      .dynamicB = contact.dynamicB});
+            world.touching.push_back(touchingPair(contact, i - apart));  // its place once those are removed
         }
     }
     if (world.watched) { countAhead(world); }

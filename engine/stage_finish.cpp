@@ -70,7 +70,6 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
     BodyMotion& motion = world.motions[slot];
     body.awake = false;
     body.role = BodyRole::idle;
-    body.slot = kFixedSlot;
     motion.velocity = {};
     motion.angularVelocity = 0;
     // Into the ring of its island, whose last member is remembered by root.

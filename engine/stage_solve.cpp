@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
-#include "constraint_builder.h"
 #include "joint_builder.h"
 #include "modes.h"
 #include "profile.h"
 #include "step.h"
+#include "tied_contacts.h"
 #include "tied_group.h"
 #include "tolerances.h"
 
@@ -69,64 +70,15 @@ bool isMember(const Body& body, const TiedGroup& group) {
 /// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic
 /// one takes part with its velocity and its pose at the start of the step.
 void addBodies(WorldState& world, const TiedGroup& group, Real h) {
+    world.localCenters.assign(1, {});
     for (const std::uint32_t slot : group.bodies) {
-        Body& body = world.bodies[slot];
+        const Body& body = world.bodies[slot];
         if (!isMember(body, group) && body.def.type != BodyType::kinematic) { continue; }
         const BodyMotion& motion = world.motions[slot];
         const BodyState state{.velocity = motion.velocity, .angularVelocity = motion.angularVelocity};
-        body.slot = world.batch.addBody(state, {body.inverseMass, body.inverseInertia}, driveOf(world, body, h));
-    }
-}
-
-bool isSolved(const WorldState& world, const Contact& contact, const TiedGroup& group) {
-    return contact.isSolid() &&
-           (isMember(world.bodies[contact.bodyA], group) || isMember(world.bodies[contact.bodyB], group));
-}
-
-Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& batch) {
-    Real fastest = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {
-        const ContactConstraintPoint& point = constraint.points[i];
-        const Vec2 velocity = velocityAt(batch.states[constraint.slotB], point.anchorB) -
-                              velocityAt(batch.states[constraint.slotA], point.anchorA);
-        fastest = std::max(fastest, -dot(velocity, constraint.normal));
-    }
-    return fastest;
-}
-
-/// @param h  seconds of a sub-step. In one shorter than the world's, overlap is pushed out no faster than in that: what
-/// the relaxation leaves of the push would be energy.
-/// @param scale  of the impulses that are kept, which are those of the world's sub-steps
-void addContacts(WorldState& world, const TiedGroup& group, Real dt, Real h, Real scale) {
-    const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, group.effort));
-    const Softness softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
-    for (std::size_t i = 0; i < group.contacts.size(); ++i) {
-        Contact& contact = group.contacts[i];
-        if (!isSolved(world, contact, group)) { continue; }
-        ContactConstraint constraint = constraintOf(
-            contact.manifold, world.motions[contact.bodyA], world.bodies[contact.bodyA].localCenter,
-            world.motions[contact.bodyB], contact.friction, contact.restitution, kPushRatio * contact.extent / dt);
-        constraint.slotA = world.bodies[contact.bodyA].slot;
-        constraint.slotB = world.bodies[contact.bodyB].slot;
-        constraint.softness = softness;
-        constraint.source = static_cast<std::uint32_t>(i);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
-            constraint.points[k].normalImpulse = scale * contact.normalImpulse[k];
-            constraint.points[k].tangentImpulse = scale * contact.tangentImpulse[k];
-        }
-        contact.approachSpeed = approachSpeedOf(constraint, world.batch);
-        world.batch.contacts.push_back(constraint);
-    }
-}
-
-/// What was made ahead is held by its cores (mode `speculative`).
-void anchorAhead(WorldState& world, const TiedGroup& group) {
-    for (ContactConstraint& constraint : world.batch.contacts) {
-        Contact& contact = group.contacts[constraint.source];
-        if (!isAhead(world, contact)) { continue; }
-        anchorAtCores(constraint, world.shapes[contact.shapeA].polygon.radius,
-                      world.shapes[contact.shapeB].polygon.radius);
-        contact.approachSpeed = approachSpeedOf(constraint, world.batch);
+        world.localCenters.push_back(body.localCenter);
+        world.solverSlots[slot] =
+            world.batch.addBody(state, {body.inverseMass, body.inverseInertia}, driveOf(world, body, h));
     }
 }
 
@@ -151,11 +103,13 @@ SolveReport solveWithJoints(WorldState& world, std::span<const std::uint32_t> jo
     return report;
 }
 
+/// Slots end here: no other solve must take them for its own.
 void readBodies(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t slot : group.bodies) {
+        const BodySlot place = std::exchange(world.solverSlots[slot], kFixedSlot);
+        if (!isMovable(world.batch.inertias[place])) { continue; }
         Body& body = world.bodies[slot];
-        if (!isMember(body, group)) { continue; }
-        const BodyState& state = world.batch.states[body.slot];
+        const BodyState& state = world.batch.states[place];
         BodyMotion& motion = world.motions[slot];
         if (isFlung(body, state)) { body.flung = world.anyFlung = true; }
         motion.center += toDouble(state.deltaPosition);
@@ -163,46 +117,6 @@ void readBodies(WorldState& world, const TiedGroup& group) {
         motion.velocity = state.velocity;
         motion.angularVelocity = state.angularVelocity;
         updatePose(world, slot);
-    }
-}
-
-/// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.
-void noteHit(WorldState& world, const Contact& contact, const ContactConstraint& constraint, Real threshold,
-             const StepPart& part) {
-    const ContactConstraintPoint& first = constraint.points[0];
-    const ContactConstraintPoint& second = constraint.points[1];
-    const Real bounce = std::max(first.bounceApproach, second.bounceApproach);
-    const Real speed = std::max(contact.approachSpeed, bounce);
-    const Real impulse = first.totalNormalImpulse + second.totalNormalImpulse;
-    if (contact.pressed || !(impulse > 0) || !(speed > threshold)) { return; }
-    const std::size_t k = second.totalNormalImpulse > first.totalNormalImpulse ? 1 : 0;
-    const BodyMotion& a = world.motions[contact.bodyA];
-    // The gap closes at the approach speed: a first-order estimate of when in the step.
-    const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
-    const double wait = std::min(gap / static_cast<double>(speed), part.length);
-    world.contactEvents.push_back({.type = ContactEventType::hit,
-                                   .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
-                                   .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
-                                   .bodyA = world.bodies.idOf(contact.bodyA),
-                                   .bodyB = world.bodies.idOf(contact.bodyB),
-                                   .fraction = (part.begin + wait) / part.dt,
-                                   .point = apply(a.pose, contact.manifold.points[k].point),
-                                   .normal = constraint.normal,
-                                   .approachSpeed = speed,
-                                   .impulse = impulse});
-}
-
-void readContacts(WorldState& world, std::span<Contact> contacts, Real threshold, const StepPart& part, Real scale) {
-    for (const ContactConstraint& constraint : world.batch.contacts) {
-        Contact& contact = contacts[constraint.source];
-        noteHit(world, contact, constraint, threshold, part);
-        contact.pressed = false;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
-            contact.normalImpulse[k] = constraint.points[k].normalImpulse / scale;
-            contact.tangentImpulse[k] = constraint.points[k].tangentImpulse / scale;
-            contact.totalImpulse[k] = constraint.points[k].totalNormalImpulse;
-            contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
-        }
     }
 }
 
@@ -233,19 +147,25 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const int usual = subStepsOf(world.settings);
     const Real scale =
         group.role == BodyRole::solved ? static_cast<Real>(usual) / static_cast<Real>(part.subSteps) : Real(1);
-    addContacts(world, group, dt, h, scale);
-    if (world.watched) { anchorAhead(world, group); }
+    TiedContacts contacts(world, group, part, h, scale);
+    const bool bounces = world.bouncyShapes > 0;
+    const bool areLinked = !bounces && !world.watched && group.effort.direct == DirectScope::none;
+    if (areLinked) {
+        contacts.link();
+    } else {
+        contacts.addConstraints();
+    }
     const SolverSettings settings{.dt = time,
                                   .subSteps = part.subSteps,
                                   .relaxPasses = relaxPassesOf(world.settings),
                                   .restitutionThreshold = threshold,
                                   .maxSpeed = world.settings.maxSpeed,
                                   .joints = !group.joints.empty(),
-                                  .bounces = world.bouncyShapes > 0,
+                                  .bounces = bounces,
                                   .direct = group.effort.direct};
     const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
                                                : world.solver.solve(world.batch, settings, *world.loops);
-    readContacts(world, group.contacts, threshold, part, scale);
+    if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group);
     StepCounters& counters = world.counters;
     counters.subSteps += static_cast<std::uint64_t>(part.subSteps);
@@ -259,7 +179,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     counters.directGivenUp += static_cast<std::uint64_t>(report.direct.givenUp);
     counters.bounceRounds += static_cast<std::uint64_t>(report.bounceRounds);
     counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
-    counters.constraints += world.batch.contacts.size() + group.joints.size();
+    counters.constraints += contacts.count() + group.joints.size();
 }
 
 void solveTiedBodies(WorldState& world, double dt) {

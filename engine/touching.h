@@ -12,6 +12,8 @@ struct TouchingPair {
     std::uint32_t bodyB = 0;
     bool dynamicA = false;  ///< the body is
     bool dynamicB = false;
+    std::uint8_t points = 0;
+    bool begins = false;  ///< with none of them pressing before
 
     bool areDynamic() const { return dynamicA && dynamicB; }
 };

@@ -60,6 +60,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     const std::optional<BodyId> id = world.bodies.insert(std::move(body));
     if (!id) { return Status{StatusCode::outOfMemory, "body"}; }
     world.motions.resize(world.bodies.slotCount());
+    world.solverSlots.resize(world.bodies.slotCount());
     BodyMotion& motion = world.motions[id->index];
     motion = {
         .center = def.position, .angle = def.angle, .velocity = def.velocity, .angularVelocity = def.angularVelocity};
@@ -221,7 +222,6 @@ Status World::setAwake(BodyId id, bool awake) {
     } else if (body->awake) {
         body->awake = false;
         body->role = BodyRole::idle;
-        body->slot = kFixedSlot;
         body->nextAsleep = id.index;
         body->force = {};  // for the next step, which it does not take part in
         body->torque = 0;

@@ -63,6 +63,8 @@ struct WorldState {
 
     SlotPool<Body, BodyId> bodies;
     std::vector<BodyMotion> motions;  ///< by body slot
+    std::vector<BodySlot> solverSlots;  ///< by body slot: in the present solve, of what it moves or may meet
+    std::vector<Vec2> localCenters;     ///< of the bodies of the present solve, by their slot there
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step

@@ -1,7 +1,9 @@
 #include "constraint_graph.h"
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
+#include <type_traits>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -11,10 +13,12 @@ constexpr std::uint64_t bits(int from, int to) {
 }
 
 std::array<BodySlot, 2> bodySlots(const ContactConstraint& contact) { return {contact.slotA, contact.slotB}; }
+std::array<BodySlot, 2> bodySlots(const ContactLink& link) { return {link.slotA, link.slotB}; }
 
 }  // namespace
 
-int ConstraintGraph::colourFor(std::span<const BodySlot> slots, const std::vector<BodyInertia>& inertias) {
+template <std::size_t kBodies>
+int ConstraintGraph::colourFor(const std::array<BodySlot, kBodies>& slots, std::span<const BodyInertia> inertias) {
     bool allMovable = true;
     std::uint64_t taken = 0;
     for (const BodySlot slot : slots) {
@@ -36,26 +40,26 @@ int ConstraintGraph::colourFor(std::span<const BodySlot> slots, const std::vecto
     return colour;
 }
 
+/// @param ranges  of the colours, to be found
 template <class Constraint>
-void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints,
-                                   const std::vector<BodyInertia>& inertias) {
-    Kind<Constraint>& kind = std::get<Kind<Constraint>>(kinds_);
-    kind.ranges = {};
+void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, std::span<const BodyInertia> inertias,
+                                   ColourRanges& ranges) {
+    ranges = {};
     places_.resize(constraints.size());
+    colours_.resize(constraints.size());
     if (constraints.empty()) {
         return;
     }
-    colours_.clear();
     std::array<std::uint32_t, kColourCount> counts{};
-    for (const Constraint& constraint : constraints) {
-        const int colour = colourFor(bodySlots(constraint), inertias);
-        colours_.push_back(static_cast<std::uint8_t>(colour));
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+        const int colour = colourFor(bodySlots(constraints[i]), inertias);
+        colours_[i] = static_cast<std::uint8_t>(colour);
         ++counts[static_cast<std::size_t>(colour)];
     }
     std::uint32_t begin = 0;
     std::array<std::uint32_t, kColourCount> next{};
     for (std::size_t c = 0; c < kColourCount; ++c) {
-        kind.ranges[c] = {begin, begin + counts[c]};
+        ranges[c] = {begin, begin + counts[c]};
         next[c] = begin;
         begin += counts[c];
         isUsed_[c] = isUsed_[c] || counts[c] > 0;
@@ -84,7 +88,11 @@ void ConstraintGraph::begin(const SolverBatch& batch) {
 }
 
 void ConstraintGraph::finish(const SolverBatch& batch) {
-    listByColour(batch.contacts, batch.inertias);
+    if (batch.store != nullptr) {
+        listByColour(batch.links, batch.inertias, rangesOf<ContactConstraint>());
+    } else {
+        listByColour(batch.contacts, batch.inertias, rangesOf<ContactConstraint>());
+    }
     active_.clear();
     for (int c = 0; c < kColourCount; ++c) {
         if (isUsed_[static_cast<std::size_t>(c)]) {
@@ -96,7 +104,8 @@ void ConstraintGraph::finish(const SolverBatch& batch) {
 void ConstraintGraph::colour(SolverBatch& batch) {
     begin(batch);
     batch.forEachJointKind([&](auto& joints) {
-        listByColour(joints, batch.inertias);
+        using Joint = typename std::remove_reference_t<decltype(joints)>::value_type;
+        listByColour(joints, batch.inertias, rangesOf<Joint>());
         sortAsListed(joints);
     });
     finish(batch);
@@ -110,6 +119,7 @@ void ConstraintGraph::colourContacts(const SolverBatch& batch) {
 void ConstraintGraph::sortContacts(SolverBatch& batch) {
     sortAsListed(batch.contacts);
     std::iota(places_.begin(), places_.end(), 0U);
+    std::sort(colours_.begin(), colours_.end());
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

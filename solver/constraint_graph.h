@@ -36,12 +36,14 @@ public:
 
     /// Colours in use, ascending.
     const std::vector<int>& activeColours() const { return active_; }
-    /// Places of contacts in the batch, colour by colour.
+    /// Places of contacts in the batch, or of its links where it has a store, colour by colour.
     std::span<const std::uint32_t> contacts() const { return places_; }
     std::span<const std::uint32_t> contactsOf(int colour) const {
         const ColourRange range = this->range<ContactConstraint>(colour);
         return contacts().subspan(range.begin, range.end - range.begin);
     }
+    /// By contact, or link.
+    std::span<const std::uint8_t> contactColours() const { return colours_; }
     /// Where a colour's constraints of a kind stand in the array of that kind; of contacts: among `contacts`.
     template <class Constraint>
     ColourRange range(int colour) const {
@@ -49,23 +51,30 @@ public:
     }
 
 private:
+    using ColourRanges = std::array<ColourRange, kColourCount>;
     template <class Constraint>
     struct Kind {
-        std::array<ColourRange, kColourCount> ranges{};
+        ColourRanges ranges{};
         std::vector<Constraint> scratch;
     };
 
     void begin(const SolverBatch& batch);
     void finish(const SolverBatch& batch);
-    int colourFor(std::span<const BodySlot> slots, const std::vector<BodyInertia>& inertias);
     template <class Constraint>
-    void listByColour(const std::vector<Constraint>& constraints, const std::vector<BodyInertia>& inertias);
+    ColourRanges& rangesOf() {
+        return std::get<Kind<Constraint>>(kinds_).ranges;
+    }
+    template <std::size_t kBodies>
+    int colourFor(const std::array<BodySlot, kBodies>& slots, std::span<const BodyInertia> inertias);
+    template <class Constraint>
+    void listByColour(const std::vector<Constraint>& constraints, std::span<const BodyInertia> inertias,
+                      ColourRanges& ranges);
     template <class Constraint>
     void sortAsListed(std::vector<Constraint>& constraints);
 
-    std::vector<std::uint64_t> used_;  ///< per slot: colours taken, one bit each
-    std::vector<std::uint8_t> colours_;
-    std::vector<std::uint32_t> places_;  ///< of the kind that was coloured last: contacts, in the end
+    std::vector<std::uint64_t> used_;    ///< per slot: colours taken, one bit each
+    std::vector<std::uint8_t> colours_;  ///< of the kind that was coloured last: contacts, in the end
+    std::vector<std::uint32_t> places_;  ///< likewise
     std::array<bool, kColourCount> isUsed_{};
     std::vector<int> active_;
     std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>,

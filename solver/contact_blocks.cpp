@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contact_lanes.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 #ifndef SWEPT_SIMD
@@ -11,62 +13,16 @@ const ContactKernels* contactKernels() { return nullptr; }
 namespace {
 
 /// A block with fewer contacts costs more than they do one by one.
-constexpr std::size_t kFewestLanes = 2;
+constexpr std::uint32_t kFewestLanes = 2;
+constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
 
-void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
-    lanes.anchorAX[lane] = point.anchorA.x;
-    lanes.anchorAY[lane] = point.anchorA.y;
-    lanes.anchorBX[lane] = point.anchorB.x;
-    lanes.anchorBY[lane] = point.anchorB.y;
-    lanes.baseSeparation[lane] = point.baseSeparation;
-    lanes.normalMass[lane] = point.normalMass;
-    lanes.tangentMass[lane] = point.tangentMass;
-    lanes.normalImpulse[lane] = point.normalImpulse;
-    lanes.tangentImpulse[lane] = point.tangentImpulse;
-    lanes.totalNormalImpulse[lane] = point.totalNormalImpulse;
-    lanes.separation[lane] = 0;
-}
-
+/// Before lanes are filled. @param lanes  of the block that will be; the others hold the fixed world to itself
 template <std::size_t kPoints>
-void fillLane(WideContact<kPoints>& block, std::size_t lane, const ContactConstraint& contact, const BodyInertia& a,
-              const BodyInertia& b) {
-    const bool begins = isBeginning(contact);
-    block.slotA[lane] = contact.slotA;
-    block.slotB[lane] = contact.slotB;
-    block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
-    block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
-    block.anyBegins = block.anyBegins || begins;
-    block.anyBounces = block.anyBounces || contact.restitution > 0;
-    block.begins[lane] = begins ? Real(1) : Real(0);
-    block.normalX[lane] = contact.normal.x;
-    block.normalY[lane] = contact.normal.y;
-    block.friction[lane] = contact.friction;
-    block.maxPushSpeed[lane] = contact.maxPushSpeed;
-    block.bounceSpeed[lane] = contact.bounceSpeed;
-    block.biasRate[lane] = contact.softness.biasRate;
-    block.massScale[lane] = contact.softness.massScale;
-    block.impulseScale[lane] = contact.softness.impulseScale;
-    block.inverseMassA[lane] = a.inverseMass;
-    block.inverseMassB[lane] = b.inverseMass;
-    block.inverseInertiaA[lane] = a.inverseInertia;
-    block.inverseInertiaB[lane] = b.inverseInertia;
-    for (std::size_t i = 0; i < kPoints; ++i) {
-        fillPoint(block.points[i], lane, contact.points[i]);
-    }
-}
-
-/// @param places  at most as many as there are lanes
-template <std::size_t kPoints>
-void fillBlock(WideContact<kPoints>& block, const SolverBatch& batch, std::span<const std::uint32_t> places) {
+void emptyBlock(WideContact<kPoints>& block, std::uint32_t lanes) {
     block.movableA = block.movableB = 0;
     block.anyBegins = block.anyBounces = false;
-    block.lanes = static_cast<std::uint32_t>(places.size());
-    for (std::size_t lane = 0; lane < places.size(); ++lane) {
-        const ContactConstraint& contact = batch.contacts[places[lane]];
-        block.place[lane] = places[lane];
-        fillLane(block, lane, contact, batch.inertias[contact.slotA], batch.inertias[contact.slotB]);
-    }
-    for (std::size_t lane = places.size(); lane < kBlockLanes; ++lane) {
+    block.lanes = lanes;
+    for (std::size_t lane = lanes; lane < kBlockLanes; ++lane) {
         fillLane(block, lane, {}, {}, {});
     }
 }
@@ -83,59 +39,126 @@ void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contac
 
 }  // namespace
 
-void ContactBlocks::sortColour(const SolverBatch& batch, std::span<const std::uint32_t> places) {
-    withOne_.clear();
-    withTwo_.clear();
-    beginning_.clear();
-    for (const std::uint32_t place : places) {
-        const ContactConstraint& contact = batch.contacts[place];
-        if (contact.isHeld || contact.count < 1) {
-            rest_.push_back(place);
-        } else if (contact.count == 1) {
-            withOne_.push_back(place);
-        } else {
-            (isBeginning(contact) ? beginning_ : withTwo_).push_back(place);
+/// Those that begin come last, and share as few blocks as can be: there all lanes take the longer way.
+void ContactBlocks::listKinds(const SolverBatch& batch, std::span<const std::uint8_t> colours) {
+    counts_ = {};
+    kinds_.resize(colours.size());
+    const auto note = [&](std::size_t i, int points, bool begins) {
+        Kind kind = kAlone;
+        if (kernels_ != nullptr && colours[i] != kOverflowColour && points > 0) {
+            kind = points == 1 ? kOnePoint : begins ? kBeginning : kTwoPoints;
         }
+        kinds_[i] = kind;
+        ++counts_[colours[i]][kind];
+    };
+    if (batch.store != nullptr) {
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            note(i, batch.links[i].points, batch.links[i].begins);
+        }
+        return;
     }
-    // Those that begin share as few blocks as can be: there all lanes take the longer way.
-    withTwo_.insert(withTwo_.end(), beginning_.begin(), beginning_.end());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const ContactConstraint& contact = batch.contacts[i];
+        note(i, contact.isHeld ? 0 : contact.count, isBeginning(contact));
+    }
 }
 
+/// Empty blocks for contacts of one colour, all but the one that may be left over.
 template <std::size_t kPoints>
-ColourRange ContactBlocks::fill(const SolverBatch& batch, std::span<const std::uint32_t> places, Blocks<kPoints>& to) {
-    const std::uint32_t begin = to.count;
-    while (places.size() >= kFewestLanes) {
-        const std::size_t lanes = std::min(places.size(), kBlockLanes);
-        if (to.count == to.blocks.size()) {
-            to.blocks.emplace_back();
+ColourRange ContactBlocks::reserve(std::uint32_t contacts, Blocks<kPoints>& blocks) {
+    const std::uint32_t begin = blocks.count;
+    while (contacts >= kFewestLanes) {
+        const std::uint32_t lanes = std::min(contacts, kLanes);
+        if (blocks.count == blocks.blocks.size()) {
+            blocks.blocks.emplace_back();
         }
-        fillBlock(to.blocks[to.count], batch, places.first(lanes));
-        anyBounces_ = anyBounces_ || to.blocks[to.count].anyBounces;
-        ++to.count;
-        places = places.subspan(lanes);
+        emptyBlock(blocks.blocks[blocks.count++], lanes);
+        contacts -= lanes;
     }
-    rest_.insert(rest_.end(), places.begin(), places.end());
-    return {begin, to.count};
+    return {begin, blocks.count};
+}
+
+void ContactBlocks::layOut(const ConstraintGraph& graph) {
+    one_.count = two_.count = 0;
+    std::uint32_t rest = 0;
+    for (const int active : graph.activeColours()) {
+        const auto c = static_cast<std::size_t>(active);
+        const KindCounts& counts = counts_[c];
+        const std::uint32_t withTwo = counts[kTwoPoints] + counts[kBeginning];
+        colours_[c].two = reserve(withTwo, two_);
+        colours_[c].one = reserve(counts[kOnePoint], one_);
+        const auto leftOver = [](std::uint32_t contacts) {
+            return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0;
+        };
+        next_[c] = {rest, 0, 0, counts[kTwoPoints]};
+        colours_[c].rest.begin = rest;
+        rest += counts[kAlone] + leftOver(withTwo) + leftOver(counts[kOnePoint]);
+        colours_[c].rest.end = rest;
+    }
+    rest_.resize(rest);
+}
+
+ContactPlace ContactBlocks::placeFor(Kind kind, std::size_t colour) {
+    KindCounts& next = next_[colour];
+    if (kind != kAlone) {
+        const ColourRange blocks = kind == kOnePoint ? colours_[colour].one : colours_[colour].two;
+        const std::uint32_t place = next[kind]++;
+        const std::uint32_t block = blocks.begin + place / kLanes;
+        if (block < blocks.end) {
+            const std::uint8_t points = kind == kOnePoint ? 1 : 2;
+            return {block, static_cast<std::uint8_t>(place % kLanes), points};
+        }
+    }
+    return {next[kAlone]++, 0, 0};
+}
+
+/// In the order of the contacts: so they stand in each colour.
+void ContactBlocks::listPlaces(SolverBatch& batch, std::span<const std::uint8_t> colours) {
+    places_.resize(colours.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        places_[i] = placeFor(kinds_[i], colours[i]);
+        if (places_[i].points == 0) {
+            rest_[places_[i].index] = batch.store != nullptr ? places_[i].index : static_cast<std::uint32_t>(i);
+        }
+    }
+    if (batch.store != nullptr) {
+        batch.contacts.resize(rest_.size());
+    }
+}
+
+ContactArrays ContactBlocks::arrays(SolverBatch& batch) {
+    return {std::span(one_.blocks).first(one_.count), std::span(two_.blocks).first(two_.count), batch.contacts};
+}
+
+/// Blocks from constraints; what is left over stays where it is.
+void ContactBlocks::fillFrom(const SolverBatch& batch) {
+    anyBounces_ = false;
+    for (std::uint32_t i = 0; i < places_.size(); ++i) {
+        const ContactPlace& place = places_[i];
+        const ContactConstraint& contact = batch.contacts[i];
+        const auto fill = [&](auto& block) {
+            block.place[place.lane] = i;
+            fillLane(block, place.lane, contact, batch.inertias[contact.slotA], batch.inertias[contact.slotB]);
+        };
+        if (place.points == 1) {
+            fill(one_.blocks[place.index]);
+        } else if (place.points == 2) {
+            fill(two_.blocks[place.index]);
+        }
+        anyBounces_ = anyBounces_ || (place.points > 0 && contact.restitution > 0);
+    }
 }
 
 void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, bool prepared) {
     kernels_ = wide ? contactKernels() : nullptr;
-    one_.count = two_.count = 0;
-    anyBounces_ = false;
-    rest_.clear();
-    for (const int c : graph.activeColours()) {
-        Colour& colour = colours_[static_cast<std::size_t>(c)];
-        const std::span<const std::uint32_t> places = graph.contactsOf(c);
-        colour = {};
-        colour.rest.begin = static_cast<std::uint32_t>(rest_.size());
-        if (kernels_ != nullptr && c != kOverflowColour) {
-            sortColour(batch, places);
-            colour.two = fill(batch, withTwo_, two_);
-            colour.one = fill(batch, withOne_, one_);
-        } else {
-            rest_.insert(rest_.end(), places.begin(), places.end());
-        }
-        colour.rest.end = static_cast<std::uint32_t>(rest_.size());
+    listKinds(batch, graph.contactColours());
+    layOut(graph);
+    listPlaces(batch, graph.contactColours());
+    if (batch.store != nullptr) {
+        anyBounces_ = false;
+        batch.store->fill(places_, arrays(batch));
+    } else {
+        fillFrom(batch);
     }
     if (prepared) {
         return;
@@ -201,7 +224,11 @@ void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
     addUpAll(one_);
 }
 
-void ContactBlocks::readBack(SolverBatch& batch) const {
+void ContactBlocks::readBack(SolverBatch& batch) {
+    if (batch.store != nullptr) {
+        batch.store->take(places_, arrays(batch));
+        return;
+    }
     const auto read = [](ContactConstraint& contact, const auto& block, std::size_t lane) {
         for (std::size_t i = 0; i < block.points.size(); ++i) {
             ContactConstraintPoint& point = contact.points[i];

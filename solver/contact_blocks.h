@@ -12,7 +12,8 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// The contacts of a solve as the kernels want them: of each colour what fills blocks, by number of points, and the
-/// rest one by one. Impulses of what stands in blocks are there from `build` to `readBack`, and old in the batch.
+/// rest one by one. Impulses of what stands in blocks are there from `build` to `readBack`, and old in the batch (or
+/// with the store of its contacts).
 class ContactBlocks {
 public:
     /// @pre coloured. @param wide  false: everything is solved one by one
@@ -27,7 +28,7 @@ public:
     /// Ends a sub-step for contacts with restitution, whose totals are in the batch; the others had theirs by the last
     /// pass.
     void addUpBouncing(SolverBatch& batch) const;
-    void readBack(SolverBatch& batch) const;
+    void readBack(SolverBatch& batch);
 
 private:
     /// Places in the arrays of one colour.
@@ -36,26 +37,38 @@ private:
         ColourRange two;
         ColourRange rest;
     };
+    /// What kind of place a contact gets within its colour.
+    enum Kind : std::uint8_t { kAlone, kOnePoint, kTwoPoints, kBeginning, kKindCount };
+    /// By colour, or of one: as many contacts of each kind, or the next place for one.
+    using KindCounts = std::array<std::uint32_t, kKindCount>;
+
     template <std::size_t kPoints>
     struct Blocks {
         std::vector<WideContact<kPoints>> blocks;  ///< keeps its size
         std::uint32_t count = 0;                   ///< in use
     };
 
-    void sortColour(const SolverBatch& batch, std::span<const std::uint32_t> places);
+    void listKinds(const SolverBatch& batch, std::span<const std::uint8_t> colours);
     template <std::size_t kPoints>
-    ColourRange fill(const SolverBatch& batch, std::span<const std::uint32_t> places, Blocks<kPoints>& to);
+    ColourRange reserve(std::uint32_t contacts, Blocks<kPoints>& blocks);
+    void layOut(const ConstraintGraph& graph);
+    ContactPlace placeFor(Kind kind, std::size_t colour);
+    void listPlaces(SolverBatch& batch, std::span<const std::uint8_t> colours);
+    void fillFrom(const SolverBatch& batch);
+    ContactArrays arrays(SolverBatch& batch);
 
     const ContactKernels* kernels_ = nullptr;
     bool anyBounces_ = false;
     std::array<Colour, kColourCount> colours_{};
     Blocks<1> one_;
     Blocks<2> two_;
-    std::vector<std::uint32_t> rest_;
-    // Of the colour that is being filled.
-    std::vector<std::uint32_t> withOne_;
-    std::vector<std::uint32_t> withTwo_;
-    std::vector<std::uint32_t> beginning_;
+    std::vector<std::uint32_t> rest_;  ///< places in the batch
+    // By contact, or link.
+    std::vector<Kind> kinds_;
+    std::vector<ContactPlace> places_;
+    // By colour.
+    std::array<KindCounts, kColourCount> counts_{};
+    std::array<KindCounts, kColourCount> next_{};
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -4,6 +4,7 @@
 
 #include "body_state.h"
 #include "contact_constraint.h"
+#include "contact_store.h"
 #include "distance_constraint.h"
 #include "gear_constraint.h"
 #include "motor_constraint.h"
@@ -24,6 +25,10 @@ struct SolverBatch {
     std::vector<BodyInertia> inertias;
     std::vector<BodyDrive> drives;
     std::vector<ContactConstraint> contacts;
+    /// Instead of `contacts`, which the solver then fills with what stands in no block: contacts of a store. Only where
+    /// nothing bounces and nothing is solved all at once.
+    std::vector<ContactLink> links;
+    ContactStore* store = nullptr;  ///< null: there are no links
     std::vector<RevoluteConstraint> revolutes;
     std::vector<DistanceConstraint> distances;
     std::vector<PrismaticConstraint> prismatics;
@@ -58,6 +63,8 @@ struct SolverBatch {
         inertias.assign(1, {});
         drives.assign(1, {});
         contacts.clear();
+        links.clear();
+        store = nullptr;
     }
     void clearJoints() {
         forEachJointKind([](auto& joints) { joints.clear(); });

@@ -35,7 +35,7 @@ template <std::size_t kPoints>
 struct alignas(32) WideContact {
     std::array<BodySlot, kBlockLanes> slotA;
     std::array<BodySlot, kBlockLanes> slotB;
-    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch
+    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch, or the store's name for the contact
     std::uint32_t lanes = 0;                       ///< in use
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;

@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <swept/solver/contact_lanes.h>
+#include <swept/solver/contact_store.h>
 #include <swept/solver/wide_contacts.h>
 #include <swept/solver/wide_rotations.h>
 
@@ -8,8 +10,8 @@
 
 #include "batch_fields.h"
 
-/// Blocks of contacts and of hinges, and bodies that turn, against the same one by one: the same bits with every
-/// instruction set of this machine.
+/// Blocks of contacts and of hinges, contacts that someone else keeps, and bodies that turn, against the same one by
+/// one: the same bits with every instruction set of this machine.
 
 namespace swept::test {
 namespace {
@@ -75,6 +77,99 @@ BlockCounts expectSameBits(int times, std::uint64_t seeds) {
         blocks.hinges += ofWide.hingeBlocks;
     }
     return blocks;
+}
+
+/// Contacts of a batch, kept outside of it.
+class KeptContacts final : public ContactStore {
+public:
+    explicit KeptContacts(SolverBatch& batch) : batch_(batch), contacts_(std::move(batch.contacts)) {
+        batch.contacts.clear();
+        for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
+            const ContactConstraint& contact = contacts_[i];
+            batch.links.push_back({.slotA = contact.slotA,
+                                   .slotB = contact.slotB,
+                                   .source = i,
+                                   .points = static_cast<std::uint8_t>(contact.count),
+                                   .begins = i % 3 == 0});  // a hint, no more
+        }
+        batch.store = this;
+    }
+
+    void fill(std::span<const ContactPlace> places, const ContactArrays& to) override {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto fillIn = [&](auto& block) {
+                const ContactConstraint& contact = contacts_[i];
+                fillLane(block, places[i].lane, contact, batch_.inertias[contact.slotA],
+                         batch_.inertias[contact.slotB]);
+            };
+            switch (places[i].points) {
+                case 2:
+                    fillIn(to.two[places[i].index]);
+                    break;
+                case 1:
+                    fillIn(to.one[places[i].index]);
+                    break;
+                default:
+                    to.rest[places[i].index] = contacts_[i];
+                    ++alone;
+            }
+        }
+    }
+    void take(std::span<const ContactPlace> places, const ContactArrays& from) override {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto takeFrom = [&](const auto& block) {
+                for (std::size_t k = 0; k < block.points.size(); ++k) {
+                    ContactConstraintPoint& point = contacts_[i].points[k];
+                    point.normalImpulse = block.points[k].normalImpulse[places[i].lane];
+                    point.tangentImpulse = block.points[k].tangentImpulse[places[i].lane];
+                    point.totalNormalImpulse = block.points[k].totalNormalImpulse[places[i].lane];
+                }
+            };
+            switch (places[i].points) {
+                case 2:
+                    takeFrom(from.two[places[i].index]);
+                    break;
+                case 1:
+                    takeFrom(from.one[places[i].index]);
+                    break;
+                default:
+                    contacts_[i] = from.rest[places[i].index];
+            }
+        }
+    }
+    void giveBack() { batch_.contacts = std::move(contacts_); }
+
+    int alone = 0;
+
+private:
+    SolverBatch& batch_;
+    std::vector<ContactConstraint> contacts_;
+};
+
+/// Contacts may be kept by someone else: the same bits, with kernels and without.
+TEST(ContactStore, IsSolvedToTheBitLikeConstraintsOfTheBatch) {
+    int alone = 0;
+    int blocks = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        const int times = seed % 3 == 0 ? 16 : 1;
+        RandomSolve plain(seed, times);
+        RandomSolve kept(seed, times);
+        forgetBounces(plain);
+        forgetBounces(kept);
+        kept.settings.wide = seed % 4 != 0;
+        KeptContacts store(kept.batch);
+        const SolveReport ofPlain = Solver().solve(plain.batch, plain.settings);
+        const SolveReport ofKept = Solver().solve(kept.batch, kept.settings);
+        store.giveBack();
+        forgetPrepared(plain.batch);
+        forgetPrepared(kept.batch);
+        ASSERT_EQ(bitsOf(plain.batch), bitsOf(kept.batch)) << "seed " << seed;
+        ASSERT_EQ(ofPlain.colours, ofKept.colours) << "seed " << seed;
+        alone += store.alone;
+        blocks += ofKept.contactBlocks;
+    }
+    EXPECT_GT(alone, 100);
+    EXPECT_EQ(blocks > 100, contactKernels() != nullptr);
 }
 
 #ifdef SWEPT_SIMD

@@ -1,0 +1,256 @@
+#include "tied_contacts.h"
+
+#include <algorithm>
+
+#include "../solver/contact_lanes.h"
+#include "effort_budget.h"
+#include "modes.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+Softness softnessFor(const WorldState& world, const TiedGroup& group, Real dt, Real h) {
+    const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, group.effort));
+    return softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
+}
+
+/// How fast a point comes along the normal; less than 0: it goes.
+Real approachAt(const ContactConstraintPoint& point, Vec2 normal, const BodyState& a, const BodyState& b) {
+    return -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), normal);
+}
+
+Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& batch) {
+    Real fastest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {
+        fastest = std::max(fastest, approachAt(constraint.points[i], constraint.normal, batch.states[constraint.slotA],
+                                               batch.states[constraint.slotB]));
+    }
+    return fastest;
+}
+
+}  // namespace
+
+TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const StepPart& part, Real h, Real scale)
+    : world_(world),
+      group_(group),
+      part_(part),
+      scale_(scale),
+      dt_(static_cast<Real>(part.dt)),
+      hitThreshold_(length(world.settings.gravity) * dt_),
+      softness_(softnessFor(world, group, dt_, h)) {}
+
+/// Of all contacts with points of which the group moves a body, in their order.
+template <class Visit>
+void TiedContacts::forEachLink(Visit&& visit) const {
+    const std::vector<BodyInertia>& inertias = world_.batch.inertias;
+    const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB) {
+        link.slotA = world_.solverSlots[bodyA];
+        link.slotB = world_.solverSlots[bodyB];
+        if (isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB])) {
+            visit(link);
+        }
+    };
+    if (group_.role == BodyRole::solved) {
+        for (const TouchingPair& pair : world_.touching) {
+            visitIfTied({.source = pair.contact, .points = pair.points, .begins = pair.begins}, pair.bodyA, pair.bodyB);
+        }
+        return;
+    }
+    for (std::uint32_t i = 0; i < group_.contacts.size(); ++i) {
+        const Contact& contact = group_.contacts[i];
+        if (contact.isSolid()) {
+            visitIfTied({.source = i, .points = static_cast<std::uint8_t>(contact.manifold.count)}, contact.bodyA,
+                        contact.bodyB);
+        }
+    }
+}
+
+ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
+    Contact& contact = group_.contacts[link.source];
+    ContactConstraint constraint = constraintOf(
+        contact.manifold, world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
+        world_.motions[contact.bodyB], contact.friction, contact.restitution, kPushRatio * contact.extent / dt_);
+    constraint.slotA = link.slotA;
+    constraint.slotB = link.slotB;
+    constraint.softness = softness_;
+    constraint.source = link.source;
+    for (std::size_t k = 0; k < link.points; ++k) {
+        constraint.points[k].normalImpulse = scale_ * contact.normalImpulse[k];
+        constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
+    }
+    contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
+    return constraint;
+}
+
+/// The same as `constraintFor`, without making one.
+template <std::size_t kPoints>
+void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link) {
+    Contact& contact = group_.contacts[link.source];
+    const SolverBatch& batch = world_.batch;
+    const BodyMotion& a = world_.motions[contact.bodyA];
+    // Of the bodies of a solve it stands in an array of their own; what does not move in it is most often one and the
+    // same.
+    const Vec2 localCenterA =
+        link.slotA != kFixedSlot ? world_.localCenters[link.slotA] : world_.bodies[contact.bodyA].localCenter;
+    const Vec2 fromAToB = toReal(world_.motions[contact.bodyB].center - a.center);
+    const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);
+    Real approach = 0;
+    bool begins = kPoints > 1;
+    for (std::size_t k = 0; k < kPoints; ++k) {
+        ContactConstraintPoint point = constraintPointOf(contact.manifold.points[k], a, localCenterA, fromAToB);
+        point.normalImpulse = scale_ * contact.normalImpulse[k];
+        point.tangentImpulse = scale_ * contact.tangentImpulse[k];
+        begins = begins && !(point.normalImpulse > 0);
+        if (!contact.pressed) {  // else nobody asks
+            approach =
+                std::max(approach, approachAt(point, normal, batch.states[link.slotA], batch.states[link.slotB]));
+        }
+        fillPoint(block.points[k], lane, point);
+    }
+    contact.approachSpeed = approach;
+    block.place[lane] = link.source;
+    fillHead(block, lane,
+             {.slotA = link.slotA,
+              .slotB = link.slotB,
+              .begins = begins,
+              .normal = normal,
+              .friction = contact.friction,
+              .maxPushSpeed = kPushRatio * contact.extent / dt_,
+              .softness = softness_},
+             batch.inertias[link.slotA], batch.inertias[link.slotB]);
+}
+
+void TiedContacts::link() {
+    SolverBatch& batch = world_.batch;
+    forEachLink([&batch](const ContactLink& link) { batch.links.push_back(link); });
+    batch.store = this;
+}
+
+void TiedContacts::addConstraints() {
+    SolverBatch& batch = world_.batch;
+    forEachLink([&](const ContactLink& link) { batch.contacts.push_back(constraintFor(link)); });
+    if (world_.watched) {
+        anchorAhead();
+    }
+}
+
+/// What was made ahead is held by its cores (mode `speculative`).
+void TiedContacts::anchorAhead() {
+    for (ContactConstraint& constraint : world_.batch.contacts) {
+        Contact& contact = group_.contacts[constraint.source];
+        if (!isAhead(world_, contact)) {
+            continue;
+        }
+        anchorAtCores(constraint, world_.shapes[contact.shapeA].polygon.radius,
+                      world_.shapes[contact.shapeB].polygon.radius);
+        contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
+    }
+}
+
+void TiedContacts::readConstraints() {
+    for (const ContactConstraint& constraint : world_.batch.contacts) {
+        takeConstraint(constraint);
+    }
+}
+
+std::size_t TiedContacts::count() const {
+    return world_.batch.store != nullptr ? world_.batch.links.size() : world_.batch.contacts.size();
+}
+
+void TiedContacts::fill(std::span<const ContactPlace> places, const ContactArrays& to) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const ContactPlace& place = places[i];
+        const ContactLink& link = world_.batch.links[i];
+        switch (place.points) {
+            case 2:
+                fillContact(to.two[place.index], place.lane, link);
+                break;
+            case 1:
+                fillContact(to.one[place.index], place.lane, link);
+                break;
+            default:
+                to.rest[place.index] = constraintFor(link);
+        }
+    }
+}
+
+void TiedContacts::take(std::span<const ContactPlace> places, const ContactArrays& from) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const ContactPlace& place = places[i];
+        Contact& contact = group_.contacts[world_.batch.links[i].source];
+        switch (place.points) {
+            case 2:
+                takeContact(from.two[place.index], place.lane, contact);
+                break;
+            case 1:
+                takeContact(from.one[place.index], place.lane, contact);
+                break;
+            default:
+                takeConstraint(from.rest[place.index]);
+        }
+    }
+}
+
+template <std::size_t kPoints>
+void TiedContacts::takeContact(const WideContact<kPoints>& block, std::size_t lane, Contact& contact) {
+    Outcome outcome{.normal = {block.normalX[lane], block.normalY[lane]}};
+    for (std::size_t k = 0; k < kPoints; ++k) {
+        outcome.normalImpulse[k] = block.points[k].normalImpulse[lane];
+        outcome.tangentImpulse[k] = block.points[k].tangentImpulse[lane];
+        outcome.totalImpulse[k] = block.points[k].totalNormalImpulse[lane];
+    }
+    takeOutcome(contact, kPoints, outcome);
+}
+
+void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
+    Outcome outcome{
+        .normal = constraint.normal,
+        .bounceApproach = std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach)};
+    for (std::size_t k = 0; k < constraint.points.size(); ++k) {
+        outcome.normalImpulse[k] = constraint.points[k].normalImpulse;
+        outcome.tangentImpulse[k] = constraint.points[k].tangentImpulse;
+        outcome.totalImpulse[k] = constraint.points[k].totalNormalImpulse;
+    }
+    takeOutcome(group_.contacts[constraint.source], static_cast<std::size_t>(constraint.count), outcome);
+}
+
+void TiedContacts::takeOutcome(Contact& contact, std::size_t points, const Outcome& outcome) {
+    if (!contact.pressed) {
+        noteHit(contact, outcome);
+    }
+    contact.pressed = false;
+    for (std::size_t k = 0; k < points; ++k) {
+        contact.normalImpulse[k] = outcome.normalImpulse[k] / scale_;
+        contact.tangentImpulse[k] = outcome.tangentImpulse[k] / scale_;
+        contact.totalImpulse[k] = outcome.totalImpulse[k];
+        contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
+    }
+}
+
+/// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.
+/// @pre it did not press before
+void TiedContacts::noteHit(const Contact& contact, const Outcome& outcome) {
+    const Real speed = std::max(contact.approachSpeed, outcome.bounceApproach);
+    const Real impulse = outcome.totalImpulse[0] + outcome.totalImpulse[1];
+    if (!(impulse > 0) || !(speed > hitThreshold_)) {
+        return;
+    }
+    const std::size_t k = outcome.totalImpulse[1] > outcome.totalImpulse[0] ? 1 : 0;
+    const BodyMotion& a = world_.motions[contact.bodyA];
+    // The gap closes at the approach speed: a first-order estimate of when in the step.
+    const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
+    const double wait = std::min(gap / static_cast<double>(speed), part_.length);
+    world_.contactEvents.push_back({.type = ContactEventType::hit,
+                                    .shapeA = world_.shapes.idOf(world_.shapes[contact.shapeA].head),
+                                    .shapeB = world_.shapes.idOf(world_.shapes[contact.shapeB].head),
+                                    .bodyA = world_.bodies.idOf(contact.bodyA),
+                                    .bodyB = world_.bodies.idOf(contact.bodyB),
+                                    .fraction = (part_.begin + wait) / part_.dt,
+                                    .point = apply(a.pose, contact.manifold.points[k].point),
+                                    .normal = outcome.normal,
+                                    .approachSpeed = speed,
+                                    .impulse = impulse});
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
