@@ -73,6 +73,8 @@ public:
     /// The box as it was given last. `id` must name a proxy that exists: a stale id is undefined (asserted).
     /// Valid until the next call that changes something.
     virtual const Aabb& box(ProxyId id) const = 0;
+    /// The same of all proxies, by their number, for loops over many; between them lie boxes of proxies that are gone. As long valid.
+    virtual std::span<const Aabb> boxes() const = 0;
 
     /// Writes every new pair: boxes of kinds that can meet, which overlap now and did not at the last call, or of which
     /// one was inserted or renewed since. Each pair once, in ascending order. `out` is cleared first and keeps its

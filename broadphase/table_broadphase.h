@@ -66,6 +66,7 @@ public:
     Status remove(ProxyId id) final;
     Status renewPairs(ProxyId id) final;
     const Aabb& box(ProxyId id) const final;
+    std::span<const Aabb> boxes() const final { return table_.boxes(); }
     void pairs(std::vector<ProxyPair>& out) final;
     void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
     void queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;

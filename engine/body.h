@@ -34,6 +34,7 @@ struct Body {
     Real inverseMass = 0;
     Real inverseInertia = 0;
     Real extent = 0;  ///< smallest extent of its solid shapes; 0: none
+    Real widest = 0;  ///< largest extent of its solid shapes
     Real radius = 0;  ///< farthest solid point from the centre of mass
     Vec2 localCenter{};
     Vec2 force{};  ///< for the next step

@@ -8,35 +8,55 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or kinematic).
+/// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or
+/// kinematic).
 struct Contact {
     std::uint32_t shapeA = 0;  ///< slots
     std::uint32_t shapeB = 0;
     std::uint32_t bodyA = 0;
     std::uint32_t bodyB = 0;
-    Manifold manifold;         ///< at the start of the present step, frame of body A
-    ManifoldMemory memory;     ///< of the shapes' last query: spares work, changes nothing
-    std::array<Real, 2> normalImpulse{};   ///< warm start, by point of the manifold
+    Manifold manifold;                    ///< at the start of the present step, frame of body A
+    ManifoldMemory memory;                ///< of the shapes' last query: spares work, changes nothing
+    std::array<Real, 2> normalImpulse{};  ///< warm start, by point of the manifold
     std::array<Real, 2> tangentImpulse{};
-    std::array<Real, 2> totalImpulse{};    ///< normal impulse over the last step, N·s
+    std::array<Real, 2> totalImpulse{};  ///< normal impulse over the last step, N·s
     Real friction = 0;
     Real restitution = 0;
-    Real extent = 0;           ///< of the pair
-    Real approachSpeed = 0;    ///< at the start of the step, m/s
-    // Copies of what never changes: the stage of contacts then need not fetch shapes and bodies, which lie all over memory.
+    Real extent = 0;         ///< of the pair
+    Real approachSpeed = 0;  ///< at the start of the step, m/s
+    // Copies of what never changes: the stage of contacts then need not fetch shapes and bodies, which lie all over
+    // memory.
     Real extentA = 0;
     Real extentB = 0;
-    ProxyId proxyA{};
-    ProxyId proxyB{};
-    bool dynamicA = false;     ///< the body is
+    bool dynamicA = false;  ///< the body is
     bool dynamicB = false;
     bool sensor = false;
-    bool touching = false;     ///< begin was reported, end was not
-    bool apart = false;        ///< found this step: boxes no longer overlap
-    bool updated = false;      ///< found this step: manifold is new
-    bool pressed = false;      ///< carried an impulse in the last step
+    bool touching = false;  ///< begin was reported, end was not
+    bool pressed = false;   ///< carried an impulse in the last step
 
     bool isSolid() const { return !sensor && manifold.count > 0; }
+};
+
+/// What the stage of contacts found of one in this step.
+enum class ContactState : std::uint8_t {
+    asleep,      ///< nothing: neither body is awake
+    boxesApart,  ///< it ends
+    apart,       ///< shapes too far apart for contact points, as was known: the contact was not looked at
+    near,        ///< its manifold is new
+};
+
+/// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
+struct ContactProbe {
+    std::uint32_t bodyA = 0;  ///< slots
+    std::uint32_t bodyB = 0;
+    ProxyId proxyA{};
+    ProxyId proxyB{};
+    double apartUntil =
+        0;          ///< there are no points as long as the bodies moved less since (travel.h), metres; 0: not known
+    Vec2 offset{};  ///< from centre of mass to centre of mass at that time, world
+    ContactState state = ContactState::asleep;
+    bool isIdle = false;  ///< it is no sensor, and had no points when they were renewed last: while they are apart
+                          ///< nothing changes
 };
 
 /// @pre there is a point

@@ -27,9 +27,10 @@ struct FastIslands {
     std::vector<std::uint32_t> members;  ///< dynamic, slots
     std::vector<std::uint32_t> group;    ///< members, then kinematic bodies
     std::vector<std::uint32_t> jointSlots;
-    std::vector<Contact> held;             ///< contacts of the island, and those with ground that it finds on its way
-    std::vector<std::uint32_t> sources;    ///< by held contact: its index in the world, or none
-    std::vector<std::uint64_t> heldPairs;  ///< of shape slots, sorted
+    std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
+    std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
+    std::vector<std::uint32_t> sources;      ///< by held contact: its index in the world, or none
+    std::vector<std::uint64_t> heldPairs;    ///< of shape slots, sorted
     std::vector<std::uint32_t> found;
     std::vector<BodyMotion> membersAtStart;  ///< of the step
     std::vector<BodyMotion> membersBefore;   ///< before the part that is being tried

@@ -7,9 +7,7 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-bool isGroundContact(const Contact& contact) {
-    return contact.dynamicA != contact.dynamicB && contact.isSolid() && contact.updated && !contact.apart;
-}
+bool isGroundContact(const Contact& contact) { return contact.dynamicA != contact.dynamicB && contact.isSolid(); }
 
 GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
     const bool groundIsA = !contact.dynamicA;
@@ -62,9 +60,7 @@ void dropGhostsOf(const WorldState& world, std::span<Contact> contacts, std::uin
 
 }  // namespace
 
-int ghostRank(const GroundContact& contact) {
-    return (isFaceContact(contact) ? 2 : 0) + (contact.count > 1 ? 1 : 0);
-}
+int ghostRank(const GroundContact& contact) { return (isFaceContact(contact) ? 2 : 0) + (contact.count > 1 ? 1 : 0); }
 
 bool hides(const GroundContact& stands, const GroundContact& other) {
     const bool yields = isFaceContact(stands) && !isFaceContact(other);
@@ -82,28 +78,31 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
     return dot(direction, toReal(poseB.position - poseA.position) + (bottom - top)) - a.radius - b.radius;
 }
 
-void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> bodies) {
+void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                std::span<const std::uint32_t> bodies) {
     // Lists of the ground contacts of each body, through arrays that keep their capacity; empty before and after.
     std::vector<std::uint32_t>& firstOf = world.firstGroundContact;
     firstOf.resize(world.bodies.slotCount(), kNoIndex);
-    world.nextGroundContact.assign(contacts.size(), kNoIndex);
+    world.nextGroundContact.resize(contacts.size());
     const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
-    for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    for (const std::uint32_t i : renewed) {
         if (!isGroundContact(contacts[i])) { continue; }
         std::uint32_t& first = firstOf[bodyOf(contacts[i])];
         anyTwo = anyTwo || first != kNoIndex;
         world.nextGroundContact[i] = first;
         first = i;
     }
-    for (const std::uint32_t slot : bodies) {
-        const std::uint32_t first = firstOf[slot];
-        if (anyTwo && first != kNoIndex && world.nextGroundContact[first] != kNoIndex) {
-            dropGhostsOf(world, contacts, first);
+    if (anyTwo) {
+        for (const std::uint32_t slot : bodies) {
+            const std::uint32_t first = firstOf[slot];
+            if (first != kNoIndex && world.nextGroundContact[first] != kNoIndex) {
+                dropGhostsOf(world, contacts, first);
+            }
         }
     }
-    for (const Contact& contact : contacts) {
-        if (contact.dynamicA != contact.dynamicB) { firstOf[bodyOf(contact)] = kNoIndex; }
+    for (const std::uint32_t i : renewed) {
+        if (contacts[i].dynamicA != contacts[i].dynamicB) { firstOf[bodyOf(contacts[i])] = kNoIndex; }
     }
 }
 

@@ -7,7 +7,8 @@
 /// Ghost collisions: a body that slides from one flush piece of ground to the next meets the side or the corner of the
 /// next piece, which the ground before it hides. What tells them apart from a wall: along the normal of the ground it
 /// stands on, the body is already clear of the next piece. So a contact yields to another one of the same body whose
-/// normal keeps the two shapes apart just as well, to within the slop. Corners yield to faces, never the other way round.
+/// normal keeps the two shapes apart just as well, to within the slop. Corners yield to faces, never the other way
+/// round.
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -40,6 +41,8 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
                      Vec2 direction);
 
 /// Drops the ghosts among new contacts of these bodies (slots) with static and kinematic shapes.
-void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> bodies);
+/// @param renewed  indices of the contacts whose manifold is new, ascending
+void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                std::span<const std::uint32_t> bodies);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -15,8 +15,8 @@ namespace {
 
 /// The shortest part of a step, as a share of it.
 constexpr double kShortestPart = 1.0 / 128;
-/// After so many tries, or once the budget of impacts is used up, what is left of the step is gone through in so many parts.
-/// Each try moves all members: a large island has fewer of them, and fewer parts in the end.
+/// After so many tries, or once the budget of impacts is used up, what is left of the step is gone through in so many
+/// parts. Each try moves all members: a large island has fewer of them, and fewer parts in the end.
 constexpr std::size_t kMaxTries = 64;
 constexpr std::size_t kMaxMemberTries = 1024;
 constexpr std::size_t kLastParts = 8;
@@ -28,10 +28,12 @@ constexpr double kMaxLooseTurn = 2;
 constexpr double kHopelessTurn = 1024;
 /// Radians in a sub-step that joints still follow well.
 constexpr double kMaxTurnOfSubStep = 1.0 / 16;
-/// Sub-steps of any part of an island with joints: what an impact gives to one body goes through one or two joints in each.
-/// With one, ragdolls at 100 m/s came apart by 9 cm, with four by 5 to 8, with eight by 4, and waited a tenth of the time.
+/// Sub-steps of any part of an island with joints: what an impact gives to one body goes through one or two joints in
+/// each. With one, ragdolls at 100 m/s came apart by 9 cm, with four by 5 to 8, with eight by 4, and waited a tenth of
+/// the time.
 constexpr int kFewestJointedSubSteps = 8;
-/// A part that was already made to fit, and still ends at an impact, is cut there if that leaves at least so much of it.
+/// A part that was already made to fit, and still ends at an impact, is cut there if that leaves at least so much of
+/// it.
 constexpr double kGoodFit = 0.5;
 /// After an impact the next part may be so many times as long as the one before.
 constexpr double kGrowth = 4;
@@ -85,7 +87,8 @@ Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
     return std::clamp(motion, kMinReachRatio * shape.extent, kMaxReachRatio * shape.extent);
 }
 
-/// Static and kinematic shapes within reach that no contact knows yet: the island left the boxes of the start of the step.
+/// Static and kinematic shapes within reach that no contact knows yet: the island left the boxes of the start of the
+/// step.
 void findGround(Island& island, const Shape& own, std::uint32_t slot, Real time) {
     WorldState& world = island.world;
     FastIslands& fast = island.fast;
@@ -121,10 +124,10 @@ void collideHeld(Island& island, double time) {
         const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
                            reachWithin(world, world.shapes[contact.shapeB], length);
         refreshManifold(world, contact, reach);
-        contact.updated = true;
-        contact.apart = false;
     }
-    dropGhosts(world, island.fast.held, island.fast.members);
+    std::vector<std::uint32_t>& all = island.fast.heldIndices;
+    while (all.size() < island.fast.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
+    dropGhosts(world, island.fast.held, std::span(all).first(island.fast.held.size()), island.fast.members);
     world.counters.manifolds += island.fast.held.size();
 }
 
@@ -139,10 +142,10 @@ Real carriedAtStart(const Island& island, std::size_t index, FeatureId id) {
     return 0;
 }
 
-/// Makes the impulses that contacts start from those of sub-steps of another length. What a contact carries grows with that
-/// length, what an impact gives does not: longer sub-steps start from no more than there was in the last one, or at the start
-/// of the step. (They did: an impact in an eighth of the usual sub-step came back eight times as strong, and a pile of 21
-/// gained a quarter of all energy in one step; test Energy.NeverGrowsUnderGravity.)
+/// Makes the impulses that contacts start from those of sub-steps of another length. What a contact carries grows with
+/// that length, what an impact gives does not: longer sub-steps start from no more than there was in the last one, or
+/// at the start of the step. (They did: an impact in an eighth of the usual sub-step came back eight times as strong,
+/// and a pile of 21 gained a quarter of all energy in one step; test Energy.NeverGrowsUnderGravity.)
 void setSubStep(Island& island, double seconds) {
     const auto factor = static_cast<Real>(seconds / island.subStep);
     const auto share = static_cast<Real>(seconds / island.usualSubStep);
@@ -231,8 +234,12 @@ void remember(Island& island) {
 
 void takeBack(Island& island) {
     FastIslands& fast = island.fast;
-    for (std::size_t i = 0; i < fast.members.size(); ++i) { island.world.motions[fast.members[i]] = fast.membersBefore[i]; }
-    for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { island.world.joints[fast.jointSlots[i]] = fast.jointsBefore[i]; }
+    for (std::size_t i = 0; i < fast.members.size(); ++i) {
+        island.world.motions[fast.members[i]] = fast.membersBefore[i];
+    }
+    for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) {
+        island.world.joints[fast.jointSlots[i]] = fast.jointsBefore[i];
+    }
     fast.held = fast.heldBefore;
     island.subStep = island.subStepBefore;
     fast.sources.resize(fast.held.size());
@@ -321,7 +328,11 @@ void finish(Island& island) {
     }
     setSubStep(island, island.usualSubStep);
     for (std::size_t i = 0; i < fast.held.size(); ++i) {
-        if (fast.sources[i] != kNoIndex) { island.world.contacts[fast.sources[i]] = fast.held[i]; }
+        if (fast.sources[i] == kNoIndex) { continue; }
+        island.world.contacts[fast.sources[i]] = fast.held[i];
+        ContactProbe& probe = island.world.probes[fast.sources[i]];
+        probe.apartUntil = 0;  // what it has now is that of another pose
+        probe.isIdle = false;
     }
 }
 
@@ -353,8 +364,8 @@ double tryPart(Island& island, double time, bool fits, double& next) {
     return 0;
 }
 
-/// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow among
-/// floor and wall less well, and may throw it up.
+/// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow
+/// among floor and wall less well, and may throw it up.
 bool fliesInstead(const Island& island) {
     const FastIslands& fast = island.fast;
     if (island.elapsed > 0 || fast.members.size() != 1 || !fast.jointSlots.empty()) { return false; }

@@ -6,6 +6,7 @@
 #include "shape_manifold.h"
 #include "step.h"
 #include "tolerances.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -13,17 +14,14 @@ namespace {
 /// Contacts per block: enough work, some microseconds, to pay for handing it over.
 constexpr std::size_t kContactGrain = 32;
 
-bool isAwake(const WorldState& world, std::uint32_t body) { return !(world.motionBounds[body] < 0); }
-
-bool isMoving(const WorldState& world, const Contact& contact) {
-    return isAwake(world, contact.bodyA) || isAwake(world, contact.bodyB);
-}
+/// As the stage began.
+bool isAwake(const BodyGlance& body) { return !(body.motion < 0); }
+bool isAwake(const WorldState& world, std::uint32_t body) { return isAwake(world.glances[body]); }
 
 /// So that the contacts of a body need not ask it one by one.
-void noteMotionBounds(WorldState& world) {
-    world.motionBounds.assign(world.bodies.slotCount(), -1);
+void noteMotions(WorldState& world) {
     for (const std::uint32_t slot : world.awake) {
-        world.motionBounds[slot] = motionBound(world, slot, static_cast<Real>(world.lastDt));
+        world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
     }
 }
 
@@ -87,8 +85,9 @@ void carryImpulses(const OldPoints& before, Contact& now) {
 
 }  // namespace
 
-void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
-    const Transform bInA = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
+namespace {
+
+void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin) {
     const Manifold manifold =
         shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin, contact.memory);
     if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
@@ -103,6 +102,16 @@ void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
     carryImpulses(before, contact);
 }
 
+Transform relativePoseOf(const WorldState& world, const Contact& contact) {
+    return relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
+}
+
+}  // namespace
+
+void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
+    renewManifold(world, contact, relativePoseOf(world, contact), margin);
+}
+
 namespace {
 
 /// `contactReach` of one side. @tparam kWatched  whether the world is: that of speculative bodies is not what was noted
@@ -110,39 +119,72 @@ template <bool kWatched>
 Real reachOf(const WorldState& world, std::uint32_t body, std::uint32_t shape, Real extent) {
     // What sleeps or never moves is rare beside what moves, or cheap.
     if (kWatched || !isAwake(world, body)) { return contactReach(world, world.shapes[shape]); }
-    return reachOfMotion(world.motionBounds[body], extent, false);
+    return reachOfMotion(world.glances[body].motion, extent, false);
 }
 
-/// Writes only to the contact: contacts may be updated in any order.
+void updateSensor(const WorldState& world, Contact& contact) {
+    const Distance closest = distance(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon,
+                                      relativePoseOf(world, contact));
+    contact.manifold.count = closest.distance <= 0 ? 1 : 0;
+    contact.manifold.normal = closest.normal;
+    contact.manifold.points[0] = {.point = Real(0.5) * (closest.pointA + closest.pointB)};
+}
+
+/// A contact that may have points.
 template <bool kWatched>
-void updateContact(const WorldState& world, Contact& contact) {
-    contact.updated = isMoving(world, contact);
-    if (!contact.updated) { return; }
-    contact.apart = !overlaps(world.broadphase->box(contact.proxyA), world.broadphase->box(contact.proxyB));
-    if (contact.apart) { return; }
-    if (contact.sensor) {
-        const Shape& a = world.shapes[contact.shapeA];
-        const Shape& b = world.shapes[contact.shapeB];
-        const Transform bInA =
-            relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
-        const Distance closest = distance(a.polygon, b.polygon, bInA);
-        contact.manifold.count = closest.distance <= 0 ? 1 : 0;
-        contact.manifold.normal = closest.normal;
-        contact.manifold.points[0] = {.point = Real(0.5) * (closest.pointA + closest.pointB)};
-        return;
-    }
-    refreshManifold(world, contact,
-                    reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
-                        reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB));
+void updateNear(const WorldState& world, ContactProbe& probe, Contact& contact) {
+    if (contact.sensor) { return updateSensor(world, contact); }
+    const Transform bInA = relativePoseOf(world, contact);
+    renewManifold(world, contact, bInA,
+                  reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
+                      reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB));
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
+    probe.apartUntil = 0;
+    if (contact.manifold.count > 0 || contact.memory.verdict != ManifoldMemory::Verdict::apart) { return; }
+    rememberApart(world, probe, contact.memory.room - contact.memory.motionTo(bInA));
+}
+
+bool overlap(std::span<const Aabb> boxes, const ContactProbe& probe) {
+    return overlaps(boxes[static_cast<std::size_t>(probe.proxyA)], boxes[static_cast<std::size_t>(probe.proxyB)]);
+}
+
+/// Writes only to the contact and its probe: contacts may be updated in any order.
+template <bool kWatched>
+void updateContact(WorldState& world, std::span<const Aabb> boxes, std::size_t index) {
+    ContactProbe& probe = world.probes[index];
+    const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
+    if (!isAwake(bodies.a) && !isAwake(bodies.b)) {
+        probe.state = ContactState::asleep;
+        return;
+    }
+    if (!overlap(boxes, probe)) {
+        probe.state = ContactState::boxesApart;
+        return;
+    }
+    // Speculative bodies reach farther than was noted.
+    const bool isTold = !kWatched && probe.isIdle;
+    if (isTold && (!overlap(world.neededBoxes, probe) || bodies.movedSince(probe) < probe.apartUntil)) {
+        probe.state = ContactState::apart;
+        return;
+    }
+    probe.state = ContactState::near;
+    updateNear<kWatched>(world, probe, world.contacts[index]);
 }
 
 template <bool kWatched>
 void updateContacts(WorldState& world) {
-    world.loops->run(world.contacts.size(), kContactGrain, [&world](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { updateContact<kWatched>(world, world.contacts[i]); }
+    const std::span<const Aabb> boxes = world.broadphase->boxes();
+    world.loops->run(world.contacts.size(), kContactGrain, [&world, boxes](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { updateContact<kWatched>(world, boxes, i); }
     });
+}
+
+void listNearContacts(WorldState& world) {
+    world.nearContacts.clear();
+    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {
+        if (world.probes[i].state == ContactState::near) { world.nearContacts.push_back(i); }
+    }
 }
 
 bool isTouching(const Contact& contact) {
@@ -181,8 +223,6 @@ bool disturbs(const WorldState& world, std::uint32_t slot) {
 
 /// Between parallel updates, in order of the contacts: events, and waking of what an awake body touches.
 void noticeTouching(WorldState& world, Contact& contact) {
-    if (!contact.updated || contact.apart) { return; }
-    ++world.counters.manifolds;
     const bool touching = isTouching(contact);
     if (touching != contact.touching) {
         world.contactEvents.push_back(eventOf(world, contact, touching));
@@ -219,43 +259,56 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
             .begins = !(contact.normalImpulse[0] > 0) && !(contact.normalImpulse[1] > 0)};
 }
 
+/// Events, waking, and the list for the stages that follow, under the indices that contacts have once those are removed
+/// whose boxes came apart. @return how many these are
+std::uint32_t listTouching(WorldState& world) {
+    world.touching.clear();
+    std::uint32_t apart = 0;
+    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {
+        ContactProbe& probe = world.probes[i];
+        if (probe.state == ContactState::boxesApart) { ++apart; }
+        if (probe.state == ContactState::near) {
+            noticeTouching(world, world.contacts[i]);
+            probe.isIdle = world.contacts[i].manifold.count == 0 && !world.contacts[i].sensor;
+        }
+        if (probe.isIdle || probe.state == ContactState::boxesApart) { continue; }
+        const Contact& contact = world.contacts[i];
+        if (!contact.isSolid()) { continue; }
+        world.touching.push_back(touchingPair(contact, i - apart));
+    }
+    return apart;
+}
+
 void countAhead(WorldState& world) {
-    for (const Contact& contact : world.contacts) {
-        const bool counts = contact.updated && !contact.apart && contact.isSolid();
-        world.counters.aheadContacts += counts && isAhead(world, contact) ? 1 : 0;
+    for (const std::uint32_t i : world.nearContacts) {
+        const Contact& contact = world.contacts[i];
+        world.counters.aheadContacts += contact.isSolid() && isAhead(world, contact) ? 1 : 0;
     }
 }
 
 }  // namespace
 
 void collideContacts(WorldState& world) {
-    noteMotionBounds(world);
+    noteMotions(world);
     if (world.contacts.empty()) {
         world.touching.clear();
         if (world.joints.size() > 0) { wakeAcrossJoints(world); }
         return;
     }
+    for (const std::uint32_t slot : world.awake) { noteMotion(world, slot); }
     if (world.watched) {
         updateContacts<true>(world);
     } else {
         updateContacts<false>(world);
     }
-    dropGhosts(world, world.contacts, world.awake);
+    listNearContacts(world);
+    dropGhosts(world, world.contacts, world.nearContacts, world.awake);
     if (world.joints.size() > 0) { wakeAcrossJoints(world); }
-    world.touching.clear();
-    std::uint32_t apart = 0;
-    for (std::uint32_t i = 0; i < world.contacts.size(); ++i) {
-        Contact& contact = world.contacts[i];
-        noticeTouching(world, contact);
-        if (contact.updated && contact.apart) {
-            ++apart;
-        } else if (contact.isSolid()) {
-            world.touching.push_back(touchingPair(contact, i - apart));  // its place once those are removed
-        }
-    }
+    const std::uint32_t apart = listTouching(world);
+    world.counters.manifolds += world.nearContacts.size();
     if (world.watched) { countAhead(world); }
     if (apart > 0) {
-        removeContacts(world, [](const Contact& contact) { return contact.updated && contact.apart; });
+        removeContacts(world, [](const ContactProbe& probe) { return probe.state == ContactState::boxesApart; });
     }
     world.counters.contacts = world.contacts.size();
     world.counters.touching = world.touching.size();

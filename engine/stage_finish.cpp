@@ -5,6 +5,7 @@
 
 #include "step.h"
 #include "tolerances.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -72,6 +73,7 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
     body.role = BodyRole::idle;
     motion.velocity = {};
     motion.angularVelocity = 0;
+    noteRest(world, slot);
     // Into the ring of its island, whose last member is remembered by root.
     const std::uint32_t root = world.islands.find(slot);
     const std::uint32_t last = world.islandRing[root];

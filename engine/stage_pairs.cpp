@@ -34,8 +34,6 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.extent = std::min(a.extent, b.extent);
     contact.extentA = a.extent;
     contact.extentB = b.extent;
-    contact.proxyA = a.proxy;
-    contact.proxyB = b.proxy;
     contact.dynamicA = world.bodies[a.body].isDynamic();
     contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;
@@ -44,7 +42,11 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
 
 bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (!mayTouch(world, world.shapes[a], world.shapes[b]) || !world.pairs.insert(a, b)) { return false; }
-    world.contacts.push_back(contactOf(world, a, b));
+    const Contact& contact = world.contacts.emplace_back(contactOf(world, a, b));
+    world.probes.push_back({.bodyA = contact.bodyA,
+                            .bodyB = contact.bodyB,
+                            .proxyA = world.shapes[contact.shapeA].proxy,
+                            .proxyB = world.shapes[contact.shapeB].proxy});
     ++world.counters.pairsFound;
     return true;
 }

@@ -17,7 +17,7 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     body.deepContact = false;
     body.bounces = body.rests = body.strikes = body.startled = body.flung = false;
     // What just woke has no bound yet.
-    const Real known = world.motionBounds[slot];
+    const Real known = world.glances[slot].motion;
     const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
     body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
     world.traits[slot] = body.fast ? kIsAwake | kIsFast : kIsAwake;

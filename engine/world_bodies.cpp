@@ -3,7 +3,7 @@
 
 #include "modes.h"
 #include "number_range.h"
-#include "world_state.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -40,7 +40,7 @@ Status check(const BodyDef& def) {
 /// Contacts of a body that was teleported or destroyed say nothing any more; what rested on it wakes.
 void dropContacts(WorldState& world, std::uint32_t slot) {
     wakeNeighbours(world, slot);
-    removeContacts(world, [slot](const Contact& contact) { return contact.bodyA == slot || contact.bodyB == slot; });
+    removeContacts(world, [slot](const ContactProbe& probe) { return probe.bodyA == slot || probe.bodyB == slot; });
 }
 
 /// Leaves the ring of bodies it sleeps with by waking them all.
@@ -65,6 +65,10 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     motion = {
         .center = def.position, .angle = def.angle, .velocity = def.velocity, .angularVelocity = def.angularVelocity};
     world.bodies[id->index].nextAsleep = id->index;
+    world.travels.resize(world.bodies.slotCount());
+    world.travels[id->index] = {.angle = def.angle};
+    world.glances.resize(world.bodies.slotCount());
+    world.glances[id->index] = {.center = def.position};
     updatePose(world, id->index);
     world.kinematicBodies += def.type == BodyType::kinematic ? 1U : 0U;
     world.watchedBodies += isWatched(def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
@@ -227,6 +231,7 @@ Status World::setAwake(BodyId id, bool awake) {
         body->torque = 0;
         world.motions[id.index].velocity = {};
         world.motions[id.index].angularVelocity = 0;
+        noteRest(world, id.index);
         std::erase(world.awake, id.index);
     }
     return Status::success();

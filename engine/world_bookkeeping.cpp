@@ -4,7 +4,7 @@
 #include "../shapes/mass.h"
 #include "modes.h"
 #include "tolerances.h"
-#include "world_state.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -94,6 +94,7 @@ void wakeNeighbours(WorldState& world, std::uint32_t body) {
 
 void updateMass(WorldState& world, std::uint32_t slot) {
     Body& body = world.bodies[slot];
+    noteTravel(world, slot);  // with the radius of before
     const bool wasMassless = body.isDynamic() && body.mass <= 0;
     MassProperties total = massOfShapes(world, body);
     if (body.def.mass > 0) {
@@ -105,7 +106,9 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     const Vec2 center = body.isDynamic() && total.mass > 0 ? toReal(total.center) : Vec2{};
     BodyMotion& motion = world.motions[slot];
     // The velocity given is that of the centre of mass: it stays, wherever the centre moves to.
+    const DVec2 before = motion.center;
     motion.center = apply(motion.pose, center);
+    noteNewCenter(world, slot, motion.center - before);
     body.localCenter = center;
     body.mass = body.isDynamic() ? total.mass : 0;
     body.inertia = body.isDynamic() ? total.inertia : 0;
@@ -113,14 +116,17 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     const bool turns = body.inertia > 0 && !body.def.fixedRotation;
     body.inverseInertia = turns ? static_cast<Real>(1 / body.inertia) : Real(0);
     body.extent = 0;
+    body.widest = 0;
     body.radius = 0;
     for (const std::uint32_t shapeSlot : body.shapes) {
         Shape& shape = world.shapes[shapeSlot];
         shape.radius = radiusAbout(shape.polygon, center);
         if (shape.def.sensor) { continue; }
         body.extent = body.extent > 0 ? std::min(body.extent, shape.extent) : shape.extent;
+        body.widest = std::max(body.widest, shape.extent);
         body.radius = std::max(body.radius, shape.radius);
     }
+    if (!body.awake) { noteRest(world, slot); }
     const bool isMassless = body.isDynamic() && body.mass <= 0;
     if (isMassless && !wasMassless) { ++world.masslessBodies; }
     if (!isMassless && wasMassless) { --world.masslessBodies; }
@@ -160,24 +166,24 @@ Aabb circleBox(DVec2 center, double radius) {
     return roundedOutward({center.x - radius, center.y - radius}, {center.x + radius, center.y + radius});
 }
 
-}  // namespace
-
-Aabb neededBox(const WorldState& world, const Shape& shape) {
+/// Of a body that is moved so far in the step at most.
+Aabb neededBoxOf(const WorldState& world, const Shape& shape, Real motion) {
+    const Body& body = world.bodies[shape.body];
+    if (body.def.type == BodyType::fixed) { return boundsOf(shape.polygon, world.motions[shape.body].pose); }
+    const Real reach = reachOfMotion(motion, shape.extent, modeOf(world, body) == ContinuousMode::speculative);
     if (isRoundEnough(world, shape)) {
-        const Real radius = shape.radius + contactReach(world, shape);
+        const Real radius = shape.radius + reach;
         return circleBox(world.motions[shape.body].center,
                          static_cast<double>(radius) * (1 + static_cast<double>(kEpsilon)));
     }
     const Aabb tight = boundsOf(shape.polygon, world.motions[shape.body].pose);
-    switch (world.bodies[shape.body].def.type) {
-        case BodyType::fixed:
-            return tight;
-        case BodyType::kinematic:
-            return grown(boxAfter(world, shape, tight), contactReach(world, shape));
-        case BodyType::dynamic:
-            return grown(tight, contactReach(world, shape));
-    }
-    return tight;  // unreachable, but GCC cannot know
+    return grown(body.isDynamic() ? tight : boxAfter(world, shape, tight), reach);
+}
+
+}  // namespace
+
+Aabb neededBox(const WorldState& world, const Shape& shape) {
+    return neededBoxOf(world, shape, motionBound(world, shape.body, static_cast<Real>(world.lastDt)));
 }
 
 namespace {
@@ -195,18 +201,45 @@ Aabb fattened(const WorldState& world, const Shape& shape, const Aabb& needed) {
 
 Aabb fatBox(const WorldState& world, const Shape& shape) { return fattened(world, shape, neededBox(world, shape)); }
 
-bool hasOutgrownProxy(const WorldState& world, std::uint32_t body) {
-    const std::vector<std::uint32_t>& shapes = world.bodies[body].shapes;
-    return std::any_of(shapes.begin(), shapes.end(), [&world](std::uint32_t slot) {
+namespace {
+
+/// Before the boxes of its shapes are made anew. @return its motion in the step, at most, as far as boxes ask for it
+Real noteBoxes(WorldState& world, std::uint32_t slot) {
+    const auto dt = static_cast<Real>(world.lastDt);
+    const Body& body = world.bodies[slot];
+    const Vec2 velocity = world.motions[slot].velocity;
+    const Real alongAxis = dt * std::max(std::fabs(velocity.x), std::fabs(velocity.y));
+    // What is fast along one axis is told without a root: no box reaches farther ahead than its own.
+    if (alongAxis >= kMaxReachRatio * body.widest && modeOf(world, body) != ContinuousMode::speculative) {
+        world.travels[slot].boxMotion = std::numeric_limits<Real>::max();
+        return alongAxis;
+    }
+    return world.travels[slot].boxMotion = motionBound(world, slot, dt);
+}
+
+/// Kept for the stage of contacts of the next step.
+const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion) {
+    return world.neededBoxes[static_cast<std::size_t>(shape.proxy)] = neededBoxOf(world, shape, motion);
+}
+
+}  // namespace
+
+bool hasOutgrownProxy(WorldState& world, std::uint32_t body) {
+    const Real motion = noteBoxes(world, body);
+    bool hasOutgrown = false;
+    for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
-        return !contains(world.broadphase->box(shape.proxy), neededBox(world, shape));
-    });
+        const bool fits = contains(world.broadphase->box(shape.proxy), renewNeededBox(world, shape, motion));
+        hasOutgrown = hasOutgrown || !fits;
+    }
+    return hasOutgrown;
 }
 
 void updateProxies(WorldState& world, std::uint32_t body, bool always) {
+    const Real motion = noteBoxes(world, body);
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
-        const Aabb needed = neededBox(world, shape);
+        const Aabb& needed = renewNeededBox(world, shape, motion);
         if (!always && contains(world.broadphase->box(shape.proxy), needed)) { continue; }
         const Status moved = world.broadphase->move(shape.proxy, fattened(world, shape, needed));
         if (always) { (void)world.broadphase->renewPairs(shape.proxy); }  // the shape owns it: never stale
@@ -226,14 +259,18 @@ void removeJoint(WorldState& world, JointId id) {
     }
 }
 
-void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed) {
-    auto keep = world.contacts.begin();
-    for (Contact& contact : world.contacts) {
-        if (!doomed(contact)) {
-            if (&*keep != &contact) { *keep = contact; }
-            ++keep;
+void removeContacts(WorldState& world, FunctionRef<bool(const ContactProbe&)> doomed) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < world.probes.size(); ++i) {
+        if (!doomed(world.probes[i])) {
+            if (kept != i) {
+                world.probes[kept] = world.probes[i];
+                world.contacts[kept] = world.contacts[i];
+            }
+            ++kept;
             continue;
         }
+        const Contact& contact = world.contacts[i];
         world.pairs.erase(contact.shapeA, contact.shapeB);
         if (contact.touching) {
             world.contactEvents.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
@@ -243,7 +280,8 @@ void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed)
                                            .bodyB = world.bodies.idOf(contact.bodyB)});
         }
     }
-    world.contacts.erase(keep, world.contacts.end());
+    world.probes.resize(kept);
+    world.contacts.resize(kept);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -41,6 +41,8 @@ void remember(WorldState& world, ProxyId proxy, std::uint32_t shape) {
     const auto index = static_cast<std::size_t>(proxy);
     if (world.proxyShapes.size() <= index) { world.proxyShapes.resize(index + 1, kNoIndex); }
     world.proxyShapes[index] = shape;
+    world.neededBoxes.resize(world.proxyShapes.size());
+    world.neededBoxes[index] = world.broadphase->box(proxy);
 }
 
 /// Puts a shape into the world: slot, proxy, list of the body.
@@ -70,8 +72,9 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
 
 void removeOne(WorldState& world, std::uint32_t slot) {
     const std::uint32_t body = world.shapes[slot].body;
-    (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
-    removeContacts(world, [slot](const Contact& c) { return c.shapeA == slot || c.shapeB == slot; });
+    const ProxyId proxy = world.shapes[slot].proxy;
+    (void)world.broadphase->remove(proxy);  // it is there: the shape owns it
+    removeContacts(world, [proxy](const ContactProbe& c) { return c.proxyA == proxy || c.proxyB == proxy; });
     std::erase(world.bodies[body].shapes, slot);
     world.thinnestWall.reset();
     world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;

@@ -45,6 +45,22 @@ struct Waypoint {
     double angle = 0;
 };
 
+/// What contacts look at first of their bodies, as the stage of contacts began (travel.h).
+struct BodyGlance {
+    DVec2 center{};
+    double turnedAhead =
+        std::numeric_limits<double>::infinity();  ///< `BodyTravel::turned`, and how far its contacts reach
+    Real motion = -1;  ///< `motionBound`, metres; negative while the body is static or asleep
+};
+
+/// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted
+/// last.
+struct BodyTravel {
+    double angle = 0;
+    double turned = 0;    ///< metres, rounded up
+    Real boxMotion = -1;  ///< `motionBound` of which its boxes were made last
+};
+
 /// Scratch of mode_sensors.cpp, kept for its capacity.
 struct SensorSweeps {
     std::vector<SensorPair> pairs;
@@ -62,7 +78,7 @@ struct WorldState {
     TaskSystem* loops = &serialTasks;  ///< where the parallel loops of the present step run
 
     SlotPool<Body, BodyId> bodies;
-    std::vector<BodyMotion> motions;  ///< by body slot
+    std::vector<BodyMotion> motions;    ///< by body slot
     std::vector<BodySlot> solverSlots;  ///< by body slot: in the present solve, of what it moves or may meet
     std::vector<Vec2> localCenters;     ///< of the bodies of the present solve, by their slot there
     SlotPool<Shape, ShapeId> shapes;
@@ -82,13 +98,18 @@ struct WorldState {
     std::vector<ProxyPair> newPairs;
 
     std::vector<Contact> contacts;
-    std::vector<Real> motionBounds;  ///< by body slot, as the stage of contacts begins; negative where nothing is awake
+    std::vector<ContactProbe> probes;               ///< one for each contact, in the same order
+    std::vector<std::uint32_t> nearContacts;        ///< indices of those whose manifold is of this step, ascending
+    std::vector<BodyGlance> glances;                ///< by body slot
+    std::vector<BodyTravel> travels;                ///< by body slot
+    std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
-    PairTable pairs;  ///< of shape slots that have a contact
-    std::vector<TouchingPair> touching;  ///< in order of the contacts; of this step, until the solve
-    std::vector<BodyTraits> traits;      ///< by body slot, of this step
-    std::vector<std::uint32_t> tied;     ///< slots of bodies whose role was `solved` when roles were given, in order of waking
+    PairTable pairs;                                ///< of shape slots that have a contact
+    std::vector<TouchingPair> touching;             ///< in order of the contacts; of this step, until the solve
+    std::vector<BodyTraits> traits;                 ///< by body slot, of this step
+    std::vector<std::uint32_t>
+        tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
 
     std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
     FastIslands fastIslands;
@@ -149,12 +170,12 @@ void updatePose(WorldState& world, std::uint32_t body);
 Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
 /// Whether some box is too small for where its shape may be next.
-bool hasOutgrownProxy(const WorldState& world, std::uint32_t body);
+bool hasOutgrownProxy(WorldState& world, std::uint32_t body);
 /// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are
 /// found anew (teleports).
 void updateProxies(WorldState& world, std::uint32_t body, bool always);
 /// Removes contacts for which `doomed` is true; reports the end of those that touched.
-void removeContacts(WorldState& world, FunctionRef<bool(const Contact&)> doomed);
+void removeContacts(WorldState& world, FunctionRef<bool(const ContactProbe&)> doomed);
 /// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
 void removeJoint(WorldState& world, JointId id);
 /// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its

@@ -1,0 +1,78 @@
+#include "travel.h"
+
+#include "../shapes/manifold_memory.h"
+#include "modes.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// More than any of the sums and products here loses by rounding, relative to its result.
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+/// Rounded up, so that the difference of any two sums is no less than what was added between them.
+void addTurned(BodyTravel& travel, double length) { travel.turned = nextUp(travel.turned + length * (1 + kRounding)); }
+
+}  // namespace
+
+void noteTravel(WorldState& world, std::uint32_t slot) {
+    const BodyMotion& motion = world.motions[slot];
+    BodyTravel& travel = world.travels[slot];
+    if (motion.angle != travel.angle) {
+        addTurned(travel, std::fabs(motion.angle - travel.angle) * static_cast<double>(world.bodies[slot].radius));
+        travel.angle = motion.angle;
+    }
+    world.glances[slot].center = motion.center;
+}
+
+void noteNewCenter(WorldState& world, std::uint32_t slot, DVec2 shift) {
+    if (shift == DVec2{}) { return; }
+    // Contacts compare centres: what the shift may take away from a later motion is added here.
+    addTurned(world.travels[slot], lengthAtMost(shift));
+    world.glances[slot].center = world.motions[slot].center;
+}
+
+void noteRest(WorldState& world, std::uint32_t slot) {
+    noteTravel(world, slot);
+    BodyGlance& glance = world.glances[slot];
+    const Body& body = world.bodies[slot];
+    glance.motion = -1;
+    glance.turnedAhead = world.travels[slot].turned;
+    if (body.def.type == BodyType::fixed) { return; }
+    // How far contacts reach beyond what sleeps depends on the coming steps.
+    glance.turnedAhead += static_cast<double>(kMaxReachRatio * body.widest);
+    for (const std::uint32_t index : body.shapes) {
+        const Shape& shape = world.shapes[index];
+        world.neededBoxes[static_cast<std::size_t>(shape.proxy)] =
+            grown(boundsOf(shape.polygon, world.motions[slot].pose), kMaxReachRatio * shape.extent);
+    }
+}
+
+void noteMotion(WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    noteTravel(world, slot);
+    BodyGlance& glance = world.glances[slot];
+    glance.turnedAhead =
+        world.travels[slot].turned + static_cast<double>(reachOfMotion(glance.motion, body.widest, false));
+    // As nearly always: its boxes were made where it is, and it is no faster than it was.
+    if (glance.motion <= world.travels[slot].boxMotion) { return; }
+    for (const std::uint32_t index : body.shapes) {
+        world.neededBoxes[static_cast<std::size_t>(world.shapes[index].proxy)] = neededBox(world, world.shapes[index]);
+    }
+}
+
+void rememberApart(const WorldState& world, ContactProbe& probe, Real room) {
+    const DVec2 centerA = world.glances[probe.bodyA].center;
+    const DVec2 centerB = world.glances[probe.bodyB].center;
+    const DVec2 offset = centerB - centerA;
+    probe.offset = toReal(offset);
+    // Poses are rounded: rotations and relative positions to `Real`, positions to double.
+    const double size =
+        static_cast<double>(world.bodies[probe.bodyA].radius + world.bodies[probe.bodyB].radius) + sumNorm(offset);
+    const double rounding =
+        static_cast<double>(kVerdictRounding) * size + kRounding * (sumNorm(centerA) + sumNorm(centerB));
+    const double turned = world.travels[probe.bodyA].turned + world.travels[probe.bodyB].turned;
+    probe.apartUntil = (turned + (static_cast<double>(room) - rounding)) * (1 - kRounding);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cmath>
+
+#include "../shapes/pair_view.h"
+#include "world_state.h"
+
+/// Most contacts are of shapes whose boxes overlap and that are apart. Two things tell that without a look at either
+/// shape: boxes that are no larger than the step needs, and how far apart the shapes were when they were last looked
+/// at, against how far their bodies have moved since.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Counts how far a body turned since it was last noted. After whatever moves a body.
+void noteTravel(WorldState& world, std::uint32_t body);
+/// The centre of mass became another point of the body, which did not move.
+void noteNewCenter(WorldState& world, std::uint32_t body, DVec2 shift);
+/// For a body that the next step finds asleep, or that is static: nothing is asked about it again before it moves.
+void noteRest(WorldState& world, std::uint32_t body);
+/// For a body that is awake, as the stage of contacts begins. @pre `BodyGlance::motion` is that of this step
+void noteMotion(WorldState& world, std::uint32_t body);
+
+/// Both bodies of a contact, as the stage of contacts found them.
+struct BodyGlances {
+    const BodyGlance& a;
+    const BodyGlance& b;
+
+    /// How far the bodies have moved, compared with `ContactProbe::apartUntil`: metres.
+    double movedSince(const ContactProbe& probe) const;
+};
+
+/// Writes down in the probe how long the shapes of a contact stay so far apart that it has no points. Certain whatever
+/// was rounded: without it every result is the same.
+/// @param room  how far apart they are, no more, metres
+void rememberApart(const WorldState& world, ContactProbe& probe, Real room);
+
+/// Never shorter than the vector, and at most a twelfth longer: without squares, which overflow, and without a root.
+inline double lengthAtMost(DVec2 v) {
+    constexpr double kDiagonal = 0.41421357;  // a little above √2 − 1
+    const double x = std::fabs(v.x);
+    const double y = std::fabs(v.y);
+    return x > y ? x + kDiagonal * y : y + kDiagonal * x;
+}
+
+inline double BodyGlances::movedSince(const ContactProbe& probe) const {
+    return lengthAtMost((b.center - a.center) - toDouble(probe.offset)) + (a.turnedAhead + b.turnedAhead);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
