@@ -19,6 +19,9 @@ constexpr double kShortestPart = 1.0 / 128;
 /// parts. Each try moves all members: a large island has fewer of them, and fewer parts in the end.
 constexpr std::size_t kMaxTries = 64;
 constexpr std::size_t kMaxMemberTries = 1024;
+constexpr std::size_t kMaxMemberTriesOfFast = 256;
+/// With fewer tries than this every one of them is in vain.
+constexpr std::size_t kFewestTries = 2;
 constexpr std::size_t kLastParts = 8;
 /// Radians that a member may turn in a part: sweeps go straight from pose to pose.
 constexpr double kMaxTurn = 0.5;
@@ -216,7 +219,8 @@ void solvePart(Island& island, double time) {
     addUpReactions(island, time);
 }
 
-void remember(Island& island) {
+/// @param isTried  whether the part may be taken back
+void remember(Island& island, bool isTried) {
     FastIslands& fast = island.fast;
     fast.membersBefore.clear();
     for (const std::uint32_t slot : fast.members) {
@@ -225,7 +229,7 @@ void remember(Island& island) {
         island.world.bodies[slot].startCenter = motion.center;
         island.world.bodies[slot].startAngle = motion.angle;
     }
-    fast.heldBefore = fast.held;
+    if (isTried) { fast.heldBefore = fast.held; }
     island.subStepBefore = island.subStep;
     fast.jointsBefore.clear();
     for (const std::uint32_t slot : fast.jointSlots) { fast.jointsBefore.push_back(island.world.joints[slot]); }
@@ -294,6 +298,7 @@ void holdMembers(Island& island, double time) {
     const StepPart part{.begin = island.elapsed, .length = time, .dt = island.dt};
     for (const std::uint32_t slot : island.fast.members) {
         if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
+        ++island.world.counters.sweeps;
         const bool stops = modeOf(island.world, island.world.bodies[slot]) == ContinuousMode::stop;
         clampAtImpact(island.world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, island.scratch);
     }
@@ -336,25 +341,30 @@ void finish(Island& island) {
     }
 }
 
-/// Tries of all members that an island may make: none where it is so large that its step is one part, and what strikes
-/// something on its way is held there.
-std::size_t triesFor(std::size_t members) { return kMaxMemberTries / std::max<std::size_t>(members, 1); }
+/// Visits of members that all tries of an island may make.
+std::size_t memberTries(const WorldSettings& settings) {
+    return settings.profile == Profile::fast ? kMaxMemberTriesOfFast : kMaxMemberTries;
+}
 
 /// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
 double tryPart(Island& island, double time, bool fits, double& next) {
-    remember(island);
+    const bool isLast = time < 2 * island.shortest;  // try: it stays as it is
+    remember(island, !isLast);
     placeKinematics(island, island.elapsed);
-    listHeldPairs(island.fast);
-    collideHeld(island, time);
+    // The whole step begins with the contacts that it has found already.
+    if (island.elapsed > 0 || time < island.dt) {
+        listHeldPairs(island.fast);
+        collideHeld(island, time);
+    }
     solvePart(island, time);
-    const double fraction = firstImpactOf(island, time);
     next = std::max(kGrowth * time, kGrowth * island.shortest);
-    if (!(fraction < 1)) { return time; }
-    ++island.scratch.impacts;
-    if (time < 2 * island.shortest) {
+    if (isLast) {
         holdMembers(island, time);
         return time;
     }
+    const double fraction = firstImpactOf(island, time);
+    if (!(fraction < 1)) { return time; }
+    ++island.scratch.impacts;
     if (fits && fraction >= kGoodFit && fraction * time >= island.shortest) {
         cutPart(island, time, fraction);
         return fraction * time;
@@ -375,11 +385,13 @@ bool fliesInstead(const Island& island) {
 
 }  // namespace
 
+std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }
+
 void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
     Island island{world, world.fastIslands, scratch, dt};
     begin(island);
     double next = dt;
-    const std::size_t tries = triesFor(island.fast.members.size());
+    const std::size_t tries = std::max(memberTries(world.settings) / island.fast.members.size(), kFewestTries);
     const int mostTries = std::min(static_cast<int>(std::min(tries, kMaxTries)), world.settings.maxImpacts);
     const auto lastParts = static_cast<double>(std::clamp<std::size_t>(tries, 1, kLastParts));
     const double maxTurn = island.fast.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;

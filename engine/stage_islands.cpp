@@ -12,6 +12,24 @@ bool isFastTied(const WorldState& world, const Body& body) {
     return body.role == BodyRole::solved && body.fast && modeOf(world, body) == ContinuousMode::subStep;
 }
 
+/// Islands that are too large for it stay with the others.
+void dropLargeIslands(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    for (const std::uint32_t slot : world.tied) {
+        std::uint32_t& members = fast.numbers[world.islands.find(slot)];
+        if (members != kNoIndex) {
+            ++members;
+        }
+    }
+    fast.any = false;
+    for (std::uint32_t& members : fast.numbers) {
+        if (members != kNoIndex && members > mostTogether(world.settings)) {
+            members = kNoIndex;
+        }
+        fast.any = fast.any || members != kNoIndex;
+    }
+}
+
 /// Numbers the islands with something fast by their lowest members, which stand for them in `world.islands`.
 void numberIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
@@ -28,6 +46,7 @@ void numberIslands(WorldState& world) {
     if (!fast.any) {
         return;
     }
+    dropLargeIslands(world);
     std::uint32_t count = 0;
     for (std::uint32_t& number : fast.numbers) {
         if (number != kNoIndex) {

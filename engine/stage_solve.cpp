@@ -162,6 +162,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .maxSpeed = world.settings.maxSpeed,
                                   .joints = !group.joints.empty(),
                                   .bounces = bounces,
+                                  .coarseImpacts = world.settings.profile == Profile::fast,
                                   .direct = group.effort.direct};
     const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
                                                : world.solver.solve(world.batch, settings, *world.loops);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "impact_problem.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -10,50 +13,8 @@ namespace {
 /// Below this ratio of the determinant to the product of its diagonal, a response is singular as far as rounding can tell:
 /// two points act as one (same place, or no rotation).
 constexpr Real kSingularRatio = 16 * kEpsilon;
-/// An approach below this share of the points' own speeds is what rounding leaves of a solved contact.
-constexpr Real kRoundingRatio = 8 * kEpsilon;
 /// Impulse vectors (world) at the points.
 using Impulses = std::array<Vec2, 2>;
-using Scalars = std::array<Real, 2>;
-
-/// An impact as a small linear problem: how the relative velocities of the points answer to impulses at them.
-struct ImpactProblem {
-    const ContactConstraint& contact;
-    BodyState a;
-    BodyState b;
-    BodyInertia inertiaA;
-    BodyInertia inertiaB;
-    std::array<bool, 2> active{};
-
-    const ContactConstraintPoint& point(int i) const { return contact.points[static_cast<std::size_t>(i)]; }
-
-    Vec2 relativeVelocity(int i) const {
-        return velocityAt(b, point(i).anchorB) - velocityAt(a, point(i).anchorA);
-    }
-    /// What rounding of the relative velocity is measured against: sum of the speeds it is made of. Those of moving and
-    /// turning are taken apart, since they cancel where a body rolls, and their rounding does not.
-    Real speedScale(int i) const {
-        return length(a.velocity) + std::fabs(a.angularVelocity) * length(point(i).anchorA) + length(b.velocity) +
-               std::fabs(b.angularVelocity) * length(point(i).anchorB);
-    }
-    void apply(int i, Vec2 impulse) {
-        applyImpulse(a, inertiaA, -impulse, point(i).anchorA);
-        applyImpulse(b, inertiaB, impulse, point(i).anchorB);
-    }
-    /// Normal velocity at point i for a unit normal impulse at point j.
-    Real response(int i, int j) const {
-        const Vec2 n = contact.normal;
-        return inertiaA.inverseMass + inertiaB.inverseMass +
-               inertiaA.inverseInertia * cross(point(i).anchorA, n) * cross(point(j).anchorA, n) +
-               inertiaB.inverseInertia * cross(point(i).anchorB, n) * cross(point(j).anchorB, n);
-    }
-    /// Tangential velocity at point i for a unit normal impulse there, and the other way round.
-    Real coupling(int i, Vec2 tangent) const {
-        const Vec2 n = contact.normal;
-        return inertiaA.inverseInertia * cross(point(i).anchorA, n) * cross(point(i).anchorA, tangent) +
-               inertiaB.inverseInertia * cross(point(i).anchorB, n) * cross(point(i).anchorB, tangent);
-    }
-};
 
 /// Smallest non-negative impulses that change both normal velocities by `change` (both points approach).
 Scalars solveBlock(const ImpactProblem& problem, const Scalars& change) {
@@ -166,158 +127,6 @@ Impulses withoutEnergyGain(const ImpactProblem& problem, const Impulses& full) {
     return mix(plastic, full, low);
 }
 
-/// Which points take part in an impact, and how.
-struct Approach {
-    Scalars speed{};        ///< m/s; of points that take no part, too
-    Scalars restitution{};
-    std::array<bool, 2> active{};
-
-    bool any() const { return active[0] || active[1]; }
-};
-
-Approach approachOf(const ImpactProblem& problem, const ImpactRule& rule) {
-    const ContactConstraint& contact = problem.contact;
-    Approach approach;
-    for (int i = 0; i < contact.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
-        approach.speed[k] = speed;
-        if (contact.points[k].normalMass <= 0 || speed <= kRoundingRatio * problem.speedScale(i)) { continue; }
-        const bool bounces = contact.restitution > 0 && speed > rule.restitutionThreshold;
-        const bool meets = rule.horizon <= 0 || currentSeparation(contact, contact.points[k], problem.a, problem.b) <=
-                                                    speed * rule.horizon;
-        approach.active[k] = meets && (bounces || rule.resolvePlastic);
-        approach.restitution[k] = bounces ? contact.restitution : Real(0);
-    }
-    return approach;
-}
-
-ImpactProblem problemOf(const ContactConstraint& contact, const SolverBodies& bodies) {
-    return {contact, bodies.states[contact.slotA], bodies.states[contact.slotB], bodies.inertias[contact.slotA],
-            bodies.inertias[contact.slotB]};
-}
-
-/// Lists what approaches now. @return whether two of them share a body that can be moved, and none differs in restitution
-/// (what is too slow to bounce has none)
-bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
-                     ImpactScratch& scratch) {
-    scratch.approaching.clear();
-    scratch.speeds.clear();
-    scratch.seen.resize(std::max(scratch.seen.size(), bodies.states.size()), 0);
-    ++scratch.round;
-    bool shared = false;
-    bool alike = true;
-    for (ContactConstraint* contact : contacts) {
-        const Approach approach = approachOf(problemOf(*contact, bodies), rule);
-        if (!approach.any()) { continue; }
-        const Real restitution = std::max(approach.restitution[0], approach.restitution[1]);
-        alike = alike && (scratch.approaching.empty() || scratch.restitution == restitution);
-        scratch.restitution = restitution;
-        scratch.approaching.push_back(contact);
-        scratch.speeds.push_back(
-            {approach.active[0] ? approach.speed[0] : Real(0), approach.active[1] ? approach.speed[1] : Real(0)});
-        for (const BodySlot slot : {contact->slotA, contact->slotB}) {
-            const BodyInertia& inertia = bodies.inertias[slot];
-            if (!(inertia.inverseMass > 0) && !(inertia.inverseInertia > 0)) { continue; }
-            shared = shared || scratch.seen[slot] == scratch.round;
-            scratch.seen[slot] = scratch.round;
-        }
-    }
-    return shared && alike;
-}
-
-/// Sweeps of the projection: each takes an impact one contact further, and the soft tail does not matter, since the energy is
-/// made right at the end.
-constexpr std::size_t kProjectionSweeps = 64;
-/// Where thousands press against each other, rounds and sweeps would take seconds and still not be done. So the contacts that a
-/// call visits, in all rounds and sweeps together, are counted: up to 8 contacts do as they like, from 8192 on there are 2
-/// visits for each of them. What still approaches then is plastic, the solver's.
-constexpr std::size_t kAlwaysVisits = 16384;
-constexpr std::size_t kVisitsOfContact = 2;
-/// Fewer sweeps than this are no projection.
-constexpr std::size_t kFewestSweeps = 2;
-
-/// One Gauss–Seidel sweep of the projection. @return the largest change of a normal velocity, relative to that before
-Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
-    Real largest = 0;
-    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
-        const ContactConstraint& contact = *scratch.approaching[c];
-        ImpactProblem problem = problemOf(contact, bodies);
-        for (int i = 0; i < contact.count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const Real before = scratch.speeds[c][k];
-            if (!(before > 0)) { continue; }
-            const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
-            Real& impulse = scratch.impulses[c][k];
-            const Real total = std::max(impulse + contact.points[k].normalMass * speed, Real(0));
-            problem.apply(i, (total - impulse) * contact.normal);
-            largest = std::max(largest, std::fabs(total - impulse) / (contact.points[k].normalMass * before));
-            impulse = total;
-        }
-        storePair(bodies, contact.slotA, problem.a, contact.slotB, problem.b);
-    }
-    return largest;
-}
-
-/// Factor on the impulses of the projection that makes them a reflection: work done is (1 − e²) of what a plastic impact takes,
-/// as if the projection had converged. (Impulses λ, speeds before −v: work of s·λ is s·v·λ + s²·q/2, q = λ·(change of v).)
-Real reflectionFactor(const SolverBodies& bodies, const ImpactScratch& scratch) {
-    Real given = 0;
-    Real change = 0;
-    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
-        const ContactConstraint& contact = *scratch.approaching[c];
-        const ImpactProblem problem = problemOf(contact, bodies);
-        for (int i = 0; i < contact.count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const Real impulse = scratch.impulses[c][k];
-            const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
-            given += impulse * scratch.speeds[c][k];
-            change += impulse * (scratch.speeds[c][k] - speed);
-        }
-    }
-    return change > 0 ? (1 + scratch.restitution) * (given / change) : Real(1);
-}
-
-/// The rest of the reflection, and friction within its cone against the slip that remains.
-void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScratch& scratch) {
-    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
-        const ContactConstraint& contact = *scratch.approaching[c];
-        ImpactProblem problem = problemOf(contact, bodies);
-        for (int i = 0; i < contact.count; ++i) {
-            problem.apply(i, ((factor - 1) * scratch.impulses[c][static_cast<std::size_t>(i)]) * contact.normal);
-        }
-        storePair(bodies, contact.slotA, problem.a, contact.slotB, problem.b);
-    }
-    for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
-        ContactConstraint& contact = *scratch.approaching[c];
-        ImpactProblem problem = problemOf(contact, bodies);
-        const Vec2 tangent = rightPerp(contact.normal);
-        for (int i = 0; i < contact.count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const Real impulse = factor * scratch.impulses[c][k];
-            const Real limit = contact.friction * impulse;
-            const Real slip = dot(problem.relativeVelocity(i), tangent);
-            problem.apply(i, std::clamp(-contact.points[k].tangentMass * slip, -limit, limit) * tangent);
-            contact.points[k].totalNormalImpulse += impulse;
-            contact.points[k].bounceApproach = std::max(contact.points[k].bounceApproach, scratch.speeds[c][k]);
-        }
-        storePair(bodies, contact.slotA, problem.a, contact.slotB, problem.b);
-    }
-}
-
-/// @param visitsLeft  of the call
-void reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch, std::size_t visitsLeft) {
-    const std::size_t size = scratch.approaching.size();
-    scratch.impulses.assign(size, {});
-    // A later round finds what this one stirred up: it gets its share.
-    const std::size_t sweeps = std::clamp(visitsLeft / (2 * size), kFewestSweeps, kProjectionSweeps);
-    for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
-        scratch.visits += size;
-        if (projectOnce(bodies, scratch) <= kRoundingRatio) { break; }
-    }
-    finishReflection(bodies, reflectionFactor(bodies, scratch), scratch);
-}
-
 }  // namespace
 
 bool resolveImpact(ContactConstraint& contact, const SolverBodies& bodies, const ImpactRule& rule) {
@@ -346,24 +155,6 @@ int resolveImpacts(std::span<ContactConstraint* const> contacts, const SolverBod
     for (int round = 0; round < maxRounds; ++round) {
         bool applied = false;
         for (ContactConstraint* contact : contacts) { applied = resolveImpact(*contact, bodies, rule) || applied; }
-        if (!applied) { return round; }
-    }
-    return maxRounds;
-}
-
-int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
-                   int maxRounds, ImpactScratch& scratch) {
-    const std::size_t most = std::max(kAlwaysVisits, kVisitsOfContact * contacts.size());
-    scratch.visits = 0;
-    for (int round = 0; round < maxRounds; ++round) {
-        if (scratch.visits >= most) { return round; }
-        scratch.visits += contacts.size();
-        if (listApproaching(contacts, bodies, rule, scratch)) {
-            reflectTogether(bodies, scratch, most - std::min(most, scratch.visits));
-            continue;
-        }
-        bool applied = false;
-        for (ContactConstraint* contact : scratch.approaching) { applied = resolveImpact(*contact, bodies, rule) || applied; }
         if (!applied) { return round; }
     }
     return maxRounds;

@@ -15,6 +15,9 @@ struct ImpactRule {
     Real horizon = 0;
     /// Whether points below the threshold are resolved too, plastically, or left to the contact solver.
     bool resolvePlastic = false;
+    /// Whether a large number of contacts is gone through a few times only (`reflectImpacts`): what then still approaches is
+    /// the contact solver's. A handful of contacts is resolved all the same.
+    bool isCoarse = false;
 };
 
 /// Newton's impact law with Coulomb friction for all approaching points of one contact at once. One point: it leaves with
@@ -37,8 +40,9 @@ struct ImpactScratch {
     std::vector<std::array<Real, 2>> impulses;  ///< by approaching contact and point, N·s
     std::vector<std::array<Real, 2>> speeds;    ///< approach speeds before, m/s; 0: the point takes no part
     Real restitution = 0;                       ///< of the contacts in this round, 0 where they are too slow to bounce
-    std::vector<std::uint32_t> seen;            ///< by slot: the round in which a contact was found there
-    std::uint32_t round = 0;
+    std::vector<std::array<BodySlot, 2>> slots; ///< by contact
+    std::vector<std::uint32_t> seen;            ///< by slot: the last round in which a contact there approached, from 1 on
+    std::uint32_t round = 0;                    ///< of the call
     std::size_t visits = 0;                     ///< contacts visited by the last call, in all its rounds and sweeps: its cost
 };
 

@@ -323,7 +323,9 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
         // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice,
         // and a ball would rise by 2·speed·h with every bounce.
         if constexpr (kBounces) {
-            const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold, .horizon = h};
+            const ImpactRule bounce{.restitutionThreshold = settings.restitutionThreshold,
+                                    .horizon = h,
+                                    .isCoarse = settings.coarseImpacts};
             report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
         }
         if (report.isDirect && settings.direct == DirectScope::all) {
