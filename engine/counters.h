@@ -24,6 +24,7 @@ struct StepCounters {
     std::uint64_t effortClasses = 0;   ///< solves: islands that need the same sub-steps and method are one
     std::uint64_t mostSubSteps = 0;    ///< of any of them
     std::uint64_t directBodies = 0;    ///< in islands whose rigid rows are solved all at once
+    std::uint64_t settledBodies = 0;   ///< in islands that were solved so, and only have to be held
     std::uint64_t factorisations = 0;  ///< of their matrices
     std::uint64_t directRounds = 0;    ///< in which it was found what presses and what sticks
     std::uint64_t directGivenUp = 0;   ///< solves in which it was not: left to iteration

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "profile.h"
+#include "settled.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -52,30 +53,56 @@ void addBodies(WorldState& world) {
     const DVec2 up = gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
-        if (body.role != BodyRole::solved) {
-            continue;
-        }
+        if (body.role != BodyRole::solved) { continue; }
         addBody(world.islandLoads[world.islands.find(slot)], body, world.motions[slot], up);
     }
 }
 
-void addContactsAndJoints(WorldState& world) {
+void addContacts(WorldState& world) {
     for (const TouchingPair& pair : world.touching) {
         ++world.islandLoads[world.islands.find(pair.dynamicA ? pair.bodyA : pair.bodyB)].contacts;
     }
+}
+
+std::uint32_t firstDynamicOf(const WorldState& world, const Joint& joint) {
+    const auto bodies = joint.allBodies();
+    const auto moves = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
+    return *std::find_if(bodies.begin(), bodies.end(), moves);
+}
+
+void tieJointed(WorldState& world) {
+    world.jointChains.reset(world.bodies.slotCount());
+    world.chainLengths.assign(world.bodies.slotCount(), 0);
     for (const std::uint32_t i : world.activeJoints) {
-        const auto bodies = world.joints[i].allBodies();
-        const auto moves = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
-        ++world.islandLoads[world.islands.find(*std::find_if(bodies.begin(), bodies.end(), moves))].joints;
+        const std::uint32_t first = firstDynamicOf(world, world.joints[i]);
+        for (const std::uint32_t other : world.joints[i].allBodies()) {
+            if (world.bodies[other].isDynamic()) { world.jointChains.unite(first, other); }
+        }
+    }
+}
+
+void addJoints(WorldState& world) {
+    if (world.activeJoints.empty()) { return; }
+    tieJointed(world);
+    for (const std::uint32_t i : world.activeJoints) {
+        const Joint& joint = world.joints[i];
+        const std::uint32_t first = firstDynamicOf(world, joint);
+        IslandLoad& load = world.islandLoads[world.islands.find(first)];
+        load.longestChain = std::max(load.longestChain, ++world.chainLengths[world.jointChains.find(first)]);
+        for (const std::uint32_t slot : joint.allBodies()) {
+            const Body& body = world.bodies[slot];
+            const auto mass = static_cast<Real>(body.mass);
+            const bool isFirst = load.joints == 0 && slot == first;
+            if (body.isDynamic() && (isFirst || mass < load.lightestJointed)) { load.lightestJointed = mass; }
+        }
+        ++load.joints;
     }
 }
 
 /// From `fewest` on, until the sub-steps are short enough for the thinnest body.
 std::int8_t doublingsFor(const IslandLoad& load, std::int8_t fewest, double gravity, double dt, int subSteps) {
     std::int8_t doublings = fewest;
-    if (!(gravity > 0) || !(load.thinnest > 0)) {
-        return doublings;
-    }
+    if (!(gravity > 0) || !(load.thinnest > 0)) { return doublings; }
     // Squares are compared: 0.1² · extent/|g| against h².
     const double longest = kSubStepRatio * kSubStepRatio * static_cast<double>(load.thinnest) / gravity;
     const auto isLong = [&] {
@@ -99,13 +126,10 @@ bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && loa
 DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps) {
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     const bool hasLoop = load.joints > load.bodies;
-    if (hasLoop || subSteps < kFewestSubStepsForJoints) {
-        return DirectScope::none;
-    }
-    const bool isHopeless = load.joints >= kLongChain || load.heaviest >= kHeavyRatio * load.lightest;
-    if (isHopeless) {
-        return DirectScope::joints;
-    }
+    if (hasLoop || subSteps < kFewestSubStepsForJoints) { return DirectScope::none; }
+    // A heavy drum that light things tumble in hangs on its joint no worse than without them.
+    const bool isHopeless = load.longestChain >= kLongChain || load.heaviest >= kHeavyRatio * load.lightestJointed;
+    if (isHopeless) { return DirectScope::joints; }
     return isTouching ? DirectScope::none : DirectScope::freeJoints;
 }
 
@@ -147,38 +171,28 @@ Effort effortFor(const IslandLoad& load, double gravity, double dt, int subSteps
 }  // namespace
 
 void assignEfforts(WorldState& world, double dt) {
-    if (world.counters.solvedBodies == 0) {
-        return;
-    }
+    if (world.counters.solvedBodies == 0) { return; }
     const bool fast = world.settings.profile == Profile::fast;
     const bool budgeted = hasErrorBudget(world.settings);
     if (fast && !budgeted) {
-        for (const std::uint32_t slot : world.tied) {
-            world.bodies[slot].effort = {};
-        }
+        for (const std::uint32_t slot : world.tied) { world.bodies[slot].effort = {}; }
         return;
     }
     std::vector<IslandLoad>& loads = world.islandLoads;
     loads.resize(std::max<std::size_t>(loads.size(), world.bodies.slotCount()));
-    for (const std::uint32_t slot : world.awake) {
-        loads[slot] = {};
-    }
+    for (const std::uint32_t slot : world.awake) { loads[slot] = {}; }
     addBodies(world);
-    addContactsAndJoints(world);
+    addContacts(world);
+    addJoints(world);
     const auto gravity = static_cast<double>(length(world.settings.gravity));
     const int subSteps = subStepsOf(world.settings);
     for (const std::uint32_t slot : world.awake) {
         IslandLoad& load = loads[slot];
-        if (load.bodies > 0) {
-            load.effort = fast ? Effort{} : effortFor(load, gravity, dt, subSteps);
-        }
+        if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, gravity, dt, subSteps); }
     }
-    if (budgeted) {
-        keepErrorBudgets(world, dt);
-    }
-    for (const std::uint32_t slot : world.awake) {
-        world.bodies[slot].effort = loads[world.islands.find(slot)].effort;
-    }
+    if (budgeted) { keepErrorBudgets(world, dt); }
+    markSettledIslands(world, dt);
+    for (const std::uint32_t slot : world.awake) { world.bodies[slot].effort = loads[world.islands.find(slot)].effort; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

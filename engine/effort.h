@@ -13,6 +13,7 @@ struct WorldState;
 struct Effort {
     std::int8_t doublings = 0;  ///< of the sub-steps that the settings ask for; negative: halvings
     DirectScope direct = DirectScope::none;
+    bool isSettled = false;  ///< contacts are right as they are (settled.h): held in one sub-step, not solved anew
 
     constexpr bool operator==(const Effort&) const = default;
 };
@@ -22,6 +23,9 @@ inline constexpr int kMostSubSteps = 64;
 
 /// At least 1.
 constexpr int subStepsFor(Effort effort, int subSteps) {
+    if (effort.isSettled) {
+        return 1;
+    }
     if (effort.doublings >= 0) {
         return subSteps << effort.doublings;
     }
@@ -36,8 +40,10 @@ struct IslandLoad {
     std::uint32_t joints = 0;
     Real lightest = 0;  ///< kg
     Real heaviest = 0;
-    Real thinnest = 0;  ///< smallest extent, metres
-    double lowest = 0;  ///< centre of mass against gravity, metres
+    std::uint32_t longestChain = 0;  ///< joints that hang together without contacts
+    Real lightestJointed = 0;        ///< kg, of the bodies that joints hold
+    Real thinnest = 0;               ///< smallest extent, metres
+    double lowest = 0;               ///< centre of mass against gravity, metres
     double highest = 0;
     Real fastest = 0;  ///< square of the largest speed of a centre of mass, m²/s²
     Effort effort{};

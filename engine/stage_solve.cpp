@@ -143,13 +143,14 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const Real h = time / static_cast<Real>(part.subSteps);
     const Real threshold = length(world.settings.gravity) * dt;
     world.batch.clearAllButJoints();  // those went when they had been read
-    addBodies(world, group, group.effort.direct == DirectScope::none ? h : h / 2);
+    const DirectScope scope = group.effort.isSettled ? DirectScope::none : group.effort.direct;
+    addBodies(world, group, scope == DirectScope::none ? h : h / 2);
     const int usual = subStepsOf(world.settings);
     const Real scale =
         group.role == BodyRole::solved ? static_cast<Real>(usual) / static_cast<Real>(part.subSteps) : Real(1);
     TiedContacts contacts(world, group, part, h, scale);
     const bool bounces = world.bouncyShapes > 0;
-    const bool areLinked = !bounces && !world.watched && group.effort.direct == DirectScope::none;
+    const bool areLinked = !bounces && !world.watched && scope == DirectScope::none;
     if (areLinked) {
         contacts.link();
     } else {
@@ -163,7 +164,8 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .joints = !group.joints.empty(),
                                   .bounces = bounces,
                                   .coarseImpacts = world.settings.profile == Profile::fast,
-                                  .direct = group.effort.direct};
+                                  .direct = scope,
+                                  .settled = group.effort.isSettled};
     const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
                                                : world.solver.solve(world.batch, settings, *world.loops);
     if (!areLinked) { contacts.readConstraints(); }
@@ -175,6 +177,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     ++counters.effortClasses;
     counters.mostSubSteps = std::max(counters.mostSubSteps, static_cast<std::uint64_t>(part.subSteps));
     counters.directBodies += report.isDirect ? world.batch.states.size() - 1 : 0;
+    counters.settledBodies += group.effort.isSettled ? world.batch.states.size() - 1 : 0;
     counters.factorisations += static_cast<std::uint64_t>(report.direct.factorisations);
     counters.directRounds += static_cast<std::uint64_t>(report.direct.rounds);
     counters.directGivenUp += static_cast<std::uint64_t>(report.direct.givenUp);

@@ -15,6 +15,11 @@ Softness softnessFor(const WorldState& world, const TiedGroup& group, Real dt, R
     return softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
 }
 
+/// For `SolverSettings::settled`: what presses holds where it is, what is apart is not in the way.
+void holdAsItIs(ContactConstraintPoint& point) {
+    point.separation = point.normalImpulse > 0 ? Real(0) : point.baseSeparation;
+}
+
 /// How fast a point comes along the normal; less than 0: it goes.
 Real approachAt(const ContactConstraintPoint& point, Vec2 normal, const BodyState& a, const BodyState& b) {
     return -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), normal);
@@ -78,6 +83,9 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     for (std::size_t k = 0; k < link.points; ++k) {
         constraint.points[k].normalImpulse = scale_ * contact.normalImpulse[k];
         constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
+        if (group_.effort.isSettled) {
+            holdAsItIs(constraint.points[k]);
+        }
     }
     contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
     return constraint;
@@ -102,6 +110,9 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
         point.normalImpulse = scale_ * contact.normalImpulse[k];
         point.tangentImpulse = scale_ * contact.tangentImpulse[k];
         begins = begins && !(point.normalImpulse > 0);
+        if (group_.effort.isSettled) {
+            holdAsItIs(point);
+        }
         if (!contact.pressed) {  // else nobody asks
             approach =
                 std::max(approach, approachAt(point, normal, batch.states[link.slotA], batch.states[link.slotB]));

@@ -118,6 +118,9 @@ struct WorldState {
     IslandFinder islands;
     std::vector<Effort> efforts;               ///< classes of the present step
     std::vector<IslandLoad> islandLoads;       ///< by root, of this step
+    IslandFinder jointChains;                  ///< bodies that joints tie, contacts aside (effort.cpp)
+    std::vector<std::uint32_t> chainLengths;   ///< their joints, by root
+    std::vector<Vec2> islandPulls;             ///< by slot: what is left of pulls and impulses of a step (settled.cpp)
     std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring

@@ -29,6 +29,7 @@ inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::
     {"effortClasses", &StepCounters::effortClasses},
     {"mostSubSteps", &StepCounters::mostSubSteps},
     {"directBodies", &StepCounters::directBodies},
+    {"settledBodies", &StepCounters::settledBodies},
     {"factorisations", &StepCounters::factorisations},
     {"directRounds", &StepCounters::directRounds},
     {"directGivenUp", &StepCounters::directGivenUp},

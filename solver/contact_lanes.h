@@ -55,7 +55,7 @@ inline void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactCo
     lanes.normalImpulse[lane] = point.normalImpulse;
     lanes.tangentImpulse[lane] = point.tangentImpulse;
     lanes.totalNormalImpulse[lane] = point.totalNormalImpulse;
-    lanes.separation[lane] = 0;
+    lanes.separation[lane] = point.separation;
 }
 
 /// @pre the block was emptied, and the contact has `kPoints` points

@@ -23,7 +23,6 @@ constexpr double kLoopStrength = kJointStrength / 16;
 /// Changes this much smaller than the largest in the island are noise.
 constexpr double kNoiseRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 36);
 
-
 double dot3(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Block3 velocityOf(const BodyState& state) {
@@ -78,11 +77,19 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope) {
 }
 
 void DirectSolver::listNodes(const SolverBatch& batch) {
-    nodeOf_.assign(batch.inertias.size(), kNoNode);
+    constexpr std::uint32_t kIsTied = 0;
+    // Where contacts are iterated, what no joint holds has no part in it.
+    nodeOf_.assign(batch.inertias.size(), scope_ == DirectScope::all ? kIsTied : kNoNode);
+    forEachHeldKind(batch, [this](const auto& joints) {
+        for (const auto& joint : joints) {
+            nodeOf_[joint.slotA] = nodeOf_[joint.slotB] = kIsTied;
+        }
+    });
     nodes_.clear();
     for (std::uint32_t slot = 0; slot < batch.inertias.size(); ++slot) {
         const BodyInertia& body = batch.inertias[slot];
-        if (!isMovable(body)) {
+        if (nodeOf_[slot] == kNoNode || !isMovable(body)) {
+            nodeOf_[slot] = kNoNode;
             continue;
         }
         nodeOf_[slot] = static_cast<std::uint32_t>(nodes_.size());

@@ -27,6 +27,9 @@ struct SolverSettings {
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
     /// then those of half a sub-step: one half before its motion and one after.
     DirectScope direct = DirectScope::none;
+    /// All is at rest, with the right impulses: contacts hold what they have, without springs, in one sub-step.
+    /// @pre no joints, nothing is solved all at once; separations are found, 0 where a point presses
+    bool settled = false;
 };
 
 struct SolveReport {
@@ -62,6 +65,7 @@ private:
     template <bool kJoints>
     void subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, bool isFirst,
                             SolveReport& report);
+    void holdSettled(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
     template <bool kJoints>
     void subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report);
     template <bool kJoints>
@@ -85,7 +89,7 @@ private:
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
     SerialTaskSystem serial_;
-    TaskSystem* loops_ = &serial_;  ///< of the present solve
+    TaskSystem* loops_ = &serial_;   ///< of the present solve
     RotateBodies rotate_ = nullptr;  ///< likewise; null: body by body
     ConstraintGraph graph_;
     ContactBlocks contacts_;

@@ -26,9 +26,7 @@ struct Structure {
     }
     double fastest() const {
         double speed = 0;
-        for (const BodyId body : bodies) {
-            speed = std::max(speed, length(velocityOf(world, body)));
-        }
+        for (const BodyId body : bodies) { speed = std::max(speed, length(velocityOf(world, body))); }
         return speed;
     }
 };
@@ -88,9 +86,7 @@ Structure pyramid(int rows) {
 Structure stack(int count) {
     Structure s;
     addStatic(s.world, box(20, 0.5), material(0.6), {0, -0.5});
-    for (int i = 0; i < count; ++i) {
-        s.add({0, i + 0.5}, 0, box(0.5, 0.5), 0.6);
-    }
+    for (int i = 0; i < count; ++i) { s.add({0, i + 0.5}, 0, box(0.5, 0.5), 0.6); }
     return s;
 }
 
@@ -99,8 +95,9 @@ void expectStands(const std::string& name, Structure s, double seconds, double s
     runFor(s.world, seconds);
     expectAtMost(name + " move", s.worstMove() / side, limit);
     expectAtMost(name + " speed", s.fastest(), 1e-3 * std::sqrt(kGravity * side));
-    EXPECT_EQ(s.world.counters().directBodies, s.bodies.size()) << name;
-    EXPECT_EQ(s.world.counters().directGivenUp, 0U) << name;
+    const StepCounters& counters = s.world.counters();
+    EXPECT_EQ(counters.directBodies + counters.settledBodies, s.bodies.size()) << name;
+    EXPECT_EQ(counters.directGivenUp, 0U) << name;
 }
 
 TEST(Webs, CardHousesStand) {
@@ -136,7 +133,7 @@ TEST(Webs, ScaleByPowersOfTwo) {
             }
         }
         run(world, 60, kStep * time);
-        EXPECT_GT(world.counters().directBodies, 0U);
+        EXPECT_GT(world.counters().directBodies + world.counters().settledBodies, 0U);
         return 1 / length * world.position(last);
     };
     const DVec2 plain = endOf(1, 1, 1);
@@ -146,6 +143,39 @@ TEST(Webs, ScaleByPowersOfTwo) {
         EXPECT_EQ(endOf(1, 1, factor), plain) << "time";
         EXPECT_EQ(endOf(factor, 4 * factor, 2 * factor), plain) << "all";
     }
+}
+
+/// What is settled is held in one sub-step, and solved again in the very step in which it is no longer right.
+TEST(Webs, SettledUntilSomethingChanges) {
+    const auto settledAfter = [](auto&& change) {
+        Structure s = pyramid(4);
+        runFor(s.world, 0.5);
+        EXPECT_EQ(s.world.counters().settledBodies, s.bodies.size());
+        EXPECT_EQ(s.world.counters().mostSubSteps, 1U);
+        change(s);
+        run(s.world, 1);
+        return s.world.counters().settledBodies;
+    };
+    EXPECT_EQ(settledAfter([](Structure&) {}), 10U);
+    EXPECT_EQ(settledAfter([](Structure& s) {
+                  must(s.world.applyForce(s.bodies[5], vec(0.01, 0), s.world.centerOfMass(s.bodies[5])));
+              }),
+              0U);
+    EXPECT_EQ(settledAfter([](Structure& s) { must(s.world.applyTorque(s.bodies[5], real(0.01))); }), 0U);
+    EXPECT_EQ(settledAfter([](Structure& s) { must(s.world.step(kStep / 2)); }), 0U) << "the next step is longer";
+    EXPECT_EQ(settledAfter([](Structure& s) { must(s.world.destroyBody(s.bodies.back())); }), 0U);
+    EXPECT_EQ(settledAfter([](Structure& s) {
+                  addBody(s.world, dynamicAt({0, 4.5}), box(0.5, 0.5), material(0.6));
+              }),
+              0U);
+}
+
+/// Held for a minute, nothing creeps.
+TEST(Webs, SettledForAMinute) {
+    Structure s = pyramid(6);
+    runFor(s.world, 60);
+    expectAtMost("pyramid-6 move in a minute", s.worstMove(), 1e-5);
+    EXPECT_EQ(s.world.counters().settledBodies, s.bodies.size());
 }
 
 /// A card house that someone leans on, and leaves alone, stands still afterwards where it came to be.

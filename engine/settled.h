@@ -1,0 +1,16 @@
+#pragma once
+
+#include "../shapes/real.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct WorldState;
+
+/// Marks islands whose contacts were solved all at once and are right now: nothing moves, nothing overlaps or gapes,
+/// and the impulses of the last step balance what pulls at each body in this one. To go on as they are needs no search
+/// and no small steps: `Effort::isSettled`, the cheapest effort there is. As soon as something is no longer so, the
+/// island is solved all at once again. Decided from the state alone.
+/// @pre the efforts of the islands, without this, are in `WorldState::islandLoads`
+void markSettledIslands(WorldState& world, double dt);
+
+}  // namespace swept::inline SWEPT_PRECISION
