@@ -8,6 +8,17 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Where two points of a contact were found. As long as no point has moved farther than `kKeepRatio` of the extent
+/// since (resting contacts, mostly), the same features touch, and what their motion makes of separations and normal is
+/// known without a look at the shapes: up to the square of that motion, which is less than a rounding of `Real`. The
+/// points themselves stay.
+struct KeptManifold {
+    Transform bInA{};
+    Vec2 normal{};
+    std::array<Real, 2> separations{};
+    bool isThere = false;
+};
+
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or
 /// kinematic).
 struct Contact {
@@ -15,8 +26,9 @@ struct Contact {
     std::uint32_t shapeB = 0;
     std::uint32_t bodyA = 0;
     std::uint32_t bodyB = 0;
-    Manifold manifold;                    ///< at the start of the present step, frame of body A
-    ManifoldMemory memory;                ///< of the shapes' last query: spares work, changes nothing
+    Manifold manifold;      ///< at the start of the present step, frame of body A
+    ManifoldMemory memory;  ///< of the shapes' last query: spares work, changes nothing
+    KeptManifold kept;
     std::array<Real, 2> normalImpulse{};  ///< warm start, by point of the manifold
     std::array<Real, 2> tangentImpulse{};
     std::array<Real, 2> totalImpulse{};  ///< normal impulse over the last step, N·s

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "../shapes/distance.h"
 #include "ghosts.h"
@@ -87,9 +88,33 @@ void carryImpulses(const OldPoints& before, Contact& now) {
 
 namespace {
 
+/// The manifold as `KeptManifold` says. @return false where it has to be made anew
+bool keepsManifold(Contact& contact, const Transform& bInA, Real margin) {
+    const KeptManifold& kept = contact.kept;
+    if (!kept.isThere || contact.manifold.count != 2) { return false; }  // ghosts and passers lose their points
+    const Rotation turn = bInA.rotation * inverse(kept.bInA.rotation);
+    if (!(turn.c > 0) || !(std::fabs(turn.s) <= kKeepRatio)) { return false; }
+    const Vec2 shift = bInA.translation - kept.bInA.translation;
+    const Real farthest = kKeepRatio * contact.extent;
+    std::array<Real, 2> separations;
+    for (std::size_t i = 0; i < separations.size(); ++i) {
+        // Of the point of B that was there; the rest of its way is the square of an angle.
+        const Vec2 moved = shift + cross(turn.s, contact.manifold.points[i].point - kept.bInA.translation);
+        if (!(std::fabs(moved.x) + std::fabs(moved.y) <= farthest)) { return false; }
+        separations[i] = kept.separations[i] + dot(kept.normal, moved);
+        if (separations[i] > margin) { return false; }
+    }
+    contact.manifold.points[0].separation = separations[0];
+    contact.manifold.points[1].separation = separations[1];
+    if (contact.manifold.isNormalOfB) { contact.manifold.normal = kept.normal + cross(turn.s, kept.normal); }
+    return true;
+}
+
 void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin) {
     const Manifold manifold =
         shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin, contact.memory);
+    contact.kept = {
+        bInA, manifold.normal, {manifold.points[0].separation, manifold.points[1].separation}, manifold.count == 2};
     if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
         contact.manifold = manifold;
         for (auto i = static_cast<std::size_t>(manifold.count); i < contact.normalImpulse.size(); ++i) {
@@ -135,9 +160,9 @@ template <bool kWatched>
 void updateNear(const WorldState& world, ContactProbe& probe, Contact& contact) {
     if (contact.sensor) { return updateSensor(world, contact); }
     const Transform bInA = relativePoseOf(world, contact);
-    renewManifold(world, contact, bInA,
-                  reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
-                      reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB));
+    const Real margin = reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
+                        reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB);
+    if (!keepsManifold(contact, bInA, margin)) { renewManifold(world, contact, bInA, margin); }
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
     probe.apartUntil = 0;

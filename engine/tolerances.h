@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "../shapes/real.h"
 
 /// All tolerances of the engine, as ratios to lengths of the scene (`extent`: smallest non-zero width of a shape, of a pair
@@ -33,6 +35,9 @@ constexpr Real reachOfMotion(Real motion, Real extent, bool isAhead) {
     if (motion < least) { return least; }
     return isAhead || motion < most ? motion : most;
 }
+/// A manifold is kept as long as its points, and the shapes by angle, have moved less than this part of the extent, or radians:
+/// the square of it is half a rounding.
+inline constexpr Real kKeepRatio = std::numeric_limits<Real>::digits == 24 ? Real(0x1p-12) : Real(0x1p-26);
 /// Boxes are made larger than needed by this part of the extent, to be moved more rarely.
 inline constexpr Real kBoxMarginRatio = Real(1) / 8;
 /// Fast shapes whose farthest point is no farther from the centre than this part of their extent (squares: 0.71) have the boxes of

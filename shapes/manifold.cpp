@@ -34,6 +34,13 @@ Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slac
     return builderFor(pair, margin, false, face.normal).build(clip(face, incidentOfA(pair, face.normal), slack));
 }
 
+/// The same against a face whose normal is known.
+Manifold clipAgainst(const PairView& pair, const FaceAxis& axis, bool isOfA, double margin) {
+    const ReferenceFace face = isOfA ? faceOfA(pair, axis.face, axis.normal) : faceOfB(pair, axis.face, axis.normal);
+    const IncidentEdge incident = isOfA ? incidentOfB(pair, face.normal) : incidentOfA(pair, face.normal);
+    return builderFor(pair, margin, isOfA, face.normal).build(clip(face, incident, 0));
+}
+
 FeatureId vertexPair(const GjkResult& gjk) { return featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}); }
 
 /// Cores that overlap or touch, without a face to clip against: points, ends of segments, or a preferred face that is
@@ -43,8 +50,8 @@ Manifold collideWithoutFace(const PairView& pair, const GjkResult& gjk, double m
     return singlePoint(core.points, core.separation, core.normal, vertexPair(gjk), pair.a, pair.b, margin);
 }
 
-/// How long the choice of a face lasts, once cores overlap: until the preference changes, or until the cores come apart.
-/// Separations along faces change by the motion at most, their differences by twice as much.
+/// How long the choice of a face lasts, once cores overlap: until the preference changes, or until the cores come
+/// apart. Separations along faces change by the motion at most, their differences by twice as much.
 double choiceRoomOf(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB) {
     const DVec2 edgeA = pair.edgeA(faceA.face);
     const DVec2 edgeB = pair.edgeB(faceB.face);
@@ -87,21 +94,15 @@ bool isFaceNormal(DVec2 faceNormal, DVec2 direction) {
 /// The edge on which the simplex lies, else the one that faces the direction most.
 int closestEdge(const Polygon& polygon, int first, int second, DVec2 direction) {
     if (polygon.count > 2 && first != second) {
-        if (polygon.next(first) == second) {
-            return first;
-        }
-        if (polygon.next(second) == first) {
-            return second;
-        }
+        if (polygon.next(first) == second) { return first; }
+        if (polygon.next(second) == first) { return second; }
     }
     return edgeFacing(polygon, direction);
 }
 
 bool isAsDeepAs(const Manifold& manifold, double separation) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        if (static_cast<double>(manifold.points[i].separation) <= separation) {
-            return true;
-        }
+        if (static_cast<double>(manifold.points[i].separation) <= separation) { return true; }
     }
     return false;
 }
@@ -120,7 +121,8 @@ EdgeEnd otherEnd(const Polygon& polygon, DVec2 direction, int vertex) {
 }
 
 /// Two vertices are closest, but edges that lie nearly across the normal begin there and run side by side: where the
-/// shorter one ends is a second point. Without it a rounded box that hangs over another by a hair would rest on one point.
+/// shorter one ends is a second point. Without it a rounded box that hangs over another by a hair would rest on one
+/// point.
 void addSecondPoint(const PairView& pair, const GjkResult& gjk, double margin, Manifold& manifold) {
     const int vertexA = gjk.simplex[0].a;
     const int vertexB = gjk.simplex[0].b;
@@ -160,9 +162,7 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
         const int edge = closestEdge(pair.a, p.a, q.a, gjk.normal);
         if (isFaceNormal(pair.normalA(edge), gjk.normal)) {
             const Manifold manifold = clipAgainstA(pair, edge, margin, slack);
-            if (isAsDeepAs(manifold, separation)) {
-                return manifold;
-            }
+            if (isAsDeepAs(manifold, separation)) { return manifold; }
         }
     }
     if (pair.b.count > 1) {
@@ -170,9 +170,7 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
         const int edge = closestEdge(pair.b, p.b, q.b, direction);
         if (isFaceNormal(pair.localNormalB(edge), direction)) {
             const Manifold manifold = clipAgainstB(pair, edge, margin, slack);
-            if (isAsDeepAs(manifold, separation)) {
-                return manifold;
-            }
+            if (isAsDeepAs(manifold, separation)) { return manifold; }
         }
     }
     Manifold manifold = singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
@@ -184,9 +182,7 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
 
 Manifold collideByGjk(const PairView& pair, double margin, PairVerdict& verdict) {
     const GjkResult gjk = closestFeatures(pair, nullptr);
-    if (gjk.outcome == GjkOutcome::touching) {
-        return collideTouching(pair, gjk, margin, verdict);
-    }
+    if (gjk.outcome == GjkOutcome::touching) { return collideTouching(pair, gjk, margin, verdict); }
     const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
     if (gjk.distance > reach) {
         verdict.verdict = ManifoldMemory::Verdict::apart;
@@ -203,11 +199,8 @@ Manifold collideOnBestFaces(const PairView& pair, double margin, const FaceAxis&
     PairVerdict ofGjk;  // not kept: where no face tells shapes apart, faces are asked first the next time too
     const bool isApart = faceA.separation > 0 || faceB.separation > 0;
     const bool takeA = prefersA(pair, faceA, faceB, isApart ? 0 : kFacePreference);
-    if (isApart && !(takeA ? faceA : faceB).isOverFace) {
-        return collideByGjk(pair, margin, ofGjk);
-    }
-    const Manifold manifold =
-        takeA ? clipAgainstA(pair, faceA.face, margin, 0) : clipAgainstB(pair, faceB.face, margin, 0);
+    if (isApart && !(takeA ? faceA : faceB).isOverFace) { return collideByGjk(pair, margin, ofGjk); }
+    const Manifold manifold = clipAgainst(pair, takeA ? faceA : faceB, takeA, margin);
     if (manifold.count == 0) { return collideByGjk(pair, margin, ofGjk); }
     verdict.takesA = takeA;
     verdict.choiceRoom = isApart ? 0 : choiceRoomOf(pair, faceA, faceB);
@@ -233,13 +226,9 @@ Manifold apartAlong(const FaceAxis& face, bool ofA, PairVerdict& verdict) {
 /// left with closest vertices.
 Manifold collideSharp(const PairView& pair, double margin, PairVerdict& verdict) {
     const FaceAxis faceA = bestFaceOfA(pair);
-    if (faceA.separation > margin) {
-        return apartAlong(faceA, true, verdict);
-    }
+    if (faceA.separation > margin) { return apartAlong(faceA, true, verdict); }
     const FaceAxis faceB = bestFaceOfB(pair);
-    if (faceB.separation > margin) {
-        return apartAlong(faceB, false, verdict);
-    }
+    if (faceB.separation > margin) { return apartAlong(faceB, false, verdict); }
     const Manifold manifold = collideOnBestFaces(pair, margin, faceA, faceB, verdict);
     limitRoom(verdict, 0.5 * std::min(faceA.lead, faceB.lead));  // differences change by twice the motion
     return manifold;
@@ -268,7 +257,9 @@ Manifold collideWithKnownFaces(const PairView& pair, const Transform& bInA, Real
         manifold = apartAlong(faceB, false, verdict);
     } else {
         manifold = collideOnBestFaces(pair, reach, faceA, faceB, verdict);
-        limitRoom(verdict, static_cast<double>(memory.room - motion));  // from here: what is left of it
+        // From here there is no more room than what is left of it: nothing new, unless the choice is.
+        if (!(verdict.choiceRoom > 0)) { return manifold; }
+        limitRoom(verdict, static_cast<double>(memory.room - motion));
     }
     remember(memory, verdict, pair.a, pair.b, bInA);
     return manifold;
@@ -280,6 +271,7 @@ bool isStillApart(const PairView& pair, const Transform& bInA, Real margin, Mani
     if (!ofA && memory.faceB == ManifoldMemory::kNoFace) { return false; }
     const FaceAxis face = ofA ? knownFaceOfA(pair, memory.faceA) : knownFaceOfB(pair, memory.faceB);
     ManifoldMemory now;
+    now.reaches = memory.reaches;
     PairVerdict verdict;
     apartAlong(face, ofA, verdict);
     remember(now, verdict, pair.a, pair.b, bInA);
@@ -292,9 +284,7 @@ bool isStillApart(const PairView& pair, const Transform& bInA, Real margin, Mani
 template <class Query>
 Manifold atSafeScale(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, const Query& query) {
     const RescaledPair scaled(a, b, bInA);
-    if (!scaled.isNeeded()) {
-        return query(PairView(a, b, bInA), static_cast<double>(margin));
-    }
+    if (!scaled.isNeeded()) { return query(PairView(a, b, bInA), static_cast<double>(margin)); }
     Polygon scaledA = scaled.a();
     Polygon scaledB = scaled.b();
     scaledA.radius = scaled.scaled(a.radius);

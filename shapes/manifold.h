@@ -24,6 +24,7 @@ struct Manifold {
     Vec2 normal;  ///< unit, from A to B, frame of A
     std::array<ManifoldPoint, 2> points{};
     int count = 0;  ///< 0 (farther apart than the margin), 1 or 2
+    bool isNormalOfB = false;  ///< of a face of B, with which it turns; else of a face of A, or between two vertices
 };
 
 /// Contact manifold of any pair of polygons: closest features when the cores are apart (one point between vertices, up to

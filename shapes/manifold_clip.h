@@ -31,6 +31,9 @@ struct ReferenceFace {
 };
 ReferenceFace faceOfA(const PairView& pair, int edge);
 ReferenceFace faceOfB(const PairView& pair, int edge);
+/// The same where the normal is known: unit, outward, frame of A.
+ReferenceFace faceOfA(const PairView& pair, int edge, DVec2 normal);
+ReferenceFace faceOfB(const PairView& pair, int edge, DVec2 normal);
 
 /// The edge of the other shape that faces the reference face; of a circle, its centre (`isPoint`).
 struct IncidentEdge {

@@ -2,34 +2,43 @@
 
 #include "manifold_clip.h"
 
-/// The bodies of manifold_clip.h that every contact passes through at every step: inlined, a manifold takes an eighth less, since
-/// their results need not go through memory.
+/// The bodies of manifold_clip.h that every contact passes through at every step: inlined, a manifold takes an eighth
+/// less, since their results need not go through memory.
 
 namespace swept::inline SWEPT_PRECISION {
 
-inline ReferenceFace makeFace(DVec2 start, DVec2 edge, DVec2 storedNormal) {
+/// @param normal  unit, of that edge
+inline ReferenceFace makeFace(DVec2 start, DVec2 edge, DVec2 normal) {
     ReferenceFace face;
     face.start = start;
-    face.normal = edgeNormal(edge, storedNormal);
+    face.normal = normal;
     face.tangent = leftPerp(face.normal);
     face.length = dot(edge, face.tangent);
     return face;
 }
 
-inline ReferenceFace faceOfA(const PairView& pair, int edge) {
-    ReferenceFace face = makeFace(pair.vertexA(edge), pair.edgeA(edge), pair.normalA(edge));
+inline ReferenceFace faceOfA(const PairView& pair, int edge, DVec2 normal) {
+    ReferenceFace face = makeFace(pair.vertexA(edge), pair.edgeA(edge), normal);
     face.edge = edge;
     face.startVertex = edge;
     face.endVertex = pair.a.next(edge);
     return face;
 }
 
-inline ReferenceFace faceOfB(const PairView& pair, int edge) {
-    ReferenceFace face = makeFace(pair.vertexB(edge), pair.edgeB(edge), pair.normalB(edge));
+inline ReferenceFace faceOfA(const PairView& pair, int edge) {
+    return faceOfA(pair, edge, edgeNormal(pair.edgeA(edge), pair.normalA(edge)));
+}
+
+inline ReferenceFace faceOfB(const PairView& pair, int edge, DVec2 normal) {
+    ReferenceFace face = makeFace(pair.vertexB(edge), pair.edgeB(edge), normal);
     face.edge = edge;
     face.startVertex = edge;
     face.endVertex = pair.b.next(edge);
     return face;
+}
+
+inline ReferenceFace faceOfB(const PairView& pair, int edge) {
+    return faceOfB(pair, edge, edgeNormal(pair.edgeB(edge), pair.normalB(edge)));
 }
 
 inline int edgeFacing(const Polygon& polygon, DVec2 direction) {
@@ -46,18 +55,14 @@ inline int edgeFacing(const Polygon& polygon, DVec2 direction) {
 }
 
 inline IncidentEdge incidentOfA(const PairView& pair, DVec2 normal) {
-    if (pair.a.count == 1) {
-        return {pair.vertexA(0), pair.vertexA(0), 0, 0, 0, true};
-    }
+    if (pair.a.count == 1) { return {pair.vertexA(0), pair.vertexA(0), 0, 0, 0, true}; }
     const int edge = edgeFacing(pair.a, -normal);
     const int next = pair.a.next(edge);
     return {pair.vertexA(edge), pair.vertexA(next), edge, edge, next, false};
 }
 
 inline IncidentEdge incidentOfB(const PairView& pair, DVec2 normal) {
-    if (pair.b.count == 1) {
-        return {pair.vertexB(0), pair.vertexB(0), 0, 0, 0, true};
-    }
+    if (pair.b.count == 1) { return {pair.vertexB(0), pair.vertexB(0), 0, 0, 0, true}; }
     const int edge = edgeFacing(pair.b, pair.toB(-normal));
     const int next = pair.b.next(edge);
     return {pair.vertexB(edge), pair.vertexB(next), edge, edge, next, false};
@@ -76,9 +81,7 @@ inline ClippedEdge clip(const ReferenceFace& face, const IncidentEdge& edge, dou
         } else {
             const bool isBefore = along < 0;
             const double bound = isBefore ? 0 : face.length;
-            if (isBefore ? otherAlong <= bound : otherAlong >= bound) {
-                return;
-            }  // nothing of the edge is left here
+            if (isBefore ? otherAlong <= bound : otherAlong >= bound) { return; }  // nothing of the edge is left here
             p.core = vertex + ((bound - along) / (otherAlong - along)) * (other - vertex);
             p.reference = {false, isBefore ? face.startVertex : face.endVertex};
             p.incident = {true, edge.edge};
@@ -87,23 +90,20 @@ inline ClippedEdge clip(const ReferenceFace& face, const IncidentEdge& edge, dou
         clipped.points[static_cast<std::size_t>(clipped.count++)] = p;
     };
     add(startAlong, endAlong, edge.start, edge.end, edge.startVertex);
-    if (!edge.isPoint) {
-        add(endAlong, startAlong, edge.end, edge.start, edge.endVertex);
-    }
+    if (!edge.isPoint) { add(endAlong, startAlong, edge.end, edge.start, edge.endVertex); }
     return clipped;
 }
 
 inline Manifold ManifoldBuilder::build(const ClippedEdge& clipped) const {
     Manifold manifold;
     manifold.normal = clampedReal(referenceIsA ? referenceNormal : -referenceNormal);
+    manifold.isNormalOfB = !referenceIsA;
     const double referenceRadius = referenceIsA ? radiusA : radiusB;
     const double incidentRadius = referenceIsA ? radiusB : radiusA;
     for (std::size_t i = 0; i < static_cast<std::size_t>(clipped.count); ++i) {
         const ClippedPoint& p = clipped.points[i];
         const double separation = p.separation - referenceRadius - incidentRadius;
-        if (separation > margin) {
-            continue;
-        }
+        if (separation > margin) { continue; }
         const double toMiddle = 0.5 * (referenceRadius - incidentRadius - p.separation);
         ManifoldPoint& out = manifold.points[static_cast<std::size_t>(manifold.count++)];
         out.point = clampedReal(p.core + toMiddle * referenceNormal);

@@ -7,10 +7,10 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// What manifold queries found out about two shapes that stays true for a while. A later query about the same shapes, at a
-/// pose that does not differ much, then spares the search for separating axes, or all of its work, and gives the same
-/// manifold bit for bit: what is kept are decisions, each with the motion up to which it is certain, never numbers. So it
-/// is no part of a world's state: without it every result is the same.
+/// What manifold queries found out about two shapes that stays true for a while. A later query about the same shapes,
+/// at a pose that does not differ much, then spares the search for separating axes, or all of its work, and gives the
+/// same manifold bit for bit: what is kept are decisions, each with the motion up to which it is certain, never
+/// numbers. So it is no part of a world's state: without it every result is the same.
 struct ManifoldMemory {
     enum class Verdict : std::uint8_t {
         none,
@@ -19,14 +19,15 @@ struct ManifoldMemory {
     };
     static constexpr std::uint8_t kNoFace = 0xFF;
 
-    Transform bInA{};        ///< at which it was found
-    Real lever = 0;          ///< no vertex of either shape is farther from the other's origin, metres
-    Real room = 0;           ///< of `apart`: separation; of `faces`: motion up to which they stay the best; metres
-    Real choiceRoom = 0;     ///< motion up to which the contact is that of the chosen face, and of no other, metres
+    Transform bInA{};  ///< at which it was found
+    Real reaches = 0;  ///< farthest that the vertices of both are from their origins, summed; metres; 0: not asked yet
+    Real lever = 0;    ///< no vertex of either shape is farther from the other's origin, metres
+    Real room = 0;     ///< of `apart`: separation; of `faces`: motion up to which they stay the best; metres
+    Real choiceRoom = 0;  ///< motion up to which the contact is that of the chosen face, and of no other, metres
     Verdict verdict = Verdict::none;
     std::uint8_t faceA = kNoFace;  ///< of `apart`: that which tells them apart; then at most one of both is there
     std::uint8_t faceB = kNoFace;
-    bool takesA = false;           ///< the chosen face is that of A
+    bool takesA = false;  ///< the chosen face is that of A
 
     /// Longest way of any point of one shape in the frame of the other since then, at most, metres. Sums of magnitudes
     /// instead of lengths: never less. (A difference of rotations moves no point farther than its own norm times the
@@ -62,8 +63,8 @@ inline Real vertexReach(const Polygon& polygon) {
     return farthest;
 }
 
-/// Axes are chosen with stored normals, each coordinate of which is off by half a unit: up to this part of the lever (with
-/// all that follows rounded too) nothing is certain.
+/// Axes are chosen with stored normals, each coordinate of which is off by half a unit: up to this part of the lever
+/// (with all that follows rounded too) nothing is certain.
 inline constexpr Real kVerdictRounding = 64 * kEpsilon;
 
 /// Keeps what was found out at this pose.
@@ -72,7 +73,8 @@ inline void remember(ManifoldMemory& memory, const PairVerdict& found, const Pol
     memory.verdict = found.verdict;
     if (found.verdict == ManifoldMemory::Verdict::none) { return; }
     memory.bInA = bInA;
-    memory.lever = vertexReach(a) + vertexReach(b) + std::fabs(bInA.translation.x) + std::fabs(bInA.translation.y);
+    if (!(memory.reaches > 0)) { memory.reaches = vertexReach(a) + vertexReach(b); }
+    memory.lever = memory.reaches + std::fabs(bInA.translation.x) + std::fabs(bInA.translation.y);
     memory.faceA = static_cast<std::uint8_t>(found.faceA);
     memory.faceB = static_cast<std::uint8_t>(found.faceB);
     memory.takesA = found.takesA;
