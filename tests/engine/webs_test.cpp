@@ -113,6 +113,9 @@ TEST(Webs, ArchesStand) {
 
 TEST(Webs, PyramidOfTwenty) { expectStands("pyramid-20", pyramid(20), 1, 1, 1e-5); }
 
+/// As many as just count as high, and sink in by nothing.
+TEST(Webs, ThreeBoxesAreAStack) { expectStands("stack-3", stack(3), 2, 1, 1e-7); }
+
 TEST(Webs, TallStacks) {
     expectStands("stack-200", stack(200), 2, 1, 1e-5);
     expectStands("stack-500", stack(500), 1, 1, 1e-4);
