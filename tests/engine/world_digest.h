@@ -77,6 +77,9 @@ inline std::uint64_t digestOf(const World& world, const KnownIds& known) {
         digest.add(std::uint64_t{world.isValid(id)});
         digest.add(world.jointForce(id));
         digest.add(static_cast<double>(world.jointTorque(id)));
+        digest.add(static_cast<double>(world.jointError(id)));
+        digest.add(static_cast<double>(world.jointAngleError(id)));
+        digest.add(static_cast<double>(world.jointTranslation(id)));
     }
     world.visitContacts([&digest](const ContactView& contact) {
         digest.add(contact.shapeA);
