@@ -142,10 +142,7 @@ TEST(CommandBench, RefusesWhatItCannotDo) {
         {"bench", "toi", "--count", "1", "--csv", "no/such/directory/bench.csv"},
     };
     for (const std::vector<std::string>& arguments : wrong) {
-        const auto result = runSwept(arguments);
-        EXPECT_EQ(result.exitCode, 2) << arguments.back();
-        EXPECT_EQ(result.out, "") << arguments.back();
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        expectRefused(arguments);
     }
 }
 

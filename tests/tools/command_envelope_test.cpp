@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 
 #include "run_program.h"
 
@@ -54,11 +53,7 @@ TEST(CommandEnvelope, RefusesWhatItCannotDo) {
         {envelope({"--out", scratch.path("")}), "bullet.csv"},
     };
     for (const auto& [arguments, reason] : cases) {
-        const ProgramResult result = runSwept(arguments);
-        EXPECT_EQ(result.exitCode, 2) << reason;
-        EXPECT_EQ(result.out, "") << reason;
-        EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        expectRefused(arguments, reason);
     }
     EXPECT_FALSE(scratch.has("no"));
 }

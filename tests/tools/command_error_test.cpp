@@ -10,17 +10,6 @@
 namespace swept {
 namespace {
 
-/// Runs with every kind of output asked for, and checks that a refusal is one line on standard error and leaves no
-/// file.
-void expectRefusal(std::vector<std::string> arguments, const std::string& reason, const std::string& input = "") {
-    const auto result = runSwept(arguments, input);
-    EXPECT_EQ(result.exitCode, 2) << reason;
-    EXPECT_EQ(result.out, "") << reason;
-    EXPECT_EQ(result.err.substr(0, 7), "swept: ") << result.err;
-    EXPECT_NE(result.err.find(reason), std::string::npos) << "wanted: " << reason << "\ngot: " << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-}
-
 class CommandError : public testing::Test {
 protected:
     void expectRunRefused(std::vector<std::string> arguments, const std::string& reason) {
@@ -34,7 +23,7 @@ protected:
         if (std::find(arguments.begin(), arguments.end(), "--png") == arguments.end()) {
             arguments.insert(arguments.end(), {"--png", out_.path("pictures")});
         }
-        expectRefusal(arguments, reason);
+        expectRefused(arguments, reason);
         EXPECT_TRUE(out_.isEmpty()) << "a refused run must write nothing: " << reason;
     }
 
@@ -98,8 +87,8 @@ TEST_F(CommandError, PicturesThatMakeNoSense) {
     expectRunRefused({scene_, "--size", "99999999999x720"}, "--size");
     expectRunRefused({scene_, "--every", "0"}, "--every");
     expectRunRefused({scene_, "--sheet", "-1"}, "--sheet");
-    expectRefusal({"run", scene_, "--sheet", "4"}, "--sheet: needs --png");
-    expectRefusal({"run", scene_, "--trails"}, "need --png or --webp");
+    expectRefused({"run", scene_, "--sheet", "4"}, "--sheet: needs --png");
+    expectRefused({"run", scene_, "--trails"}, "need --png or --webp");
 }
 
 TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
@@ -107,18 +96,18 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRunRefused({scene_, "--threads", "0"}, "--threads");
     expectRunRefused({scene_, "--unheard-of"}, "--unheard-of");
     expectRunRefused({scene_, "second.json"}, "second.json");
-    expectRefusal({}, "no command given");
-    expectRefusal({"fly"}, "fly: no such command");
-    expectRefusal({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
-    expectRefusal({""}, "no such command");
-    expectRefusal({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));
-    expectRefusal({"toi", "--method", "guess"}, "--method guess");
-    expectRefusal({"distance", "--precision", "f16"}, "--precision");
-    expectRefusal({"compare", scene_, "--scale", "0"}, "--scale");
-    expectRefusal({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");
+    expectRefused({}, "no command given");
+    expectRefused({"fly"}, "fly: no such command");
+    expectRefused({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
+    expectRefused({""}, "no such command");
+    expectRefused({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));
+    expectRefused({"toi", "--method", "guess"}, "--method guess");
+    expectRefused({"distance", "--precision", "f16"}, "--precision");
+    expectRefused({"compare", scene_, "--scale", "0"}, "--scale");
+    expectRefused({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");
 }
 
-TEST_F(CommandError, TuneWithoutAnErrorToKeep) { expectRefusal({"tune", scene_}, "--max-error"); }
+TEST_F(CommandError, TuneWithoutAnErrorToKeep) { expectRefused({"tune", scene_}, "--max-error"); }
 
 }  // namespace
 }  // namespace swept

@@ -4,8 +4,10 @@
 #include <spawn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -63,6 +65,17 @@ inline ProgramResult runProgram(const std::string& program, std::vector<std::str
 /// Runs the built `swept`.
 inline ProgramResult runSwept(const std::vector<std::string>& arguments, const std::string& input = "") {
     return runProgram(SWEPT_PROGRAM, arguments, input);
+}
+
+/// Runs `swept` with what it cannot do: exit code 2, one line on stderr that has `reason` in it, nothing on stdout.
+inline void expectRefused(const std::vector<std::string>& arguments, const std::string& reason = "",
+                          const std::string& input = "") {
+    const ProgramResult result = runSwept(arguments, input);
+    EXPECT_EQ(result.exitCode, 2) << arguments.back();
+    EXPECT_EQ(result.err.substr(0, 7), "swept: ") << result.err;
+    EXPECT_EQ(result.out, "") << arguments.back();
+    EXPECT_NE(result.err.find(reason), std::string::npos) << reason << ": " << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
 }
 
 }  // namespace swept

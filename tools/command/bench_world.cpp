@@ -17,8 +17,12 @@
 namespace swept {
 namespace {
 
+constexpr const char* kMedian = "median";
+constexpr const char* kFastest = "fastest";
+
 struct WorldArguments {
     worlds::WorldBenchSettings settings;
+    std::string counts = kMedian;
     int maxBodies = 0;
     std::string scenesTo;  ///< a directory
     BenchPlaces places;
@@ -97,8 +101,8 @@ int measureWorld(const WorldArguments& arguments) {
         arguments.places,
         {.title = "bench world: one thread, 60 Hz, each engine with its defaults and in a process of its own; in turns "
                   "of 20 steps, "
-                  "of each step the fastest of " +
-                  std::to_string(settings.repeats),
+                  "of each step the " +
+                  arguments.counts + " of " + std::to_string(settings.repeats),
          .measure =
              [&] {
                  if (arguments.maxBodies > 0) {
@@ -136,7 +140,10 @@ void addBenchWorld(Command bench) {
     const Option size = command.option("--size", settings.size, "Of the number of moving bodies, 1 as published [0.25]")
                             .type("X")
                             .withinReals(1e-4, 100);
-    command.option("--repeats", settings.repeats, "Runs of each [2]").type("N").within(1, 100);
+    command.option("--repeats", settings.repeats, "Runs of each [3]").type("N").within(1, 100);
+    command.option("--of", arguments->counts, "Which of the runs counts, for each step [median]")
+        .type("median|fastest")
+        .oneOf({kMedian, kFastest});
     command.option("--seconds", settings.seconds, "Processor time after which an engine is stopped in a scene [5]")
         .type("S")
         .withinReals(0, 100'000);
@@ -145,12 +152,16 @@ void addBenchWorld(Command bench) {
         .within(100, 1'000'000)
         .excludes(scenes)
         .excludes(size);
-    command.option("--write", arguments->scenesTo, "Instead: write the scenes as they begin, for other tools").type("DIR");
+    command.option("--write", arguments->scenesTo, "Instead: write the scenes as they begin, for other tools")
+        .type("DIR");
     command.option("--csv", arguments->places.csv, "Write a record for each engine and scene").type("FILE");
     command
         .option("--plots", arguments->places.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
         .type("DIR");
-    command.runs([arguments] { return measureWorld(*arguments); });
+    command.runs([arguments] {
+        arguments->settings.counts = arguments->counts == kFastest ? worlds::Repeats::fastest : worlds::Repeats::median;
+        return measureWorld(*arguments);
+    });
 }
 
 void addWorldChildCommand(Command app) {

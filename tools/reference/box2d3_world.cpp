@@ -11,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "../bench/stopwatch.h"
 #include "joint_ends.h"
 
 // The names of this engine's functions are those of C, and so apart from those of Box2D 2.4.1 in the same program.
@@ -193,7 +192,7 @@ b2ShapeDef definitionOf(const ShapeDescription& shape) {
 class Box2d3World final : public PeerWorld {
 public:
     Box2d3World(const SceneDescription& scene, const PeerSettings& settings)
-        : scene_(scene),
+        : PeerWorld(scene),
           settings_(settings),
           bodies_(scene.bodies.size(), b2_nullBodyId),
           angles_(scene.bodies.size()),
@@ -215,28 +214,6 @@ public:
     Box2d3World(const Box2d3World&) = delete;
     Box2d3World& operator=(const Box2d3World&) = delete;
 
-    void step() override {
-        const bench::Stopwatch watch;
-        b2World_Step(world_, static_cast<float>(scene_.settings.dt), settings_.subSteps);
-        lastSeconds_ = watch.seconds();
-        seconds_ += lastSeconds_;
-        ++steps_;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            angles_[i] = B2_IS_NON_NULL(bodies_[i]) ? unwrapped(i) : 0;
-        }
-    }
-
-    PeerSample sample() const override {
-        PeerSample sample;
-        sample.frame.step = steps_;
-        sample.frame.time = static_cast<double>(steps_) * scene_.settings.dt;
-        sample.stepSeconds = seconds_;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            addToSample(i, sample);
-        }
-        return sample;
-    }
-
     void remove(std::span<const std::uint32_t> bodies) override {
         for (const std::uint32_t body : bodies) {
             b2DestroyBody(bodies_[body]);
@@ -255,7 +232,6 @@ public:
         b2Body_SetLinearVelocity(bodies_[body], toPeer(velocity));
     }
 
-    double lastStepSeconds() const override { return lastSeconds_; }
     PeerStages stages() const override {
         const b2Profile profile = b2World_GetProfile(world_);
         constexpr double kSecondsPerUnit = 1e-3;
@@ -272,9 +248,17 @@ public:
     }
 
 private:
+    void advance() override { b2World_Step(world_, static_cast<float>(scene().settings.dt), settings_.subSteps); }
+    void afterStep() override {
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            angles_[i] = isThere(i) ? unwrapped(i) : 0;
+        }
+    }
+    bool isThere(std::size_t body) const override { return B2_IS_NON_NULL(bodies_[body]); }
+
     void addBody(std::size_t i) {
-        const BodyDescription& description = scene_.bodies[i];
-        const b2BodyDef definition = definitionOf(description, scene_.settings);
+        const BodyDescription& description = scene().bodies[i];
+        const b2BodyDef definition = definitionOf(description, scene().settings);
         const b2BodyId body = b2CreateBody(world_, &definition);
         for (const ShapeDescription& shape : description.shapes) {
             std::visit(ShapeMaker{body, definitionOf(shape), shape.radius}, shape.geometry);
@@ -286,12 +270,8 @@ private:
         angles_[i] = description.angle;
     }
 
-    void addToSample(std::size_t i, PeerSample& sample) const {
+    void readBody(std::size_t i, PeerSample& sample) const override {
         const b2BodyId body = bodies_[i];
-        if (B2_IS_NULL(body)) {
-            sample.frame.bodies.emplace_back();
-            return;
-        }
         const DVec2 velocity = fromPeer(b2Body_GetLinearVelocity(body));
         const auto omega = static_cast<double>(b2Body_GetAngularVelocity(body));
         const bool isAwake = b2Body_IsAwake(body) && b2Body_GetType(body) != b2_staticBody;
@@ -299,7 +279,7 @@ private:
         if (b2Body_GetType(body) == b2_dynamicBody) {
             addMotion({static_cast<double>(b2Body_GetMass(body)),
                        static_cast<double>(b2Body_GetRotationalInertia(body)), fromPeer(b2Body_GetWorldCenter(body)),
-                       velocity, omega, scene_.bodies[i].gravityScale * scene_.gravity},
+                       velocity, omega, scene().bodies[i].gravityScale * scene().gravity},
                       sample);
         }
     }
@@ -319,7 +299,7 @@ private:
     }
 
     void addJoint(std::size_t i) {
-        const JointDescription& joint = scene_.joints[i];
+        const JointDescription& joint = scene().joints[i];
         const JointMaker maker{world_, bodies_[ends_[i].a], bodies_[ends_[i].b], joint.collideConnected,
                                settings_.isStiff != 0};
         std::visit(maker, joint.joint);
@@ -331,19 +311,15 @@ private:
         const b2Rot rotation = b2Body_GetRotation(bodies_[i]);
         const double angle = std::atan2(static_cast<double>(rotation.s), static_cast<double>(rotation.c));
         const double expected =
-            angles_[i] + static_cast<double>(b2Body_GetAngularVelocity(bodies_[i])) * scene_.settings.dt;
+            angles_[i] + static_cast<double>(b2Body_GetAngularVelocity(bodies_[i])) * scene().settings.dt;
         return angle + kTurn * std::round((expected - angle) / kTurn);
     }
 
-    const SceneDescription& scene_;
     PeerSettings settings_;
     b2WorldId world_{};
     std::vector<b2BodyId> bodies_;
     std::vector<double> angles_;
     std::vector<JointEnds> ends_;
-    std::int64_t steps_ = 0;
-    double seconds_ = 0;
-    double lastSeconds_ = 0;
 };
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include <swept/samples/scene_reader.h>
 
-#include "../bench/stopwatch.h"
 #include "body_mass.h"
 #include "box2d_joints.h"
 #include "box2d_shapes.h"
@@ -71,7 +70,6 @@ struct Box2dWorld::Parts {
     void removeBody(std::size_t index);
     void destroyGearsOn(std::size_t joint);
     void breakJoints();
-    void readBodies(PeerSample& sample) const;
     void readContacts(PeerSample& sample) const;
 
     const SceneDescription& scene;
@@ -82,11 +80,8 @@ struct Box2dWorld::Parts {
     std::vector<BodyMass> masses;  // in double, one for each body
     std::vector<b2Joint*> joints;  // null once broken, or while a body of it is taken away
     std::vector<JointEnds> ends;
-    std::int64_t steps = 0;
     std::int64_t brokenJoints = 0;
     Box2dIterations iterations;
-    double seconds = 0;  // of processor time in Box2D's steps
-    double lastSeconds = 0;
 };
 
 void Box2dWorld::Parts::addBody(std::size_t index) {
@@ -162,23 +157,6 @@ void Box2dWorld::Parts::breakJoints() {
     }
 }
 
-void Box2dWorld::Parts::readBodies(PeerSample& sample) const {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i] == nullptr) {
-            sample.frame.bodies.emplace_back();
-            continue;
-        }
-        const b2Body& body = *bodies[i];
-        const DVec2 velocity = fromBox2d(body.GetLinearVelocity());
-        const auto omega = static_cast<double>(body.GetAngularVelocity());
-        sample.frame.bodies.push_back({fromBox2d(body.GetPosition()), static_cast<double>(body.GetAngle()), velocity,
-                                       omega, body.IsAwake() && body.GetType() != b2_staticBody});
-        addMotion({masses[i].mass, scene.bodies[i].fixedRotation ? 0 : masses[i].inertia,
-                   fromBox2d(body.GetWorldCenter()), velocity, omega, scene.bodies[i].gravityScale * scene.gravity},
-                  sample);
-    }
-}
-
 void Box2dWorld::Parts::readContacts(PeerSample& sample) const {
     for (const b2Contact* contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         b2Fixture* const a = const_cast<b2Contact*>(contact)->GetFixtureA();
@@ -200,7 +178,7 @@ void Box2dWorld::Parts::readContacts(PeerSample& sample) const {
 }
 
 Box2dWorld::Box2dWorld(const SceneDescription& scene, const Box2dIterations& iterations)
-    : parts_(std::make_unique<Parts>(scene)) {
+    : PeerWorld(scene), parts_(std::make_unique<Parts>(scene)) {
     parts_->iterations = iterations;
     parts_->world.SetContactFilter(&parts_->filter);
     parts_->world.SetAllowSleeping(scene.settings.sleep);
@@ -215,15 +193,12 @@ Box2dWorld::Box2dWorld(const SceneDescription& scene, const Box2dIterations& ite
 
 Box2dWorld::~Box2dWorld() = default;
 
-void Box2dWorld::step() {
-    const bench::Stopwatch watch;
+void Box2dWorld::advance() {
     parts_->world.Step(static_cast<float>(parts_->scene.settings.dt), parts_->iterations.velocity,
                        parts_->iterations.position);
-    parts_->lastSeconds = watch.seconds();
-    parts_->seconds += parts_->lastSeconds;
-    parts_->breakJoints();
-    ++parts_->steps;
 }
+
+void Box2dWorld::afterStep() { parts_->breakJoints(); }
 
 void Box2dWorld::remove(std::span<const std::uint32_t> bodies) {
     for (const std::uint32_t body : bodies) {
@@ -242,22 +217,29 @@ void Box2dWorld::setVelocity(std::uint32_t body, DVec2 velocity) {
     parts_->bodies[body]->SetLinearVelocity(toBox2d(velocity));
 }
 
-double Box2dWorld::lastStepSeconds() const { return parts_->lastSeconds; }
+bool Box2dWorld::isThere(std::size_t body) const { return parts_->bodies[body] != nullptr; }
 
-PeerSample Box2dWorld::sample() const {
-    PeerSample sample;
-    sample.frame.step = parts_->steps;
-    sample.frame.time = static_cast<double>(parts_->steps) * parts_->scene.settings.dt;
+void Box2dWorld::readBody(std::size_t body, PeerSample& sample) const {
+    const b2Body& state = *parts_->bodies[body];
+    const BodyDescription& description = scene().bodies[body];
+    const BodyMass& mass = parts_->masses[body];
+    const DVec2 velocity = fromBox2d(state.GetLinearVelocity());
+    const auto omega = static_cast<double>(state.GetAngularVelocity());
+    sample.frame.bodies.push_back({fromBox2d(state.GetPosition()), static_cast<double>(state.GetAngle()), velocity,
+                                   omega, state.IsAwake() && state.GetType() != b2_staticBody});
+    addMotion({mass.mass, description.fixedRotation ? 0 : mass.inertia, fromBox2d(state.GetWorldCenter()), velocity,
+               omega, description.gravityScale * scene().gravity},
+              sample);
+}
+
+void Box2dWorld::readRest(PeerSample& sample) const {
     sample.brokenJoints = parts_->brokenJoints;
-    sample.stepSeconds = parts_->seconds;
-    parts_->readBodies(sample);
     parts_->readContacts(sample);
     for (b2Joint* const joint : parts_->joints) {
         if (joint != nullptr) {
             sample.jointError = std::max(sample.jointError, jointErrorOf(*joint));
         }
     }
-    return sample;
 }
 
 }  // namespace swept

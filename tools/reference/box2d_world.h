@@ -16,14 +16,17 @@ public:
     Box2dWorld(const SceneDescription& scene, const Box2dIterations& iterations);
     ~Box2dWorld() override;
 
-    void step() override;
-    PeerSample sample() const override;
     void remove(std::span<const std::uint32_t> bodies) override;
     void add(std::span<const std::uint32_t> bodies) override;
     void setVelocity(std::uint32_t body, DVec2 velocity) override;
-    double lastStepSeconds() const override;
 
 private:
+    void advance() override;
+    void afterStep() override;
+    bool isThere(std::size_t body) const override;
+    void readBody(std::size_t body, PeerSample& sample) const override;
+    void readRest(PeerSample& sample) const override;
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "../bench/stopwatch.h"
 #include "body_mass.h"
 #include "joint_ends.h"
 
@@ -133,7 +132,7 @@ void setSurface(cpShape* made, const ShapeDescription& shape) {
 class ChipmunkWorld final : public PeerWorld {
 public:
     ChipmunkWorld(const SceneDescription& scene, const PeerSettings& settings)
-        : scene_(scene),
+        : PeerWorld(scene),
           space_(cpSpaceNew()),
           bodies_(scene.bodies.size()),
           shapes_(scene.bodies.size()),
@@ -165,25 +164,6 @@ public:
     ChipmunkWorld(const ChipmunkWorld&) = delete;
     ChipmunkWorld& operator=(const ChipmunkWorld&) = delete;
 
-    void step() override {
-        const bench::Stopwatch watch;
-        cpSpaceStep(space_, scene_.settings.dt);
-        lastSeconds_ = watch.seconds();
-        seconds_ += lastSeconds_;
-        ++steps_;
-    }
-
-    PeerSample sample() const override {
-        PeerSample sample;
-        sample.frame.step = steps_;
-        sample.frame.time = static_cast<double>(steps_) * scene_.settings.dt;
-        sample.stepSeconds = seconds_;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            addToSample(i, sample);
-        }
-        return sample;
-    }
-
     void remove(std::span<const std::uint32_t> bodies) override {
         for (const std::size_t joint : jointsOn(ends_, bodies)) {
             removeJoint(joint);
@@ -203,11 +183,13 @@ public:
     void setVelocity(std::uint32_t body, DVec2 velocity) override {
         cpBodySetVelocity(bodies_[body], toPeer(velocity));
     }
-    double lastStepSeconds() const override { return lastSeconds_; }
 
 private:
+    void advance() override { cpSpaceStep(space_, scene().settings.dt); }
+    bool isThere(std::size_t body) const override { return bodies_[body] != nullptr; }
+
     void addBody(std::size_t i) {
-        const BodyDescription& description = scene_.bodies[i];
+        const BodyDescription& description = scene().bodies[i];
         BodyMass mass;
         if (description.type == SceneBodyType::dynamic) {
             mass = massOfBody(description);
@@ -241,7 +223,7 @@ private:
     }
 
     void addJoint(std::size_t i) {
-        const JointDescription& joint = scene_.joints[i];
+        const JointDescription& joint = scene().joints[i];
         std::visit(JointMaker{bodies_[ends_[i].a], bodies_[ends_[i].b], joints_[i]}, joint.joint);
         for (cpConstraint* const constraint : joints_[i]) {
             cpConstraintSetCollideBodies(constraint, joint.collideConnected ? cpTrue : cpFalse);
@@ -257,33 +239,25 @@ private:
         joints_[i].clear();
     }
 
-    void addToSample(std::size_t i, PeerSample& sample) const {
+    void readBody(std::size_t i, PeerSample& sample) const override {
         const cpBody* const body = bodies_[i];
-        if (body == nullptr) {
-            sample.frame.bodies.emplace_back();
-            return;
-        }
         const DVec2 velocity = fromPeer(cpBodyGetVelocity(body));
         const double omega = cpBodyGetAngularVelocity(body);
-        const bool isAwake = scene_.bodies[i].type != SceneBodyType::fixed && cpBodyIsSleeping(body) == cpFalse;
+        const bool isAwake = scene().bodies[i].type != SceneBodyType::fixed && cpBodyIsSleeping(body) == cpFalse;
         sample.frame.bodies.push_back(
             {fromPeer(cpBodyGetPosition(body)), cpBodyGetAngle(body), velocity, omega, isAwake});
-        if (scene_.bodies[i].type == SceneBodyType::dynamic) {
-            const double inertia = scene_.bodies[i].fixedRotation ? 0 : cpBodyGetMoment(body);
+        if (scene().bodies[i].type == SceneBodyType::dynamic) {
+            const double inertia = scene().bodies[i].fixedRotation ? 0 : cpBodyGetMoment(body);
             const cpVect center = cpBodyLocalToWorld(body, cpBodyGetCenterOfGravity(body));
-            addMotion({cpBodyGetMass(body), inertia, fromPeer(center), velocity, omega, scene_.gravity}, sample);
+            addMotion({cpBodyGetMass(body), inertia, fromPeer(center), velocity, omega, scene().gravity}, sample);
         }
     }
 
-    const SceneDescription& scene_;
     cpSpace* space_;
     std::vector<cpBody*> bodies_;                // null while taken away
     std::vector<std::vector<cpShape*>> shapes_;  // by body
     std::vector<std::vector<cpConstraint*>> joints_;
     std::vector<JointEnds> ends_;
-    std::int64_t steps_ = 0;
-    double seconds_ = 0;
-    double lastSeconds_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include <swept/samples/world_builder.h>
 
-#include "../bench/stopwatch.h"
 #include "../reference/joint_ends.h"
 #include "../reference/peer_world.h"
 
@@ -12,40 +11,7 @@ namespace {
 class SweptWorld final : public PeerWorld {
 public:
     SweptWorld(const SceneDescription& scene, SceneWorld built)
-        : scene_(scene), built_(std::move(built)), ends_(jointEndsOf(scene)) {}
-
-    void step() override {
-        const bench::Stopwatch watch;
-        (void)built_.world.step(scene_.settings.dt);
-        lastSeconds_ = watch.seconds();
-        seconds_ += lastSeconds_;
-        watchStages(lastSeconds_ >= kShortestWatched);
-        ++steps_;
-    }
-
-    PeerSample sample() const override {
-        PeerSample sample;
-        sample.frame.step = steps_;
-        sample.frame.time = static_cast<double>(steps_) * scene_.settings.dt;
-        sample.stepSeconds = seconds_;
-        const World& world = built_.world;
-        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
-            const BodyId id = built_.bodies[i];
-            if (!world.isValid(id)) {
-                sample.frame.bodies.emplace_back();
-                continue;
-            }
-            const DVec2 velocity = toDouble(world.velocity(id));
-            const auto spin = static_cast<double>(world.angularVelocity(id));
-            sample.frame.bodies.push_back({world.position(id), world.angle(id), velocity, spin, world.isAwake(id)});
-            if (world.type(id) == BodyType::dynamic) {
-                addMotion({world.mass(id), scene_.bodies[i].fixedRotation ? 0 : world.inertia(id),
-                           world.centerOfMass(id), velocity, spin, scene_.bodies[i].gravityScale * scene_.gravity},
-                          sample);
-            }
-        }
-        return sample;
-    }
+        : PeerWorld(scene), built_(std::move(built)), ends_(jointEndsOf(scene)) {}
 
     void remove(std::span<const std::uint32_t> bodies) override {
         for (const std::uint32_t body : bodies) {
@@ -54,14 +20,13 @@ public:
     }
     void add(std::span<const std::uint32_t> bodies) override {
         std::string error;  // what could be made once can be made again
-        (void)rebuildBodies(scene_, bodies, jointsOn(ends_, bodies), built_, error);
+        (void)rebuildBodies(scene(), bodies, jointsOn(ends_, bodies), built_, error);
     }
     void setVelocity(std::uint32_t body, DVec2 velocity) override {
         const BodyId id = built_.bodies[body];
         (void)built_.world.setVelocity(id, toReal(velocity), built_.world.angularVelocity(id));
     }
 
-    double lastStepSeconds() const override { return lastSeconds_; }
     PeerStages stages() const override {
         if (!built_.world.settings().measureStageTimes) { return {}; }
         const StageTimes& times = built_.world.stageTimes();
@@ -79,12 +44,26 @@ private:
         (void)built_.world.configure(settings);  // as valid as it was
     }
 
-    const SceneDescription& scene_;
+    void advance() override { (void)built_.world.step(scene().settings.dt); }
+    void afterStep() override { watchStages(lastStepSeconds() >= kShortestWatched); }
+    bool isThere(std::size_t body) const override { return built_.world.isValid(built_.bodies[body]); }
+
+    void readBody(std::size_t i, PeerSample& sample) const override {
+        const World& world = built_.world;
+        const BodyId id = built_.bodies[i];
+        const DVec2 velocity = toDouble(world.velocity(id));
+        const auto spin = static_cast<double>(world.angularVelocity(id));
+        sample.frame.bodies.push_back({world.position(id), world.angle(id), velocity, spin, world.isAwake(id)});
+        if (world.type(id) == BodyType::dynamic) {
+            const BodyDescription& description = scene().bodies[i];
+            addMotion({world.mass(id), description.fixedRotation ? 0 : world.inertia(id), world.centerOfMass(id),
+                       velocity, spin, description.gravityScale * scene().gravity},
+                      sample);
+        }
+    }
+
     SceneWorld built_;
     std::vector<JointEnds> ends_;
-    std::int64_t steps_ = 0;
-    double seconds_ = 0;
-    double lastSeconds_ = 0;
 };
 
 }  // namespace

@@ -11,6 +11,9 @@ namespace {
 
 /// Steps of a turn: so many that the caches are the engine's own again for most of them.
 constexpr int kTurn = 20;
+/// Fewer where they would take longer than that: what is to be stopped is, and a child that works is not taken for one
+/// that hangs.
+constexpr double kTurnSeconds = 2;
 
 Contestant ours(const char* name, Precision precision, SceneProfile profile) {
     Contestant contestant{name, {}};
@@ -35,6 +38,8 @@ double sumOf(std::span<const StepTime> times) {
                            [](double sum, const StepTime& time) { return sum + time.seconds; });
 }
 
+using StepRepeats = std::vector<std::vector<StepTime>>;  // of each timed step, a time from each run
+
 /// A run under way.
 class Runner {
 public:
@@ -55,7 +60,7 @@ public:
         }
         // The turn ends where the timing begins.
         const auto done = static_cast<int>(times_.size());
-        const int most = done < warmSteps_ ? std::min(kTurn, warmSteps_ - done) : kTurn;
+        const int most = done < warmSteps_ ? std::min(turn_, warmSteps_ - done) : turn_;
         const int steps = std::min(most, stepsLeft_);
         if (!child_.run(steps, times_)) {
             row_.refusal = child_.finish();
@@ -63,9 +68,10 @@ public:
             return;
         }
         stepsLeft_ -= steps;
-        for (std::size_t i = times_.size() - static_cast<std::size_t>(steps); i < times_.size(); ++i) {
-            used_ += times_[i].seconds;
-        }
+        const double used = sumOf(std::span<const StepTime>(times_).last(static_cast<std::size_t>(steps)));
+        used_ += used;
+        turn_ =
+            static_cast<int>(std::clamp(kTurnSeconds * steps / std::max(used, kTurnSeconds / kTurn), 1.0, 1.0 * kTurn));
         if (isFirst && done + steps >= warmSteps_) {
             measure(nullptr);
         }
@@ -74,19 +80,18 @@ public:
         }
     }
 
-    /// Hands the timed steps over.
-    void finish(bool isFirst) {
+    /// @param repeats  what each timed step took before; the first run says how many there are, so that a repeat which
+    /// is
+    ///                 stopped earlier does not shorten what was measured
+    void finish(bool isFirst, StepRepeats& repeats) {
         const std::size_t first = std::min(times_.size(), static_cast<std::size_t>(warmSteps_));
         const std::span<const StepTime> timed = std::span<const StepTime>(times_).subspan(first);
         if (isFirst) {
-            row_.times.assign(timed.begin(), timed.end());
+            repeats.resize(timed.size());
             row_.memory = row_.verdict.empty() ? child_.memory() : 0;
         }
-        // A repeat that was stopped earlier does not shorten what was measured.
-        for (std::size_t i = 0; i < std::min(timed.size(), row_.times.size()); ++i) {
-            if (timed[i].seconds < row_.times[i].seconds) {
-                row_.times[i] = timed[i];
-            }
+        for (std::size_t i = 0; i < std::min(timed.size(), repeats.size()); ++i) {
+            repeats[i].push_back(timed[i]);
         }
     }
 
@@ -116,11 +121,12 @@ private:
     WorldChild child_;
     std::vector<StepTime> times_;
     double used_ = 0;
+    int turn_ = 1;  // until it is known how long a step takes
 };
 
-/// Every contestant that can go on from the start to the end, in turns.
+/// Every contestant that can go on from the start to the end, in turns. @param repeats  one for each row
 void runOnce(const BenchScene& bench, const std::vector<Contestant>& contestants, std::vector<WorldRow>& rows,
-             const WorldBenchSettings& settings, bool isFirst) {
+             std::vector<StepRepeats>& repeats, const WorldBenchSettings& settings, bool isFirst) {
     const int warm = settings.full ? 0 : bench.warmSteps;
     const int timed = settings.full ? bench.fullSteps : settings.steps;
     std::vector<std::unique_ptr<Runner>> runners(rows.size());
@@ -142,9 +148,9 @@ void runOnce(const BenchScene& bench, const std::vector<Contestant>& contestants
             }
         }
     }
-    for (const auto& runner : runners) {
-        if (runner) {
-            runner->finish(isFirst);
+    for (std::size_t i = 0; i < runners.size(); ++i) {
+        if (runners[i]) {
+            runners[i]->finish(isFirst, repeats[i]);
         }
     }
 }
@@ -186,6 +192,20 @@ PeerStages WorldRow::stages() const {
             share * sum.solve, share * sum.continuous, share * sum.finish};
 }
 
+StepTime timeOfRepeats(std::vector<StepTime> repeats, Repeats counts) {
+    std::sort(repeats.begin(), repeats.end(),
+              [](const StepTime& a, const StepTime& b) { return a.seconds < b.seconds; });
+    if (counts == Repeats::fastest) {
+        return repeats.front();
+    }
+    const StepTime& low = repeats[(repeats.size() - 1) / 2];
+    const StepTime& high = repeats[repeats.size() / 2];
+    const auto middle = [&](double PeerStages::*stage) { return (low.stages.*stage + high.stages.*stage) / 2; };
+    return {(low.seconds + high.seconds) / 2,
+            {middle(&PeerStages::pairs), middle(&PeerStages::collide), middle(&PeerStages::islands),
+             middle(&PeerStages::solve), middle(&PeerStages::continuous), middle(&PeerStages::finish)}};
+}
+
 double ratioOf(const WorldRow& row, const WorldRow& rival) {
     const std::size_t count = std::min(row.times.size(), rival.times.size());
     const double theirs = sumOf(std::span<const StepTime>(rival.times).first(count));
@@ -206,8 +226,14 @@ std::vector<WorldRow> benchScene(const SceneEntry& entry, const WorldBenchSettin
             row.bodies = bench.scene.bodies.size();
         }
     }
+    std::vector<StepRepeats> repeats(rows.size());
     for (int repeat = 0; repeat < settings.repeats; ++repeat) {
-        runOnce(bench, contestants, rows, settings, repeat == 0);
+        runOnce(bench, contestants, rows, repeats, settings, repeat == 0);
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const std::vector<StepTime>& step : repeats[i]) {
+            rows[i].times.push_back(timeOfRepeats(step, settings.counts));
+        }
     }
     return rows;
 }

@@ -12,13 +12,18 @@
 
 namespace swept::worlds {
 
+/// What a step took, of the repeats of a run. The fastest is the least disturbed, but favours an engine whose times
+/// vary.
+enum class Repeats : std::uint8_t { median, fastest };
+
 struct WorldBenchSettings {
     std::vector<std::string> scenes;   ///< names; empty: all
     std::vector<std::string> engines;  ///< names of contestants; empty: all
     double size = 0.25;                ///< of the number of moving bodies
     int steps = 60;                    ///< that are timed, after those in which the scene becomes what it is about
     bool full = false;                 ///< instead: all steps of the published benchmark, from the first one
-    int repeats = 2;                   ///< runs of each; of each step the fastest counts
+    int repeats = 3;                   ///< runs of each
+    Repeats counts = Repeats::median;  ///< which of them counts, for each step
     double seconds = 5;                ///< of processor time; what has used them up in a scene is stopped
     std::string executable = "/proc/self/exe";
 };
@@ -40,7 +45,7 @@ struct WorldRow {
     std::string contestant;
     bool isPublished = false;        ///< the scene is one of the ten
     std::size_t bodies = 0;          ///< in the scene, static ones too
-    std::vector<StepTime> times;     ///< of the timed steps, the fastest of the repeats; fewer when it was stopped
+    std::vector<StepTime> times;     ///< of the timed steps, by `counts` of the repeats; fewer when it was stopped
     std::optional<Quality> quality;  ///< over the timed steps
     double startEnergy = 0;          ///< joules, before the first step
     double memory = 0;               ///< most in use beyond the scene itself, bytes
@@ -52,6 +57,10 @@ struct WorldRow {
     /// Engines take these from the wall clock: where a step was interrupted, they are parts of its processor time.
     PeerStages stages() const;
 };
+
+/// What a step took by its repeats, at least one, in any order: the one of them that counts, with its stages; of an
+/// even number the two in the middle share the median.
+StepTime timeOfRepeats(std::vector<StepTime> repeats, Repeats counts);
 
 /// How many times as long `row` takes as `rival`, over the steps that both have; 0 when there is none.
 double ratioOf(const WorldRow& row, const WorldRow& rival);
