@@ -1,105 +1,9 @@
-#include "world_support.h"
+#include "joint_support.h"
 
-/// Every kind of joint against a closed form: periods, deflections, accelerations, speeds, momenta.
+/// Every kind of joint against a closed form: accelerations, speeds, reactions, momenta.
 
 namespace swept::test {
 namespace {
-
-/// Times at which a value changes its sign, and its peaks between them.
-struct Crossings {
-    std::vector<double> times;
-    std::vector<double> peaks;
-
-    void add(double time, double value) {
-        if (started_ && before_ * value < 0) {
-            times.push_back(time - kStep * value / (value - before_));
-            peaks.push_back(peak_);
-            peak_ = 0;
-        }
-        peak_ = std::max(peak_, std::abs(value));
-        before_ = value;
-        started_ = true;
-    }
-    double hertz() const { return (static_cast<double>(times.size()) - 1) / (2 * (times.back() - times.front())); }
-    /// Change of the amplitude from the first whole swings to the last, relative; peaks fall between steps now and
-    /// then, so the largest of the first and the last quarter are compared.
-    double loss() const {
-        const auto quarter = static_cast<std::ptrdiff_t>(peaks.size() / 4);
-        const double first = *std::max_element(peaks.begin() + 1, peaks.begin() + 1 + quarter);
-        const double last = *std::max_element(peaks.end() - quarter, peaks.end());
-        return std::abs(last / first - 1);
-    }
-
-private:
-    double before_ = 0;
-    double peak_ = 0;
-    bool started_ = false;
-};
-
-JointDef between(BodyId a, BodyId b) {
-    JointDef def;
-    def.bodyA = a;
-    def.bodyB = b;
-    return def;
-}
-
-BodyId anchorOf(World& world) { return must(world.createBody(bodyAt(BodyType::fixed, {}))); }
-
-template <class Read>
-Crossings swing(World& world, double seconds, Read&& read) {
-    Crossings crossings;
-    crossings.add(0, read());
-    for (int i = 1; i <= static_cast<int>(std::lround(seconds / kStep)); ++i) {
-        must(world.step(kStep));
-        crossings.add(i * kStep, read());
-    }
-    return crossings;
-}
-
-TEST(JointKinds, UndampedSpringKeepsItsAmplitude) {
-    for (const double hertz : {0.5, 1.0, 4.0, 7.3}) {
-        World world = makeWorld(0);
-        const BodyId wall = anchorOf(world);
-        const BodyId mass = addBody(world, dynamicAt({1.25, 0}), circle(0.1));
-        DistanceJointDef spring;
-        spring.base = between(wall, mass);
-        spring.anchorB = {1.25, 0};
-        spring.length = real(1);
-        spring.spring = Spring{real(hertz), 0};
-        must(world.createJoint(spring));
-        const Crossings crossings = swing(world, 10, [&] { return world.position(mass).x - 1; });
-        expectAtMost("hertz of " + std::to_string(hertz), std::abs(crossings.hertz() / hertz - 1), 1e-3);
-        expectAtMost("loss at " + std::to_string(hertz), crossings.loss(), 0.01);
-    }
-}
-
-/// A block on a rail of 30°, against a spring: g·sin 30° pulls it down by g sin 30°/ω² about which it swings.
-TEST(JointKinds, PrismaticBlockOnAnIncline) {
-    const double hertz = 1.5;
-    const double slope = kPi / 6;
-    World world = makeWorld();
-    const BodyId ramp = anchorOf(world);
-    const DVec2 up{std::cos(slope), std::sin(slope)};
-    const BodyId block = addBody(world, dynamicAt(2 * up), box(0.2, 0.1));
-    PrismaticJointDef rail;
-    rail.base = between(ramp, block);
-    rail.anchor = 2 * up;
-    rail.axis = 3 * up;
-    rail.spring = Spring{real(hertz), 0};
-    const JointId joint = must(world.createJoint(rail));
-    const double sag = kGravity * std::sin(slope) / std::pow(2 * kPi * hertz, 2);
-    const Crossings crossings =
-        swing(world, 10, [&] { return static_cast<double>(world.jointTranslation(joint)) + sag; });
-    expectAtMost("hertz", std::abs(crossings.hertz() / hertz - 1), 1e-3);
-    expectAtMost("loss", crossings.loss(), 0.01);
-    expectAtMost("gap", static_cast<double>(world.jointError(joint)), 1e-4);
-    expectAtMost("angle", static_cast<double>(world.jointAngleError(joint)), 1e-4);
-    must(world.setSpring(joint, Spring{real(hertz), 1}));
-    runFor(world, 5);
-    expectAtMost("rest", std::abs(static_cast<double>(world.jointTranslation(joint)) / -sag - 1), 1e-3);
-    const Vec2 force = world.jointForce(joint);
-    expectAtMost("reaction", std::abs(static_cast<double>(force.y) / (world.mass(block) * kGravity) - 1), 1e-3);
-}
 
 TEST(JointKinds, PrismaticMotorAndLimits) {
     World world = makeWorld(0);
@@ -120,31 +24,6 @@ TEST(JointKinds, PrismaticMotorAndLimits) {
     expectAtMost("lower", std::abs(static_cast<double>(world.jointTranslation(joint)) + 1), 1e-3);
 }
 
-/// Chassis of mass M, held from turning, on a wheel of mass m that stands: ω² = k/M, with the k that the joint derives
-/// from the hertz of the two bodies alone, k = ω_joint²·Mm/(M + m).
-TEST(JointKinds, WheelSuspensionSwingsAtItsFrequency) {
-    const double hertz = 3;
-    World world = makeWorld();
-    const BodyId ground = addStatic(world, box(5, 0.5), material(1), {0, -0.5});
-    (void)ground;
-    BodyDef body = dynamicAt({0, 1.2});
-    body.fixedRotation = true;
-    const BodyId chassis = addBody(world, body, box(1, 0.2));
-    const BodyId wheel = addBody(world, dynamicAt({0, 0.5}), circle(0.5));
-    WheelJointDef suspension;
-    suspension.base = between(chassis, wheel);
-    suspension.anchor = {0, 0.5};
-    suspension.spring = Spring{real(hertz), 0};
-    must(world.createJoint(suspension));
-    const double reduced = world.mass(chassis) * world.mass(wheel) / (world.mass(chassis) + world.mass(wheel));
-    const double stiffness = std::pow(2 * kPi * hertz, 2) * reduced;
-    const double sag = world.mass(chassis) * kGravity / stiffness;
-    const double wanted = std::sqrt(stiffness / world.mass(chassis)) / (2 * kPi);
-    const Crossings crossings = swing(world, 8, [&] { return world.position(chassis).y - 1.2 + sag; });
-    ASSERT_GT(crossings.times.size(), 8U);
-    expectAtMost("hertz", std::abs(crossings.hertz() / wanted - 1), 0.01);
-}
-
 TEST(JointKinds, WheelMotorDrivesAndItsAxisHolds) {
     World world = makeWorld(0);
     const BodyId base = anchorOf(world);
@@ -161,32 +40,6 @@ TEST(JointKinds, WheelMotorDrivesAndItsAxisHolds) {
     runFor(world, 10);
     expectAtMost("final spin", std::abs(spinOf(world, wheel) / 5 - 1), 1e-3);
     expectAtMost("across", std::abs(world.position(wheel).x - 1), 1e-3);
-}
-
-/// A rod welded to the wall at its end by an angular spring: it swings with the hertz given, and hangs down by τ/k.
-TEST(JointKinds, WeldedBeamBendsByItsSpring) {
-    const double hertz = 2;
-    World world = makeWorld(0);
-    const BodyId wall = anchorOf(world);
-    BodyDef def = dynamicAt({0.5, 0}, {}, 0.2);
-    const BodyId beam = addBody(world, def, box(0.5, 0.02));
-    WeldJointDef weld;
-    weld.base = between(wall, beam);
-    weld.angularSpring = Spring{real(hertz), 0};
-    const JointId joint = must(world.createJoint(weld));
-    const Crossings crossings = swing(world, 10, [&] { return world.angle(beam); });
-    expectAtMost("hertz", std::abs(crossings.hertz() / hertz - 1), 1e-3);
-    expectAtMost("loss", crossings.loss(), 0.01);
-    expectAtMost("gap", static_cast<double>(world.jointError(joint)), 1e-4);
-    must(world.setWeldSprings(joint, std::nullopt, Spring{real(hertz), 1}));
-    must(world.configure(awakeSettings(0.5)));
-    runFor(world, 6);
-    const double inertia = world.inertia(beam) + 0.25 * world.mass(beam);
-    const double stiffness = std::pow(2 * kPi * hertz, 2) * inertia;
-    const double angle = world.angle(beam);
-    const double torque = world.mass(beam) * 0.5 * 0.5 * std::cos(angle);
-    expectAtMost("deflection", std::abs(-angle * stiffness / torque - 1), 1e-3);
-    expectAtMost("torque", std::abs(static_cast<double>(world.jointTorque(joint)) / torque - 1), 1e-3);
 }
 
 TEST(JointKinds, RigidWeldCarriesACantilever) {
@@ -209,24 +62,6 @@ TEST(JointKinds, RigidWeldCarriesACantilever) {
     expectAtMost("torque", std::abs(static_cast<double>(world.jointTorque(joints[0])) / (mass * kGravity * 2) - 1),
                  2e-3);
     expectAtMost("sag of 4 m", -world.position(before).y, 0.02);
-}
-
-/// A free pair, both parts of the weld springs: the centre of mass does not move, and momentum is conserved.
-TEST(JointKinds, SoftWeldConservesMomentum) {
-    World world = makeWorld(0);
-    const BodyId a = addBody(world, dynamicAt({0, 0}, vec(0, 1), 1), box(0.5, 0.1));
-    const BodyId b = addBody(world, dynamicAt({1, 0}), box(0.5, 0.2));
-    WeldJointDef weld;
-    weld.base = between(a, b);
-    weld.anchor = {0.5, 0};
-    weld.linearSpring = Spring{3, real(0.2)};
-    weld.angularSpring = Spring{2, real(0.2)};
-    must(world.createJoint(weld));
-    const BodyId both[] = {a, b};
-    const DVec2 before = momentumOf(world, both);
-    runFor(world, 5);
-    expectAtMost("momentum", length(momentumOf(world, both) - before), 1e-5);
-    expectAtMost("they turn as one", std::abs(spinOf(world, a) - spinOf(world, b)), 0.02);
 }
 
 /// Weight mg against a motor of force F < mg: it sinks by g − F/m; F > mg holds it where it is to be.
@@ -436,36 +271,6 @@ TEST(JointKinds, FilterOnlyKeepsApart) {
     }
 }
 
-/// Four springs of every stiffness, hung one below the other, and many at one body: nothing gains energy.
-TEST(JointKinds, StiffSpringsAreStable) {
-    for (const double hertz : {30.0, 45.0, 150.0, 1e6}) {
-        for (const double damping : {0.0, 1.0, 10.0, 1e6}) {
-            World world = makeWorld(0);
-            const BodyId hub = addBody(world, dynamicAt({0, 0}, vec(1, 0.3), 1), box(0.3, 0.2));
-            std::vector<BodyId> all{hub};
-            for (int i = 0; i < 8; ++i) {
-                const double angle = kPi / 4 * i;
-                const BodyId rim = addBody(world, dynamicAt({2 * std::cos(angle), 2 * std::sin(angle)}), box(0.3, 0.3));
-                DistanceJointDef spring;
-                spring.base = between(hub, rim);
-                spring.anchorA = {0.2 * std::cos(angle), 0.2 * std::sin(angle)};
-                spring.anchorB = world.position(rim);
-                spring.spring = Spring{real(hertz), real(damping)};
-                must(world.createJoint(spring));
-                all.push_back(rim);
-            }
-            const double start = energyOf(world, all, 0);
-            double most = 0;
-            for (int i = 0; i < 120; ++i) {
-                must(world.step(kStep));
-                most = std::max(most, energyOf(world, all, 0));
-            }
-            // What a symplectic step conserves is the energy up to θ/2 of it, θ ≤ 1/4.
-            expectAtMost("energy at " + std::to_string(hertz) + ", " + std::to_string(damping), most / start, 1.05);
-        }
-    }
-}
-
 /// A joint that holds a sleeping body wakes it when it is told something new.
 TEST(JointKinds, SettersWake) {
     WorldSettings settings = awakeSettings();
@@ -485,26 +290,6 @@ TEST(JointKinds, SettersWake) {
     EXPECT_EQ(world.setLinearMotor(joint, LinearMotor{1, 1}).code, StatusCode::wrongJointType);
     EXPECT_EQ(world.setTarget(joint, {0, 0}).code, StatusCode::wrongJointType);
     EXPECT_EQ(world.setAngleLimits(joint, AngleLimits{1, 0}).code, StatusCode::outOfRange);
-}
-
-TEST(JointKinds, EveryKindBreaks) {
-    const auto breaksAt = [](double force) {
-        World world = makeWorld();
-        const BodyId base = anchorOf(world);
-        const BodyId load = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5));  // 10 N
-        WeldJointDef weld;
-        weld.base = between(base, load);
-        weld.base.breakForce = real(force);
-        must(world.createJoint(weld));
-        bool broken = false;
-        for (int i = 0; i < 30; ++i) {
-            must(world.step(kStep));
-            broken = broken || !world.jointBreaks().empty();
-        }
-        return broken;
-    };
-    EXPECT_TRUE(breaksAt(9.5));
-    EXPECT_FALSE(breaksAt(10.5));
 }
 
 }  // namespace

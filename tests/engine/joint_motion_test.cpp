@@ -1,6 +1,6 @@
 #include "world_support.h"
 
-/// Joints against closed forms: pendulums, springs, limits, motors, ropes, breaking.
+/// Joints against closed forms: pendulums, springs, limits, motors, ropes.
 
 namespace swept::test {
 namespace {
@@ -237,37 +237,6 @@ TEST(JointMotion, RopeLetsFallAndHolds) {
     expectAtMost("rest", std::abs(world.position(ball).y + 2), 1e-4);
     expectAtMost("tension",
                  std::abs(static_cast<double>(world.jointForce(joint).y) / (world.mass(ball) * kGravity) - 1), 1e-4);
-}
-
-/// Whether a hinge that carries a weight breaks, by the ratio of its strength to the weight.
-bool breaks(double strength) {
-    World world = makeWorld();
-    const BodyId ceiling = must(world.createBody(bodyAt(BodyType::fixed, {})));
-    const BodyId weight = addBody(world, dynamicAt({0, -1}), circle(0.5));
-    RevoluteJointDef hinge;
-    hinge.base.bodyA = ceiling;
-    hinge.base.bodyB = weight;
-    hinge.base.breakForce = real(strength * world.mass(weight) * kGravity);
-    const JointId joint = must(world.createJoint(hinge));
-    for (int i = 0; i < 60; ++i) {
-        must(world.step(kStep));
-        if (world.jointBreaks().empty()) {
-            continue;
-        }
-        EXPECT_EQ(world.jointBreaks().size(), 1U);
-        EXPECT_EQ(world.jointBreaks()[0].joint, joint);
-        EXPECT_FALSE(world.isValid(joint));
-        EXPECT_EQ(world.jointCount(), 0U);
-        return true;
-    }
-    EXPECT_TRUE(world.isValid(joint));
-    return false;
-}
-
-TEST(JointMotion, JointBreaksAboveItsForceOnly) {
-    EXPECT_TRUE(breaks(0.95));
-    EXPECT_TRUE(breaks(0.1));
-    EXPECT_FALSE(breaks(1.05));
 }
 
 }  // namespace
