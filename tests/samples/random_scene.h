@@ -2,6 +2,7 @@
 
 #include <swept/samples/scene_description.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -35,6 +36,7 @@ public:
         for (int i = 0; i < joints; ++i) {
             scene.joints.push_back(joint(scene, i));
         }
+        addGear(scene);
         return scene;
     }
 
@@ -46,8 +48,7 @@ private:
     std::optional<double> maybe(double value) { return often() ? std::optional<double>(value) : std::nullopt; }
 
     SceneContinuous continuous() {
-        const SceneContinuous modes[] = {SceneContinuous::off, SceneContinuous::stop, SceneContinuous::subStep};
-        return modes[random_.integer(0, 2)];
+        return static_cast<SceneContinuous>(random_.integer(0, static_cast<int>(SceneContinuous::subStep)));
     }
 
     SettingsDescription settings() {
@@ -73,7 +74,7 @@ private:
         s.maxSpeed = maybe(positive());
         s.sleep = often();
         if (often()) {
-            s.broadphase = SceneBroadphase::allPairs;
+            s.broadphase = static_cast<SceneBroadphase>(random_.integer(0, static_cast<int>(SceneBroadphase::wideBvh)));
         }
         s.toiTolerance = maybe(positive());
         s.maxPenetration = maybe(positive());
@@ -268,7 +269,7 @@ private:
         return m;
     }
 
-    // Gears need joints of certain types: other tests have them.
+    // Gears need two other joints, and come last.
     JointGeometry geometryOfJoint() {
         switch (random_.integer(0, 8)) {
             case 0:
@@ -311,11 +312,10 @@ private:
         if (often()) {
             j.name = "joint, no. " + std::to_string(index);
         }
-        const auto nameOf = [&](std::size_t i) {
-            return scene.bodies[i].name.empty() ? "body" + std::to_string(i) : scene.bodies[i].name;
-        };
-        j.bodyA = nameOf(0);
-        j.bodyB = nameOf(static_cast<std::size_t>(random_.integer(1, static_cast<int>(scene.bodies.size()) - 1)));
+        const std::string first = nameOf(scene.bodies, 0, "body");
+        const int other = random_.integer(1, static_cast<int>(scene.bodies.size()) - 1);
+        j.bodyA = first;
+        j.bodyB = nameOf(scene.bodies, static_cast<std::size_t>(other), "body");
         if (often()) {
             std::swap(j.bodyA, j.bodyB);
         }
@@ -327,10 +327,49 @@ private:
             j.collideConnected = false;
             j.breakForce = j.breakTorque = std::nullopt;
         }
-        if (std::holds_alternative<MouseDescription>(j.joint) && j.bodyB != nameOf(0)) {
+        if (std::holds_alternative<MouseDescription>(j.joint) && j.bodyB != first) {
             std::swap(j.bodyA, j.bodyB);  // the first body is dynamic
         }
         return j;
+    }
+
+    /// Couples the first two joints that a gear can couple, if there are two.
+    void addGear(SceneDescription& scene) {
+        std::vector<std::size_t> fit;
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            const JointGeometry& geometry = scene.joints[i].joint;
+            const bool slidesOrTurns = std::holds_alternative<RevoluteDescription>(geometry) ||
+                                       std::holds_alternative<PrismaticDescription>(geometry);
+            if (slidesOrTurns && (fit.empty() || scene.joints[fit[0]].bodyB != scene.joints[i].bodyB)) {
+                fit.push_back(i);
+            }
+        }
+        if (fit.size() < 2) {
+            return;
+        }
+        const bool moves = std::any_of(fit.begin(), fit.begin() + 2, [&](std::size_t i) {
+            const auto isMoved = [&](std::size_t body) {
+                return nameOf(scene.bodies, body, "body") == scene.joints[i].bodyB;
+            };
+            std::size_t body = 0;
+            while (!isMoved(body)) {
+                ++body;
+            }
+            return scene.bodies[body].type == SceneBodyType::dynamic;
+        });
+        if (moves) {
+            JointDescription gear;
+            gear.bodyA = scene.joints[fit[0]].bodyB;
+            gear.bodyB = scene.joints[fit[1]].bodyB;
+            gear.breakTorque = maybe(positive());
+            gear.joint =
+                GearDescription{nameOf(scene.joints, fit[0], "joint"), nameOf(scene.joints, fit[1], "joint"), number()};
+            scene.joints.push_back(gear);
+        }
+    }
+    template <class Named>
+    static std::string nameOf(const std::vector<Named>& elements, std::size_t i, const char* prefix) {
+        return elements[i].name.empty() ? prefix + std::to_string(i) : elements[i].name;
     }
 
     Random random_;

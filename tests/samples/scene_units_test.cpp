@@ -135,6 +135,25 @@ std::map<std::string, double> numbersOf(const SceneDescription& scene) {
     return numbers;
 }
 
+// A hinge has an angle, a rail a length: the ratio of a gear is in metres per radian, the inverse of that, or a number.
+std::optional<Dimension> ratioOfGear(const std::string& pointer, const SceneDescription& scene) {
+    if (!pointer.starts_with("/joints/") || !pointer.ends_with("/ratio")) {
+        return std::nullopt;
+    }
+    const auto* gear = std::get_if<GearDescription>(&scene.joints[std::stoul(pointer.substr(8))].joint);
+    if (gear == nullptr) {
+        return std::nullopt;
+    }
+    int length = 0;
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        if (std::holds_alternative<PrismaticDescription>(scene.joints[i].joint)) {
+            length += jointName(scene, i) == gear->jointA ? 1 : 0;
+            length -= jointName(scene, i) == gear->jointB ? 1 : 0;
+        }
+    }
+    return Dimension{length, 0, 0};
+}
+
 TEST(SceneUnits, ScalingMultipliesEveryNumberByItsPowerOfTwo) {
     const std::map<std::string, Dimension> units = unitMap();
     const std::set<std::string> counts{"/settings/subSteps",
@@ -155,7 +174,8 @@ TEST(SceneUnits, ScalingMultipliesEveryNumberByItsPowerOfTwo) {
         for (const auto& [pointer, value] : before) {
             const std::string field = fieldOf(pointer, scene, units);
             ASSERT_TRUE(units.count(field) == 1 || counts.count(field) == 1) << pointer << " is not in the table";
-            const Dimension d = units.count(field) != 0 ? units.at(field) : Dimension{};
+            const Dimension inTable = units.count(field) != 0 ? units.at(field) : Dimension{};
+            const Dimension d = ratioOfGear(pointer, scene).value_or(inTable);
             const double expected = std::ldexp(value, l * d.length + m * d.mass + t * d.time);
             const auto found = after.find(pointer);
             if (found == after.end()) {
