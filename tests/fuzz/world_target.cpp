@@ -1,3 +1,4 @@
+#include <optional>
 #include <vector>
 
 #include <swept/engine/world.h>
@@ -54,7 +55,7 @@ private:
     }
 
     Status call() {
-        switch (input_.below(12)) {
+        switch (input_.below(13)) {
             case 0:
                 return makeBody();
             case 1:
@@ -77,6 +78,8 @@ private:
                 return configure();
             case 10:
                 return ask();
+            case 12:
+                return changeJoint();
             default:
                 ++steps_;
                 return world_.step(input_.flag() ? kStep : input_.number());
@@ -131,27 +134,87 @@ private:
         }
         return keep(world_.addChain(pick(known_.bodies), points, input_.flag()), known_.shapes);
     }
+    template <class Make>
+    auto maybe(Make&& make) -> std::optional<decltype(make())> {
+        return input_.flag() ? std::optional(make()) : std::nullopt;
+    }
+    template <class Pair>
+    std::optional<Pair> maybePair() {
+        return maybe([&] {
+            const Real first = real();
+            return Pair{first, real()};
+        });
+    }
+    template <class Def>
+    Status join(const Def& def) {
+        return keep(world_.createJoint(def), known_.joints);
+    }
     Status makeJoint() {
         JointDef base{.bodyA = pick(known_.bodies), .bodyB = pick(known_.bodies)};
         base.collideConnected = input_.flag();
-        switch (input_.below(6)) {
+        base.breakForce = maybe([&] { return real(); });
+        switch (static_cast<JointType>(input_.below(static_cast<int>(JointType::filter) + 1))) {
+            case JointType::revolute:
+                return join(RevoluteJointDef{.base = base, .anchor = place()});
+            case JointType::distance:
+                return join(DistanceJointDef{.base = base, .anchorA = place(), .anchorB = place()});
+            case JointType::prismatic:
+                return join(PrismaticJointDef{.base = base, .anchor = place(), .axis = place()});
+            case JointType::wheel:
+                return join(WheelJointDef{.base = base, .anchor = place(), .axis = place()});
+            case JointType::weld:
+                return join(WeldJointDef{.base = base, .anchor = place()});
+            case JointType::motor:
+                return join(MotorJointDef{.base = base, .drive = drive()});
+            case JointType::mouse:
+                return join(MouseJointDef{.base = base, .target = place()});
+            case JointType::gear:
+                return join(
+                    GearJointDef{.jointA = pick(known_.joints), .jointB = pick(known_.joints), .ratio = real()});
+            case JointType::pulley:
+                return join(PulleyJointDef{.base = base,
+                                           .groundA = place(),
+                                           .groundB = place(),
+                                           .anchorA = place(),
+                                           .anchorB = place(),
+                                           .ratio = real()});
+            case JointType::filter:
+                return join(FilterJointDef{.base = base});
+        }
+        return Status::success();
+    }
+    MotorDrive drive() {
+        MotorDrive drive;
+        drive.linearOffset = maybe([&] { return vector(); });
+        drive.linearVelocity = maybe([&] { return vector(); });
+        drive.angularVelocity = maybe([&] { return real(); });
+        drive.maxForce = maybe([&] { return real(); });
+        drive.maxTorque = maybe([&] { return real(); });
+        return drive;
+    }
+    Status changeJoint() {
+        const JointId joint = pick(known_.joints);
+        switch (input_.below(10)) {
             case 0:
-                return keep(world_.createJoint(RevoluteJointDef{.base = base, .anchor = place()}), known_.joints);
+                return world_.setAngularMotor(joint, maybePair<AngularMotor>());
             case 1:
-                return keep(world_.createJoint(DistanceJointDef{.base = base, .anchorA = place(), .anchorB = place()}),
-                            known_.joints);
+                return world_.setLinearMotor(joint, maybePair<LinearMotor>());
             case 2:
-                return keep(world_.createJoint(WeldJointDef{.base = base, .anchor = place()}), known_.joints);
+                return world_.setAngleLimits(joint, maybePair<AngleLimits>());
             case 3:
-                return keep(world_.createJoint(PrismaticJointDef{.base = base, .anchor = place(), .axis = place()}),
-                            known_.joints);
+                return world_.setTranslationLimits(joint, maybePair<TranslationLimits>());
             case 4:
-                return keep(world_.createJoint(WheelJointDef{.base = base, .anchor = place(), .axis = place()}),
-                            known_.joints);
+                return world_.setLengthLimits(joint, maybePair<LengthLimits>());
+            case 5:
+                return world_.setLength(joint, real());
+            case 6:
+                return world_.setSpring(joint, maybePair<Spring>());
+            case 7:
+                return world_.setWeldSprings(joint, maybePair<Spring>(), maybePair<Spring>());
+            case 8:
+                return world_.setTarget(joint, place());
             default:
-                return keep(world_.createJoint(GearJointDef{
-                                .jointA = pick(known_.joints), .jointB = pick(known_.joints), .ratio = real()}),
-                            known_.joints);
+                return world_.setDrive(joint, drive());
         }
     }
     Status push() {
@@ -190,6 +253,11 @@ private:
             demand(isFinite(world_.position(id)) && std::isfinite(world_.angle(id)) && isFinite(world_.velocity(id)) &&
                        std::isfinite(world_.angularVelocity(id)),
                    "states stay finite");
+        }
+        for (const JointId id : known_.joints) {
+            demand(isFinite(world_.jointForce(id)) && std::isfinite(world_.jointTorque(id)) &&
+                       !std::isnan(world_.jointError(id)),
+                   "reactions stay finite");
         }
     }
 
