@@ -24,6 +24,7 @@ endfunction()
 function(swept_configure_test target)
     swept_warnings(${target})
     # What is tested is optimised fully; the tests themselves take longer to compile so than to run.
+    # Not less with sanitizers: the oracles of the tests would take longer to run than is saved.
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
