@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batch_fields.h"
+#include "random_solve.h"
 
 namespace swept::test {
 namespace {

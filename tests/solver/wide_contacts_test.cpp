@@ -11,6 +11,7 @@
 #endif
 
 #include "batch_fields.h"
+#include "random_solve.h"
 
 /// Blocks of contacts and of hinges, contacts that someone else keeps, and bodies that turn, against the same one by
 /// one: the same bits with every instruction set of this machine.
