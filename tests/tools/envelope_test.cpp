@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <sstream>
 
 #include <swept/samples/scene_reader.h>
 #include <swept/tools/envelope/map.h>
+#include <swept/tools/inspect/envelope.h>
 
 namespace swept::envelope {
 namespace {
@@ -164,9 +166,7 @@ TEST(Envelope, LimitsEndBeforeTheFirstHole) {
     slice.x.values = {1, 2, 3, 4};
     slice.y.values = {10, 100};
     Rows rows;
-    for (const double x : slice.x.values) {
-        rows.add({x, 10, tune::Engine::f32, x == 3 ? 2 * slice.bound : 0, ""});
-    }
+    for (const double x : slice.x.values) { rows.add({x, 10, tune::Engine::f32, x == 3 ? 2 * slice.bound : 0, ""}); }
     rows.add({2, 100, tune::Engine::f32, 0, ""});
     EXPECT_EQ(limitOf(slice, rows, 10, tune::Engine::f32), 2);
     EXPECT_EQ(limitOf(slice, rows, 100, tune::Engine::f32), std::nullopt);
@@ -176,6 +176,39 @@ TEST(Envelope, LimitsEndBeforeTheFirstHole) {
     // √(9.81/(0.01·2)) = 22.1, and up
     EXPECT_NE(summary.str().find("of 1 cm 23 Hz"), std::string::npos) << summary.str();
     EXPECT_NE(summary.str().find("nowhere on this map"), std::string::npos) << summary.str();
+}
+
+/// The lines of the committed coarse map of a slice, by engine and y: a '#' for each x that is inside.
+std::vector<std::string> committedLines(const std::string& slice) {
+    std::ifstream file(SWEPT_ENVELOPE_LIMITS);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with(slice + ',')) { lines.push_back(line.substr(line.rfind(',') + 1)); }
+    }
+    return lines;
+}
+
+/// @return whether every cell of the map up to that x is inside
+bool isInsideUpTo(const Slice& slice, double x) {
+    const std::vector<std::string> lines = committedLines(slice.name);
+    EXPECT_EQ(lines.size(), 2 * slice.y.values.size()) << slice.name << ": f32 and f64";
+    for (const std::string& line : lines) {
+        for (std::size_t i = 0; i < slice.x.values.size() && slice.x.values[i] <= x; ++i) {
+            if (line.at(i) != '#') { return false; }
+        }
+    }
+    return true;
+}
+
+/// What the scene doctor calls safe lies inside the maps that are committed and held by envelope_limits_test.
+TEST(Envelope, LimitsOfTheDoctorLieInsideTheMaps) {
+    EXPECT_TRUE(isInsideUpTo(chainSlice(Grain::coarse), kJointMassRatio));
+    EXPECT_FALSE(isInsideUpTo(chainSlice(Grain::coarse), 1e6)) << "the map has an outside, or nothing was read";
+    EXPECT_TRUE(isInsideUpTo(stackSlice(Grain::coarse), 1 / (kStepsPerNaturalTime * kStepsPerNaturalTime)));
+    EXPECT_FALSE(isInsideUpTo(stackSlice(Grain::coarse), 1));
+    const Slice bullets = bulletSlice(Grain::coarse);
+    EXPECT_TRUE(isInsideUpTo(bullets, bullets.x.values.back()));
+    EXPECT_GE(bullets.y.values.back(), kAspectRatio) << "slender bodies are tried up to there";
 }
 
 }  // namespace
