@@ -57,12 +57,16 @@ enum class ContactState : std::uint8_t {
     near,        ///< its manifold is new
 };
 
-/// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
-struct ContactProbe {
+/// Two shapes whose boxes in the broadphase overlap.
+struct ContactPair {
     std::uint32_t bodyA = 0;  ///< slots
     std::uint32_t bodyB = 0;
     ProxyId proxyA{};
     ProxyId proxyB{};
+};
+
+/// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
+struct ContactProbe : ContactPair {
     double apartUntil =
         0;          ///< there are no points as long as the bodies moved less since (travel.h), metres; 0: not known
     Vec2 offset{};  ///< from centre of mass to centre of mass at that time, world

@@ -315,12 +315,13 @@ void countAhead(WorldState& world) {
 
 void collideContacts(WorldState& world) {
     noteMotions(world);
-    if (world.contacts.empty()) {
+    if (world.contacts.empty() && world.candidates.empty()) {
         world.touching.clear();
         if (world.joints.size() > 0) { wakeAcrossJoints(world); }
         return;
     }
     for (const std::uint32_t slot : world.awake) { noteMotion(world, slot); }
+    promoteCandidates(world);
     if (world.watched) {
         updateContacts<true>(world);
     } else {
@@ -332,10 +333,8 @@ void collideContacts(WorldState& world) {
     const std::uint32_t apart = listTouching(world);
     world.counters.manifolds += world.nearContacts.size();
     if (world.watched) { countAhead(world); }
-    if (apart > 0) {
-        removeContacts(world, [](const ContactProbe& probe) { return probe.state == ContactState::boxesApart; });
-    }
-    world.counters.contacts = world.contacts.size();
+    if (apart > 0) { removeApartContacts(world); }
+    world.counters.contacts = world.contacts.size() + world.candidates.size();
     world.counters.touching = world.touching.size();
 }
 

@@ -40,25 +40,79 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     return contact;
 }
 
-bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    if (!mayTouch(world, world.shapes[a], world.shapes[b]) || !world.pairs.insert(a, b)) { return false; }
+void dropPair(WorldState& world, const ContactPair& pair) {
+    world.pairs.erase(world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
+                      world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
+}
+
+namespace {
+
+void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Contact& contact = world.contacts.emplace_back(contactOf(world, a, b));
-    world.probes.push_back({.bodyA = contact.bodyA,
-                            .bodyB = contact.bodyB,
-                            .proxyA = world.shapes[contact.shapeA].proxy,
-                            .proxyB = world.shapes[contact.shapeB].proxy});
+    ContactProbe& probe = world.probes.emplace_back();
+    probe.bodyA = contact.bodyA;
+    probe.bodyB = contact.bodyB;
+    probe.proxyA = world.shapes[contact.shapeA].proxy;
+    probe.proxyB = world.shapes[contact.shapeB].proxy;
+}
+
+/// Nobody asks about such a pair before it is near: what bounces is looked for farther away (clash.h), and so is what
+/// kinematic bodies may meet.
+bool mayWait(const WorldState& world, const Shape& a, const Shape& b) {
+    return world.bouncyShapes == 0 && !world.watched && !a.def.sensor && !b.def.sensor &&
+           world.bodies[a.body].isDynamic() && world.bodies[b.body].isDynamic();
+}
+
+/// @return false when the two may not touch, or are known already
+bool addPair(WorldState& world, std::uint32_t a, std::uint32_t b, bool isNear) {
+    const Shape& first = world.shapes[a];
+    const Shape& second = world.shapes[b];
+    if (!mayTouch(world, first, second) || !world.pairs.insert(a, b)) { return false; }
+    if (!isNear && mayWait(world, first, second)) {
+        world.candidates.push_back({first.body, second.body, first.proxy, second.proxy});
+    } else {
+        makeContact(world, a, b);
+    }
     ++world.counters.pairsFound;
     return true;
 }
+
+bool overlap(std::span<const Aabb> boxes, const ContactPair& pair) {
+    return overlaps(boxes[static_cast<std::size_t>(pair.proxyA)], boxes[static_cast<std::size_t>(pair.proxyB)]);
+}
+
+}  // namespace
+
+bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) { return addPair(world, a, b, true); }
 
 void findPairs(WorldState& world) {
     const std::uint64_t testsBefore = world.broadphase->counters().boxTests;
     world.broadphase->pairs(world.newPairs);
     world.counters.boxTests = world.broadphase->counters().boxTests - testsBefore;
     for (const ProxyPair& pair : world.newPairs) {
-        addContact(world, world.proxyShapes[static_cast<std::uint32_t>(pair.a)],
-                   world.proxyShapes[static_cast<std::uint32_t>(pair.b)]);
+        addPair(world, world.proxyShapes[static_cast<std::uint32_t>(pair.a)],
+                world.proxyShapes[static_cast<std::uint32_t>(pair.b)], false);
     }
+}
+
+void promoteCandidates(WorldState& world) {
+    const std::span<const Aabb> boxes = world.broadphase->boxes();
+    const bool allGo = world.bouncyShapes > 0 || world.watched;
+    std::size_t kept = 0;
+    for (const ContactPair& pair : world.candidates) {
+        const bool isAsleep = world.glances[pair.bodyA].motion < 0 && world.glances[pair.bodyB].motion < 0;
+        if (!isAsleep && !overlap(boxes, pair)) {
+            dropPair(world, pair);
+            continue;
+        }
+        if (allGo || (!isAsleep && overlap(world.neededBoxes, pair))) {
+            makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
+                        world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
+            continue;
+        }
+        world.candidates[kept++] = pair;
+    }
+    world.candidates.resize(kept);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -40,7 +40,7 @@ Status check(const BodyDef& def) {
 /// Contacts of a body that was teleported or destroyed say nothing any more; what rested on it wakes.
 void dropContacts(WorldState& world, std::uint32_t slot) {
     wakeNeighbours(world, slot);
-    removeContacts(world, [slot](const ContactProbe& probe) { return probe.bodyA == slot || probe.bodyB == slot; });
+    removeContacts(world, [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
 }
 
 /// Leaves the ring of bodies it sleeps with by waking them all.

@@ -259,7 +259,10 @@ void removeJoint(WorldState& world, JointId id) {
     }
 }
 
-void removeContacts(WorldState& world, FunctionRef<bool(const ContactProbe&)> doomed) {
+namespace {
+
+template <class Doomed>
+void compactContacts(WorldState& world, const Doomed& doomed) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < world.probes.size(); ++i) {
         if (!doomed(world.probes[i])) {
@@ -282,6 +285,21 @@ void removeContacts(WorldState& world, FunctionRef<bool(const ContactProbe&)> do
     }
     world.probes.resize(kept);
     world.contacts.resize(kept);
+}
+
+}  // namespace
+
+void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doomed) {
+    compactContacts(world, doomed);
+    std::erase_if(world.candidates, [&world, &doomed](const ContactPair& pair) {
+        if (!doomed(pair)) { return false; }
+        dropPair(world, pair);
+        return true;
+    });
+}
+
+void removeApartContacts(WorldState& world) {
+    compactContacts(world, [](const ContactProbe& probe) { return probe.state == ContactState::boxesApart; });
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

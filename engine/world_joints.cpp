@@ -53,7 +53,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
         wake(world, body);
     }
     if (!placed.base.collideConnected || !placed.holds()) {
-        removeContacts(world, [a = placed.bodyA, b = placed.bodyB](const ContactProbe& c) {
+        removeContacts(world, [a = placed.bodyA, b = placed.bodyB](const ContactPair& c) {
             return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
         });
     }

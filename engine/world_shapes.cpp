@@ -74,7 +74,7 @@ void removeOne(WorldState& world, std::uint32_t slot) {
     const std::uint32_t body = world.shapes[slot].body;
     const ProxyId proxy = world.shapes[slot].proxy;
     (void)world.broadphase->remove(proxy);  // it is there: the shape owns it
-    removeContacts(world, [proxy](const ContactProbe& c) { return c.proxyA == proxy || c.proxyB == proxy; });
+    removeContacts(world, [proxy](const ContactPair& c) { return c.proxyA == proxy || c.proxyB == proxy; });
     std::erase(world.bodies[body].shapes, slot);
     world.thinnestWall.reset();
     world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;

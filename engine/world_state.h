@@ -98,7 +98,8 @@ struct WorldState {
     std::vector<ProxyPair> newPairs;
 
     std::vector<Contact> contacts;
-    std::vector<ContactProbe> probes;               ///< one for each contact, in the same order
+    std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
+    std::vector<ContactProbe> probes;     ///< one for each contact, in the same order
     std::vector<std::uint32_t> nearContacts;        ///< indices of those whose manifold is of this step, ascending
     std::vector<BodyGlance> glances;                ///< by body slot
     std::vector<BodyTravel> travels;                ///< by body slot
@@ -152,6 +153,12 @@ struct WorldState {
 
 /// A contact of two shapes, still without manifold; which of them is A is decided here.
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
+/// Removes the contacts whose boxes came apart (`ContactState`).
+void removeApartContacts(WorldState& world);
+/// So that the broadphase may find the pair anew.
+void dropPair(WorldState& world, const ContactPair& pair);
+/// Candidates that came near become contacts; those whose boxes came apart are gone.
+void promoteCandidates(WorldState& world);
 /// Manifold at the present poses; points that were there before keep their impulses.
 void refreshManifold(const WorldState& world, Contact& contact, Real margin);
 
@@ -177,8 +184,8 @@ bool hasOutgrownProxy(WorldState& world, std::uint32_t body);
 /// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are
 /// found anew (teleports).
 void updateProxies(WorldState& world, std::uint32_t body, bool always);
-/// Removes contacts for which `doomed` is true; reports the end of those that touched.
-void removeContacts(WorldState& world, FunctionRef<bool(const ContactProbe&)> doomed);
+/// Removes contacts, and candidates, for which `doomed` is true; reports the end of those that touched.
+void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doomed);
 /// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
 void removeJoint(WorldState& world, JointId id);
 /// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its
