@@ -194,6 +194,7 @@ void assignEfforts(WorldState& world, double dt) {
     }
     if (budgeted) { keepErrorBudgets(world, dt); }
     markSettledIslands(world, dt);
+    if (!budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
     for (const std::uint32_t slot : world.awake) { world.bodies[slot].effort = loads[world.islands.find(slot)].effort; }
 }
 

@@ -19,6 +19,10 @@ constexpr Real kGapRatio = Real(1) / (1 << 20);
 /// boxes are rounded to as much: higher ones are solved more often.
 constexpr Real kPullRatio = Real(1) / (1 << 16);
 
+/// The same for what hangs: speeds (0.2 mm/s at 60 Hz on earth), and what is left of the pulls.
+constexpr Real kHangingRatio = Real(1) / (1 << 10);
+constexpr std::int8_t kHangingDoublings = -3;
+
 /// The speed of any point of a body is below the limit, and no torque turns it.
 bool isStill(const Body& body, const BodyMotion& motion, Real speed) {
     const Real spin = std::fabs(motion.angularVelocity) * body.radius;
@@ -87,6 +91,29 @@ void weighContacts(WorldState& world) {
     }
 }
 
+bool isPlainHinge(const Joint& joint) {
+    if (joint.type() != JointType::revolute) { return false; }
+    const RevoluteJointDef& def = std::get<static_cast<std::size_t>(JointType::revolute)>(joint.parts).def;
+    return !def.limits && !def.motor && !def.spring;
+}
+
+bool isDirectChain(const IslandLoad& load) {
+    return load.bodies > 0 && load.contacts == 0 && load.effort.doublings >= 0 &&
+           (load.effort.direct == DirectScope::joints || load.effort.direct == DirectScope::freeJoints);
+}
+
+/// Adds the forces of a hinge. @return whether it is one that hangs from nothing that moves
+bool weighHinge(WorldState& world, const Joint& joint, Real dt) {
+    const Body& a = world.bodies[joint.bodyA];
+    const Body& b = world.bodies[joint.bodyB];
+    if (!isPlainHinge(joint) || a.def.type == BodyType::kinematic || b.def.type == BodyType::kinematic) {
+        return false;
+    }
+    if (a.isDynamic()) { world.islandPulls[joint.bodyA] -= dt * joint.reactionForce; }
+    if (b.isDynamic()) { world.islandPulls[joint.bodyB] += dt * joint.reactionForce; }
+    return true;
+}
+
 }  // namespace
 
 void markSettledIslands(WorldState& world, double dt) {
@@ -103,6 +130,37 @@ void markSettledIslands(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
         Effort& effort = world.islandLoads[slot].effort;
         if (effort.isSettled) { effort = {.direct = DirectScope::all, .isSettled = true}; }
+    }
+}
+
+void slowHangingIslands(WorldState& world, double dt) {
+    const auto step = static_cast<Real>(dt);
+    const Real speed = kHangingRatio * length(world.settings.gravity) * step;
+    // Their effort tells what is still in question: those that move keep theirs.
+    world.islandPulls.resize(std::max<std::size_t>(world.islandPulls.size(), world.bodies.slotCount()));
+    world.chainLengths.assign(world.bodies.slotCount(), 0);  // now: 1 where an island hangs still
+    for (const std::uint32_t slot : world.awake) { world.chainLengths[slot] = isDirectChain(world.islandLoads[slot]); }
+    for (const std::uint32_t slot : world.awake) {
+        const Body& body = world.bodies[slot];
+        std::uint32_t& hangs = world.chainLengths[world.islands.find(slot)];
+        if (hangs == 0 || body.role != BodyRole::solved) { continue; }
+        hangs = isStill(body, world.motions[slot], speed) ? 1 : 0;
+        world.islandPulls[slot] = (static_cast<Real>(body.mass) * step) * accelerationOf(world, body);
+    }
+    for (const std::uint32_t i : world.activeJoints) {
+        const Joint& joint = world.joints[i];
+        const std::uint32_t moved = world.bodies[joint.bodyA].isDynamic() ? joint.bodyA : joint.bodyB;
+        std::uint32_t& hangs = world.chainLengths[world.islands.find(moved)];
+        hangs = hangs != 0 && weighHinge(world, joint, step) ? 1 : 0;
+    }
+    for (const std::uint32_t slot : world.awake) {
+        const Body& body = world.bodies[slot];
+        std::uint32_t& hangs = world.chainLengths[world.islands.find(slot)];
+        if (hangs == 0 || body.role != BodyRole::solved) { continue; }
+        hangs = lengthSquared(world.islandPulls[slot]) <= square(static_cast<Real>(body.mass) * speed) ? 1 : 0;
+    }
+    for (const std::uint32_t slot : world.awake) {
+        if (world.chainLengths[slot] != 0) { world.islandLoads[slot].effort.doublings = kHangingDoublings; }
     }
 }
 

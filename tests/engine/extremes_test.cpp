@@ -134,6 +134,21 @@ TEST(Extremes, ChainsDoNotStretch) {
     expectAtMost("chain-swung-R10000", Chain(1e4, true).stretch(4), 1e-4);
 }
 
+/// A chain that hangs still gets an eighth of the sub-steps; one that is let go, or pulled at, all of them at once.
+TEST(Extremes, WhatHangsStillNeedsFewSubSteps) {
+    Chain still(100, false);
+    expectAtMost("chain-R100", still.stretch(2), 1e-6);
+    EXPECT_EQ(still.world.counters().mostSubSteps, 2U);
+    must(still.world.applyForce(still.ball, vec(100, 0), still.world.position(still.ball)));
+    run(still.world, 1);
+    EXPECT_GE(still.world.counters().mostSubSteps, 16U);
+    Chain swung(100, true);
+    for (int i = 0; i < 60; ++i) {
+        run(swung.world, 1);
+        ASSERT_GE(swung.world.counters().mostSubSteps, 16U) << "step " << i;
+    }
+}
+
 /// Bars of half a metre between corners, hinged where they meet. Nothing touches.
 struct Linkage {
     World world;
