@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "../support/random.h"
@@ -40,9 +42,7 @@ TEST(RenderBodies, ColoursTellTypeAndState) {
         EXPECT_PRED2([](Color a, Color b) { return near(a, b); }, pixelAt(image, {x, 0}), fills[i]) << "body " << i;
         EXPECT_PRED2([](Color a, Color b) { return near(a, b); }, pixelAt(image, {x, 0.45}), fills[i]) << "body " << i;
         EXPECT_EQ(pixelAt(image, {x, 0.51}), style::kBackground) << "body " << i;
-        for (std::size_t j = 0; j < i; ++j) {
-            EXPECT_FALSE(near(fills[i], fills[j], 12)) << i << " looks like " << j;
-        }
+        for (std::size_t j = 0; j < i; ++j) { EXPECT_FALSE(near(fills[i], fills[j], 12)) << i << " looks like " << j; }
     }
 }
 
@@ -98,9 +98,7 @@ TEST(RenderBodies, RoundedShapesCoverTheirArea) {
         const double boxArea = 1e4 * (4 * half * 0.5 + 2 * radius * (2 * half + 1) + rounded);
         EXPECT_NEAR(coveredPixels(box(half, 0.5), radius, {0.01 * i, 0}, angle), boxArea, 0.01 * boxArea)
             << "seed " << kSeed << ", box " << i;
-        if (radius == 0) {
-            continue;
-        }
+        if (radius == 0) { continue; }
         const CapsuleGeometry capsule{{DVec2{-half, 0}, DVec2{half, 0}}, radius};
         const double capsuleArea = 1e4 * (4 * half * radius + rounded);
         EXPECT_NEAR(coveredPixels(capsule, 0, {0, 0.01 * i}, angle), capsuleArea, 0.015 * capsuleArea)
@@ -139,9 +137,7 @@ TEST(RenderBodies, ThinThingsStayVisible) {
     const Image image = picture(scene, bareOptions());
     for (const double x : {0.0, 1.0, 2.0}) {
         int darkest = 255;
-        for (int dx = -2; dx <= 2; ++dx) {
-            darkest = std::min<int>(darkest, pixelAt(image, {x + 0.01 * dx, 0}).red);
-        }
+        for (int dx = -2; dx <= 2; ++dx) { darkest = std::min<int>(darkest, pixelAt(image, {x + 0.01 * dx, 0}).red); }
         EXPECT_LT(darkest, 210) << "at " << x;
     }
 }
@@ -191,9 +187,7 @@ TEST(RenderBodies, FarFromTheOriginLooksTheSame) {
     RenderOptions options = bareOptions();
     options.grid = options.scaleBar = options.legend = true;
     const Image here = picture(scene, options);
-    for (BodyDescription& body : scene.bodies) {
-        body.position += away;
-    }
+    for (BodyDescription& body : scene.bodies) { body.position += away; }
     options.view->center += away;
     EXPECT_TRUE(picture(scene, options) == here);
     EXPECT_GT(countColor(here, style::kGridFine), 5000);
@@ -265,6 +259,84 @@ TEST(RenderBodies, JointsShowUntilTheyAreRemoved) {
     EXPECT_LT(pixelAt(renderer->draw(frame), {-1.022, 0}).red, 120) << "the pin";
     renderer->removeJoints(1, 0);
     EXPECT_EQ(pixelAt(renderer->draw(frame), {0, 0}), style::kBackground);
+}
+
+/// A joint of each type between bodies at (−1, 0) and (1, 0), but for the gear, which needs two others.
+std::vector<JointGeometry> jointsOfEachType() {
+    RevoluteDescription revolute;
+    revolute.anchor = {0, 1};
+    DistanceDescription distance;
+    distance.anchorA = {-1, 0};
+    distance.anchorB = {1, 0};
+    PrismaticDescription prismatic;
+    prismatic.anchor = {0, 1};
+    prismatic.axis = {1, 0};
+    WheelDescription wheel;
+    wheel.anchor = {0, 1};
+    wheel.axis = {0, 1};
+    WeldDescription weld;
+    weld.anchor = {0, 1};
+    MotorDescription motor;
+    motor.linearOffset = DVec2{0, 1};
+    motor.maxForce = 1;
+    MouseDescription mouse;
+    mouse.target = {0, 1};
+    mouse.anchor = DVec2{1, 0};
+    return {revolute, distance, prismatic, wheel,
+            weld,     motor,    mouse,     PulleyDescription{{-1, 1}, {1, 1}, {-1, 0}, {1, 0}, 1}};
+}
+
+/// Pixels that differ when the joints of a scene are taken away.
+int jointPixels(SceneDescription scene) {
+    const Image with = picture(scene, bareOptions());
+    scene.joints.clear();
+    const Image without = picture(scene, bareOptions());
+    int changed = 0;
+    for (int y = 0; y < bareOptions().height; ++y) {
+        for (int x = 0; x < bareOptions().width; ++x) { changed += pixel(with, x, y) != pixel(without, x, y) ? 1 : 0; }
+    }
+    return changed;
+}
+
+TEST(RenderBodies, EveryTypeOfJointShowsButTheFilter) {
+    SceneDescription scene;
+    scene.bodies = {makeBody(Type::dynamic, {-1, 0}, circle(0.2)), makeBody(Type::dynamic, {1, 0}, circle(0.2))};
+    std::set<std::size_t> types;
+    JointDescription joint;
+    joint.bodyA = "body0";
+    joint.bodyB = "body1";
+    for (const JointGeometry& geometry : jointsOfEachType()) {
+        joint.joint = geometry;
+        scene.joints = {joint};
+        EXPECT_GT(jointPixels(scene), 40) << "the smallest sign has 8 by 8; type " << geometry.index();
+        types.insert(geometry.index());
+    }
+    EXPECT_EQ(types.size(), std::variant_size_v<JointGeometry> - 2) << "all but gear and filter";
+    joint.joint = FilterJointDescription{};
+    scene.joints = {joint};
+    EXPECT_EQ(jointPixels(scene), 0) << "it holds nothing";
+}
+
+TEST(RenderBodies, AGearShowsBetweenItsJoints) {
+    SceneDescription scene;
+    scene.bodies = {makeBody(Type::fixed, {0, -2}, box(1, 0.1)), makeBody(Type::dynamic, {-1, 0}, circle(0.2)),
+                    makeBody(Type::dynamic, {1, 0}, circle(0.2))};
+    for (const int body : {1, 2}) {
+        RevoluteDescription hinge;
+        hinge.anchor = scene.bodies[static_cast<std::size_t>(body)].position;
+        JointDescription joint;
+        joint.bodyA = "body0";
+        joint.bodyB = "body" + std::to_string(body);
+        joint.joint = hinge;
+        scene.joints.push_back(joint);
+    }
+    const int without = jointPixels(scene);
+    JointDescription gear;
+    gear.bodyA = "body1";
+    gear.bodyB = "body2";
+    gear.joint = GearDescription{"joint0", "joint1", 1};
+    scene.joints.push_back(gear);
+    EXPECT_GT(jointPixels(scene), without + 40);
 }
 
 TEST(RenderView, FitsTheBodiesButNotAKilometreOfGround) {
