@@ -21,9 +21,7 @@ struct Corner {
 };
 
 Corner cornerBetween(bool exists, DVec2 firstEdge, DVec2 secondEdge, DVec2 neighbourEdge) {
-    if (!exists || !(dot(neighbourEdge, neighbourEdge) >= std::numeric_limits<double>::min())) {
-        return {};
-    }
+    if (!exists || !(dot(neighbourEdge, neighbourEdge) >= std::numeric_limits<double>::min())) { return {}; }
     const double turn = cross(firstEdge, secondEdge);
     const bool isConvex = turn > kSeamAngle * length(firstEdge) * length(secondEdge);
     return {isConvex ? CornerKind::convex : CornerKind::flatOrConcave, unitOf(rightPerp(neighbourEdge))};
@@ -44,9 +42,7 @@ struct ChainFace {
     /// @param normal  unit, from the segment to B.
     NormalVerdict judge(DVec2 normal) const {
         const double along = dot(normal, face.tangent);
-        if (std::fabs(along) <= kSeamAngle && dot(normal, face.normal) > 0) {
-            return NormalVerdict::own;
-        }
+        if (std::fabs(along) <= kSeamAngle && dot(normal, face.normal) > 0) { return NormalVerdict::own; }
         const Corner& corner = along < 0 ? atStart : atEnd;
         switch (corner.kind) {
             case CornerKind::open:
@@ -62,23 +58,19 @@ struct ChainFace {
     }
 };
 
-ChainFace prepare(const PairView& pair, const ChainSegment& s) {
-    ChainFace c;
-    c.face = faceOfA(pair, 0);
+/// What the neighbours are, of a segment whose face is there.
+void addCorners(const PairView& pair, const ChainSegment& s, ChainFace& c) {
     const DVec2 edge = pair.edgeA(0);
     const DVec2 edgeBefore = toDouble(s.p) - toDouble(s.before);
     const DVec2 edgeAfter = toDouble(s.after) - toDouble(s.q);
     c.atStart = cornerBetween(s.hasBefore, edgeBefore, edge, edgeBefore);
     c.atEnd = cornerBetween(s.hasAfter, edge, edgeAfter, edgeAfter);
-    return c;
 }
 
 /// The vertex mean of B's core: inside it, and exactly the centre of boxes, segments and circles.
 DVec2 centerOfB(const PairView& pair) {
     DVec2 sum;
-    for (int i = 0; i < pair.b.count; ++i) {
-        sum += pair.localB(i);
-    }
+    for (int i = 0; i < pair.b.count; ++i) { sum += pair.localB(i); }
     return pair.toA((1.0 / pair.b.count) * sum) + pair.translation;
 }
 
@@ -108,9 +100,7 @@ int bestAdmittedFace(const PairView& pair, const ChainFace& chain, double toBeat
     int best = -1;
     for (int i = 0; i < faceCount(pair.b); ++i) {
         const DVec2 normal = pair.normalB(i);
-        if (chain.judge(-normal) != NormalVerdict::admitted) {
-            continue;
-        }
+        if (chain.judge(-normal) != NormalVerdict::admitted) { continue; }
         const DVec2 start = pair.vertexB(i);
         const double p = dot(normal, pair.vertexA(0) - start);
         const double q = dot(normal, pair.vertexA(1) - start);
@@ -131,9 +121,7 @@ Manifold collideCrossing(const PairView& pair, const ChainFace& chain, double ma
     const int faceB = bestAdmittedFace(pair, chain, own + kFacePreference * chain.face.length);
     if (faceB >= 0) {
         const Manifold manifold = clipOnFaceOfB(pair, faceB, margin);
-        if (manifold.count > 0) {
-            return manifold;
-        }
+        if (manifold.count > 0) { return manifold; }
     }
     return clipOnSegment(pair, chain, margin);
 }
@@ -154,9 +142,7 @@ Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkRe
             cross(pair.localNormalB(edge), direction) * cross(pair.localNormalB(edge), direction) <=
                 static_cast<double>(kEpsilon)) {
             const Manifold manifold = clipOnFaceOfB(pair, edge, margin);
-            if (manifold.count > 0) {
-                return manifold;
-            }
+            if (manifold.count > 0) { return manifold; }
         }
     }
     return singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
@@ -164,20 +150,27 @@ Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkRe
 }
 
 Manifold collideChain(const ChainSegment& segment, const PairView& pair, double margin, PairVerdict& verdict) {
-    const ChainFace chain = prepare(pair, segment);
-    if (dot(chain.face.normal, centerOfB(pair) - chain.face.start) < 0) {
-        return {};
-    }
-    const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
-    const GjkResult gjk = closestFeatures(pair, nullptr);
-    if (gjk.outcome == GjkOutcome::touching) {
-        return collideCrossing(pair, chain, margin);
-    }
-    if (gjk.distance > reach) {
+    ChainFace chain;
+    chain.face = faceOfA(pair, 0);
+    if (dot(chain.face.normal, centerOfB(pair) - chain.face.start) < 0) { return {}; }
+    const double radii = static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
+    const double reach = margin + radii;
+    // Most that is not in contact lies above the segment, which a dot product for each vertex tells.
+    const int lowest = extremeVertex<-1>(pair.b, pair.toB(chain.face.normal));
+    const double above = dot(chain.face.normal, pair.vertexB(lowest) - chain.face.start);
+    if (above > reach) {
         verdict.verdict = ManifoldMemory::Verdict::apart;
-        verdict.room = gjk.distance - (reach - margin);
+        verdict.room = above - radii;
         return {};
     }
+    const GjkResult gjk = closestFeatures(pair, nullptr);
+    if (gjk.outcome != GjkOutcome::touching && gjk.distance > reach) {
+        verdict.verdict = ManifoldMemory::Verdict::apart;
+        verdict.room = gjk.distance - radii;
+        return {};
+    }
+    addCorners(pair, segment, chain);
+    if (gjk.outcome == GjkOutcome::touching) { return collideCrossing(pair, chain, margin); }
     return collideBeside(pair, chain, gjk, margin);
 }
 
@@ -200,9 +193,7 @@ Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA,
     }
     memory.verdict = ManifoldMemory::Verdict::none;  // rare enough not to remember anything
     ChainSegment segment = a;
-    for (Vec2* v : {&segment.before, &segment.p, &segment.q, &segment.after}) {
-        *v = scaled.scaled(*v);
-    }
+    for (Vec2* v : {&segment.before, &segment.p, &segment.q, &segment.after}) { *v = scaled.scaled(*v); }
     Polygon scaledA = scaled.a();
     Polygon scaledB = scaled.b();
     scaledA.radius = scaled.scaled(a.radius);
