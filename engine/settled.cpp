@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effort.h"
 #include "profile.h"
 #include "step.h"
 
