@@ -31,8 +31,8 @@ constexpr int kFewestSubStepsForJoints = 8;
 /// Moving masses on joints farther apart than this need shorter sub-steps. A light link that the heavy body swings past
 /// whips round with a speed that goes by the root of the ratio, and joints are closed to the second order in the turn
 /// of a sub-step: beyond half a radian that tears them. `swept envelope`, map "chain": 16 sub-steps hold 560 : 1, not
-/// 1000 : 1.
-constexpr Real kWhipRatio = 256;
+/// 1000 : 1; with 32 that, too, tore when it swung for ten seconds.
+constexpr Real kWhipRatio = 128;
 
 void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2 up) {
     const double height = dot(up, motion.center);
