@@ -13,8 +13,10 @@ namespace {
 /// Speeds below this part of what gravity gives in a step: at 60 Hz on earth, 6 µm in ten seconds. A direct solve
 /// leaves less than a thousandth of it.
 constexpr Real kSpeedRatio = Real(1) / (1 << 18);
-/// Overlaps, and gaps of what presses, below this part of the radius: what a direct solve leaves as it is.
-constexpr Real kGapRatio = Real(1) / (1 << 20);
+/// Overlaps, and gaps of what presses, below this part of the radius: a quarter more than a direct solve leaves as it
+/// is. (With no more than that, what rounding found beyond it here and within it there was solved directly for ever,
+/// and left as it was.)
+constexpr Real kGapRatio = Real(5) / (1 << 22);
 /// What impulses and pulls leave of each other on a body is below this part of its weight. (With sixteen times as much
 /// a stack of 200 boxes moved by 12 µm before it was solved again, instead of by 0.1.) In float the impulses under 250
 /// boxes are rounded to as much: higher ones are solved more often.

@@ -280,8 +280,7 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
             .bodyB = contact.bodyB,
             .dynamicA = contact.dynamicA,
             .dynamicB = contact.dynamicB,
-            .points = static_cast<std::uint8_t>(contact.manifold.count),
-            .begins = !(contact.normalImpulse[0] > 0) && !(contact.normalImpulse[1] > 0)};
+            .points = static_cast<std::uint8_t>(contact.manifold.count)};
 }
 
 /// Events, waking, and the list for the stages that follow, under the indices that contacts have once those are removed

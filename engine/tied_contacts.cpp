@@ -52,13 +52,11 @@ void TiedContacts::forEachLink(Visit&& visit) const {
     const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB) {
         link.slotA = world_.solverSlots[bodyA];
         link.slotB = world_.solverSlots[bodyB];
-        if (isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB])) {
-            visit(link);
-        }
+        if (isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB])) { visit(link); }
     };
     if (group_.role == BodyRole::solved) {
         for (const TouchingPair& pair : world_.touching) {
-            visitIfTied({.source = pair.contact, .points = pair.points, .begins = pair.begins}, pair.bodyA, pair.bodyB);
+            visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB);
         }
         return;
     }
@@ -104,12 +102,10 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
     const Vec2 fromAToB = toReal(world_.motions[contact.bodyB].center - a.center);
     const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);
     Real approach = 0;
-    bool begins = kPoints > 1;
     for (std::size_t k = 0; k < kPoints; ++k) {
         ContactConstraintPoint point = constraintPointOf(contact.manifold.points[k], a, localCenterA, fromAToB);
         point.normalImpulse = scale_ * contact.normalImpulse[k];
         point.tangentImpulse = scale_ * contact.tangentImpulse[k];
-        begins = begins && !(point.normalImpulse > 0);
         if (group_.effort.isSettled) {
             holdAsItIs(point);
         }
@@ -124,7 +120,6 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
     fillHead(block, lane,
              {.slotA = link.slotA,
               .slotB = link.slotB,
-              .begins = begins,
               .normal = normal,
               .friction = contact.friction,
               .maxPushSpeed = kPushRatio * contact.extent / dt_,
@@ -141,18 +136,14 @@ void TiedContacts::link() {
 void TiedContacts::addConstraints() {
     SolverBatch& batch = world_.batch;
     forEachLink([&](const ContactLink& link) { batch.contacts.push_back(constraintFor(link)); });
-    if (world_.watched) {
-        anchorAhead();
-    }
+    if (world_.watched) { anchorAhead(); }
 }
 
 /// What was made ahead is held by its cores (mode `speculative`).
 void TiedContacts::anchorAhead() {
     for (ContactConstraint& constraint : world_.batch.contacts) {
         Contact& contact = group_.contacts[constraint.source];
-        if (!isAhead(world_, contact)) {
-            continue;
-        }
+        if (!isAhead(world_, contact)) { continue; }
         anchorAtCores(constraint, world_.shapes[contact.shapeA].polygon.radius,
                       world_.shapes[contact.shapeB].polygon.radius);
         contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
@@ -160,9 +151,7 @@ void TiedContacts::anchorAhead() {
 }
 
 void TiedContacts::readConstraints() {
-    for (const ContactConstraint& constraint : world_.batch.contacts) {
-        takeConstraint(constraint);
-    }
+    for (const ContactConstraint& constraint : world_.batch.contacts) { takeConstraint(constraint); }
 }
 
 std::size_t TiedContacts::count() const {
@@ -227,9 +216,7 @@ void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
 }
 
 void TiedContacts::takeOutcome(Contact& contact, std::size_t points, const Outcome& outcome) {
-    if (!contact.pressed) {
-        noteHit(contact, outcome);
-    }
+    if (!contact.pressed) { noteHit(contact, outcome); }
     contact.pressed = false;
     for (std::size_t k = 0; k < points; ++k) {
         contact.normalImpulse[k] = outcome.normalImpulse[k] / scale_;
@@ -244,9 +231,7 @@ void TiedContacts::takeOutcome(Contact& contact, std::size_t points, const Outco
 void TiedContacts::noteHit(const Contact& contact, const Outcome& outcome) {
     const Real speed = std::max(contact.approachSpeed, outcome.bounceApproach);
     const Real impulse = outcome.totalImpulse[0] + outcome.totalImpulse[1];
-    if (!(impulse > 0) || !(speed > hitThreshold_)) {
-        return;
-    }
+    if (!(impulse > 0) || !(speed > hitThreshold_)) { return; }
     const std::size_t k = outcome.totalImpulse[1] > outcome.totalImpulse[0] ? 1 : 0;
     const BodyMotion& a = world_.motions[contact.bodyA];
     // The gap closes at the approach speed: a first-order estimate of when in the step.

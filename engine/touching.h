@@ -13,7 +13,6 @@ struct TouchingPair {
     bool dynamicA = false;  ///< the body is
     bool dynamicB = false;
     std::uint8_t points = 0;
-    bool begins = false;  ///< with none of them pressing before
 
     bool areDynamic() const { return dynamicA && dynamicB; }
 };

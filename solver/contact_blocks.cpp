@@ -20,46 +20,39 @@ constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
 template <std::size_t kPoints>
 void emptyBlock(WideContact<kPoints>& block, std::uint32_t lanes) {
     block.movableA = block.movableB = 0;
-    block.anyBegins = block.anyBounces = false;
+    block.anyBounces = false;
     block.lanes = lanes;
-    for (std::size_t lane = lanes; lane < kBlockLanes; ++lane) {
-        fillLane(block, lane, {}, {}, {});
-    }
+    for (std::size_t lane = lanes; lane < kBlockLanes; ++lane) { fillLane(block, lane, {}, {}, {}); }
 }
 
 /// Visits each contact of blocks in the batch with its block and lane.
 template <class Block, class Visit>
 void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contacts, Visit&& visit) {
     for (Block& block : blocks) {
-        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
-            visit(contacts[block.place[lane]], block, lane);
-        }
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) { visit(contacts[block.place[lane]], block, lane); }
     }
 }
 
 }  // namespace
 
-/// Those that begin come last, and share as few blocks as can be: there all lanes take the longer way.
 void ContactBlocks::listKinds(const SolverBatch& batch, std::span<const std::uint8_t> colours) {
     counts_ = {};
     kinds_.resize(colours.size());
-    const auto note = [&](std::size_t i, int points, bool begins) {
+    const auto note = [&](std::size_t i, int points) {
         Kind kind = kAlone;
         if (kernels_ != nullptr && colours[i] != kOverflowColour && points > 0) {
-            kind = points == 1 ? kOnePoint : begins ? kBeginning : kTwoPoints;
+            kind = points == 1 ? kOnePoint : kTwoPoints;
         }
         kinds_[i] = kind;
         ++counts_[colours[i]][kind];
     };
     if (batch.store != nullptr) {
-        for (std::size_t i = 0; i < colours.size(); ++i) {
-            note(i, batch.links[i].points, batch.links[i].begins);
-        }
+        for (std::size_t i = 0; i < colours.size(); ++i) { note(i, batch.links[i].points); }
         return;
     }
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const ContactConstraint& contact = batch.contacts[i];
-        note(i, contact.isHeld ? 0 : contact.count, isBeginning(contact));
+        note(i, contact.isHeld ? 0 : contact.count);
     }
 }
 
@@ -69,9 +62,7 @@ ColourRange ContactBlocks::reserve(std::uint32_t contacts, Blocks<kPoints>& bloc
     const std::uint32_t begin = blocks.count;
     while (contacts >= kFewestLanes) {
         const std::uint32_t lanes = std::min(contacts, kLanes);
-        if (blocks.count == blocks.blocks.size()) {
-            blocks.blocks.emplace_back();
-        }
+        if (blocks.count == blocks.blocks.size()) { blocks.blocks.emplace_back(); }
         emptyBlock(blocks.blocks[blocks.count++], lanes);
         contacts -= lanes;
     }
@@ -84,15 +75,14 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
     for (const int active : graph.activeColours()) {
         const auto c = static_cast<std::size_t>(active);
         const KindCounts& counts = counts_[c];
-        const std::uint32_t withTwo = counts[kTwoPoints] + counts[kBeginning];
-        colours_[c].two = reserve(withTwo, two_);
+        colours_[c].two = reserve(counts[kTwoPoints], two_);
         colours_[c].one = reserve(counts[kOnePoint], one_);
         const auto leftOver = [](std::uint32_t contacts) {
             return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0;
         };
-        next_[c] = {rest, 0, 0, counts[kTwoPoints]};
+        next_[c] = {rest, 0, 0};
         colours_[c].rest.begin = rest;
-        rest += counts[kAlone] + leftOver(withTwo) + leftOver(counts[kOnePoint]);
+        rest += counts[kAlone] + leftOver(counts[kTwoPoints]) + leftOver(counts[kOnePoint]);
         colours_[c].rest.end = rest;
     }
     rest_.resize(rest);
@@ -121,9 +111,7 @@ void ContactBlocks::listPlaces(SolverBatch& batch, std::span<const std::uint8_t>
             rest_[places_[i].index] = batch.store != nullptr ? places_[i].index : static_cast<std::uint32_t>(i);
         }
     }
-    if (batch.store != nullptr) {
-        batch.contacts.resize(rest_.size());
-    }
+    if (batch.store != nullptr) { batch.contacts.resize(rest_.size()); }
 }
 
 ContactArrays ContactBlocks::arrays(SolverBatch& batch) {
@@ -160,18 +148,10 @@ void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool
     } else {
         fillFrom(batch);
     }
-    if (prepared) {
-        return;
-    }
-    for (const std::uint32_t place : rest_) {
-        prepareContact(batch.contacts[place], batch.inertias);
-    }
-    if (two_.count > 0) {
-        kernels_->prepareTwo(std::span(two_.blocks).first(two_.count));
-    }
-    if (one_.count > 0) {
-        kernels_->prepareOne(std::span(one_.blocks).first(one_.count));
-    }
+    if (prepared) { return; }
+    for (const std::uint32_t place : rest_) { prepareContact(batch.contacts[place], batch.inertias); }
+    if (two_.count > 0) { kernels_->prepareTwo(std::span(two_.blocks).first(two_.count)); }
+    if (one_.count > 0) { kernels_->prepareOne(std::span(one_.blocks).first(one_.count)); }
 }
 
 std::size_t ContactBlocks::countOf(int colour) const {
@@ -205,9 +185,7 @@ void ContactBlocks::solve(SolverBatch& batch, int colour, RangeCut cut, const Co
 }
 
 void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
-    if (!anyBounces_) {
-        return;
-    }
+    if (!anyBounces_) { return; }
     const auto addUp = [](ContactConstraint& contact, const auto& block, std::size_t lane) {
         for (std::size_t i = 0; i < block.points.size(); ++i) {
             contact.points[i].totalNormalImpulse += block.points[i].normalImpulse[lane];
@@ -215,9 +193,7 @@ void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
     };
     const auto addUpAll = [&](const auto& blocks) {
         for (std::size_t i = 0; i < blocks.count; ++i) {
-            if (blocks.blocks[i].anyBounces) {
-                forEachLane(std::span(&blocks.blocks[i], 1), batch.contacts, addUp);
-            }
+            if (blocks.blocks[i].anyBounces) { forEachLane(std::span(&blocks.blocks[i], 1), batch.contacts, addUp); }
         }
     };
     addUpAll(two_);
@@ -234,9 +210,7 @@ void ContactBlocks::readBack(SolverBatch& batch) {
             ContactConstraintPoint& point = contact.points[i];
             point.normalImpulse = block.points[i].normalImpulse[lane];
             point.tangentImpulse = block.points[i].tangentImpulse[lane];
-            if (!block.anyBounces) {
-                point.totalNormalImpulse = block.points[i].totalNormalImpulse[lane];
-            }
+            if (!block.anyBounces) { point.totalNormalImpulse = block.points[i].totalNormalImpulse[lane]; }
         }
     };
     forEachLane(std::span(two_.blocks).first(two_.count), batch.contacts, read);

@@ -38,7 +38,7 @@ private:
         ColourRange rest;
     };
     /// What kind of place a contact gets within its colour.
-    enum Kind : std::uint8_t { kAlone, kOnePoint, kTwoPoints, kBeginning, kKindCount };
+    enum Kind : std::uint8_t { kAlone, kOnePoint, kTwoPoints, kKindCount };
     /// By colour, or of one: as many contacts of each kind, or the next place for one.
     using KindCounts = std::array<std::uint32_t, kKindCount>;
 

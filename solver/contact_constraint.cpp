@@ -54,74 +54,64 @@ NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintP
     const Real separation = point.separation;
     const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
     // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
-    if (!useBias && closing > contact.bounceSpeed) {
-        return {};
-    }
+    if (!useBias && closing > contact.bounceSpeed) { return {}; }
     // Its overlap or gap is the direct solver's: see `DirectSolver::project`.
-    if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) {
-        return {true, closing};
-    }
+    if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) { return {true, closing}; }
     if (separation > 0) {
-        if (!useBias && !isCarrying) {
-            return {};
-        }
+        if (!useBias && !isCarrying) { return {}; }
         return {true, closing - separation / h};  // apart: may close the gap within this sub-step, no more
     }
-    if (!useBias) {
-        return {true, closing};
-    }
+    if (!useBias) { return {true, closing}; }
     const Real bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
     return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
 }
 
-/// The two points of a contact that begins, as a block: one after the other, the first would take all of the blow and
-/// turn the body, and a box that slides into a wall would climb it. @return whether both ask for something, and are not
-/// as good as one
-bool solveTogether(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA,
-                   const BodyInertia& inertiaB, Real h, bool useBias) {
+/// Both points at once: the two rows, each as firm as its point asks, solved exactly, and if one of them would pull,
+/// the other one alone. One after the other, the first would take all of a blow and turn the body: a box that slides
+/// into a wall climbed it, and high stacks leaned, and swayed for seconds.
+void solveBoth(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
+               Real h, bool useBias) {
     ContactConstraintPoint& one = contact.points[0];
     ContactConstraintPoint& two = contact.points[1];
-    const bool isCarrying = one.normalImpulse > 0 || two.normalImpulse > 0;
-    const NormalDemand ofOne = demandOf(contact, one, pair, h, useBias, isCarrying);
-    const NormalDemand ofTwo = demandOf(contact, two, pair, h, useBias, isCarrying);
-    const Vec2 n = contact.normal;
-    const Real shared = inertiaA.inverseMass + inertiaB.inverseMass +
-                        inertiaA.inverseInertia * cross(one.anchorA, n) * cross(two.anchorA, n) +
-                        inertiaB.inverseInertia * cross(one.anchorB, n) * cross(two.anchorB, n);
-    const Real oneByTwo = shared * one.normalMass;  // what an impulse at the one takes from that at the other
-    const Real twoByOne = shared * two.normalMass;
+    const bool carriesOne = one.normalImpulse > 0;
+    const bool carriesTwo = two.normalImpulse > 0;
+    const NormalDemand ofOne = demandOf(contact, one, pair, h, useBias, carriesOne || (contact.begins && carriesTwo));
+    const NormalDemand ofTwo = demandOf(contact, two, pair, h, useBias, carriesTwo || (contact.begins && carriesOne));
+    // What an impulse at the one takes from that at the other.
+    const bool both = ofOne.any && ofTwo.any;
+    const Real oneByTwo = both ? contact.sharedResponse * one.normalMass * ofOne.massScale : Real(0);
+    const Real twoByOne = both ? contact.sharedResponse * two.normalMass * ofTwo.massScale : Real(0);
     const Real rest = 1 - oneByTwo * twoByOne;
-    const bool isPush = ofOne.impulseScale > 0 || ofTwo.impulseScale > 0;  // out of an overlap: no blow
-    if (!ofOne.any || !ofTwo.any || isPush || !(rest > kTwoPointsRatio)) {
-        return false;
+    // What asks for nothing is pushed with nothing, as in the lanes of a block.
+    const Real aloneOne = ofOne.any ? ofOne.changeAt(one) : Real(0);
+    const Real aloneTwo = ofTwo.any ? ofTwo.changeAt(two) : Real(0);
+    // Totals where the other one carries nothing.
+    const Real onlyOne = one.normalImpulse + aloneOne + oneByTwo * two.normalImpulse;
+    const Real onlyTwo = two.normalImpulse + aloneTwo + twoByOne * one.normalImpulse;
+    Real totalOne = (onlyOne - oneByTwo * onlyTwo) / rest;
+    Real totalTwo = (onlyTwo - twoByOne * onlyOne) / rest;
+    const bool areTwo = rest > kTwoPointsRatio;  // else they are as good as one
+    if (!areTwo || totalOne < 0 || totalTwo < 0) {
+        const Real mostTwo = std::max(onlyTwo, Real(0));
+        const bool isTwo = !(onlyOne - oneByTwo * mostTwo > 0);
+        totalOne = isTwo ? Real(0) : std::max(onlyOne, Real(0));
+        totalTwo = isTwo ? mostTwo : Real(0);
     }
-    const Real aloneOne = ofOne.changeAt(one);
-    const Real aloneTwo = ofTwo.changeAt(two);
-    Real totalOne = one.normalImpulse + (aloneOne - oneByTwo * aloneTwo) / rest;
-    Real totalTwo = two.normalImpulse + (aloneTwo - twoByOne * aloneOne) / rest;
-    if (totalTwo < 0) {
-        totalTwo = 0;
-        totalOne = std::max(one.normalImpulse + aloneOne + oneByTwo * two.normalImpulse, Real(0));
-    } else if (totalOne < 0) {
-        totalOne = 0;
-        totalTwo = std::max(two.normalImpulse + aloneTwo + twoByOne * one.normalImpulse, Real(0));
-    }
-    applyPair(pair, inertiaA, inertiaB, one, (totalOne - one.normalImpulse) * n);
-    applyPair(pair, inertiaA, inertiaB, two, (totalTwo - two.normalImpulse) * n);
+    applyPair(pair, inertiaA, inertiaB, one, (totalOne - one.normalImpulse) * contact.normal);
+    applyPair(pair, inertiaA, inertiaB, two, (totalTwo - two.normalImpulse) * contact.normal);
     one.normalImpulse = totalOne;
     two.normalImpulse = totalTwo;
-    return true;
 }
 
 void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
                   Real h, bool useBias) {
-    if (contact.begins && solveTogether(contact, pair, inertiaA, inertiaB, h, useBias)) {
+    if (contact.count > 1) {
+        solveBoth(contact, pair, inertiaA, inertiaB, h, useBias);
         return;
     }
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
         const NormalDemand demand = demandOf(contact, point, pair, h, useBias, point.normalImpulse > 0);
-        // What asks for nothing is pushed with nothing, as in the lanes of a block.
         const Real total =
             demand.any ? std::max(point.normalImpulse + demand.changeAt(point), Real(0)) : point.normalImpulse;
         applyPair(pair, inertiaA, inertiaB, point, (total - point.normalImpulse) * contact.normal);
@@ -137,9 +127,7 @@ void findSeparations(ContactConstraint& contact, const PairState& pair) {
 }
 
 void addUp(ContactConstraint& contact) {
-    for (ContactConstraintPoint& point : contact.points) {
-        point.totalNormalImpulse += point.normalImpulse;
-    }
+    for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
 }
 
 Real inverseOrZero(Real x) { return x > 0 ? 1 / x : Real(0); }
@@ -151,7 +139,6 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
     const BodyInertia b = inertias[contact.slotB];
     const Vec2 tangent = rightPerp(contact.normal);
     const Real inverseMass = a.inverseMass + b.inverseMass;
-    contact.begins = isBeginning(contact);
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
         point.baseSeparation -= dot(point.anchorB - point.anchorA, contact.normal);
@@ -161,6 +148,14 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
                               b.inverseInertia * square(cross(point.anchorB, tangent));
         point.normalMass = inverseOrZero(kNormal);
         point.tangentMass = inverseOrZero(kTangent);
+    }
+    if (contact.count > 1) {
+        const ContactConstraintPoint& one = contact.points[0];
+        const ContactConstraintPoint& two = contact.points[1];
+        contact.begins = !(one.normalImpulse > 0) && !(two.normalImpulse > 0);
+        contact.sharedResponse =
+            inverseMass + a.inverseInertia * cross(one.anchorA, contact.normal) * cross(two.anchorA, contact.normal) +
+            b.inverseInertia * cross(one.anchorB, contact.normal) * cross(two.anchorB, contact.normal);
     }
 }
 
@@ -193,15 +188,11 @@ void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::u
         PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
         const BodyInertia& inertiaA = bodies.inertias[contact.slotA];
         const BodyInertia& inertiaB = bodies.inertias[contact.slotB];
-        if (pass.hasMoved) {
-            findSeparations(contact, pair);
-        }
+        if (pass.hasMoved) { findSeparations(contact, pair); }
         solveNormals(contact, pair, inertiaA, inertiaB, pass.h, pass.useBias);
         // Friction after the normals: the limit it is held to is that of this pass.
         solveFriction(contact, pair, inertiaA, inertiaB);
-        if (pass.isLast) {
-            addUp(contact);
-        }
+        if (pass.isLast) { addUp(contact); }
         storePair(bodies, contact.slotA, pair.a, contact.slotB, pair.b);
     }
 }

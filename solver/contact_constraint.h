@@ -41,16 +41,13 @@ struct ContactConstraint {
     /// bounces.
     Real bounceSpeed = std::numeric_limits<Real>::infinity();
     Softness softness{};
-    std::int32_t count = 0;    ///< points
-    bool begins = false;       ///< carried nothing before this solve: its points share their first blow
+    std::int32_t count = 0;  ///< points
+    bool begins =
+        false;  ///< with two points that carried nothing before this solve: relaxation ends their blow together
+    Real sharedResponse = 0;   ///< of one point, along the normal, to an impulse at the other, 1/kg
     std::uint32_t source = 0;  ///< the engine's name for the contact
     std::array<ContactConstraintPoint, 2> points{};
 };
-
-/// Whether nothing of it pressed before.
-inline bool isBeginning(const ContactConstraint& contact) {
-    return contact.count > 1 && !(contact.points[0].normalImpulse > 0) && !(contact.points[1].normalImpulse > 0);
-}
 
 /// Fills what follows from anchors and inertia: effective masses. `baseSeparation` holds the separation on entry.
 void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> inertias);

@@ -10,7 +10,6 @@ namespace swept::inline SWEPT_PRECISION {
 struct ContactHead {
     BodySlot slotA = kFixedSlot;
     BodySlot slotB = kFixedSlot;
-    bool begins = false;
     bool bounces = false;
     Vec2 normal{};
     Real friction = 0;
@@ -27,9 +26,7 @@ inline void fillHead(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.slotB[lane] = head.slotB;
     block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
     block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
-    block.anyBegins = block.anyBegins || head.begins;
     block.anyBounces = block.anyBounces || head.bounces;
-    block.begins[lane] = head.begins ? Real(1) : Real(0);
     block.normalX[lane] = head.normal.x;
     block.normalY[lane] = head.normal.y;
     block.friction[lane] = head.friction;
@@ -65,7 +62,6 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
     fillHead(block, lane,
              {.slotA = contact.slotA,
               .slotB = contact.slotB,
-              .begins = isBeginning(contact),
               .bounces = contact.restitution > 0,
               .normal = contact.normal,
               .friction = contact.friction,
@@ -73,9 +69,9 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
               .bounceSpeed = contact.bounceSpeed,
               .softness = contact.softness},
              a, b);
-    for (std::size_t i = 0; i < kPoints; ++i) {
-        fillPoint(block.points[i], lane, contact.points[i]);
-    }
+    block.sharedResponse[lane] = contact.sharedResponse;
+    block.begins[lane] = contact.begins ? Real(1) : Real(0);
+    for (std::size_t i = 0; i < kPoints; ++i) { fillPoint(block.points[i], lane, contact.points[i]); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

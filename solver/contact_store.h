@@ -13,7 +13,6 @@ struct ContactLink {
     BodySlot slotB = kFixedSlot;
     std::uint32_t source = 0;  ///< the store's name for the contact
     std::uint8_t points = 0;   ///< 1 or 2
-    bool begins = false;       ///< likely to be found so (`ContactConstraint::begins`): shares a block with its like
 };
 static_assert(sizeof(ContactLink) == 16, "four links a cache line: colouring does little else than to read them");
 

@@ -39,10 +39,8 @@ struct alignas(32) WideContact {
     std::uint32_t lanes = 0;                       ///< in use
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
-    bool anyBegins = false;
     bool anyBounces = false;       ///< totals are added up in the batch, where bounces add to them
-    alignas(32) LaneArray begins;  ///< 1 or 0
-    LaneArray normalX;
+    alignas(32) LaneArray normalX;
     LaneArray normalY;
     LaneArray friction;
     LaneArray maxPushSpeed;
@@ -54,6 +52,8 @@ struct alignas(32) WideContact {
     LaneArray inverseMassB;
     LaneArray inverseInertiaA;
     LaneArray inverseInertiaB;
+    LaneArray sharedResponse;  ///< of two points
+    LaneArray begins;          ///< likewise; 1 or 0
     std::array<WideContactPoint, kPoints> points;
 };
 

@@ -54,23 +54,14 @@ public:
 
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
-        if (pass.hasMoved) {
-            findSeparations();
-        }
+        if (pass.hasMoved) { findSeparations(); }
         const Lanes h = hn::Set(Tag(), pass.h);
         if constexpr (kPoints == 2) {
-            if (block_.anyBegins) {
-                solveNormalsOfBeginning<kUseBias>(h);
-            } else {
-                solveNormal<kUseBias>(block_.points[0], h);
-                solveNormal<kUseBias>(block_.points[1], h);
-            }
+            solveNormals<kUseBias>(h);
         } else {
             solveNormal<kUseBias>(block_.points[0], h);
         }
-        for (WideContactPoint& point : block_.points) {
-            solveFriction(point);
-        }
+        for (WideContactPoint& point : block_.points) { solveFriction(point); }
         if (pass.isLast) {
             for (WideContactPoint& point : block_.points) {
                 put(hn::Add(at(point.totalNormalImpulse), at(point.normalImpulse)), point.totalNormalImpulse, begin_);
@@ -85,11 +76,6 @@ private:
         Lanes speed;
         Lanes massScale;     ///< 1 in a relaxation
         Lanes impulseScale;  ///< 0 in a relaxation
-    };
-    struct Totals {
-        LaneMask together;
-        Lanes one;
-        Lanes two;
     };
 
     HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
@@ -187,61 +173,38 @@ private:
         setNormal(point, totalAt<kUseBias>(point, h));
     }
 
-    HWY_INLINE Lanes armAlong(const LaneArray& x, const LaneArray& y) const {
-        return hn::Sub(hn::Mul(at(x), normalY_), hn::Mul(at(y), normalX_));
-    }
-
-    /// What both points do to each other through the bodies.
-    HWY_INLINE Lanes sharedResponse() const {
-        const WideContactPoint& one = block_.points[0];
-        const WideContactPoint& two = block_.points[kPoints - 1];
-        const Lanes spinA = hn::Mul(hn::Mul(inverseInertiaA_, armAlong(one.anchorAX, one.anchorAY)),
-                                    armAlong(two.anchorAX, two.anchorAY));
-        const Lanes spinB = hn::Mul(hn::Mul(inverseInertiaB_, armAlong(one.anchorBX, one.anchorBY)),
-                                    armAlong(two.anchorBX, two.anchorBY));
-        return hn::Add(hn::Add(hn::Add(inverseMassA_, inverseMassB_), spinA), spinB);
-    }
-
-    /// `solveTogether` in all lanes, whether it applies there or not.
+    /// `solveBoth`.
     template <bool kUseBias>
-    HWY_INLINE Totals totalsTogether(Lanes h) const {
+    HWY_INLINE void solveNormals(Lanes h) {
         const Tag tag;
         const Lanes zero = hn::Zero(tag);
-        const WideContactPoint& one = block_.points[0];
-        const WideContactPoint& two = block_.points[kPoints - 1];
-        const Lanes beforeOne = at(one.normalImpulse);
-        const Lanes beforeTwo = at(two.normalImpulse);
-        const LaneMask isCarrying = hn::Or(hn::Gt(beforeOne, zero), hn::Gt(beforeTwo, zero));
-        const Demand ofOne = demandOf<kUseBias>(one, h, isCarrying);
-        const Demand ofTwo = demandOf<kUseBias>(two, h, isCarrying);
-        const Lanes shared = sharedResponse();
-        const Lanes oneByTwo = hn::Mul(shared, at(one.normalMass));
-        const Lanes twoByOne = hn::Mul(shared, at(two.normalMass));
-        const Lanes rest = hn::Sub(hn::Set(tag, Real(1)), hn::Mul(oneByTwo, twoByOne));
-        const LaneMask isPush = hn::Or(hn::Gt(ofOne.impulseScale, zero), hn::Gt(ofTwo.impulseScale, zero));
-        const LaneMask isTwo = hn::Gt(rest, hn::Set(tag, kTwoPointsRatio));
-        const LaneMask both = hn::And(ofOne.any, ofTwo.any);
-        const LaneMask together = hn::And(hn::And(hn::Gt(at(block_.begins), zero), both), hn::AndNot(isPush, isTwo));
-        const Lanes aloneOne = changeAt<kUseBias>(one, ofOne);
-        const Lanes aloneTwo = changeAt<kUseBias>(two, ofTwo);
-        const Lanes totalOne = hn::Add(beforeOne, hn::Div(hn::Sub(aloneOne, hn::Mul(oneByTwo, aloneTwo)), rest));
-        const Lanes totalTwo = hn::Add(beforeTwo, hn::Div(hn::Sub(aloneTwo, hn::Mul(twoByOne, aloneOne)), rest));
-        const Lanes onlyOne = notNegative(hn::Add(hn::Add(beforeOne, aloneOne), hn::Mul(oneByTwo, beforeTwo)));
-        const Lanes onlyTwo = notNegative(hn::Add(hn::Add(beforeTwo, aloneTwo), hn::Mul(twoByOne, beforeOne)));
-        const LaneMask pullsTwo = hn::Lt(totalTwo, zero);
-        const LaneMask pullsOne = hn::Lt(totalOne, zero);
-        return {together, hn::IfThenElse(pullsTwo, onlyOne, hn::IfThenZeroElse(pullsOne, totalOne)),
-                hn::IfThenZeroElse(pullsTwo, hn::IfThenElse(pullsOne, onlyTwo, totalTwo))};
-    }
-
-    /// @pre some of the contacts begin
-    template <bool kUseBias>
-    HWY_INLINE void solveNormalsOfBeginning(Lanes h) {
-        const Totals totals = totalsTogether<kUseBias>(h);
         WideContactPoint& one = block_.points[0];
         WideContactPoint& two = block_.points[kPoints - 1];
-        setNormal(one, hn::IfThenElse(totals.together, totals.one, totalAt<kUseBias>(one, h)));
-        setNormal(two, hn::IfThenElse(totals.together, totals.two, totalAt<kUseBias>(two, h)));
+        const Lanes beforeOne = at(one.normalImpulse);
+        const Lanes beforeTwo = at(two.normalImpulse);
+        const LaneMask carriesOne = hn::Gt(beforeOne, zero);
+        const LaneMask carriesTwo = hn::Gt(beforeTwo, zero);
+        const LaneMask begins = hn::Gt(at(block_.begins), zero);
+        const Demand ofOne = demandOf<kUseBias>(one, h, hn::Or(carriesOne, hn::And(begins, carriesTwo)));
+        const Demand ofTwo = demandOf<kUseBias>(two, h, hn::Or(carriesTwo, hn::And(begins, carriesOne)));
+        const LaneMask both = hn::And(ofOne.any, ofTwo.any);
+        const Lanes shared = hn::IfThenElseZero(both, at(block_.sharedResponse));
+        const Lanes oneByTwo = hn::Mul(hn::Mul(shared, at(one.normalMass)), ofOne.massScale);
+        const Lanes twoByOne = hn::Mul(hn::Mul(shared, at(two.normalMass)), ofTwo.massScale);
+        const Lanes rest = hn::Sub(hn::Set(tag, Real(1)), hn::Mul(oneByTwo, twoByOne));
+        const LaneMask areTwo = hn::Gt(rest, hn::Set(tag, kTwoPointsRatio));
+        const Lanes aloneOne = hn::IfThenElseZero(ofOne.any, changeAt<kUseBias>(one, ofOne));
+        const Lanes aloneTwo = hn::IfThenElseZero(ofTwo.any, changeAt<kUseBias>(two, ofTwo));
+        const Lanes onlyOne = hn::Add(hn::Add(beforeOne, aloneOne), hn::Mul(oneByTwo, beforeTwo));
+        const Lanes onlyTwo = hn::Add(hn::Add(beforeTwo, aloneTwo), hn::Mul(twoByOne, beforeOne));
+        const Lanes totalOne = hn::Div(hn::Sub(onlyOne, hn::Mul(oneByTwo, onlyTwo)), rest);
+        const Lanes totalTwo = hn::Div(hn::Sub(onlyTwo, hn::Mul(twoByOne, onlyOne)), rest);
+        const LaneMask pulls = hn::Or(hn::Lt(totalOne, zero), hn::Lt(totalTwo, zero));
+        const LaneMask press = hn::AndNot(pulls, areTwo);
+        const Lanes mostTwo = notNegative(onlyTwo);
+        const LaneMask isOne = hn::Gt(hn::Sub(onlyOne, hn::Mul(oneByTwo, mostTwo)), zero);
+        setNormal(one, hn::IfThenElse(press, totalOne, hn::IfThenElseZero(isOne, notNegative(onlyOne))));
+        setNormal(two, hn::IfThenElse(press, totalTwo, hn::IfThenZeroElse(isOne, mostTwo)));
     }
 
     HWY_INLINE void solveFriction(WideContactPoint& point) {
@@ -300,11 +263,33 @@ HWY_INLINE void prepareGroup(WideContact<kPoints>& block, std::size_t begin) {
     }
 }
 
+/// What both points do to each other through the bodies, and whether they begin.
+HWY_INLINE void prepareShared(WideContact<2>& block, std::size_t begin) {
+    const auto at = [begin](const LaneArray& lanes) { return lanesAt(lanes, begin); };
+    const Lanes normalX = at(block.normalX);
+    const Lanes normalY = at(block.normalY);
+    const auto armAlong = [&](const LaneArray& x, const LaneArray& y) {
+        return hn::Sub(hn::Mul(at(x), normalY), hn::Mul(at(y), normalX));
+    };
+    const WideContactPoint& one = block.points[0];
+    const WideContactPoint& two = block.points[1];
+    const Lanes spinA = hn::Mul(hn::Mul(at(block.inverseInertiaA), armAlong(one.anchorAX, one.anchorAY)),
+                                armAlong(two.anchorAX, two.anchorAY));
+    const Lanes spinB = hn::Mul(hn::Mul(at(block.inverseInertiaB), armAlong(one.anchorBX, one.anchorBY)),
+                                armAlong(two.anchorBX, two.anchorBY));
+    put(hn::Add(hn::Add(hn::Add(at(block.inverseMassA), at(block.inverseMassB)), spinA), spinB), block.sharedResponse,
+        begin);
+    const Lanes zero = hn::Zero(Tag());
+    const LaneMask presses = hn::Or(hn::Gt(at(one.normalImpulse), zero), hn::Gt(at(two.normalImpulse), zero));
+    put(hn::IfThenZeroElse(presses, hn::Set(Tag(), Real(1))), block.begins, begin);
+}
+
 template <std::size_t kPoints>
 void prepare(std::span<WideContact<kPoints> > blocks) {
     for (WideContact<kPoints>& block : blocks) {
         for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
             prepareGroup(block, i);
+            if constexpr (kPoints == 2) { prepareShared(block, i); }
         }
     }
 }
@@ -312,9 +297,7 @@ void prepare(std::span<WideContact<kPoints> > blocks) {
 template <std::size_t kPoints>
 void warmStart(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies) {
     for (WideContact<kPoints>& block : blocks) {
-        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
-            ContactGroup<kPoints>(block, i, bodies).warmStart();
-        }
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) { ContactGroup<kPoints>(block, i, bodies).warmStart(); }
     }
 }
 

@@ -37,6 +37,25 @@ TEST(Sleep, StackFallsAsleepAndStaysPut) {
     expectAtMost("sag", std::abs(top.y - 4.5), 0.005);
 }
 
+/// Iteration solves both points of a contact at once, so that nothing leans: tens of steps of sway kept such a stack awake.
+TEST(Sleep, HighStackOfTheFastProfileStandsUprightAndFallsAsleep) {
+    WorldSettings settings = awakeSettings();
+    settings.sleep = true;
+    settings.profile = Profile::fast;
+    World world = makeWorld(settings);
+    addStatic(world, box(20, 0.5), material(0.6), {0, -0.5});
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 10; ++i) {
+        boxes.push_back(addBody(world, dynamicAt({1, i + 0.5}), box(0.5, 0.5), material(0.6)));
+    }
+    run(world, 160);
+    for (const BodyId id : boxes) {
+        EXPECT_FALSE(world.isAwake(id));
+        expectAtMost("lean", std::abs(world.position(id).x - 1), 1e-6);
+        expectAtMost("turn", std::abs(world.angle(id)), 1e-6);
+    }
+}
+
 TEST(Sleep, SleepingOffKeepsAwake) {
     SleepingStack stack(false);
     runFor(stack.world, 5);

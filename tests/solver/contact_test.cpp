@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "../support/random.h"
 #include "solver_scene.h"
 
 namespace swept::test {
@@ -107,9 +108,7 @@ TEST(Contact, PushesOutOfAnOverlapWithoutThrowing) {
     double fastest = 0;
     for (int i = 0; i < 128; ++i) {
         scene.step();
-        if (scene.height() > -0.002) {
-            fastest = std::max(fastest, static_cast<double>(scene.box.state.velocity.y));
-        }
+        if (scene.height() > -0.002) { fastest = std::max(fastest, static_cast<double>(scene.box.state.velocity.y)); }
         ASSERT_LT(scene.height(), 0.001) << "step " << i;
     }
     EXPECT_LT(fastest, 0.01) << "relaxation takes the speed of the push back";
@@ -134,15 +133,11 @@ TEST(Contact, BlockOnAnInclineSlidesAsCoulombSays) {
             scene.slope = slope;
             scene.friction = real(mu);
             scene.place(0);
-            for (int i = 0; i < 16; ++i) {
-                scene.step();
-            }  // settles
+            for (int i = 0; i < 16; ++i) { scene.step(); }  // settles
             const double start =
                 static_cast<double>(dot(scene.box.state.velocity, scene.downhill())) * (slope < 0 ? -1 : 1);
             constexpr int kSteps = 64;  // one second
-            for (int i = 0; i < kSteps; ++i) {
-                scene.step();
-            }
+            for (int i = 0; i < kSteps; ++i) { scene.step(); }
             const double end =
                 static_cast<double>(dot(scene.box.state.velocity, scene.downhill())) * (slope < 0 ? -1 : 1);
             const double steep = std::fabs(slope);
@@ -166,9 +161,7 @@ TEST(Contact, SticksJustBelowTheFrictionAngleAndSlidesJustAbove) {
         scene.slope = slope;
         scene.friction = real(share * std::tan(slope));
         scene.place(0);
-        for (int i = 0; i < 256; ++i) {
-            scene.step();
-        }
+        for (int i = 0; i < 256; ++i) { scene.step(); }
         const double speed = static_cast<double>(dot(scene.box.state.velocity, scene.downhill()));
         if (share > 1) {
             EXPECT_NEAR(speed, 0, 1e-4);
@@ -209,12 +202,8 @@ TEST(Contact, BouncesAtTheSubStepInWhichItMeets) {
             EXPECT_NEAR(batch.contacts[0].points[0].totalNormalImpulse, 1.5 * std::sqrt(40), 0.1);
         }
         finishStep(ball, batch.states[slot]);
-        if (bounced) {
-            highest = std::max(highest, ball.y - 0.5);
-        }
-        if (bounced && ball.state.velocity.y < 0) {
-            break;
-        }
+        if (bounced) { highest = std::max(highest, ball.y - 0.5); }
+        if (bounced && ball.state.velocity.y < 0) { break; }
     }
     EXPECT_NEAR(highest, 2 * 0.25, 0.01);
 }
@@ -235,6 +224,69 @@ TEST(Contact, SpeedLimitIsAppliedAndReported) {
     EXPECT_NEAR(batch.states[fastSlot].velocity.y, 8, 20 * kEpsilon);
     EXPECT_EQ(batch.states[slowSlot].velocity, (Vec2{3, 4}));
     EXPECT_EQ(batch.states[slowSlot].deltaPosition, (Vec2{3, 4}));
+}
+
+/// Two bodies and a contact with two points, all of it random; both points apart, so that nothing about them is soft.
+struct TwoPoints {
+    static constexpr Real kStep = Real(1) / 256;
+    SolverBatch batch;
+    ContactConstraint contact;
+
+    explicit TwoPoints(std::uint64_t seed) {
+        Random random(seed);
+        const auto number = [&](double from, double to) { return static_cast<Real>(random.range(from, to)); };
+        batch.clear();
+        for (int i = 0; i < 2; ++i) {
+            const BodyState state{.velocity = {number(-2, 2), number(-2, 2)}, .angularVelocity = number(-4, 4)};
+            batch.addBody(state, {number(0.2, 1), random.chance(0.2) ? Real(0) : number(0, 6)}, {});
+        }
+        contact.slotA = 1;
+        contact.slotB = random.chance(0.3) ? kFixedSlot : 2;
+        contact.normal = turned(random.range(0, 6), 1, 0);
+        contact.count = 2;
+        for (ContactConstraintPoint& point : contact.points) {
+            point.anchorA = {number(-1, 1), number(-1, 1)};
+            point.anchorB = {number(-1, 1), number(-1, 1)};
+            point.baseSeparation = number(0.0001, random.chance(0.5) ? 0.001 : 0.02);
+            point.normalImpulse = random.chance(0.5) ? Real(0) : number(0, 1);
+        }
+    }
+    void solve() {
+        prepareContact(contact, batch.inertias);
+        const std::uint32_t place = 0;
+        solveContacts(std::span(&contact, 1), std::span(&place, 1), {batch.states, batch.inertias},
+                      {.h = kStep, .useBias = true});
+    }
+    /// What is left of the gap of a point at the end of the sub-step, as a speed.
+    Real rest(const ContactConstraintPoint& point) const {
+        const Vec2 velocity = velocityAt(batch.states[contact.slotB], point.anchorB) -
+                              velocityAt(batch.states[contact.slotA], point.anchorA);
+        return dot(velocity, contact.normal) + point.separation / kStep;
+    }
+};
+
+/// Signorini's conditions, which have one solution: no point pulls, none goes farther than its gap, and none that does
+/// not reach the end of it presses. (That one was apart once let the other one through: both would have pulled.)
+TEST(Contact, TwoPointsPressWhereTheyMeetAndNowhereElse) {
+    int none = 0;
+    int both = 0;
+    for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+        TwoPoints scene(seed);
+        scene.solve();
+        int pressing = 0;
+        for (const ContactConstraintPoint& point : scene.contact.points) {
+            const Real tolerance = 4096 * kEpsilon;  // of bodies that hardly turn, whose two rows are nearly one
+            const Real rest = scene.rest(point);
+            ASSERT_GE(point.normalImpulse, 0) << "seed " << seed;
+            ASSERT_GE(rest, -tolerance) << "seed " << seed;
+            ASSERT_LE(point.normalImpulse * rest, tolerance) << "seed " << seed;
+            pressing += point.normalImpulse > 0 ? 1 : 0;
+        }
+        none += pressing == 0 ? 1 : 0;
+        both += pressing == 2 ? 1 : 0;
+    }
+    EXPECT_GT(none, 1'000);
+    EXPECT_GT(both, 1'000);
 }
 
 }  // namespace

@@ -22,9 +22,7 @@ namespace {
 /// Contacts without restitution, and what is prepared in blocks alone.
 void forgetBounces(RandomSolve& solve) {
     solve.settings.bounces = false;
-    for (ContactConstraint& contact : solve.batch.contacts) {
-        contact.restitution = 0;
-    }
+    for (ContactConstraint& contact : solve.batch.contacts) { contact.restitution = 0; }
 }
 /// All at once: contacts are iterated in between.
 void solveOneJointDirectly(RandomSolve& solve) {
@@ -37,6 +35,7 @@ void solveOneJointDirectly(RandomSolve& solve) {
 }
 void forgetPrepared(SolverBatch& batch) {
     for (ContactConstraint& contact : batch.contacts) {
+        contact.sharedResponse = 0;
         for (ContactConstraintPoint& point : contact.points) {
             point.baseSeparation = point.normalMass = point.tangentMass = 0;
         }
@@ -73,9 +72,7 @@ BlockCounts expectSameBits(int times, std::uint64_t seeds) {
         EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks, 0);
         EXPECT_EQ(ofNarrow.bounceRounds, ofWide.bounceRounds) << "seed " << seed;
         EXPECT_EQ(bitsOf(narrow.batch), bitsOf(wide.batch)) << "seed " << seed;
-        if (testing::Test::HasFailure()) {
-            break;
-        }
+        if (testing::Test::HasFailure()) { break; }
         blocks.contacts += ofWide.contactBlocks;
         blocks.hinges += ofWide.hingeBlocks;
     }
@@ -92,8 +89,7 @@ public:
             batch.links.push_back({.slotA = contact.slotA,
                                    .slotB = contact.slotB,
                                    .source = i,
-                                   .points = static_cast<std::uint8_t>(contact.count),
-                                   .begins = i % 3 == 0});  // a hint, no more
+                                   .points = static_cast<std::uint8_t>(contact.count)});
         }
         batch.store = this;
     }
@@ -207,18 +203,14 @@ std::vector<BodyState> turnedBodies() {
         angles.push_back(static_cast<Real>(random.sign() * (0.7853981633974483 + random.range(-1e-6, 1e-6))));
     }
     std::vector<BodyState> bodies(angles.size());
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        bodies[i].deltaAngle = angles[i];
-    }
+    for (std::size_t i = 0; i < angles.size(); ++i) { bodies[i].deltaAngle = angles[i]; }
     return bodies;
 }
 
 TEST_P(WideContacts, BodiesTurnToTheBitAsOneByOne) {
     const RotateBodies rotate = rotationKernel();
     ASSERT_EQ(rotate == nullptr, contactKernels() == nullptr);
-    if (rotate == nullptr) {
-        return;
-    }
+    if (rotate == nullptr) { return; }
     std::vector<BodyState> bodies = turnedBodies();
     for (std::size_t begin = 0; begin < bodies.size(); begin += 11) {  // and what is left over
         rotate(std::span(bodies).subspan(begin, std::min<std::size_t>(11, bodies.size() - begin)));
