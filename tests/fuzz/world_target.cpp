@@ -122,17 +122,23 @@ private:
                                          ? makePolygon(polygon.points().first(static_cast<std::size_t>(
                                                            polygon.count < kMaxPolygonVertices ? polygon.count : 8)),
                                                        polygon.radius)
-                                         : makeBox(vector(), vector(), input_.number());
+                                         : box();
         ShapeDef def{.density = real(), .friction = real(), .restitution = real()};
         def.sensor = input_.flag();
         return keep(world_.addShape(body, made.ok() ? made.value() : polygon, def), known_.shapes);
+    }
+    Result<Polygon> box() {
+        const Vec2 half = vector();
+        const Vec2 center = vector();
+        return makeBox(half, center, input_.number());
     }
     Status addChain() {
         std::vector<Vec2> points(static_cast<std::size_t>(input_.below(6)));
         for (Vec2& p : points) {
             p = vector();
         }
-        return keep(world_.addChain(pick(known_.bodies), points, input_.flag()), known_.shapes);
+        const BodyId body = pick(known_.bodies);
+        return keep(world_.addChain(body, points, input_.flag()), known_.shapes);
     }
     template <class Make>
     auto maybe(Make&& make) -> std::optional<decltype(make())> {
@@ -219,15 +225,18 @@ private:
     }
     Status push() {
         const BodyId body = pick(known_.bodies);
-        switch (input_.below(4)) {
+        const int how = input_.below(4);
+        if (how == 3) {
+            return world_.setAwake(body, input_.flag());
+        }
+        const Vec2 amount = vector();
+        switch (how) {
             case 0:
-                return world_.setVelocity(body, vector(), real());
+                return world_.setVelocity(body, amount, real());
             case 1:
-                return world_.applyForce(body, vector(), place());
-            case 2:
-                return world_.applyImpulse(body, vector(), place());
+                return world_.applyForce(body, amount, place());
             default:
-                return world_.setAwake(body, input_.flag());
+                return world_.applyImpulse(body, amount, place());
         }
     }
     Status configure() {
@@ -243,7 +252,8 @@ private:
         return world_.configure(settings);
     }
     Status ask() {
-        (void)world_.castRay(place(), vector());
+        const DVec2 from = place();
+        (void)world_.castRay(from, vector());
         world_.queryBox({vector(), vector()}, {}, [](ShapeId) { return true; });
         return Status::success();
     }
