@@ -92,21 +92,29 @@ struct Bounds {
     double thirdPerWindow;
 };
 
-Bounds boundsOf(const MovingPair& pair, const PairPose& pose, double spin, double turnA, double turnB, double bend) {
-    const double squareA = turnA * turnA * pair.a.reach();
-    const double squareB = turnB * turnB * pair.b.reach();
-    Bounds bounds{squareA + squareB + bend, 0, std::fabs(turnA) * squareA + std::fabs(turnB) * squareB, 0};
+/// What the motion of the centres allows.
+Bounds boundsOfCenters(const MovingPair& pair, const PairPose& pose, double spin, double bend) {
     if (spin == 0) {
-        return bounds;
+        return {bend, 0, 0, 0};
     }
     const double w = std::fabs(spin);
     const double distance = length(pose.offset);
     const double curvature = length(pair.motion.curvature);
-    bounds.second = squareA + squareB + (w * (w * distance + 2 * pair.fastest) + 2 * curvature);
-    bounds.secondPerWindow = w * w * pair.fastest;
-    bounds.third += w * (w * (w * distance + 3 * pair.fastest) + 6 * curvature);
-    bounds.thirdPerWindow = w * w * w * pair.fastest;
+    return {w * (w * distance + 2 * pair.fastest) + 2 * curvature, w * w * pair.fastest,
+            w * (w * (w * distance + 3 * pair.fastest) + 6 * curvature), w * w * w * pair.fastest};
+}
+
+/// With a vertex of each body that turns, at the given distances from their centres or nearer.
+Bounds withTurns(Bounds bounds, double turnA, double reachA, double turnB, double reachB) {
+    const double squareA = turnA * turnA * reachA;
+    const double squareB = turnB * turnB * reachB;
+    bounds.second = squareA + squareB + bounds.second;
+    bounds.third = std::fabs(turnA) * squareA + std::fabs(turnB) * squareB + bounds.third;
     return bounds;
+}
+
+double thirdWithin(const Bounds& bounds, double window) {
+    return (1.0 / 3) * window * (bounds.third + window * bounds.thirdPerWindow);
 }
 
 /// First root of the lowest of all parabolas of two runs.
@@ -122,6 +130,28 @@ double firstRootOfRuns(const MovingPair& pair, const HeldAxis& axis, const Part&
         for (int l = 0; l < runs.b.count; ++l, j = after(pair.b, j, runs.b.step)) {
             Parabola bound = sum(centers, a, partOfB(axis, pair.b.vertex(j), turnB));
             bound.bend = std::min(bound.bend + third, second);
+            step = firstRoot(bound, step);
+        }
+    }
+    return step;
+}
+
+/// The same with the bounds of each vertex by its own distance from the centre, not by the farthest one's.
+/// @param centersBounds  what the motion of the centres allows.
+[[gnu::noinline, gnu::cold]] double firstRootOfEach(const MovingPair& pair, const HeldAxis& axis, const Part& centers,
+                                                    const Bounds& centersBounds, double turnA, double turnB,
+                                                    const SafeAdvance& runs, double window) {
+    double step = window;
+    int i = runs.a.first;
+    for (int k = 0; k < runs.a.count; ++k, i = after(pair.a, i, runs.a.step)) {
+        const Part a = partOfA(axis, pair.a.vertex(i), turnA);
+        int j = runs.b.first;
+        for (int l = 0; l < runs.b.count; ++l, j = after(pair.b, j, runs.b.step)) {
+            const Bounds bounds =
+                withTurns(centersBounds, turnA, length(pair.a.vertex(i)), turnB, length(pair.b.vertex(j)));
+            Parabola bound = sum(centers, a, partOfB(axis, pair.b.vertex(j), turnB));
+            bound.bend = std::min(bound.bend + thirdWithin(bounds, window),
+                                  bounds.second + window * bounds.secondPerWindow);
             step = firstRoot(bound, step);
         }
     }
@@ -177,7 +207,7 @@ HeldAxis hold(const MovingPair& pair, const PairPose& pose, Vec2 normal, AxisOwn
 }
 
 SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const HeldAxis& axis, double level,
-                        double limit) {
+                        double limit, VertexReach reach) {
     const RelativeMotion& motion = pair.motion;
     const double turnA = motion.spinA - axis.spin;
     const double turnB = motion.spinB - axis.spin;
@@ -190,7 +220,8 @@ SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const Held
                            2 * dot(axis.normal, Vec2{motion.curvature.x, motion.curvature.y})};
     const Parabola now =
         sum(centers, partOfA(axis, pair.a.vertex(axis.a), turnA), partOfB(axis, pair.b.vertex(axis.b), turnB));
-    const Bounds bounds = boundsOf(pair, pose, axis.spin, turnA, turnB, centers.bend);
+    const Bounds ofCenters = boundsOfCenters(pair, pose, axis.spin, centers.bend);
+    const Bounds bounds = withTurns(ofCenters, turnA, pair.a.reach(), turnB, pair.b.reach());
 
     SafeAdvance best{0, {axis.a, 1, 1}, {axis.b, 1, 1}, now.rate < 0};
     double window = std::min(limit, kAhead * firstRoot(now, limit));
@@ -202,8 +233,10 @@ SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const Held
         SafeAdvance next{0, walk(pair.a, axis.a, axis.inA, turnA * window),
                          walk(pair.b, axis.b, -axis.inB, turnB * window), best.approaches};
         const double second = bounds.second + window * bounds.secondPerWindow;
-        const double third = (1.0 / 3) * window * (bounds.third + window * bounds.thirdPerWindow);
-        if (next.a.count + next.b.count == 2) {
+        const double third = thirdWithin(bounds, window);
+        if (reach == VertexReach::own) {
+            next.step = firstRootOfEach(pair, axis, centers, ofCenters, turnA, turnB, next, window);
+        } else if (next.a.count + next.b.count == 2) {
             next.step = firstRoot({now.value, now.rate, std::min(now.bend + third, second)}, window);
         } else {
             next.step = firstRootOfRuns(pair, axis, centers, turnA, turnB, next, second, third, window);

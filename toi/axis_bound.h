@@ -42,6 +42,12 @@ struct SafeAdvance {
     bool approaches = false;  ///< the separation along the axis falls at the start of the step
 };
 
+/// Whose distance from the centre is the |r| that bounds how a vertex swings. Either is right.
+enum class VertexReach : std::uint8_t {
+    farthest,  ///< that of the farthest vertex, for all: the cheaper, and hardly worse where the centre is in the middle
+    own,       ///< that of each vertex: longer steps where those that can touch are much nearer than the farthest
+};
+
 /// The largest time the pair can be advanced, for certain, before the separation along an axis may fall to `level`.
 ///
 /// Let the axis turn at the rate w. With r a vertex of a body that turns at rate ω, measured from the body's centre,
@@ -59,7 +65,8 @@ struct SafeAdvance {
 /// @param level  metres, radii included.
 /// @param limit  the answer is sought in [0, limit]; fraction, greater than 0.
 /// @return a step in [0, limit]; `limit` means that nothing happens up to there. Not an upper bound of anything.
-SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const HeldAxis& axis, double level, double limit);
+SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const HeldAxis& axis, double level, double limit,
+                        VertexReach reach = VertexReach::farthest);
 
 /// Looks along the axis at the end of an advance: `pose` is there already.
 void follow(const MovingPair& pair, const PairPose& pose, const SafeAdvance& advance, HeldAxis& axis);

@@ -136,5 +136,33 @@ TEST(ToiBudget, RunsOutHonestly) {
     }
 }
 
+TEST(ToiBudget, IsSpentOnTheVerticesThatCanTouch) {
+    // Two needles, 10⁸ and 10¹¹ m long, turn about points at their blunt ends; these are what touches. How their far
+    // vertices swing does not matter, and bounding the near ones by it takes thousands of steps where a few dozen do.
+    Query q;
+    q.a = {{DVec2{-61.09375, 0}, DVec2{59.03125, 52.69140625}, DVec2{-41.22265625, 125599744}}, 3, 75.29296875};
+    q.b = {{DVec2{75.29296875, 75.29296875}, DVec2{31.20703125, 192803766272}, DVec2{-102.24609375, -59.15625}},
+           3,
+           0.1484375};
+    q.sweepA.localCenter = {17.17578125, 84.453125};
+    q.sweepA.c0 = {-114.83984375, 10.09375};
+    q.sweepA.c1 = {-108.92578125, -117.4609375};
+    q.sweepA.a0 = -117.4609375;
+    q.sweepA.a1 = -167.4609375;
+    q.sweepB.localCenter = {-101.4609375, -117.33984375};
+    q.sweepB.c0 = {23.83984375, 4};
+    q.sweepB.a0 = 29.26953125;
+    q.sweepB.a1 = 28.8046875;
+    q.settings = defaultToiSettings(q.a, q.b);
+    ASSERT_TRUE(validateToi(q.a, q.sweepA, q.b, q.sweepB, q.settings).ok());
+    const Toi toi = ask(q);
+    ASSERT_EQ(toi.state, ToiState::hit);
+    // Where interval arithmetic proves the separation to pass target ± tolerance.
+    EXPECT_GT(toi.fraction, 0.05961630437);
+    EXPECT_LT(toi.fraction, 0.05962797627);
+    EXPECT_LT(toi.iterations, 100);
+    EXPECT_TRUE(keepsItsPromise(q, toi)) << q;
+}
+
 }  // namespace
 }  // namespace swept::test
