@@ -37,7 +37,8 @@ struct Tally {
     int underflown = 0;
 };
 
-/// Runs that lost digits to underflow prove nothing, and are counted.
+/// Runs that differ because they lost digits to underflow prove nothing, and are counted. Most lose none that matter: of what
+/// rests the square of a velocity of 1e-20 m/s underflows, beside others that do not.
 void compareScaled(const SceneDescription& scene, const SceneRun& plain, Precision precision, const Units& units,
                    bool onTwoThreads, Tally& tally) {
     const std::int64_t steps = plain.trace.frames.back().step;
@@ -48,12 +49,13 @@ void compareScaled(const SceneDescription& scene, const SceneRun& plain, Precisi
         const SceneRun shared = runOf(inUnits, precision, steps, &tasks);
         EXPECT_EQ(firstDifference(other.trace, shared.trace), "") << scene.name << ", two threads, " << text(units);
     }
-    if (plain.underflow || other.underflow) {
+    const std::string difference = firstDifference(plain.trace, other.trace, units);
+    if (!difference.empty() && (plain.underflow || other.underflow)) {
         ++tally.underflown;
         return;
     }
     ++tally.conclusive;
-    EXPECT_EQ(firstDifference(plain.trace, other.trace, units), "") << scene.name << ", " << text(units);
+    EXPECT_EQ(difference, "") << scene.name << ", " << text(units);
 }
 
 /// In the short run the last units are tried on two threads.
@@ -81,10 +83,9 @@ void compareAll(Precision precision, std::span<const Units> all) {
     compareAll(settling, plain, precision, all, tally);
     testing::Test::RecordProperty("conclusive", tally.conclusive);
     testing::Test::RecordProperty("underflown", tally.underflown);
-    // In float, impulses of unloaded joints decay below the normal numbers in ragdolls and machine-room, and so do products
-    // of them in the impacts of bullet-curtain, whatever the units.
-    const int fewest = precision == Precision::f32 ? 4 : 9;
-    EXPECT_GT(tally.conclusive, fewest * tally.underflown) << "too many runs underflowed to prove anything";
+    // In float, impulses of unloaded joints decay below the normal numbers in one scene.
+    constexpr int kFewest = 19;
+    EXPECT_GT(tally.conclusive, kFewest * tally.underflown) << "too many runs underflowed to prove anything";
 }
 
 TEST(SceneScaling, SinglePrecisionHasNoUnits) {
