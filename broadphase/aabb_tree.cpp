@@ -52,9 +52,7 @@ void AabbTree::move(NodeIndex leaf, const Aabb& box) {
 }
 
 void AabbTree::clearMoved(NodeIndex leaf) {
-    for (NodeIndex i = leaf; i != kNoNode && nodes_[i].moved; i = nodes_[i].parent) {
-        nodes_[i].moved = false;
-    }
+    for (NodeIndex i = leaf; i != kNoNode && nodes_[i].moved; i = nodes_[i].parent) { nodes_[i].moved = false; }
 }
 
 NodeIndex AabbTree::allocate() {
@@ -145,9 +143,7 @@ NodeIndex AabbTree::chooseSibling(const Aabb& box) const {
             best = nodes_[node.child[1]].height < nodes_[node.child[0]].height ? 1 : 0;
         }
         const bool mayStop = depth + node.height + 1 <= kMaxTreeHeight;
-        if (mayStop && (stopHere < bound[best] || !hasRoom[best])) {
-            break;
-        }
+        if (mayStop && (stopHere < bound[best] || !hasRoom[best])) { break; }
         index = node.child[best];
     }
     return index;
@@ -177,9 +173,7 @@ void AabbTree::rotate(NodeIndex index) {
     std::array<std::size_t, 2> best = {2, 2};  // side of inner, side of leaving
     for (std::size_t side = 0; side < 2; ++side) {
         const TreeNode& inner = nodes_[node.child[side]];
-        if (inner.isLeaf()) {
-            continue;
-        }
+        if (inner.isLeaf()) { continue; }
         const TreeNode& outer = nodes_[node.child[1 - side]];
         const Real innerCost = costOf(inner.box);
         for (std::size_t leavingSide = 0; leavingSide < 2; ++leavingSide) {
@@ -187,9 +181,7 @@ void AabbTree::rotate(NodeIndex index) {
             const TreeNode& staying = nodes_[inner.child[1 - leavingSide]];
             const Real saving = innerCost - costOf(hullOf(outer.box, staying.box));
             const int newHeight = 1 + std::max<int>(leaving.height, 1 + std::max(outer.height, staying.height));
-            if (newHeight > node.height) {
-                continue;
-            }
+            if (newHeight > node.height) { continue; }
             if (saving > bestSaving || (saving == bestSaving && newHeight < bestHeight)) {
                 bestSaving = saving;
                 bestHeight = newHeight;
@@ -197,9 +189,7 @@ void AabbTree::rotate(NodeIndex index) {
             }
         }
     }
-    if (best[0] == 2) {
-        return;
-    }
+    if (best[0] == 2) { return; }
     const NodeIndex innerIndex = node.child[best[0]];
     const NodeIndex outerIndex = node.child[1 - best[0]];
     const NodeIndex leavingIndex = nodes_[innerIndex].child[best[1]];
@@ -228,9 +218,7 @@ void AabbTree::repairUpward(NodeIndex index) {
 
 /// A marked node has only marked ones above it, so the walk ends at the first.
 void AabbTree::markUpward(NodeIndex leaf) {
-    for (NodeIndex i = leaf; i != kNoNode && !nodes_[i].moved; i = nodes_[i].parent) {
-        nodes_[i].moved = true;
-    }
+    for (NodeIndex i = leaf; i != kNoNode && !nodes_[i].moved; i = nodes_[i].parent) { nodes_[i].moved = true; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -4,8 +4,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Every box against every box that moved: no upkeep at all, so good for a handful of proxies, and the reference that the
-/// other implementations are tested against. n proxies of which m moved: m·n box tests; a query: n.
+/// Every box against every box that moved: no upkeep at all, so good for a handful of proxies, and the reference that
+/// the other implementations are tested against. n proxies of which m moved: m·n box tests; a query: n.
 class AllPairs final : public TableBroadphase {
 private:
     void onInsert(std::uint32_t) override {}

@@ -32,13 +32,9 @@ public:
     double firstTouch(const Aabb& other, double limit) const {
         const Interval x = x_.overlap(static_cast<double>(other.lower.x), static_cast<double>(other.upper.x));
         const Interval y = y_.overlap(static_cast<double>(other.lower.y), static_cast<double>(other.upper.y));
-        if (!(x.enter <= x.exit && y.enter <= y.exit)) {
-            return kNever;
-        }  // also when one is NaN
+        if (!(x.enter <= x.exit && y.enter <= y.exit)) { return kNever; }  // also when one is NaN
         double enter = x.enter > y.enter ? x.enter : y.enter;
-        if (enter < 0) {
-            enter = 0;
-        }
+        if (enter < 0) { enter = 0; }
         return enter <= limit && enter <= x.exit && enter <= y.exit ? enter : kNever;
     }
 

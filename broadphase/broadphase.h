@@ -74,7 +74,8 @@ public:
     /// The box as it was given last. `id` must name a proxy that exists: a stale id is undefined (asserted).
     /// Valid until the next call that changes something.
     virtual const Aabb& box(ProxyId id) const = 0;
-    /// The same of all proxies, by their number, for loops over many; between them lie boxes of proxies that are gone. As long valid.
+    /// The same of all proxies, by their number, for loops over many; between them lie boxes of proxies that are gone.
+    /// As long valid.
     virtual std::span<const Aabb> boxes() const = 0;
 
     /// Writes every new pair: boxes of kinds that can meet, which overlap now and did not at the last call, or of which
@@ -88,7 +89,8 @@ public:
     /// unspecified.
     virtual void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
 
-    /// As `query`, for static and kinematic proxies. An implementation that does not keep kinds apart visits others too.
+    /// As `query`, for static and kinematic proxies. An implementation that does not keep kinds apart visits others
+    /// too.
     virtual void queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const { query(box, visit); }
 
     /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns

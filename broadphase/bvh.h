@@ -10,8 +10,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// One dynamic tree of boxes per kind. Pairs are found by joining the trees of kinds that can meet, subtree against
 /// subtree, leaving out all in which nothing moved.
 ///
-/// n proxies of which m moved: an insertion or a move out of the neighbourhood O(log n), a move within it O(1) mostly; the
-/// join O(m log n + pairs) in worlds whose boxes do not all overlap; a query O(log n + found).
+/// n proxies of which m moved: an insertion or a move out of the neighbourhood O(log n), a move within it O(1) mostly;
+/// the join O(m log n + pairs) in worlds whose boxes do not all overlap; a query O(log n + found).
 class Bvh final : public TableBroadphase {
 public:
     /// For tests and for measuring its quality.

@@ -25,7 +25,8 @@ std::int32_t indexOf(Real x, double cell) {
     return static_cast<std::int32_t>(std::clamp(std::floor(static_cast<double>(x) / cell), -kMost, kMost));
 }
 
-/// A box longer than this part of a cell is a giant; the rest covers the rounding of the two cells between which it lies.
+/// A box longer than this part of a cell is a giant; the rest covers the rounding of the two cells between which it
+/// lies.
 constexpr double kFullCell = 1 - 0x1p-10;
 
 }  // namespace
@@ -199,7 +200,8 @@ void Grid::walkCells(const CellRange& cells, SweepVisit& visit) const {
         if (index == -kLastCell || index == kLastCell) { return static_cast<Real>(beyond < 0 ? -kMost : kMost); }
         return static_cast<Real>(std::clamp((static_cast<double>(index) + beyond) * cell_, -kMost, kMost));
     };
-    const Aabb all = {{edge(cells.first.x, -1), edge(cells.first.y, -1)}, {edge(cells.last.x, 3), edge(cells.last.y, 3)}};
+    const Aabb all = {{edge(cells.first.x, -1), edge(cells.first.y, -1)},
+                      {edge(cells.last.x, 3), edge(cells.last.y, 3)}};
     if (visit.isOver() || !visit.meets(all)) { return; }
     const std::int64_t columns = std::int64_t{cells.last.x} - cells.first.x;
     const std::int64_t rows = std::int64_t{cells.last.y} - cells.first.y;

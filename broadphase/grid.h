@@ -4,11 +4,11 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A grid without edges: each box is filed once, in the cell of its lower corner, and cells are found by hashing, so that
-/// memory depends on the number of boxes alone (Teschner et al., "Optimized spatial hashing", 2003). No filed box is
-/// longer than a cell, so all that overlap something begin in its cells or one before. What is longer than a cell, a few
-/// giants, is kept in a list of its own that everything is compared with. The length of a cell follows the sizes: so long
-/// that one box of 64 is a giant.
+/// A grid without edges: each box is filed once, in the cell of its lower corner, and cells are found by hashing, so
+/// that memory depends on the number of boxes alone (Teschner et al., "Optimized spatial hashing", 2003). No filed box
+/// is longer than a cell, so all that overlap something begin in its cells or one before. What is longer than a cell, a
+/// few giants, is kept in a list of its own that everything is compared with. The length of a cell follows the sizes:
+/// so long that one box of 64 is a giant.
 ///
 /// n proxies of which m moved, g giants: insert, move and remove O(1); the join O(m·(k + g) + pairs) for k boxes in the
 /// cells around one; a query O(cells, no more than n, + g); refiling all, O(n), when number or sizes have changed much.
@@ -48,7 +48,8 @@ private:
     /// Calls `offer(slot)` for all that may overlap a box, each once, until it returns false.
     template <class Offer>
     void offerAround(const Aabb& box, const Offer& offer) const;
-    /// Calls `offer(slot)` for all of a list that are filed in a cell, until it returns false. Returns what it returned last.
+    /// Calls `offer(slot)` for all of a list that are filed in a cell, until it returns false. Returns what it returned
+    /// last.
     template <class Offer>
     bool offerCell(Cell cell, const Offer& offer) const;
 

@@ -12,19 +12,11 @@ void PairOrder::sort(std::vector<ProxyPair>& pairs, std::uint32_t slotCount) {
         return;
     }
     starts_.assign(std::size_t{slotCount} + 1, 0);
-    for (const ProxyPair& pair : pairs) {
-        ++starts_[static_cast<std::size_t>(pair.a) + 1];
-    }
-    for (std::size_t i = 1; i < starts_.size(); ++i) {
-        starts_[i] += starts_[i - 1];
-    }
-    if (sorted_.capacity() < pairs.capacity()) {
-        sorted_.reserve(pairs.capacity());
-    }
+    for (const ProxyPair& pair : pairs) { ++starts_[static_cast<std::size_t>(pair.a) + 1]; }
+    for (std::size_t i = 1; i < starts_.size(); ++i) { starts_[i] += starts_[i - 1]; }
+    if (sorted_.capacity() < pairs.capacity()) { sorted_.reserve(pairs.capacity()); }
     sorted_.resize(pairs.size());
-    for (const ProxyPair& pair : pairs) {
-        sorted_[starts_[static_cast<std::size_t>(pair.a)]++] = pair;
-    }
+    for (const ProxyPair& pair : pairs) { sorted_[starts_[static_cast<std::size_t>(pair.a)]++] = pair; }
     auto first = sorted_.begin();
     while (first != sorted_.end()) {
         const auto last = std::find_if(first, sorted_.end(), [&](const ProxyPair& pair) { return pair.a != first->a; });

@@ -8,9 +8,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 Status refusalOf(const Aabb& box) {
-    if (!isFinite(box.lower) || !isFinite(box.upper)) {
-        return {StatusCode::notFinite, "box"};
-    }
+    if (!isFinite(box.lower) || !isFinite(box.upper)) { return {StatusCode::notFinite, "box"}; }
     return {StatusCode::outOfRange, "box"};
 }
 

@@ -22,9 +22,8 @@ constexpr std::uint8_t meetingKinds(ProxyKind kind) {
 }
 
 /// Overlaps nothing, itself included; the hull of it and another box is the other box.
-inline constexpr Aabb kNoBox = {
-    {std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()},
-    {-std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()}};
+inline constexpr Aabb kNoBox = {{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()},
+                                {-std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()}};
 
 /// The one check of boxes that come from outside.
 Status refusalOf(const Aabb& box);

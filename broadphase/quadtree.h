@@ -6,14 +6,14 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A loose quadtree: every square has four quarters, and a box stands in the smallest square that is no shorter than the
-/// box and holds its lower corner. All that stands in a square lies within a square of twice its size, so one place per box
-/// is enough, and it follows from size and corner alone (Ulrich, "Loose octrees", Game Programming Gems, 2000). The root
-/// grows as boxes come that it does not hold; squares that nothing stands in or below are given back.
+/// A loose quadtree: every square has four quarters, and a box stands in the smallest square that is no shorter than
+/// the box and holds its lower corner. All that stands in a square lies within a square of twice its size, so one place
+/// per box is enough, and it follows from size and corner alone (Ulrich, "Loose octrees", Game Programming Gems, 2000).
+/// The root grows as boxes come that it does not hold; squares that nothing stands in or below are given back.
 ///
-/// n proxies of which m moved, a tree of h levels (log₂ of the world over the smallest box, `kMostLevels` at most): insert,
-/// remove and a move to another square O(h), a move within the square O(1); the join O(m·(h + k) + pairs) for k boxes in
-/// the squares around one; a query O(h + squares met). Good where sizes differ much.
+/// n proxies of which m moved, a tree of h levels (log₂ of the world over the smallest box, `kMostLevels` at most):
+/// insert, remove and a move to another square O(h), a move within the square O(1); the join O(m·(h + k) + pairs) for k
+/// boxes in the squares around one; a query O(h + squares met). Good where sizes differ much.
 class Quadtree final : public TableBroadphase {
 public:
     Quadtree();
@@ -46,7 +46,8 @@ private:
     SquareIndex squareFor(const Aabb& box);
     void put(std::uint32_t slot);
     void takeOut(std::uint32_t slot);
-    /// Calls `offer(slot)` for all in a square that may overlap a box, until it returns false. Returns what it returned last.
+    /// Calls `offer(slot)` for all in a square that may overlap a box, until it returns false. Returns what it returned
+    /// last.
     template <class Offer>
     bool offerBelow(SquareIndex index, const Aabb& box, const Offer& offer) const;
     void walkBelow(SquareIndex index, SweepVisit& visit) const;

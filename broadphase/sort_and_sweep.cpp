@@ -174,7 +174,8 @@ void SortAndSweep::visitAlong(SweepVisit& visit) const {
 }
 
 std::size_t SortAndSweep::structureBytes() const {
-    std::size_t sum = bytesOf(isListed_) + bytesOf(blocks_) + bytesOf(movedQueries_) + bytesOf(restedQueries_) + bytesOf(hits_);
+    std::size_t sum =
+        bytesOf(isListed_) + bytesOf(blocks_) + bytesOf(movedQueries_) + bytesOf(restedQueries_) + bytesOf(hits_);
     for (const Sorted* sorted : {&all_, &moved_}) { sum += bytesOf(sorted->entries) + bytesOf(sorted->boxes); }
     return sum;
 }

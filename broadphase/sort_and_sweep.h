@@ -5,12 +5,13 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Boxes sorted by their lower bound along one axis: whoever meets a box begins before it ends ("sweep and prune", Cohen et
-/// al., "I-COLLIDE", 1995). The axis is the one along which the centres vary more; it changes only when the other is
-/// clearly better. The order is kept and repaired by insertion sort, which is linear where things move little.
+/// Boxes sorted by their lower bound along one axis: whoever meets a box begins before it ends ("sweep and prune",
+/// Cohen et al., "I-COLLIDE", 1995). The axis is the one along which the centres vary more; it changes only when the
+/// other is clearly better. The order is kept and repaired by insertion sort, which is linear where things move little.
 ///
-/// n proxies of which m moved: a move is free; repairing the order O(n + inversions); the join O(n + m·k) for k boxes that
-/// overlap along the axis, about √n in a square world; a query O(n/64 + m + blocks met). Good for long, flat worlds.
+/// n proxies of which m moved: a move is free; repairing the order O(n + inversions); the join O(n + m·k) for k boxes
+/// that overlap along the axis, about √n in a square world; a query O(n/64 + m + blocks met). Good for long, flat
+/// worlds.
 class SortAndSweep final : public TableBroadphase {
 private:
     struct Entry {
@@ -44,7 +45,7 @@ private:
     bool isCurrent(std::uint32_t slot) const { return table().bitAt(slot) != 0 && !table().hasMoved(slot); }
 
     Sorted all_;
-    Sorted moved_;  // those of all_ that moved
+    Sorted moved_;                        // those of all_ that moved
     std::vector<std::uint8_t> isListed_;  // one per slot: stands in all_
     std::vector<Aabb> blocks_;            // hulls of so many entries, for queries
     std::vector<IntervalQuery> movedQueries_;

@@ -27,9 +27,7 @@ struct SweepFilter {
         const DVec2 by = sweep.translation();
         filter.around = aroundUpTo(sweep, limit);
         const double longest = std::fmax(std::fabs(by.x), std::fabs(by.y));
-        if (longest > 0) {
-            filter.across = {static_cast<Real>(-by.y / longest), static_cast<Real>(by.x / longest)};
-        }
+        if (longest > 0) { filter.across = {static_cast<Real>(-by.y / longest), static_cast<Real>(by.x / longest)}; }
         const Vec2 half = toReal(0.5 * (sweep.upper() - sweep.lower()));
         filter.middle = toReal(0.5 * sweep.lower() + 0.5 * sweep.upper());
         filter.reach = std::fabs(filter.across.x) * half.x + std::fabs(filter.across.y) * half.y +

@@ -70,8 +70,7 @@ void TableBroadphase::sweep(const Aabb& box, DVec2 translation, Real maxFraction
     castAlong(BoxSweep::ofBox(box, translation), maxFraction, visit);
 }
 
-void TableBroadphase::castAlong(const BoxSweep& sweep, Real maxFraction,
-                                FunctionRef<Real(ProxyId, Real)> visit) const {
+void TableBroadphase::castAlong(const BoxSweep& sweep, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const {
     SweepVisit along(sweep, maxFraction, visit);
     visitAlong(along);
     queryTests_.fetch_add(along.tests(), std::memory_order_relaxed);

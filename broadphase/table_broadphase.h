@@ -57,8 +57,8 @@ private:
 /// each is its structure and the walks through it.
 class TableBroadphase : public Broadphase {
 public:
-    /// @param keepsKnown  whether the table keeps the boxes of the last call of `pairs`; without them, `join` has to tell
-    /// what is new by itself.
+    /// @param keepsKnown  whether the table keeps the boxes of the last call of `pairs`; without them, `join` has to
+    /// tell what is new by itself.
     explicit TableBroadphase(bool keepsKnown = true) : table_(keepsKnown) {}
 
     Result<ProxyId> insert(const Aabb& box, ProxyKind kind) final;

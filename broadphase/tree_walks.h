@@ -30,28 +30,20 @@ inline constexpr std::size_t kTwoTreeStack = 2 * kMaxTreeHeight + 2;
 /// `goOn` tells whether the walk came to its end.
 template <class Visit>
 std::uint64_t walkOverlaps(const AabbTree& tree, const Aabb& box, bool& goOn, const Visit& visit) {
-    if (tree.root() == kNoNode) {
-        return 0;
-    }
+    if (tree.root() == kNoNode) { return 0; }
     std::uint64_t tests = 1;
     WalkStack<NodeIndex, kOneTreeStack> stack;
-    if (overlaps(tree.node(tree.root()).box, box)) {
-        stack.push(tree.root());
-    }
+    if (overlaps(tree.node(tree.root()).box, box)) { stack.push(tree.root()); }
     while (!stack.empty()) {
         const TreeNode& node = tree.node(stack.pop());
         if (node.isLeaf()) {
             goOn = visit(node.slot());
-            if (!goOn) {
-                return tests;
-            }
+            if (!goOn) { return tests; }
             continue;
         }
         tests += 2;
         for (const NodeIndex child : node.child) {
-            if (overlaps(tree.node(child).box, box)) {
-                stack.push(child);
-            }
+            if (overlaps(tree.node(child).box, box)) { stack.push(child); }
         }
     }
     return tests;
@@ -98,13 +90,9 @@ std::uint64_t joinNodes(const AabbTree& treeA, NodeIndex a, const AabbTree& tree
     const auto consider = [&](NodeIndex i, NodeIndex j) {
         const TreeNode& nodeA = treeA.node(i);
         const TreeNode& nodeB = treeB.node(j);
-        if (!nodeA.moved && !nodeB.moved) {
-            return;
-        }
+        if (!nodeA.moved && !nodeB.moved) { return; }
         ++tests;
-        if (!overlaps(nodeA.box, nodeB.box)) {
-            return;
-        }
+        if (!overlaps(nodeA.box, nodeB.box)) { return; }
         if (nodeA.isLeaf() && nodeB.isLeaf()) {
             report(nodeA.slot(), nodeB.slot());
         } else {
@@ -117,13 +105,9 @@ std::uint64_t joinNodes(const AabbTree& treeA, NodeIndex a, const AabbTree& tree
         const TreeNode& nodeA = treeA.node(entry.a);
         const TreeNode& nodeB = treeB.node(entry.b);
         if (nodeA.height >= nodeB.height) {  // the higher one is not a leaf
-            for (const NodeIndex child : nodeA.child) {
-                consider(child, entry.b);
-            }
+            for (const NodeIndex child : nodeA.child) { consider(child, entry.b); }
         } else {
-            for (const NodeIndex child : nodeB.child) {
-                consider(entry.a, child);
-            }
+            for (const NodeIndex child : nodeB.child) { consider(entry.a, child); }
         }
     }
     return tests;
@@ -133,21 +117,15 @@ std::uint64_t joinNodes(const AabbTree& treeA, NodeIndex a, const AabbTree& tree
 /// part at just one inner node, so each is found by joining that node's two children.
 template <class Report>
 std::uint64_t joinWithin(const AabbTree& tree, const Report& report) {
-    if (tree.root() == kNoNode) {
-        return 0;
-    }
+    if (tree.root() == kNoNode) { return 0; }
     std::uint64_t tests = 0;
     WalkStack<NodeIndex, kOneTreeStack> stack;
     stack.push(tree.root());
     while (!stack.empty()) {
         const TreeNode& node = tree.node(stack.pop());
-        if (!node.moved || node.isLeaf()) {
-            continue;
-        }
+        if (!node.moved || node.isLeaf()) { continue; }
         tests += joinNodes(tree, node.child[0], tree, node.child[1], report);
-        for (const NodeIndex child : node.child) {
-            stack.push(child);
-        }
+        for (const NodeIndex child : node.child) { stack.push(child); }
     }
     return tests;
 }

@@ -8,11 +8,11 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// One wide tree per kind. Pairs are found by joining what moved in one tree with all of another, eight boxes at a time;
-/// a box that did not move, asleep or fixed, costs nothing unless something comes near.
+/// One wide tree per kind. Pairs are found by joining what moved in one tree with all of another, eight boxes at a
+/// time; a box that did not move, asleep or fixed, costs nothing unless something comes near.
 ///
-/// n proxies of which m moved: move O(1) mostly; the join O(m log n + pairs) in worlds whose boxes do not all overlap, and
-/// a rebuild, O(n log n), no more often than what it saves; a query O(log n + found).
+/// n proxies of which m moved: move O(1) mostly; the join O(m log n + pairs) in worlds whose boxes do not all overlap,
+/// and a rebuild, O(n log n), no more often than what it saves; a query O(log n + found).
 class WideBvh final : public TableBroadphase {
 public:
     explicit WideBvh(const WideKernels& kernels = widestKernels()) : TableBroadphase(false), kernels_(kernels) {}

@@ -8,7 +8,8 @@ namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-/// Halves against each other: three steps instead of a chain of eight, and the first is one for a register of four lanes.
+/// Halves against each other: three steps instead of a chain of eight, and the first is one for a register of four
+/// lanes.
 template <class Pick>
 Real reduced(const std::array<Real, kWide>& lanes, const Pick& pick) {
     std::array<Real, kWide / 2> four;
@@ -138,15 +139,16 @@ bool WideTree::prepareJoin(std::span<std::uint32_t> places) {
 }
 
 bool WideTree::isWorthRebuilding() const {
-    // A build takes about as long as joining every box between once (a thousand) and twice (ten thousand), so it pays when
-    // the decay has cost that much already: what is lost is never more than twice what the best moment would have cost
+    // A build takes about as long as joining every box between once (a thousand) and twice (ten thousand), so it pays
+    // when the decay has cost that much already: what is lost is never more than twice what the best moment would have
+    // cost
     // ("ski rental"). Decay counts what moves here; the other limit is for trees at rest that others move through.
     constexpr double kBuildInJoins = 1.5;
     return misplaced_ > kWide + size_ / 2 || decay_ > kBuildInJoins * size_;
 }
 
-/// What jumped away from the seven others of its node blows the node up, and starts anew at the end. What jumped with them,
-/// as in free flight, stays.
+/// What jumped away from the seven others of its node blows the node up, and starts anew at the end. What jumped with
+/// them, as in free flight, stays.
 void WideTree::settleJumps(std::span<std::uint32_t> places) {
     constexpr double kBlownUp = 2;
     for (std::size_t i = 0; i < jumped_.size(); ++i) {  // by index: appending may reserve more room for it
@@ -234,9 +236,9 @@ void WideTree::finishJoin() {
 }
 
 std::size_t WideTree::memoryBytes() const {
-    std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(jumpedLanes_) + bytesOf(jumped_) + bytesOf(movedNodes_) +
-                      bytesOf(nodeSpreads_) + bytesOf(items_) + bytesOf(oldBoxes_) +
-                      bytesOf(oldKnown_) + bytesOf(oldSlots_) + bytesOf(oldMoved_);
+    std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(jumpedLanes_) +
+                      bytesOf(jumped_) + bytesOf(movedNodes_) + bytesOf(nodeSpreads_) + bytesOf(items_) +
+                      bytesOf(oldBoxes_) + bytesOf(oldKnown_) + bytesOf(oldSlots_) + bytesOf(oldMoved_);
     for (const auto& level : levels_) { sum += bytesOf(level); }
     for (const auto& list : moved_) { sum += bytesOf(list); }
     return sum;

@@ -11,8 +11,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Boxes, or nodes, under one node. Eight floats fill the widest registers in common use, and a lane is three bits of an
-/// index.
+/// Boxes, or nodes, under one node. Eight floats fill the widest registers in common use, and a lane is three bits of
+/// an index.
 inline constexpr std::uint32_t kWide = 8;
 inline constexpr std::uint32_t kLaneBits = 3;
 inline constexpr std::uint32_t kLaneMask = kWide - 1;
@@ -56,10 +56,10 @@ struct MovedNode {
 /// themselves (a packed R-tree: Roussopoulos and Leifker, "Direct spatial search on pictorial databases using packed
 /// R-trees", 1985).
 ///
-/// A moved box stays in its place and the boxes above it grow; `refit` makes them tight again, of all moved boxes at once.
-/// What jumps away from its neighbours, and what is inserted, goes to the end. When that has made walks dear enough, the whole order is built
-/// anew (`rebuild`): by size first, since a large box among small ones would spoil every node above it, then by halving
-/// the wider axis at the median.
+/// A moved box stays in its place and the boxes above it grow; `refit` makes them tight again, of all moved boxes at
+/// once. What jumps away from its neighbours, and what is inserted, goes to the end. When that has made walks dear
+/// enough, the whole order is built anew (`rebuild`): by size first, since a large box among small ones would spoil
+/// every node above it, then by halving the wider axis at the median.
 ///
 /// n boxes, m of them moved: insertion and move O(1) mostly, O(log n) at worst; refit O(n/64 + m); rebuild O(n log n).
 class WideTree {

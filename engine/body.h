@@ -52,8 +52,8 @@ struct Body {
     bool fast = false;            ///< this step: startled, or some point may move more than a quarter of the extent
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
-    Effort effort;           ///< of its island, this step
-    DVec2 startCenter{};     ///< at the start of this step
+    Effort effort;        ///< of its island, this step
+    DVec2 startCenter{};  ///< at the start of this step
     double startAngle = 0;
 
     BodyDef def;                        ///< as given; pose and velocity there are not kept up to date

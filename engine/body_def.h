@@ -7,15 +7,15 @@
 
 namespace swept {
 
-/// `fixed` (static in the scene format; a keyword here) never moves; `kinematic` moves by its velocity and is not moved by
-/// anything; `dynamic` obeys forces and impulses.
+/// `fixed` (static in the scene format; a keyword here) never moves; `kinematic` moves by its velocity and is not moved
+/// by anything; `dynamic` obeys forces and impulses.
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
 /// What happens when a body moves so fast that it could pass through something within a step.
 enum class ContinuousMode : std::uint8_t {
-    off,          ///< nothing: contacts are looked for at the start of the step only
-    speedLimit,   ///< no point of the body moves farther in a step than half its own width and that of the world's
-                  ///< thinnest wall; what is faster is slowed (and entered in the lost-time ledger). Dynamic bodies only
+    off,         ///< nothing: contacts are looked for at the start of the step only
+    speedLimit,  ///< no point of the body moves farther in a step than half its own width and that of the world's
+                 ///< thinnest wall; what is faster is slowed (and entered in the lost-time ledger). Dynamic bodies only
     speculative,  ///< contacts are made ahead, as far as the body may move in the step, and let it close the gap and no
                   ///< more; the plane of a contact has no end, so what would have passed by may be stopped (a ghost)
     stop,         ///< the body stops at its first hit of a static or kinematic shape; the rest of its step is lost
@@ -30,17 +30,17 @@ namespace swept::inline SWEPT_PRECISION {
 /// How to make a body. Metres, radians, seconds, kilograms.
 struct BodyDef {
     BodyType type = BodyType::fixed;
-    DVec2 position{};            ///< of the body origin, world
-    double angle = 0;          ///< counter-clockwise; kept unwrapped
-    Vec2 velocity{};             ///< of the centre of mass; not for static bodies
+    DVec2 position{};  ///< of the body origin, world
+    double angle = 0;  ///< counter-clockwise; kept unwrapped
+    Vec2 velocity{};   ///< of the centre of mass; not for static bodies
     Real angularVelocity = 0;
-    Real linearDamping = 0;    ///< 1/s, v′ = −c·v, applied exactly; at least 0
+    Real linearDamping = 0;  ///< 1/s, v′ = −c·v, applied exactly; at least 0
     Real angularDamping = 0;
     Real gravityScale = 1;
-    Real mass = 0;             ///< replaces the mass of the shapes; 0: take theirs
-    Real inertia = 0;          ///< about the centre of mass; replaces that of the shapes; 0: take theirs
+    Real mass = 0;     ///< replaces the mass of the shapes; 0: take theirs
+    Real inertia = 0;  ///< about the centre of mass; replaces that of the shapes; 0: take theirs
     bool fixedRotation = false;
-    bool bullet = false;       ///< in mode `subStep`, also swept against dynamic bodies, in order of time
+    bool bullet = false;  ///< in mode `subStep`, also swept against dynamic bodies, in order of time
     bool awake = true;
     std::optional<ContinuousMode> continuous{};  ///< empty: the world's
     std::uint64_t userData = 0;

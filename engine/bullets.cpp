@@ -26,7 +26,8 @@ bool isBullet(const WorldState& world, std::uint32_t slot) {
 
 Real speedBound(const WorldState& world, std::uint32_t slot, Real dt) {
     const Body& body = world.bodies[slot];
-    return length(world.motions[slot].velocity) + (body.isDynamic() ? dt * length(accelerationOf(world, body)) : Real(0));
+    return length(world.motions[slot].velocity) +
+           (body.isDynamic() ? dt * length(accelerationOf(world, body)) : Real(0));
 }
 
 /// Where a body may get within the step, whatever direction it is sent into.
@@ -201,7 +202,8 @@ void report(WorldState& world, const BulletPair& pair, const ContactConstraint& 
                                              .impulse = a.totalNormalImpulse + b.totalNormalImpulse});
 }
 
-/// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on it.
+/// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on
+/// it.
 void setApart(WorldState& world, const BulletPair& pair, const Manifold& manifold, Vec2 normal) {
     BulletPartner& first = world.bulletWork.partners[pair.first];
     BulletPartner& second = world.bulletWork.partners[pair.second];
@@ -228,10 +230,9 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
     const Manifold manifold =
         obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, reachOf(world, pair.shapes));
     if (manifold.count == 0) { return; }
-    ContactConstraint constraint =
-        constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
-                     std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
-                     std::max(own.def.restitution, other.def.restitution), 0);
+    ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
+                                                std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
+                                                std::max(own.def.restitution, other.def.restitution), 0);
     constraint.slotA = kFirstSlot;
     constraint.slotB = kSecondSlot;
     FlightScratch& scratch = *second.scratch;

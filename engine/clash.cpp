@@ -41,14 +41,10 @@ bool listPairs(Clash& clash, std::span<const std::uint32_t> members, std::span<c
         const std::uint32_t second = memberIndex(members, contact.bodyB);
         if (first == members.size() || second == members.size()) {
             const std::uint32_t grounded = std::min(first, second);
-            if (contact.isSolid() && grounded < members.size()) {
-                clash.work.isNearGround[grounded] = 1;
-            }
+            if (contact.isSolid() && grounded < members.size()) { clash.work.isNearGround[grounded] = 1; }
             continue;
         }
-        if (!(contact.restitution > 0)) {
-            return false;
-        }
+        if (!(contact.restitution > 0)) { return false; }
         ClashPair pair{.contact = index, .first = first, .second = second};
         pair.shapes = {.own = contact.shapeB, .other = contact.shapeA};
         clash.work.pairs.push_back(pair);
@@ -57,19 +53,13 @@ bool listPairs(Clash& clash, std::span<const std::uint32_t> members, std::span<c
 }
 
 bool begin(Clash& clash, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts) {
-    if (members.size() < 2 || members.size() > kMostMembers) {
-        return false;
-    }
+    if (members.size() < 2 || members.size() > kMostMembers) { return false; }
     const auto flies = [&](std::uint32_t slot) { return mayFly(clash.world, clash.world.bodies[slot]); };
-    if (!std::all_of(members.begin(), members.end(), flies)) {
-        return false;
-    }
+    if (!std::all_of(members.begin(), members.end(), flies)) { return false; }
     ClashScratch& work = clash.work;
     work.pairs.clear();
     work.isNearGround.assign(members.size(), 0);
-    if (!listPairs(clash, members, contacts)) {
-        return false;
-    }
+    if (!listPairs(clash, members, contacts)) { return false; }
     work.flights.clear();
     work.paths.resize(members.size());
     for (const std::uint32_t slot : members) {
@@ -81,9 +71,7 @@ bool begin(Clash& clash, std::span<const std::uint32_t> members, std::span<const
 
 void resolveGround(Clash& clash) {
     for (std::size_t i = 0; i < clash.work.flights.size(); ++i) {
-        if (clash.work.isNearGround[i] != 0) {
-            resolveStanding(clash.work.flights[i]);
-        }
+        if (clash.work.isNearGround[i] != 0) { resolveStanding(clash.work.flights[i]); }
     }
 }
 
@@ -91,9 +79,7 @@ void resolveGround(Clash& clash) {
 /// fixed axis grows at least as fast as the centres part, less what the turns may bring. The speed of a parabola is
 /// linear in time: least at one of its ends.
 bool staysApart(const WorldState& world, const ClashScratch& work, const ClashPair& pair) {
-    if (!pair.isMet) {
-        return false;
-    }
+    if (!pair.isMet) { return false; }
     const Sweep& first = work.paths[pair.first];
     const Sweep& second = work.paths[pair.second];
     const DVec2 normal = toDouble(pair.normal);
@@ -126,9 +112,7 @@ void aim(const Clash& clash, ClashPair& pair) {
     const double target = targetOf(world, pair.shapes);
     pair.shapes.level = target;
     pair.shapes.lift = {};
-    if (!pair.isMet) {
-        return;
-    }
+    if (!pair.isMet) { return; }
     const auto deepest = static_cast<double>(pair.deepest);
     const double up = deepest < 0 ? target - deepest : 0;
     pair.shapes.lift = up * toDouble(pair.normal);
@@ -142,23 +126,15 @@ NextImpact nextImpactOf(Clash& clash) {
         work.paths[i] = sweepOf(work.flights[i]);
         const FirstImpact impact = nextImpact(work.flights[i], work.paths[i], next.fraction);
         work.isNearGround[i] = clash.scratch.obstacles.empty() ? 0 : 1;
-        if (impact.hit) {
-            next = {.hit = true, .isPair = false, .flight = i, .fraction = impact.fraction};
-        }
+        if (impact.hit) { next = {.hit = true, .isPair = false, .flight = i, .fraction = impact.fraction}; }
     }
     for (ClashPair& pair : work.pairs) {
-        if (!(next.fraction > 0)) {
-            break;
-        }
-        if (staysApart(clash.world, work, pair) || passesBy(clash.world, work, pair)) {
-            continue;
-        }
+        if (!(next.fraction > 0)) { break; }
+        if (staysApart(clash.world, work, pair) || passesBy(clash.world, work, pair)) { continue; }
         aim(clash, pair);
         const FirstImpact impact = firstImpactWith(clash.world, work.paths[pair.second], work.paths[pair.first],
                                                    pair.shapes, next.fraction, clash.scratch);
-        if (impact.hit) {
-            next = {.hit = true, .isPair = true, .fraction = impact.fraction};
-        }
+        if (impact.hit) { next = {.hit = true, .isPair = true, .fraction = impact.fraction}; }
     }
     return next;
 }
@@ -167,9 +143,7 @@ void advanceAll(Clash& clash, double fraction) {
     for (std::size_t i = 0; i < clash.work.flights.size(); ++i) {
         advance(clash.work.flights[i], clash.work.paths[i], fraction);
     }
-    for (ClashPair& pair : clash.work.pairs) {
-        pair.isMet = false;
-    }
+    for (ClashPair& pair : clash.work.pairs) { pair.isMet = false; }
 }
 
 /// @return whether the step was used up within the budget of impacts
@@ -178,16 +152,12 @@ bool flyThrough(Clash& clash) {
     const int most =
         std::min(kImpactsPerMember * static_cast<int>(work.flights.size()), clash.world.settings.maxImpacts);
     resolvePairs(clash, true);
-    if (!allLeave(clash)) {
-        return false;
-    }
+    if (!allLeave(clash)) { return false; }
     resolveGround(clash);
     for (int impacts = 0; impacts <= most; ++impacts) {
         const NextImpact next = nextImpactOf(clash);
         advanceAll(clash, next.hit ? next.fraction : 1);
-        if (!next.hit) {
-            return true;
-        }
+        if (!next.hit) { return true; }
         ++clash.scratch.impacts;
         if (next.isPair) {
             resolvePairs(clash, false);
@@ -195,9 +165,7 @@ bool flyThrough(Clash& clash) {
         } else {
             resolveStanding(work.flights[next.flight]);
         }
-        for (const Flight& flight : work.flights) {
-            notePose(flight);
-        }
+        for (const Flight& flight : work.flights) { notePose(flight); }
     }
     return false;
 }
@@ -220,9 +188,7 @@ void store(Clash& clash) {
 bool clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
            double dt, FlightScratch& scratch, ClashScratch& work) {
     Clash clash{world, scratch, work, dt};
-    if (!begin(clash, members, contacts)) {
-        return false;
-    }
+    if (!begin(clash, members, contacts)) { return false; }
     const std::size_t events = scratch.events.size();
     const std::size_t poses = scratch.impactPoses.size();
     const std::uint64_t impacts = scratch.impacts;

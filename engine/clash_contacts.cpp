@@ -23,9 +23,7 @@ void setApart(Clash& clash, ClashPair& pair) {
     const double target = targetOf(world, pair.shapes);
     const double gap = target - static_cast<double>(pair.deepest);
     const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
-    if (!(gap > noise) || pair.deepest < -kShallowRatio * world.contacts[pair.contact].extent) {
-        return;
-    }
+    if (!(gap > noise) || pair.deepest < -kShallowRatio * world.contacts[pair.contact].extent) { return; }
     pair.deepest = static_cast<Real>(target);
     const auto inverseFirst = static_cast<double>(first.body().inverseMass);
     const auto inverseSecond = static_cast<double>(second.body().inverseMass);
@@ -45,17 +43,13 @@ Manifold manifoldOf(const Clash& clash, const ClashPair& pair, bool isStart) {
     const Real reach = reachOf(clash.world, pair.shapes);
     const Flight& first = clash.work.flights[pair.first];
     const Flight& second = clash.work.flights[pair.second];
-    if (!isStart) {
-        return obstacleManifold(clash.world, pair.shapes, first.motion.pose, second.motion.pose, reach);
-    }
+    if (!isStart) { return obstacleManifold(clash.world, pair.shapes, first.motion.pose, second.motion.pose, reach); }
     // The contact has that of the start of the step, with points that are farther apart, too.
     Manifold manifold = clash.world.contacts[pair.contact].manifold;
     manifold.count = 0;
     for (std::size_t k = 0; k < 2; ++k) {
         const bool isThere = k < static_cast<std::size_t>(clash.world.contacts[pair.contact].manifold.count);
-        if (!isThere || manifold.points[k].separation > reach) {
-            continue;
-        }
+        if (!isThere || manifold.points[k].separation > reach) { continue; }
         manifold.points[static_cast<std::size_t>(manifold.count++)] = manifold.points[k];
     }
     return manifold;
@@ -70,9 +64,7 @@ void listMet(Clash& clash, bool isStart) {
         const Flight& first = work.flights[pair.first];
         const Flight& second = work.flights[pair.second];
         const Manifold manifold = manifoldOf(clash, pair, isStart);
-        if (manifold.count == 0) {
-            continue;
-        }
+        if (manifold.count == 0) { continue; }
         const Contact& contact = clash.world.contacts[pair.contact];
         ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
                                                     contact.friction, contact.restitution, 0);
@@ -96,9 +88,7 @@ void report(Clash& clash, const ContactConstraint& constraint) {
     pair.impulse[0] += a.totalNormalImpulse;
     pair.impulse[1] += b.totalNormalImpulse;
     const Real speed = std::max(a.bounceApproach, b.bounceApproach);
-    if (!(speed > std::max(first.threshold(), second.threshold()))) {
-        return;
-    }
+    if (!(speed > std::max(first.threshold(), second.threshold()))) { return; }
     const WorldState& world = clash.world;
     const Contact& contact = world.contacts[pair.contact];
     const Vec2 arm = b.totalNormalImpulse > a.totalNormalImpulse ? b.anchorB : a.anchorB;
@@ -147,13 +137,9 @@ void reflect(Clash& clash) {
 
 void resolvePairs(Clash& clash, bool isStart) {
     listMet(clash, isStart);
-    if (clash.work.constraints.empty()) {
-        return;
-    }
+    if (clash.work.constraints.empty()) { return; }
     reflect(clash);
-    for (const ContactConstraint& constraint : clash.work.constraints) {
-        report(clash, constraint);
-    }
+    for (const ContactConstraint& constraint : clash.work.constraints) { report(clash, constraint); }
 }
 
 bool allLeave(const Clash& clash) {
@@ -167,9 +153,7 @@ bool allLeave(const Clash& clash) {
             const Vec2 velocity = b.velocity + cross(b.angularVelocity, point.anchorB) - a.velocity -
                                   cross(a.angularVelocity, point.anchorA);
             const Real way = static_cast<Real>(clash.dt) * dot(velocity, constraint.normal);
-            if (depth > kShallowRatio * contact.extent && !(kStepsToLeave * way > depth)) {
-                return false;
-            }
+            if (depth > kShallowRatio * contact.extent && !(kStepsToLeave * way > depth)) { return false; }
         }
     }
     return true;

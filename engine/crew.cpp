@@ -73,9 +73,7 @@ bool Crew::takeBlocks(std::uint64_t ticket, bool fromFront, int worker) {
 }
 
 void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t, int)> body) {
-    if (count == 0) {
-        return;
-    }
+    if (count == 0) { return; }
     const std::size_t length = std::max({grain, (count - 1) / kMostBlocks + 1, std::size_t{1}});
     const std::size_t blocks = (count - 1) / length + 1;
     const auto helpers = static_cast<std::size_t>(helpers_.load(std::memory_order_relaxed));
@@ -91,12 +89,9 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     share_.store((blocks - 1) / claims + 1, std::memory_order_relaxed);
     const std::uint64_t loop = (ticket_.load(std::memory_order_relaxed) >> kLoopShift) + 1;
     ticket_.store((loop << kLoopShift) | blocks, std::memory_order_release);
-    while (takeBlocks(ticket_.load(std::memory_order_relaxed), true, leader_)) {
-    }
+    while (takeBlocks(ticket_.load(std::memory_order_relaxed), true, leader_)) {}
     Patience patience;
-    while (done_.load(std::memory_order_acquire) != blocks) {
-        patience.wait();
-    }
+    while (done_.load(std::memory_order_acquire) != blocks) { patience.wait(); }
 }
 
 void Crew::help(int worker) {
@@ -104,9 +99,7 @@ void Crew::help(int worker) {
     Patience patience;
     for (;;) {
         const std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
-        if (ticket == kOver) {
-            return;
-        }
+        if (ticket == kOver) { return; }
         if (takeBlocks(ticket, fromFront, worker)) {
             patience.renew();
         } else {

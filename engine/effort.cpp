@@ -12,9 +12,9 @@ namespace {
 
 /// Sub-steps are no longer than this part of the time √(extent/|gravity|) in which things fall their own size.
 constexpr double kSubStepRatio = 0.1;
-/// Stacks that iteration carries badly: centres so many times as far apart as their thinnest body is thick, or masses so
-/// far apart. Three boxes of one size are 2 apart, but for what they sink in by: at 2 they were solved all at once in
-/// the first step, sank in under the springs of the next ones, and were never high again.
+/// Stacks that iteration carries badly: centres so many times as far apart as their thinnest body is thick, or masses
+/// so far apart. Three boxes of one size are 2 apart, but for what they sink in by: at 2 they were solved all at once
+/// in the first step, sank in under the springs of the next ones, and were never high again.
 constexpr double kHighStack = 1.5;
 constexpr Real kHeavyRatio = 8;
 /// Contacts that close loops: in larger webs the factor fills up.

@@ -23,12 +23,8 @@ inline constexpr int kMostSubSteps = 64;
 
 /// At least 1.
 constexpr int subStepsFor(Effort effort, int subSteps) {
-    if (effort.isSettled) {
-        return 1;
-    }
-    if (effort.doublings >= 0) {
-        return subSteps << effort.doublings;
-    }
+    if (effort.isSettled) { return 1; }
+    if (effort.doublings >= 0) { return subSteps << effort.doublings; }
     const int halved = subSteps >> -effort.doublings;
     return halved > 1 ? halved : 1;
 }

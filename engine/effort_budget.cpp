@@ -35,9 +35,7 @@ Real blowOf(const WorldState& world, const Contact& contact, Real dt) {
     const Body& bodyA = world.bodies[contact.bodyA];
     const Body& bodyB = world.bodies[contact.bodyB];
     const bool alone = !bodyA.isDynamic() ? !bodyB.touchesDynamic : !bodyB.isDynamic() && !bodyA.touchesDynamic;
-    if (alone) {
-        return 0;
-    }
+    if (alone) { return 0; }
     const BodyMotion& a = world.motions[contact.bodyA];
     const BodyMotion& b = world.motions[contact.bodyB];
     const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);
@@ -49,9 +47,7 @@ Real blowOf(const WorldState& world, const Contact& contact, Real dt) {
         const Vec2 velocity = b.velocity + cross(b.angularVelocity, toReal(place - b.center)) - a.velocity -
                               cross(a.angularVelocity, toReal(place - a.center));
         const Real speed = -dot(velocity, normal);
-        if ((speed + fall) * dt > point.separation) {
-            fastest = std::max(fastest, speed);
-        }
+        if ((speed + fall) * dt > point.separation) { fastest = std::max(fastest, speed); }
     }
     const Real heavier = std::min(bodyA.inverseMass, bodyB.inverseMass);
     return fastest * dt * (1 - heavier / (bodyA.inverseMass + bodyB.inverseMass));
@@ -65,14 +61,10 @@ Real pushOf(const Body& body, Real dt) {
 }
 
 void measureBodies(WorldState& world, Real dt) {
-    for (const std::uint32_t slot : world.awake) {
-        world.islandErrors[slot] = {};
-    }
+    for (const std::uint32_t slot : world.awake) { world.islandErrors[slot] = {}; }
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
-        if (body.role != BodyRole::solved) {
-            continue;
-        }
+        if (body.role != BodyRole::solved) { continue; }
         IslandErrors& errors = world.islandErrors[world.islands.find(slot)];
         // What was solved all at once had few sub-steps and no error: that tells nothing about what iteration needs.
         const bool tells = body.effort.direct != DirectScope::all;
@@ -85,13 +77,9 @@ void measureBodies(WorldState& world, Real dt) {
 void measureContacts(WorldState& world, Real dt) {
     const Real budget = world.settings.maxPenetration;
     for (const Contact& contact : world.contacts) {
-        if (!contact.isSolid()) {
-            continue;
-        }
+        if (!contact.isSolid()) { continue; }
         const std::uint32_t slot = movingBodyOf(world, contact);
-        if (!world.bodies[slot].awake) {
-            continue;
-        }
+        if (!world.bodies[slot].awake) { continue; }
         IslandErrors& errors = world.islandErrors[world.islands.find(slot)];
         const Real depth = -deepestSeparation(contact.manifold);
         errors.hasContacts = true;
@@ -121,20 +109,14 @@ class Search {
 public:
     Search(const WorldSettings& settings, std::int8_t before)
         : subSteps_(subStepsOf(settings)), most_(std::max(kMostSubSteps, subSteps_)), before_(before) {
-        while (subStepsFor({.doublings = before_}, subSteps_) > most_) {
-            --before_;
-        }  // other settings, before
+        while (subStepsFor({.doublings = before_}, subSteps_) > most_) { --before_; }  // other settings, before
     }
 
     /// What an error becomes that the sub-steps of the last step left.
     std::int8_t doublingsForError(Real error, Real budget) const {
         std::int8_t doublings = before_;
-        if (error < kLowerRatio * budget) {
-            return --doublings;
-        }
-        for (; error > kRaiseRatio * budget && mayDouble(doublings); error /= kErrorOfDoubling) {
-            ++doublings;
-        }
+        if (error < kLowerRatio * budget) { return --doublings; }
+        for (; error > kRaiseRatio * budget && mayDouble(doublings); error /= kErrorOfDoubling) { ++doublings; }
         return doublings;
     }
     /// What comes anew in this step, and falls with the sub-steps or with their square.
@@ -144,9 +126,7 @@ public:
             const auto n = static_cast<Real>(subStepsFor({.doublings = doublings}, subSteps_));
             return blow > kBlowRatio * budget * n || push > kForceRatio * budget * n * n;
         };
-        while (goesFar() && mayDouble(doublings)) {
-            ++doublings;
-        }
+        while (goesFar() && mayDouble(doublings)) { ++doublings; }
         return doublings;
     }
 
@@ -190,9 +170,7 @@ void keepErrorBudgets(WorldState& world, double dt) {
     measureJoints(world);
     for (const std::uint32_t slot : world.awake) {
         IslandLoad& load = world.islandLoads[slot];
-        if (load.bodies == 0) {
-            continue;
-        }
+        if (load.bodies == 0) { continue; }
         load.effort.doublings = doublingsFor(world.settings, world.islandErrors[slot], load.effort);
     }
 }

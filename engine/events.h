@@ -11,10 +11,10 @@ enum class ContactEventType : std::uint8_t { begin, end, hit, sensorBegin, senso
 
 /// Why a body did not use its whole step.
 enum class LostTimeReason : std::uint8_t {
-    stop,    ///< continuous mode `stop`
-    budget,  ///< `maxImpacts` was used up
-    stuck,   ///< it could not move without passing through something
-    clamp,   ///< a fast body with joints or touching neighbours was held at its impact
+    stop,        ///< continuous mode `stop`
+    budget,      ///< `maxImpacts` was used up
+    stuck,       ///< it could not move without passing through something
+    clamp,       ///< a fast body with joints or touching neighbours was held at its impact
     speedLimit,  ///< continuous mode `speedLimit` cut the speed: the part of its way that it did not go, as time
 };
 
@@ -44,11 +44,11 @@ struct ContactEvent {
     ShapeId shapeB{};
     BodyId bodyA{};
     BodyId bodyB{};
-    double fraction = 0;     ///< of the step, 0 … 1
-    /// World; of sensor events half way between the closest points, or the deepest where the two overlap; 0 where the shapes
-    /// were apart or gone already.
+    double fraction = 0;  ///< of the step, 0 … 1
+    /// World; of sensor events half way between the closest points, or the deepest where the two overlap; 0 where the
+    /// shapes were apart or gone already.
     DVec2 point{};
-    Vec2 normal{};             ///< unit, from A to B
+    Vec2 normal{};           ///< unit, from A to B
     Real approachSpeed = 0;  ///< m/s before a hit
     Real impulse = 0;        ///< N·s of a hit, along the normal
 };

@@ -38,8 +38,8 @@ Real deepestOf(const ContactConstraint& constraint) {
     return constraint.count > 1 ? std::min(first, constraint.points[1].baseSeparation) : first;
 }
 
-/// Faces that meet flush meet at all their points: what the slop tells from touching takes part in the impact of another
-/// point with the same normal, or the body would be thrown about the corner that happens to come first.
+/// Faces that meet flush meet at all their points: what the slop tells from touching takes part in the impact of
+/// another point with the same normal, or the body would be thrown about the corner that happens to come first.
 void dropWhatIsNotMet(Flight& flight) {
     std::vector<ContactConstraint>& all = flight.scratch->constraints;
     const auto isMet = [&](const ContactConstraint& constraint) {
@@ -68,10 +68,9 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
     const Real margin = std::max(reachOf(*flight.world, obstacle), slopOf(*flight.world, obstacle));
     const Manifold manifold = obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, margin);
     if (manifold.count == 0) { return; }
-    ContactConstraint constraint =
-        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion,
-                     std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
-                     std::max(own.def.restitution, other.def.restitution), 0);
+    ContactConstraint constraint = constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion,
+                                                std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
+                                                std::max(own.def.restitution, other.def.restitution), 0);
     constraint.source = source;
     constraint.slotB = kFlyerSlot;
     if (otherBody.def.type == BodyType::kinematic) {
@@ -93,17 +92,16 @@ bool report(Flight& flight, const ContactConstraint& constraint) {
     const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
     const Shape& other = flight.world->shapes[obstacle.other];
     const Vec2 arm = second.totalNormalImpulse > first.totalNormalImpulse ? second.anchorB : first.anchorB;
-    flight.scratch->events.push_back(
-        {.type = ContactEventType::hit,
-         .shapeA = flight.world->shapes.idOf(other.head),
-         .shapeB = flight.world->shapes.idOf(flight.world->shapes[obstacle.own].head),
-         .bodyA = flight.world->bodies.idOf(other.body),
-         .bodyB = flight.world->bodies.idOf(flight.slot),
-         .fraction = flight.elapsed / flight.dt,
-         .point = flight.motion.center + toDouble(arm),
-         .normal = constraint.normal,
-         .approachSpeed = speed,
-         .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
+    flight.scratch->events.push_back({.type = ContactEventType::hit,
+                                      .shapeA = flight.world->shapes.idOf(other.head),
+                                      .shapeB = flight.world->shapes.idOf(flight.world->shapes[obstacle.own].head),
+                                      .bodyA = flight.world->bodies.idOf(other.body),
+                                      .bodyB = flight.world->bodies.idOf(flight.slot),
+                                      .fraction = flight.elapsed / flight.dt,
+                                      .point = flight.motion.center + toDouble(arm),
+                                      .normal = constraint.normal,
+                                      .approachSpeed = speed,
+                                      .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
     return true;
 }
 
@@ -161,13 +159,15 @@ void noteMet(Flight& flight) {
     }
 }
 
-/// What was met just now, and along whose normal the path only leads away, however the body turns, is not met again: the
-/// separation along that axis grows as the centre goes, less what the turn may bring.
+/// What was met just now, and along whose normal the path only leads away, however the body turns, is not met again:
+/// the separation along that axis grows as the centre goes, less what the turn may bring.
 void dropWhatIsLeft(const Flight& flight, const Sweep& sweep) {
     FlightScratch& scratch = *flight.scratch;
     if (scratch.met.empty()) { return; }
     std::erase_if(scratch.obstacles, [&](const FlightObstacle& obstacle) {
-        const auto isSame = [&](const MetGround& met) { return met.own == obstacle.own && met.other == obstacle.other; };
+        const auto isSame = [&](const MetGround& met) {
+            return met.own == obstacle.own && met.other == obstacle.other;
+        };
         const auto met = std::find_if(scratch.met.begin(), scratch.met.end(), isSame);
         if (met == scratch.met.end()) { return false; }
         const DVec2 normal = toDouble(met->normal);
@@ -290,9 +290,9 @@ bool resolveStanding(Flight& flight) {
 
 void notePose(const Flight& flight) {
     flight.scratch->impactPoses.push_back({.body = flight.world->bodies.idOf(flight.slot),
-                                          .position = flight.motion.pose.position,
-                                          .angle = flight.motion.angle,
-                                          .fraction = flight.elapsed / flight.dt});
+                                           .position = flight.motion.pose.position,
+                                           .angle = flight.motion.angle,
+                                           .fraction = flight.elapsed / flight.dt});
 }
 
 void limitSpeed(Flight& flight) {

@@ -20,14 +20,14 @@ struct FlightObstacle {
     std::uint32_t own = 0;    ///< slot of the swept body's shape
     std::uint32_t other = 0;  ///< slot of the obstacle
     double level = 0;         ///< separation at which the next impact is looked for, metres
-    DVec2 lift{};               ///< overlap at the start, undone along the contact normal for the sweep
+    DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
 };
 
 /// Something static that a flyer met just now, and is not below its target of.
 struct MetGround {
     std::uint32_t own = 0;  ///< slots, as in `FlightObstacle`
     std::uint32_t other = 0;
-    Vec2 normal{};          ///< towards the flyer
+    Vec2 normal{};  ///< towards the flyer
 };
 
 /// An obstacle by its distance from the start of a sweep.
@@ -66,7 +66,7 @@ struct Flight {
     FlightScratch* scratch;
     BodyMotion motion;
     double dt;
-    double elapsed = 0;   ///< seconds
+    double elapsed = 0;              ///< seconds
     std::array<Vec2, 4> carriers{};  ///< normals of what carries it
     int carrierCount = 0;
     bool stops = false;  ///< mode `stop`: it stays at its first hit
@@ -76,13 +76,14 @@ struct Flight {
     double remaining() const { return dt - elapsed; }
 };
 
-/// Integrates the whole step of a flyer: free flight to its first impact, the impact with all contacts of that moment, and
-/// on through the remaining time; in mode `stop` that is lost. Touches only the body's own state and the scratch, so flyers may run in any order.
+/// Integrates the whole step of a flyer: free flight to its first impact, the impact with all contacts of that moment,
+/// and on through the remaining time; in mode `stop` that is lost. Touches only the body's own state and the scratch,
+/// so flyers may run in any order.
 void fly(WorldState& world, std::uint32_t body, double dt, FlightScratch& scratch);
 
-/// Sweeps a body from its start pose of this part of the step to its present pose; at an impact with something static or
-/// kinematic it stays there, keeps its velocity (less what it gained by falling in the time it lost), and the rest of the
-/// part enters the ledger.
+/// Sweeps a body from its start pose of this part of the step to its present pose; at an impact with something static
+/// or kinematic it stays there, keeps its velocity (less what it gained by falling in the time it lost), and the rest
+/// of the part enters the ledger.
 void clampAtImpact(WorldState& world, std::uint32_t body, const StepPart& part, LostTimeReason reason,
                    FlightScratch& scratch);
 /// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it

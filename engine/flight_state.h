@@ -18,8 +18,8 @@ Sweep sweepOf(const Flight& flight);
 FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit = 1);
 /// On to a fraction of the rest of the step, velocities too.
 void advance(Flight& flight, const Sweep& sweep, double fraction);
-/// Contacts of this moment with static and kinematic shapes, all together: approaching velocities are reflected, slow ones
-/// stopped. The first one takes those that the last search found; the second one looks for them.
+/// Contacts of this moment with static and kinematic shapes, all together: approaching velocities are reflected, slow
+/// ones stopped. The first one takes those that the last search found; the second one looks for them.
 /// @return whether any of them was a hit: faster than what does not bounce
 bool resolveHere(Flight& flight);
 bool resolveStanding(Flight& flight);

@@ -12,9 +12,7 @@ namespace {
 bool isClear(const WorldState& world, const Body& body, const Sweep& path) {
     return std::all_of(body.shapes.begin(), body.shapes.end(), [&](std::uint32_t slot) {
         const Shape& own = world.shapes[slot];
-        if (own.def.sensor) {
-            return true;
-        }
+        if (own.def.sensor) { return true; }
         bool nothing = true;
         world.broadphase->queryGround(boxOfPath(own, path), [&nothing](ProxyId) { return nothing = false; });
         return nothing;
@@ -53,15 +51,11 @@ FreeVelocity velocityAfter(const BodyMotion& motion, const Drift& drift) {
 
 bool flyClear(WorldState& world, std::uint32_t slot, double dt) {
     const Body& body = world.bodies[slot];
-    if (body.hasContact || world.settings.maxSpeed < std::numeric_limits<Real>::infinity()) {
-        return false;
-    }
+    if (body.hasContact || world.settings.maxSpeed < std::numeric_limits<Real>::infinity()) { return false; }
     BodyMotion& motion = world.motions[slot];
     const Drift drift = driftOf(world, body, dt);
     const Sweep path = freePath(body, motion, drift);
-    if (!isClear(world, body, path)) {
-        return false;
-    }
+    if (!isClear(world, body, path)) { return false; }
     const FreeVelocity after = velocityAfter(motion, drift);
     motion.center = path.c1;
     motion.angle = path.a1;

@@ -4,8 +4,8 @@
 
 namespace swept {
 
-/// Names of things in a world: a slot and its generation. A default one is null; one whose thing was destroyed is stale for
-/// ever (a slot is retired when its generation would wrap). Both are refused with `staleId`.
+/// Names of things in a world: a slot and its generation. A default one is null; one whose thing was destroyed is stale
+/// for ever (a slot is retired when its generation would wrap). Both are refused with `staleId`.
 struct BodyId {
     std::uint32_t index = 0xFFFFFFFFu;
     std::uint32_t generation = 0;

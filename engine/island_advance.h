@@ -4,15 +4,16 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Islands of more members are moved as if nothing in them were fast, and what strikes something on its way is held there: too
-/// many bodies for going through the step more than once, which profile `fast` does less often.
+/// Islands of more members are moved as if nothing in them were fast, and what strikes something on its way is held
+/// there: too many bodies for going through the step more than once, which profile `fast` does less often.
 std::size_t mostTogether(const WorldSettings& settings);
 
-/// Advances one island through the step, all of it together from impact to impact: a part of the step is solved, its fast
-/// members are swept over it, and where one of them would meet something static or kinematic that no contact holds it off yet,
-/// the part is taken back and made as long as it takes to get there; then the contact is known, and takes part in the next
-/// solve. Parts get no shorter than a certain share of the step: in those a member is held at its impact on its own, and what
-/// it loses enters the ledger. A body on its own flies (flight.h) when it would meet something.
+/// Advances one island through the step, all of it together from impact to impact: a part of the step is solved, its
+/// fast members are swept over it, and where one of them would meet something static or kinematic that no contact holds
+/// it off yet, the part is taken back and made as long as it takes to get there; then the contact is known, and takes
+/// part in the next solve. Parts get no shorter than a certain share of the step: in those a member is held at its
+/// impact on its own, and what it loses enters the ledger. A body on its own flies (flight.h) when it would meet
+/// something.
 /// @pre members, joints and held contacts of the island are in `world.fastIslands`
 void advanceIsland(WorldState& world, double dt, FlightScratch& scratch);
 

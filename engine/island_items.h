@@ -15,9 +15,7 @@ public:
     /// Of all that was added since `clear`. @param islands  how many there are
     void sort(std::size_t islands) {
         begins_.assign(islands + 1, 0);
-        for (const Added& one : added_) {
-            ++begins_[one.island];
-        }
+        for (const Added& one : added_) { ++begins_[one.island]; }
         std::uint32_t sum = 0;
         for (std::uint32_t& begin : begins_) {
             sum += begin;
@@ -25,9 +23,7 @@ public:
         }
         // Each begin is still where its island ends: filled from behind, it comes to where it begins.
         items_.resize(added_.size());
-        for (auto one = added_.rbegin(); one != added_.rend(); ++one) {
-            items_[--begins_[one->island]] = one->item;
-        }
+        for (auto one = added_.rbegin(); one != added_.rend(); ++one) { items_[--begins_[one->island]] = one->item; }
     }
     /// @pre sorted
     std::span<const std::uint32_t> of(std::size_t island) const {

@@ -159,7 +159,8 @@ struct ConstraintFiller {
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
         constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
         constraint.centerOffset = centerOffset(world, joint);
-        // In sub-steps shorter than the usual ones errors are mended no faster: what relaxation leaves of it would be energy.
+        // In sub-steps shorter than the usual ones errors are mended no faster: what relaxation leaves of it would be
+        // energy.
         const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
         const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, world.bodies[moving].effort));
         constraint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, std::max(h, usual));

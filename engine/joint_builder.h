@@ -4,8 +4,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Adds the constraint of a joint to the batch: with the slots and arms of the present poses and warm-start impulses. A filter
-/// has none. @param source  slot of the joint; @param h  length of a sub-step; @param dt  of the step
+/// Adds the constraint of a joint to the batch: with the slots and arms of the present poses and warm-start impulses. A
+/// filter has none. @param source  slot of the joint; @param h  length of a sub-step; @param dt  of the step
 void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt);
 
 /// Takes impulses and reactions back from a solved batch.

@@ -43,8 +43,7 @@ Status checkBase(const WorldState& world, const JointDef& def) {
     if (!world.bodies.isValid(def.bodyA)) { return {StatusCode::staleId, "bodyA"}; }
     if (!world.bodies.isValid(def.bodyB)) { return {StatusCode::staleId, "bodyB"}; }
     if (def.bodyA == def.bodyB) { return {StatusCode::sameBody, "bodyB"}; }
-    const bool anyDynamic =
-        world.bodies[def.bodyA.index].isDynamic() || world.bodies[def.bodyB.index].isDynamic();
+    const bool anyDynamic = world.bodies[def.bodyA.index].isDynamic() || world.bodies[def.bodyB.index].isDynamic();
     if (!anyDynamic) { return {StatusCode::wrongBodyType, "bodyB"}; }
     return checkBreakLimits(def.breakForce, def.breakTorque);
 }
@@ -94,12 +93,12 @@ Status checkStrength(const std::optional<Real>& strength, const char* field) {
 }
 
 Status checkDrive(const MotorDrive& drive) {
-    const Status numbers = firstFault({checkNumber(drive.linearOffset.value_or(Vec2{}), "linearOffset"),
-                                       checkNumber(drive.linearVelocity.value_or(Vec2{}), "linearVelocity"),
-                                       checkFinite(drive.angularOffset.value_or(0), "angularOffset"),
-                                       checkFinite(drive.angularVelocity.value_or(0), "angularVelocity"),
-                                       checkStrength(drive.maxForce, "maxForce"),
-                                       checkStrength(drive.maxTorque, "maxTorque")});
+    const Status numbers =
+        firstFault({checkNumber(drive.linearOffset.value_or(Vec2{}), "linearOffset"),
+                    checkNumber(drive.linearVelocity.value_or(Vec2{}), "linearVelocity"),
+                    checkFinite(drive.angularOffset.value_or(0), "angularOffset"),
+                    checkFinite(drive.angularVelocity.value_or(0), "angularVelocity"),
+                    checkStrength(drive.maxForce, "maxForce"), checkStrength(drive.maxTorque, "maxTorque")});
     if (!numbers.ok()) { return numbers; }
     // Which of the two would count is not for us to guess.
     if (drive.linearOffset && drive.linearVelocity) { return {StatusCode::outOfRange, "linearVelocity"}; }

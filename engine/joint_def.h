@@ -25,8 +25,8 @@ enum class JointType : std::uint8_t {
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Common to all joints. Anchors are world points, axes world directions, at the poses the bodies have when the joint is made;
-/// angles and translations of a joint are 0 then. An empty limit, motor or spring does not exist.
+/// Common to all joints. Anchors are world points, axes world directions, at the poses the bodies have when the joint
+/// is made; angles and translations of a joint are 0 then. An empty limit, motor or spring does not exist.
 struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};
@@ -36,8 +36,8 @@ struct JointDef {
     std::uint64_t userData = 0;
 };
 
-/// Undamped it keeps its amplitude while a sub-step is less than 1/25 of its period; what is stiffer is damped by as much as a
-/// stable step needs.
+/// Undamped it keeps its amplitude while a sub-step is less than 1/25 of its period; what is stiffer is damped by as
+/// much as a stable step needs.
 struct Spring {
     Real hertz = 0;         ///< greater than 0; of the two bodies alone, held by nothing but this joint
     Real dampingRatio = 0;  ///< at least 0; 1 is critical
@@ -101,11 +101,13 @@ struct WheelJointDef {
     DVec2 axis{0, 1};  ///< of any length greater than 0
     std::optional<TranslationLimits> limits{};
     std::optional<AngularMotor> motor{};
-    std::optional<Spring> spring{};  ///< along the axis, towards the initial place; empty: none, the wheel slides freely
+    std::optional<Spring>
+        spring{};  ///< along the axis, towards the initial place; empty: none, the wheel slides freely
 };
 
-/// Two bodies as one; where a spring is given, held by that spring. The linear one and the angular one do not know of each
-/// other: where both are given, each has the hertz it has with the other at rest only for anchors at the centres of mass.
+/// Two bodies as one; where a spring is given, held by that spring. The linear one and the angular one do not know of
+/// each other: where both are given, each has the hertz it has with the other at rest only for anchors at the centres
+/// of mass.
 struct WeldJointDef {
     JointDef base{};
     DVec2 anchor{};
@@ -115,12 +117,13 @@ struct WeldJointDef {
 
 /// Where, or how fast, a motor joint drives B relative to A. A pose is approached so that the motor can stop there.
 struct MotorDrive {
-    std::optional<Vec2> linearOffset{};    ///< of B's origin in the frame of A, metres; empty: as it was when the joint was made
-    std::optional<Vec2> linearVelocity{};  ///< of B's origin in the frame of A, m/s; then there is no offset
-    std::optional<Real> angularOffset{};   ///< rad from the initial relative angle; empty: 0
-    std::optional<Real> angularVelocity{}; ///< of B relative to A, rad/s; then there is no offset
-    std::optional<Real> maxForce{};   ///< N, at least 0; empty: no linear drive
-    std::optional<Real> maxTorque{};  ///< N·m, at least 0; empty: no angular drive
+    std::optional<Vec2>
+        linearOffset{};  ///< of B's origin in the frame of A, metres; empty: as it was when the joint was made
+    std::optional<Vec2> linearVelocity{};   ///< of B's origin in the frame of A, m/s; then there is no offset
+    std::optional<Real> angularOffset{};    ///< rad from the initial relative angle; empty: 0
+    std::optional<Real> angularVelocity{};  ///< of B relative to A, rad/s; then there is no offset
+    std::optional<Real> maxForce{};         ///< N, at least 0; empty: no linear drive
+    std::optional<Real> maxTorque{};        ///< N·m, at least 0; empty: no angular drive
 };
 struct MotorJointDef {
     JointDef base{};
@@ -136,8 +139,9 @@ struct MouseJointDef {
     std::optional<Real> maxForce{};  ///< N, at least 0; empty: unlimited
 };
 
-/// Couples two revolute or prismatic joints: coordinate of A + ratio · coordinate of B is constant (radians, metres). Its
-/// bodies are those that the joints move, their B; `bodyA`, `bodyB` of `base` are filled in. Goes when either joint goes.
+/// Couples two revolute or prismatic joints: coordinate of A + ratio · coordinate of B is constant (radians, metres).
+/// Its bodies are those that the joints move, their B; `bodyA`, `bodyB` of `base` are filled in. Goes when either joint
+/// goes.
 struct GearJointDef {
     JointDef base{};
     JointId jointA{};
@@ -145,8 +149,8 @@ struct GearJointDef {
     Real ratio = 1;  ///< not 0
 };
 
-/// A rope from A over two fixed wheels to B: the length on A's side + ratio · the length on B's side is at most what it is in
-/// the beginning. It pulls and never pushes.
+/// A rope from A over two fixed wheels to B: the length on A's side + ratio · the length on B's side is at most what it
+/// is in the beginning. It pulls and never pushes.
 struct PulleyJointDef {
     JointDef base{};
     DVec2 groundA{};  ///< the wheels, world points

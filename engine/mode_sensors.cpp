@@ -7,8 +7,8 @@
 #include "sweep_obstacles.h"
 #include "tolerances.h"
 
-/// Sensors are looked at where the bodies stand at the start of a step (stage_collide.cpp). What moves fast may be in and
-/// out again between two looks: here its whole way is followed, impact by impact, past the sensors along it.
+/// Sensors are looked at where the bodies stand at the start of a step (stage_collide.cpp). What moves fast may be in
+/// and out again between two looks: here its whole way is followed, impact by impact, past the sensors along it.
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -36,9 +36,7 @@ void findWaypoints(const WorldState& world, std::uint32_t slot, std::vector<Wayp
     }
     std::stable_sort(points.begin(), points.end(),
                      [](const Waypoint& a, const Waypoint& b) { return a.fraction < b.fraction; });
-    if (points.back().fraction < 1) {
-        points.push_back({1, world.motions[slot].center, world.motions[slot].angle});
-    }
+    if (points.back().fraction < 1) { points.push_back({1, world.motions[slot].center, world.motions[slot].angle}); }
 }
 
 /// The way between two fractions that have no waypoint between them. A flyer's is a parabola.
@@ -105,8 +103,8 @@ struct Watch {
     }
 };
 
-/// A stretch of the step without impacts of either: at most one begin and one end. The last time of touching is the first
-/// one of the way back.
+/// A stretch of the step without impacts of either: at most one begin and one end. The last time of touching is the
+/// first one of the way back.
 void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, double from, double to) {
     const bool endsInside = isInside(separationAt(watch.sensor, sensorWay, watch.other, otherWay, 1));
     double began = from;

@@ -12,9 +12,7 @@ namespace {
 constexpr Real kRounding = 1 + Real(0x1p-18);
 
 /// Smallest width, radius included. Segments have none of their own: their `extent` is their length.
-Real widthOf(const Shape& shape) {
-    return shape.polygon.count <= 2 ? 2 * shape.polygon.radius : shape.extent;
-}
+Real widthOf(const Shape& shape) { return shape.polygon.count <= 2 ? 2 * shape.polygon.radius : shape.extent; }
 
 Real thinnestSolid(const WorldState& world, std::uint32_t body) {
     Real thinnest = std::numeric_limits<Real>::infinity();

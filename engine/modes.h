@@ -23,8 +23,8 @@ constexpr bool isWatched(ContinuousMode mode) {
 }
 
 /// Largest speed that any point of the body may have under `speedLimit`, m/s: half the width of the body and of the
-/// thinnest wall in a step. A width is the smallest of a shape, radius included: 0 of segments and chains without radius.
-/// Infinite while the world has no walls.
+/// thinnest wall in a step. A width is the smallest of a shape, radius included: 0 of segments and chains without
+/// radius. Infinite while the world has no walls.
 Real speedLimitOf(WorldState& world, std::uint32_t body, Real dt);
 
 /// Whether only mode `speculative` makes a contact between so distant shapes.

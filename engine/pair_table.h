@@ -5,8 +5,8 @@
 
 namespace swept {
 
-/// Set of pairs of shape slots: open addressing, linear probing, backward-shift deletion. Only looked up, never iterated,
-/// so its order cannot leak into results. Grows to the largest number of pairs seen and stays there.
+/// Set of pairs of shape slots: open addressing, linear probing, backward-shift deletion. Only looked up, never
+/// iterated, so its order cannot leak into results. Grows to the largest number of pairs seen and stays there.
 class PairTable {
 public:
     /// @return false when it was there already. Order of the two does not matter.

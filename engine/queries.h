@@ -23,8 +23,8 @@ struct CastHit {
     ShapeId shape{};
     BodyId body{};
     Real fraction = 0;  ///< of the translation, 0 … 1
-    DVec2 point{};        ///< world
-    Vec2 normal{};        ///< unit, outward from the shape that was hit; (0, 0) when the cast starts inside
+    DVec2 point{};      ///< world
+    Vec2 normal{};      ///< unit, outward from the shape that was hit; (0, 0) when the cast starts inside
 };
 
 /// One contact as the world sees it now.

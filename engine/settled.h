@@ -13,8 +13,8 @@ struct WorldState;
 /// @pre the efforts of the islands, without this, are in `WorldState::islandLoads`
 void markSettledIslands(WorldState& world, double dt);
 
-/// Lets islands that only hinges hold, and that hang still, make do with an eighth of the sub-steps. Still is what hardly
-/// moves, and what the forces of the hinges in the last step balance: a pendulum that turns back is not.
+/// Lets islands that only hinges hold, and that hang still, make do with an eighth of the sub-steps. Still is what
+/// hardly moves, and what the forces of the hinges in the last step balance: a pendulum that turns back is not.
 /// @pre as above
 void slowHangingIslands(WorldState& world, double dt);
 

@@ -11,17 +11,17 @@ namespace swept::inline SWEPT_PRECISION {
 
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
 
-/// A convex polygon on a body, or one segment of a chain. The segments of a chain are shapes of their own, linked in order;
-/// the first one carries the id that the user knows.
+/// A convex polygon on a body, or one segment of a chain. The segments of a chain are shapes of their own, linked in
+/// order; the first one carries the id that the user knows.
 struct Shape {
     Polygon polygon;       ///< of a chain segment: the segment as two-sided polygon
     ChainSegment segment;  ///< only when `isChainSegment`
     ShapeDef def;
     Real extent = 0;
-    Real size = 0;         ///< largest coordinate of a vertex plus radius: what the rounding of its poses is relative to
-    Real radius = 0;       ///< farthest point from the body's centre of mass
+    Real size = 0;    ///< largest coordinate of a vertex plus radius: what the rounding of its poses is relative to
+    Real radius = 0;  ///< farthest point from the body's centre of mass
     std::uint32_t body = kNoIndex;
-    std::uint32_t head = kNoIndex;         ///< slot of the shape that the user knows
+    std::uint32_t head = kNoIndex;  ///< slot of the shape that the user knows
     std::uint32_t nextInChain = kNoIndex;
     ProxyId proxy{};
     bool isChainSegment = false;

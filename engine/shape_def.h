@@ -6,8 +6,8 @@
 
 namespace swept {
 
-/// Two shapes collide when their groups are equal and positive; not when equal and negative; else when each one's category
-/// is in the other's mask.
+/// Two shapes collide when their groups are equal and positive; not when equal and negative; else when each one's
+/// category is in the other's mask.
 struct Filter {
     std::uint32_t category = 1;
     std::uint32_t mask = 0xFFFFFFFFu;
@@ -25,10 +25,10 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Surface and bulk of a shape. A pair mixes √(μ₁μ₂) and max(e₁, e₂).
 struct ShapeDef {
-    Real density = 1;      ///< kg/m², at least 0
+    Real density = 1;           ///< kg/m², at least 0
     Real friction = Real(0.6);  ///< at least 0
-    Real restitution = 0;  ///< 0 … 1
-    bool sensor = false;   ///< reports overlaps with kinematic and dynamic shapes, never collides
+    Real restitution = 0;       ///< 0 … 1
+    bool sensor = false;        ///< reports overlaps with kinematic and dynamic shapes, never collides
     Filter filter{};
     std::uint64_t userData = 0;
 };

@@ -36,8 +36,7 @@ Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, 
     if (face < 0) { return closest; }
     const Manifold onFace = collideOnFace(a.polygon, face, b.polygon, bInA, margin, kFaceSine);
     const Real slop = kTargetRatio * std::min(a.extent, b.extent);
-    const bool agrees =
-        onFace.count > 0 && std::fabs(deepestSeparation(onFace) - deepestSeparation(closest)) <= slop;
+    const bool agrees = onFace.count > 0 && std::fabs(deepestSeparation(onFace) - deepestSeparation(closest)) <= slop;
     return agrees ? onFace : closest;
 }
 

@@ -5,8 +5,8 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// Manifold of two shapes of the world, A's frame. Where A is ground (static or kinematic) and the normal lies within
-/// `kFaceSine` (ghosts.h) of one of its faces, that face gives the normal: a body that hangs over the end of a piece of a
-/// flat floor would otherwise be led along its own side, and steer itself off the floor by as much as it is tilted.
+/// `kFaceSine` (ghosts.h) of one of its faces, that face gives the normal: a body that hangs over the end of a piece of
+/// a flat floor would otherwise be led along its own side, and steer itself off the floor by as much as it is tilted.
 /// @param margin  largest separation at which a point is still reported, metres
 /// @param memory  of these two shapes, from query to query
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,

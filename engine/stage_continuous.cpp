@@ -12,7 +12,8 @@ namespace {
 /// Bodies per block: one sweep is work enough.
 constexpr std::size_t kFlyerGrain = 2;
 
-/// What is fast, or was flung: the solver moved it as far as only a fast body may, since something hit it within the step.
+/// What is fast, or was flung: the solver moved it as far as only a fast body may, since something hit it within the
+/// step.
 bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     if (!body.fast && !body.flung) { return false; }

@@ -165,7 +165,9 @@ void moveProxies(WorldState& world) {
     }
     world.outgrew.resize(world.awake.size());
     world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { world.outgrew[i] = hasOutgrownProxy(world, world.awake[i]) ? 1 : 0; }
+        for (std::size_t i = begin; i < end; ++i) {
+            world.outgrew[i] = hasOutgrownProxy(world, world.awake[i]) ? 1 : 0;
+        }
     });
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
         if (world.outgrew[i] != 0) { updateProxies(world, world.awake[i], false); }

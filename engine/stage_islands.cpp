@@ -17,15 +17,11 @@ void dropLargeIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     for (const std::uint32_t slot : world.tied) {
         std::uint32_t& members = fast.numbers[world.islands.find(slot)];
-        if (members != kNoIndex) {
-            ++members;
-        }
+        if (members != kNoIndex) { ++members; }
     }
     fast.any = false;
     for (std::uint32_t& members : fast.numbers) {
-        if (members != kNoIndex && members > mostTogether(world.settings)) {
-            members = kNoIndex;
-        }
+        if (members != kNoIndex && members > mostTogether(world.settings)) { members = kNoIndex; }
         fast.any = fast.any || members != kNoIndex;
     }
 }
@@ -34,24 +30,16 @@ void dropLargeIslands(WorldState& world) {
 void numberIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     for (const std::uint32_t slot : world.tied) {
-        if (!isFastTied(world, world.bodies[slot])) {
-            continue;
-        }
-        if (!fast.any) {
-            fast.numbers.assign(world.bodies.slotCount(), kNoIndex);
-        }
+        if (!isFastTied(world, world.bodies[slot])) { continue; }
+        if (!fast.any) { fast.numbers.assign(world.bodies.slotCount(), kNoIndex); }
         fast.any = true;
         fast.numbers[world.islands.find(slot)] = 0;
     }
-    if (!fast.any) {
-        return;
-    }
+    if (!fast.any) { return; }
     dropLargeIslands(world);
     std::uint32_t count = 0;
     for (std::uint32_t& number : fast.numbers) {
-        if (number != kNoIndex) {
-            number = count++;
-        }
+        if (number != kNoIndex) { number = count++; }
     }
     fast.isDone.assign(count, 0);
 }
@@ -63,9 +51,7 @@ void listBodies(WorldState& world) {
     fast.kinematics.clear();
     for (const std::uint32_t slot : world.tied) {
         const std::uint32_t number = fast.numbers[world.islands.find(slot)];
-        if (number == kNoIndex) {
-            continue;
-        }
+        if (number == kNoIndex) { continue; }
         world.bodies[slot].role = BodyRole::together;
         fast.numbers[slot] = number;
         fast.bodies.add(number, slot);
@@ -86,15 +72,11 @@ void listContactsAndJoints(WorldState& world) {
         const Contact& contact = world.contacts[i];
         const std::uint32_t ofA = fast.numbers[contact.bodyA];
         const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[contact.bodyB];
-        if (!contact.sensor && number != kNoIndex) {
-            fast.contacts.add(number, i);
-        }
+        if (!contact.sensor && number != kNoIndex) { fast.contacts.add(number, i); }
     }
     for (const std::uint32_t i : world.activeJoints) {
         for (const std::uint32_t slot : world.joints[i].allBodies()) {
-            if (fast.numbers[slot] == kNoIndex) {
-                continue;
-            }
+            if (fast.numbers[slot] == kNoIndex) { continue; }
             fast.joints.add(fast.numbers[slot], i);
             break;
         }
@@ -156,9 +138,7 @@ void advanceFastIslands(WorldState& world, double dt) {
         fast.held.clear();
         fast.sources.clear();
         for (const std::uint32_t index : fast.contacts.of(island)) {
-            if (!isInside(world, world.contacts[index])) {
-                continue;
-            }
+            if (!isInside(world, world.contacts[index])) { continue; }
             fast.held.push_back(world.contacts[index]);
             fast.sources.push_back(index);
         }

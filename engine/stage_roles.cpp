@@ -29,27 +29,17 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
 /// coming step is awake and fast.
 void startleNearKinematicBodies(WorldState& world, Real dt) {
     for (const Contact& contact : world.contacts) {
-        if (contact.sensor || contact.dynamicA == contact.dynamicB) {
-            continue;
-        }
+        if (contact.sensor || contact.dynamicA == contact.dynamicB) { continue; }
         const std::uint32_t kinematic = contact.dynamicB ? contact.bodyA : contact.bodyB;
         const std::uint32_t other = contact.dynamicB ? contact.bodyB : contact.bodyA;
         const Body& mover = world.bodies[kinematic];
-        if (mover.def.type != BodyType::kinematic || !mover.awake) {
-            continue;
-        }
+        if (mover.def.type != BodyType::kinematic || !mover.awake) { continue; }
         Body& body = world.bodies[other];
-        if (!(body.extent > 0)) {
-            continue;
-        }
-        if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) {
-            continue;
-        }
+        if (!(body.extent > 0)) { continue; }
+        if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) { continue; }
         const std::size_t before = world.awake.size();
         wake(world, other);
-        for (std::size_t i = before; i < world.awake.size(); ++i) {
-            resetBody(world, world.awake[i], dt);
-        }
+        for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], dt); }
         body.fast = body.startled = true;
         world.traits[other] |= kIsFast;
     }
@@ -96,9 +86,7 @@ Footing footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t oth
 /// Dynamic bodies that are near each other, one of them fast, but will not meet in this step do not hold each other.
 bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
     const Real gap = deepestSeparation(contact.manifold);
-    if (gap <= kEndRatio * contact.extent) {
-        return false;
-    }
+    if (gap <= kEndRatio * contact.extent) { return false; }
     const Body& a = world.bodies[contact.bodyA];
     const Body& b = world.bodies[contact.bodyB];
     const BodyMotion& motionA = world.motions[contact.bodyA];
@@ -131,17 +119,11 @@ void noteTouching(WorldState& world, Real dt) {
         BodyTraits& b = traits[pair.bodyB];
         const bool awakeA = (a & kIsAwake) != 0;
         const bool awakeB = (b & kIsAwake) != 0;
-        if (!awakeA && !awakeB) {
-            continue;
-        }
+        if (!awakeA && !awakeB) { continue; }
         if (!pair.areDynamic()) {
             const Contact& contact = world.contacts[pair.contact];
-            if (pair.dynamicA && awakeA) {
-                noteGround(world, pair.bodyA, pair.bodyB, contact, dt);
-            }
-            if (pair.dynamicB && awakeB) {
-                noteGround(world, pair.bodyB, pair.bodyA, contact, dt);
-            }
+            if (pair.dynamicA && awakeA) { noteGround(world, pair.bodyA, pair.bodyB, contact, dt); }
+            if (pair.dynamicB && awakeB) { noteGround(world, pair.bodyB, pair.bodyA, contact, dt); }
         } else if (((a | b) & kIsFast) != 0 && passEachOther(world, world.contacts[pair.contact], dt)) {
             world.contacts[pair.contact].manifold.count = 0;
             --world.counters.touching;
@@ -149,51 +131,37 @@ void noteTouching(WorldState& world, Real dt) {
         } else if (awakeA && awakeB) {
             world.islands.unite(pair.bodyA, pair.bodyB);
         }
-        if (awakeA) {
-            a |= pair.dynamicB ? kHasContact | kTouchesDynamic : kHasContact;
-        }
-        if (awakeB) {
-            b |= pair.dynamicA ? kHasContact | kTouchesDynamic : kHasContact;
-        }
+        if (awakeA) { a |= pair.dynamicB ? kHasContact | kTouchesDynamic : kHasContact; }
+        if (awakeB) { b |= pair.dynamicA ? kHasContact | kTouchesDynamic : kHasContact; }
         *keep++ = pair;
     }
     world.touching.erase(keep, world.touching.end());
 }
 
 BodyRole roleOf(const WorldState& world, const Body& body) {
-    if (!body.isDynamic()) {
-        return BodyRole::free;
-    }
+    if (!body.isDynamic()) { return BodyRole::free; }
     const ContinuousMode mode = modeOf(world, body);
     const bool alone = body.holdingJoints == 0 && !body.touchesDynamic;
     const bool isFlung = body.fast && (body.strikes || !body.rests);
     const bool flies = isFlung || (body.bounces && mode == ContinuousMode::subStep);
-    if (alone && flies && !body.deepContact && isSwept(mode)) {
-        return BodyRole::flyer;
-    }
+    if (alone && flies && !body.deepContact && isSwept(mode)) { return BodyRole::flyer; }
     return body.holdingJoints == 0 && !body.hasContact ? BodyRole::free : BodyRole::solved;
 }
 
 /// Joints that hold something awake, in the order of their slots: what follows costs nothing for those that sleep.
 void listActiveJoints(WorldState& world) {
     world.activeJoints.clear();
-    if (world.joints.size() == 0) {
-        return;
-    }
+    if (world.joints.size() == 0) { return; }
     const auto isAwake = [&world](std::uint32_t slot) {
         return world.bodies[slot].isDynamic() && world.bodies[slot].awake;
     };
     for (const std::uint32_t slot : world.awake) {
-        if (!isAwake(slot)) {
-            continue;
-        }
+        if (!isAwake(slot)) { continue; }
         for (const std::uint32_t index : world.bodies[slot].joints) {
             const Joint& joint = world.joints[index];
             const auto bodies = joint.allBodies();
             const bool isFirst = *std::find_if(bodies.begin(), bodies.end(), isAwake) == slot;
-            if (joint.holds() && isFirst) {
-                world.activeJoints.push_back(index);
-            }
+            if (joint.holds() && isFirst) { world.activeJoints.push_back(index); }
         }
     }
     std::sort(world.activeJoints.begin(), world.activeJoints.end());
@@ -204,13 +172,9 @@ void listActiveJoints(WorldState& world) {
 void assignRoles(WorldState& world, Real dt) {
     world.traits.assign(world.bodies.slotCount(), 0);
     world.loops->run(world.awake.size(), kResetGrain, [&world, dt](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) {
-            resetBody(world, world.awake[i], dt);
-        }
+        for (std::size_t i = begin; i < end; ++i) { resetBody(world, world.awake[i], dt); }
     });
-    if (world.kinematicBodies > 0) {
-        startleNearKinematicBodies(world, dt);
-    }
+    if (world.kinematicBodies > 0) { startleNearKinematicBodies(world, dt); }
     world.islands.reset(world.bodies.slotCount());
     noteTouching(world, dt);
     world.flyers.clear();
@@ -224,12 +188,8 @@ void assignRoles(WorldState& world, Real dt) {
         body.touchesDynamic = (world.traits[slot] & kTouchesDynamic) != 0;
         body.role = roleOf(world, body);
         world.anyFast = world.anyFast || body.fast || body.def.bullet || body.role == BodyRole::flyer;
-        if (body.role == BodyRole::flyer) {
-            world.flyers.push_back(slot);
-        }
-        if (body.role == BodyRole::solved) {
-            world.tied.push_back(slot);
-        }
+        if (body.role == BodyRole::flyer) { world.flyers.push_back(slot); }
+        if (body.role == BodyRole::solved) { world.tied.push_back(slot); }
         world.counters.freeBodies += body.role == BodyRole::free ? 1 : 0;
     }
     world.counters.solvedBodies = world.tied.size();
@@ -245,14 +205,10 @@ void findIslands(WorldState& world) {
         const auto bodies = world.joints[i].allBodies();
         const std::uint32_t first = *std::find_if(bodies.begin(), bodies.end(), moves);
         for (const std::uint32_t other : bodies) {
-            if (isAwake(first) && isAwake(other)) {
-                world.islands.unite(first, other);
-            }
+            if (isAwake(first) && isAwake(other)) { world.islands.unite(first, other); }
         }
     }
-    for (const std::uint32_t slot : world.tied) {
-        world.counters.islands += world.islands.find(slot) == slot ? 1 : 0;
-    }
+    for (const std::uint32_t slot : world.tied) { world.counters.islands += world.islands.find(slot) == slot ? 1 : 0; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

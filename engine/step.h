@@ -2,13 +2,13 @@
 
 #include "world_state.h"
 
-/// The stages of a step, in their order. Each is a file of its own. Those for which a scene may have nothing to do (fast
-/// islands, sweeps, sensors, breaking joints, sleep) are called only when there is something.
+/// The stages of a step, in their order. Each is a file of its own. Those for which a scene may have nothing to do
+/// (fast islands, sweeps, sensors, breaking joints, sleep) are called only when there is something.
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Modes `speedLimit` (mode_speed_limit.cpp) and `speculative` (mode_speculative.cpp), before anything looks at speeds: the
-/// one slows what is too fast, the other has the boxes of its bodies span their whole motion.
+/// Modes `speedLimit` (mode_speed_limit.cpp) and `speculative` (mode_speculative.cpp), before anything looks at speeds:
+/// the one slows what is too fast, the other has the boxes of its bodies span their whole motion.
 void limitSpeeds(WorldState& world, double dt);
 void reachAhead(WorldState& world);
 /// Mode `speedLimit` again, after the solve: what other bodies pushed does not go farther than it may either.
@@ -19,7 +19,8 @@ void reachWithKinematicBodies(WorldState& world);
 void findPairs(WorldState& world);
 /// @return false when the two may not touch, or have a contact already
 bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
-/// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is touched (stage_collide.cpp).
+/// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is
+/// touched (stage_collide.cpp).
 void collideContacts(WorldState& world);
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
 void assignRoles(WorldState& world, Real dt);
@@ -38,8 +39,9 @@ void moveKinematicBodies(WorldState& world, double dt);
 void sweepFastBodies(WorldState& world, double dt);
 /// Begin and end of what passed sensors within the step, at its time (mode_sensors.cpp).
 void sweepSensors(WorldState& world, double dt);
-/// A body whose state is no number any more, or one too large to compute with (`kLargestNumber`), stays where it was at the
-/// start of the step, at rest, and is counted (stage_guard.cpp). Only inputs at the ends of what can be written do that.
+/// A body whose state is no number any more, or one too large to compute with (`kLargestNumber`), stays where it was at
+/// the start of the step, at rest, and is counted (stage_guard.cpp). Only inputs at the ends of what can be written do
+/// that.
 void putBackOverflown(WorldState& world);
 /// Boxes, breaking joints, sleep, order of events (stage_finish.cpp).
 void moveProxies(WorldState& world);

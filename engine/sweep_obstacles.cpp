@@ -11,8 +11,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Box of all that is within `reach` of a position of the centre: hull of the control points of the path, a quadratic Bézier
-/// curve.
+/// Box of all that is within `reach` of a position of the centre: hull of the control points of the path, a quadratic
+/// Bézier curve.
 Aabb boxAround(const Sweep& sweep, double reach) {
     const DVec2 control = sweep.c0 + 0.5 * ((sweep.c1 - sweep.c0) - sweep.k);
     // Two by two, without a branch: nobody can predict which way a body flies.
@@ -93,8 +93,8 @@ double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
     return static_cast<double>(slopOf(world, obstacle) * (kSlackRatio / kTargetRatio));
 }
 
-/// Ground flush with what the body stands on, along any of these normals: it may sink into it along the same normal, or the
-/// side of the next piece would stop it. @param slops  how far
+/// Ground flush with what the body stands on, along any of these normals: it may sink into it along the same normal, or
+/// the side of the next piece would stop it. @param slops  how far
 void liftFlush(const WorldState& world, const Sweep& sweep, double slops, std::span<const Vec2> normals,
                FlightScratch& scratch) {
     const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
@@ -171,8 +171,8 @@ double targetOf(const WorldState& world, const FlightObstacle& obstacle) {
     const auto extent = static_cast<double>(std::min(own.extent, other.extent));
     const double unit = std::max(static_cast<double>(kFlightRoundings) * std::numeric_limits<double>::epsilon(),
                                  static_cast<double>(kEpsilon));
-    return std::clamp(unit * static_cast<double>(own.size + other.size), static_cast<double>(kFlightTargetRatio) * extent,
-                      static_cast<double>(kTargetRatio) * extent);
+    return std::clamp(unit * static_cast<double>(own.size + other.size),
+                      static_cast<double>(kFlightTargetRatio) * extent, static_cast<double>(kTargetRatio) * extent);
 }
 
 Real roundingOf(const WorldState& world, const FlightObstacle& obstacle) {
@@ -187,8 +187,8 @@ Real reachOf(const WorldState& world, const FlightObstacle& obstacle) {
 }
 
 double levelInContact(const WorldState& world, const FlightObstacle& obstacle, double separation) {
-    // What rounding, or a corner that turns in, leaves of an approach that was dealt with must not count as an impact again
-    // and again: bars that come to rest on uneven ground lost 1.7 % of their time by it.
+    // What rounding, or a corner that turns in, leaves of an approach that was dealt with must not count as an impact
+    // again and again: bars that come to rest on uneven ground lost 1.7 % of their time by it.
     const Real sink = std::max(roundingOf(world, obstacle), kChatterSlops * slopOf(world, obstacle));
     return separation - 2 * toleranceOf(world, obstacle) - static_cast<double>(sink);
 }
@@ -300,7 +300,8 @@ bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
     return extent > 0 && length(motion.center - body.startCenter) + turned > slow;
 }
 
-FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit, FlightScratch& scratch) {
+FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit,
+                         FlightScratch& scratch) {
     const Sweep path = pathOf(world, slot);
     findObstacles(world, slot, path, scratch);
     allowSlack(world, path, time, scratch);

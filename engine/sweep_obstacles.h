@@ -36,7 +36,8 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
                           const WorldTransform& own, Real margin);
 
 /// Obstacles that a body touches at the start of the step, and that the contact solver therefore holds it off, may be
-/// sunk into by a part of the extent: the solver is soft, and a body that rolls or tips about a contact must not stop there.
+/// sunk into by a part of the extent: the solver is soft, and a body that rolls or tips about a contact must not stop
+/// there.
 void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch);
 
 /// How far a body may sink into what it just met before that counts as met again, in slops.
@@ -44,8 +45,8 @@ inline constexpr Real kChatterSlops = Real(1) / 8;
 /// How far a body sags between two impacts of what carries it, in slops.
 inline constexpr double kSagSlops = 0.5;
 
-/// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of the
-/// slop.
+/// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of
+/// the slop.
 void allowSag(const WorldState& world, const Sweep& sweep, std::span<const Vec2> normals, FlightScratch& scratch);
 
 struct FirstImpact {
@@ -69,6 +70,7 @@ Sweep pathOf(const WorldState& world, std::uint32_t body);
 /// Whether that path is longer than a body that is not fast moves in this share of a step.
 bool movedFast(const WorldState& world, std::uint32_t body, double share = 1);
 /// First impact on that path of what the contact solver moved within `time` seconds, with the slack that this has.
-FirstImpact impactOfPath(const WorldState& world, std::uint32_t body, double time, double limit, FlightScratch& scratch);
+FirstImpact impactOfPath(const WorldState& world, std::uint32_t body, double time, double limit,
+                         FlightScratch& scratch);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -20,9 +20,7 @@ TbbTaskSystem::~TbbTaskSystem() = default;
 int TbbTaskSystem::workerCount() const { return std::max(arena_->arena.max_concurrency(), 1); }
 
 void TbbTaskSystem::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t, int)> body) {
-    if (count == 0) {
-        return;
-    }
+    if (count == 0) { return; }
     // oneTBB halves its ranges, so that they may be half as long as asked for: it is given whole grains.
     const std::size_t length = std::max<std::size_t>(grain, 1);
     const std::size_t grains = (count - 1) / length + 1;

@@ -81,9 +81,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     for (std::size_t k = 0; k < link.points; ++k) {
         constraint.points[k].normalImpulse = scale_ * contact.normalImpulse[k];
         constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
-        if (group_.effort.isSettled) {
-            holdAsItIs(constraint.points[k]);
-        }
+        if (group_.effort.isSettled) { holdAsItIs(constraint.points[k]); }
     }
     contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
     return constraint;
@@ -106,9 +104,7 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
         ContactConstraintPoint point = constraintPointOf(contact.manifold.points[k], a, localCenterA, fromAToB);
         point.normalImpulse = scale_ * contact.normalImpulse[k];
         point.tangentImpulse = scale_ * contact.tangentImpulse[k];
-        if (group_.effort.isSettled) {
-            holdAsItIs(point);
-        }
+        if (group_.effort.isSettled) { holdAsItIs(point); }
         if (!contact.pressed) {  // else nobody asks
             approach =
                 std::max(approach, approachAt(point, normal, batch.states[link.slotA], batch.states[link.slotB]));

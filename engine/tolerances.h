@@ -4,16 +4,17 @@
 
 #include "../shapes/real.h"
 
-/// All tolerances of the engine, as ratios to lengths of the scene (`extent`: smallest non-zero width of a shape, of a pair
-/// the smaller one). There are no absolute lengths. Powers of two, so that scaled scenes give scaled results.
+/// All tolerances of the engine, as ratios to lengths of the scene (`extent`: smallest non-zero width of a shape, of a
+/// pair the smaller one). There are no absolute lengths. Powers of two, so that scaled scenes give scaled results.
 
 namespace swept::inline SWEPT_PRECISION {
 
 /// Separation at which continuous collision counts two shapes as touching, and how exactly it is met.
 inline constexpr Real kTargetRatio = Real(1) / 1024;
 inline constexpr Real kToleranceRatio = kTargetRatio / 4;
-/// Flyers come closer before they bounce: what they turn back too early is an error of height and time. But not closer than
-/// so many roundings of the pair's coordinates, in which times of impact are found (double), or one of its manifolds (`Real`).
+/// Flyers come closer before they bounce: what they turn back too early is an error of height and time. But not closer
+/// than so many roundings of the pair's coordinates, in which times of impact are found (double), or one of its
+/// manifolds (`Real`).
 inline constexpr Real kFlightTargetRatio = kTargetRatio / 64;
 inline constexpr Real kFlightRoundings = 16;
 /// Contacts begin below 2 and end above 4 targets: resting jitter and the TOI's own band lie below the first.
@@ -35,16 +36,16 @@ constexpr Real reachOfMotion(Real motion, Real extent, bool isAhead) {
     if (motion < least) { return least; }
     return isAhead || motion < most ? motion : most;
 }
-/// A manifold is kept as long as its points, and the shapes by angle, have moved less than this part of the extent, or radians:
-/// the square of it is half a rounding.
+/// A manifold is kept as long as its points, and the shapes by angle, have moved less than this part of the extent, or
+/// radians: the square of it is half a rounding.
 inline constexpr Real kKeepRatio = std::numeric_limits<Real>::digits == 24 ? Real(0x1p-12) : Real(0x1p-26);
 /// Boxes are made larger than needed by this part of the extent, to be moved more rarely.
 inline constexpr Real kBoxMarginRatio = Real(1) / 8;
-/// Fast shapes whose farthest point is no farther from the centre than this part of their extent (squares: 0.71) have the boxes of
-/// their circles.
+/// Fast shapes whose farthest point is no farther from the centre than this part of their extent (squares: 0.71) have
+/// the boxes of their circles.
 inline constexpr Real kRoundRatio = Real(3) / 4;
-/// They also reach ahead along the body's velocity for so many steps, unless that is more than so many extents: a box of a bullet
-/// that reaches far ahead finds more than it saves.
+/// They also reach ahead along the body's velocity for so many steps, unless that is more than so many extents: a box
+/// of a bullet that reaches far ahead finds more than it saves.
 inline constexpr Real kBoxStepsAhead = 2;
 inline constexpr Real kMaxAheadRatio = 4;
 /// Fastest push out of an overlap: this part of the pair's extent per step.

@@ -23,10 +23,10 @@ struct WorldState;
 
 /// A world of rigid bodies, advanced in fixed steps.
 ///
-/// Every call that takes input checks it first and changes nothing when it refuses (see `Status`). Getters of a stale id
-/// return a default value (zeros, false). One thread at a time; queries may run at the same time as each other. What a query
-/// or `visitContacts` calls back must not change the world. A world that was moved from may only be assigned to or destroyed.
-/// The same calls give the same bits on every machine, compiler and number of threads.
+/// Every call that takes input checks it first and changes nothing when it refuses (see `Status`). Getters of a stale
+/// id return a default value (zeros, false). One thread at a time; queries may run at the same time as each other. What
+/// a query or `visitContacts` calls back must not change the world. A world that was moved from may only be assigned to
+/// or destroyed. The same calls give the same bits on every machine, compiler and number of threads.
 class World {
 public:
     World();
@@ -40,8 +40,8 @@ public:
     /// Where parallel loops run; null: on the calling thread. Must outlive the world or its replacement.
     void setTaskSystem(TaskSystem* tasks);
 
-    /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`; `missingMass` when a dynamic body has neither shapes
-    /// with density nor a mass of its own.
+    /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`; `missingMass` when a dynamic body has neither
+    /// shapes with density nor a mass of its own.
     Status step(double dt);
 
     // --- bodies
@@ -50,14 +50,14 @@ public:
     Status destroyBody(BodyId id);
     bool isValid(BodyId id) const;
     BodyType type(BodyId id) const;
-    DVec2 position(BodyId id) const;       ///< of the body origin, world
-    double angle(BodyId id) const;         ///< unwrapped
-    DVec2 centerOfMass(BodyId id) const;   ///< world
-    Vec2 velocity(BodyId id) const;        ///< of the centre of mass
+    DVec2 position(BodyId id) const;      ///< of the body origin, world
+    double angle(BodyId id) const;        ///< unwrapped
+    DVec2 centerOfMass(BodyId id) const;  ///< world
+    Vec2 velocity(BodyId id) const;       ///< of the centre of mass
     Real angularVelocity(BodyId id) const;
-    bool isAwake(BodyId id) const;         ///< static bodies never are
-    double mass(BodyId id) const;          ///< kg; 0 unless dynamic
-    double inertia(BodyId id) const;       ///< kg·m² about the centre of mass; 0 unless dynamic
+    bool isAwake(BodyId id) const;    ///< static bodies never are
+    double mass(BodyId id) const;     ///< kg; 0 unless dynamic
+    double inertia(BodyId id) const;  ///< kg·m² about the centre of mass; 0 unless dynamic
     std::uint64_t userData(BodyId id) const;
     /// Teleports. Wakes the body and what it touched.
     Status setPose(BodyId id, DVec2 position, double angle);
@@ -96,25 +96,28 @@ public:
     Status destroyJoint(JointId id);
     bool isValid(JointId id) const;
     JointType type(JointId id) const;
-    // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of createJoint.
-    Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);                ///< revolute, wheel
-    Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);                  ///< prismatic
-    Status setAngleLimits(JointId id, std::optional<AngleLimits> limits);                 ///< revolute
-    Status setTranslationLimits(JointId id, std::optional<TranslationLimits> limits);     ///< prismatic, wheel
-    Status setLengthLimits(JointId id, std::optional<LengthLimits> limits);               ///< distance
-    Status setLength(JointId id, Real length);                                            ///< distance: rod, spring
+    // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of
+    // createJoint.
+    Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);             ///< revolute, wheel
+    Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);               ///< prismatic
+    Status setAngleLimits(JointId id, std::optional<AngleLimits> limits);              ///< revolute
+    Status setTranslationLimits(JointId id, std::optional<TranslationLimits> limits);  ///< prismatic, wheel
+    Status setLengthLimits(JointId id, std::optional<LengthLimits> limits);            ///< distance
+    Status setLength(JointId id, Real length);                                         ///< distance: rod, spring
     Status setSpring(JointId id, std::optional<Spring> spring);  ///< revolute, distance, prismatic, wheel, mouse
     Status setWeldSprings(JointId id, std::optional<Spring> linear, std::optional<Spring> angular);
-    Status setTarget(JointId id, DVec2 target);           ///< mouse
+    Status setTarget(JointId id, DVec2 target);            ///< mouse
     Status setDrive(JointId id, const MotorDrive& drive);  ///< motor
     /// Does not wake: what a sleeping joint bears it bore before.
     Status setBreakLimits(JointId id, std::optional<Real> force, std::optional<Real> torque);
-    /// How far the joint is from holding at the present poses, metres: gap of the anchors, distance from the axis, violation of
-    /// rod, rope or limits of length, slip of a gear that begins with a prismatic joint. What is a spring or a drive has no error.
+    /// How far the joint is from holding at the present poses, metres: gap of the anchors, distance from the axis,
+    /// violation of rod, rope or limits of length, slip of a gear that begins with a prismatic joint. What is a spring
+    /// or a drive has no error.
     Real jointError(JointId id) const;
     Real jointAngleError(JointId id) const;  ///< likewise, rad: prismatic, weld, gears that begin with a revolute joint
     double jointAngle(JointId id) const;     ///< of B relative to A, 0 when it was made, unwrapped
-    Real jointTranslation(JointId id) const; ///< of B's anchor from A's: along the axis where there is one, else the distance
+    Real jointTranslation(
+        JointId id) const;  ///< of B's anchor from A's: along the axis where there is one, else the distance
     Vec2 jointForce(JointId id) const;   ///< on B at its anchor, mean of the last step, N
     Real jointTorque(JointId id) const;  ///< on B, mean of the last step, N·m
     std::uint32_t jointCount() const;
@@ -137,8 +140,9 @@ public:
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
 
     // --- what the last step did
-    /// Sorted by fraction, then by the shapes' ids, ends before begins. What calls since the step before ended (bodies and
-    /// shapes destroyed or teleported) is among them, at fraction 0; ids may name what is gone. A chain is one shape here.
+    /// Sorted by fraction, then by the shapes' ids, ends before begins. What calls since the step before ended (bodies
+    /// and shapes destroyed or teleported) is among them, at fraction 0; ids may name what is gone. A chain is one
+    /// shape here.
     std::span<const ContactEvent> contactEvents() const;
     std::span<const JointBreakEvent> jointBreaks() const;
     std::span<const LostTimeEntry> lostTime() const;

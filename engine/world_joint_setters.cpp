@@ -14,17 +14,24 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 
 /// Whether a definition has a member of this kind that is set by that type.
 template <class Part, class Value>
-concept HasLimits = requires(Part& part, Value value) { part.def.limits = value; };
+concept HasLimits = requires(Part& part, Value value) {
+    part.def.limits = value;
+};
 template <class Part, class Value>
-concept HasMotor = requires(Part& part, Value value) { part.def.motor = value; };
+concept HasMotor = requires(Part& part, Value value) {
+    part.def.motor = value;
+};
 template <class Part>
-concept HasSpring = requires(Part& part, std::optional<Spring> value) { part.def.spring = value; };
+concept HasSpring = requires(Part& part, std::optional<Spring> value) {
+    part.def.spring = value;
+};
 
 void wakeBodies(WorldState& world, const Joint& joint) {
     for (const std::uint32_t body : joint.allBodies()) { wake(world, body); }
 }
 
-/// Changes a joint and wakes its bodies. @param change  takes a part, returns whether that kind of joint has what it sets
+/// Changes a joint and wakes its bodies. @param change  takes a part, returns whether that kind of joint has what it
+/// sets
 template <class Change>
 Status change(WorldState& world, JointId id, const Status& value, Change&& change) {
     Joint* joint = world.joints.find(id);

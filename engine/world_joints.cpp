@@ -100,9 +100,8 @@ Result<JointId> World::createJoint(const DistanceJointDef& def) {
 
 Result<JointId> World::createJoint(const PrismaticJointDef& def) {
     WorldState& world = *state_;
-    const Status status =
-        firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor), checkSpring(def.spring),
-                    checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    const Status status = firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor),
+                                      checkSpring(def.spring), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
     if (!status.ok()) { return status; }
     const JointPart<PrismaticJointDef, PrismaticConstraint> part{def, {}};
     return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
@@ -110,9 +109,8 @@ Result<JointId> World::createJoint(const PrismaticJointDef& def) {
 
 Result<JointId> World::createJoint(const WheelJointDef& def) {
     WorldState& world = *state_;
-    const Status status =
-        firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor), checkSpring(def.spring),
-                    checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    const Status status = firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor),
+                                      checkSpring(def.spring), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
     if (!status.ok()) { return status; }
     const JointPart<WheelJointDef, WheelConstraint> part{def, {}};
     return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
@@ -150,8 +148,8 @@ Result<JointId> World::createJoint(const MouseJointDef& def) {
 
 Result<JointId> World::createJoint(const GearJointDef& def) {
     WorldState& world = *state_;
-    const Status joints = firstFault({checkGeared(world, def.jointA, "jointA"), checkGeared(world, def.jointB, "jointB"),
-                                      checkRatio(def.ratio)});
+    const Status joints = firstFault(
+        {checkGeared(world, def.jointA, "jointA"), checkGeared(world, def.jointB, "jointB"), checkRatio(def.ratio)});
     if (!joints.ok()) { return joints; }
     if (def.jointA == def.jointB) { return Status{StatusCode::sameBody, "jointB"}; }
     const Joint& first = world.joints[def.jointA.index];
@@ -164,11 +162,11 @@ Result<JointId> World::createJoint(const GearJointDef& def) {
     const JointPart<GearJointDef, GearConstraint> part{filled, {}};
     Joint gear = jointOf(world, filled.base, part,
                          {apply(world.motions[first.bodyB].pose, first.localAnchorB),
-                          apply(world.motions[second.bodyB].pose, second.localAnchorB), {}});
+                          apply(world.motions[second.bodyB].pose, second.localAnchorB),
+                          {}});
     addBody(gear, first.bodyA);
     addBody(gear, second.bodyA);
-    gear.gearConstant =
-        coordinateOf(world, first) + static_cast<double>(def.ratio) * coordinateOf(world, second);
+    gear.gearConstant = coordinateOf(world, first) + static_cast<double>(def.ratio) * coordinateOf(world, second);
     return insert(world, std::move(gear));
 }
 

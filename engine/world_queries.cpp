@@ -21,8 +21,8 @@ const Shape& shapeOf(const WorldState& world, ProxyId proxy) {
 
 CastHit rayAgainst(const WorldState& world, const Shape& shape, DVec2 origin, Vec2 translation, Real limit) {
     const WorldTransform& pose = world.motions[shape.body].pose;
-    const RayCastHit local = rayCast(shape.polygon, applyInverse(pose, origin), unrotate(pose.rotation, translation),
-                                     limit);
+    const RayCastHit local =
+        rayCast(shape.polygon, applyInverse(pose, origin), unrotate(pose.rotation, translation), limit);
     CastHit hit;
     if (!local.hit) { return hit; }
     hit.hit = true;
@@ -115,10 +115,11 @@ CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec
     const bool good = validate(polygon).ok() && isGood(pose.position, translation);
     if (!good) { return closest; }
     const double angle = arcTangent2(static_cast<double>(pose.rotation.s), static_cast<double>(pose.rotation.c));
-    const CarriedShape carried{polygon, toiPolygonOf(polygon),
-                               {.c0 = pose.position, .c1 = pose.position + toDouble(translation), .a0 = angle,
-                                .a1 = angle},
-                               extentOf(polygon)};
+    const CarriedShape carried{
+        polygon,
+        toiPolygonOf(polygon),
+        {.c0 = pose.position, .c1 = pose.position + toDouble(translation), .a0 = angle, .a1 = angle},
+        extentOf(polygon)};
     const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);
     world.broadphase->sweep(start, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
         const Shape& shape = shapeOf(world, proxy);

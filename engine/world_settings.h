@@ -24,14 +24,15 @@ struct WorldSettings {
     int subSteps = 0;      ///< 1 … 1024; 0: the profile's
     int relaxPasses = -1;  ///< per sub-step, 0 … 64; −1: the profile's
     ContinuousMode continuous = ContinuousMode::subStep;
-    int maxImpacts = 64;   ///< per body and step, at least 1
+    int maxImpacts = 64;                                    ///< per body and step, at least 1
     Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s, greater than 0
-    /// Errors that are accepted. Each island then gets the sub-steps that keep them (effort_budget.h): from a quarter of those
-    /// above up to 64; what has no budget gets no worse. Beyond them is counted: `overPenetration` and its like.
+    /// Errors that are accepted. Each island then gets the sub-steps that keep them (effort_budget.h): from a quarter
+    /// of those above up to 64; what has no budget gets no worse. Beyond them is counted: `overPenetration` and its
+    /// like.
     Real maxPenetration = std::numeric_limits<Real>::infinity();  ///< metres, at least 0
     Real maxJointError = std::numeric_limits<Real>::infinity();   ///< metres, at least 0
-    /// Seconds that a body may lose in all, at least 0: impacts beyond `maxImpacts` are resolved, up to 16 times as many, when
-    /// it would lose more.
+    /// Seconds that a body may lose in all, at least 0: impacts beyond `maxImpacts` are resolved, up to 16 times as
+    /// many, when it would lose more.
     double maxLostTime = std::numeric_limits<double>::infinity();
     Real toiTolerance = 0;  ///< metres; 0: a quarter of the target, which is 2⁻¹⁰ of the pair's extent
     bool sleep = true;

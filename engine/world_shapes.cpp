@@ -30,9 +30,12 @@ Status checkSize(std::span<const Vec2> points, Real radius, const char* field) {
 ProxyKind kindOf(const Shape& shape, BodyType type) {
     if (shape.def.sensor) { return ProxyKind::sensor; }
     switch (type) {
-        case BodyType::fixed: return ProxyKind::fixed;
-        case BodyType::kinematic: return ProxyKind::kinematic;
-        case BodyType::dynamic: return ProxyKind::dynamic;
+        case BodyType::fixed:
+            return ProxyKind::fixed;
+        case BodyType::kinematic:
+            return ProxyKind::kinematic;
+        case BodyType::dynamic:
+            return ProxyKind::dynamic;
     }
     return ProxyKind::fixed;  // unreachable, but GCC cannot know
 }

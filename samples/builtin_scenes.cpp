@@ -18,8 +18,8 @@ constexpr std::array<BuiltinScene, 21> kScenes{{
      12},
     {"ragdolls", "jointed figures with limited joints tumble down stairs", scenes::ragdolls, 8},
     {"hanging-chain", "a chain swings a heavy ball; a plank bridge carries boxes", scenes::hangingChain, 12},
-    {"machine-room", "gears and a rack, a pulley, a lift, a springboard: every kind of joint at work", scenes::machineRoom,
-     8},
+    {"machine-room", "gears and a rack, a pulley, a lift, a springboard: every kind of joint at work",
+     scenes::machineRoom, 8},
     {"car", "a car with sprung wheels drives over bumps and jumps a gap", scenes::car, 7},
     {"terrain", "balls, capsules and boxes roll over one chain without catching on its vertices", scenes::terrain, 12},
     {"paddle-drum", "a kinematic paddle stirs a drum; a sensor watches who passes", scenes::paddleDrum, 12},
@@ -44,9 +44,7 @@ std::span<const BuiltinScene> builtinScenes() { return kScenes; }
 
 const BuiltinScene* findBuiltinScene(std::string_view name) {
     for (const BuiltinScene& scene : kScenes) {
-        if (name == scene.name) {
-            return &scene;
-        }
+        if (name == scene.name) { return &scene; }
     }
     return nullptr;
 }

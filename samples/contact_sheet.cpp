@@ -42,9 +42,7 @@ SheetLayout layoutFor(const Image& tile, int count, int columns) {
         layout.rows = (count + number - 1) / number;
     };
     tryColumns(std::clamp(columns, 1, count));
-    if (columns > 0) {
-        return layout;
-    }
+    if (columns > 0) { return layout; }
     int best = 1;
     double leastError = INFINITY;
     for (int number = 1; number <= count; ++number) {
@@ -88,9 +86,7 @@ std::optional<Image> contactSheet(std::span<const Image> tiles, std::span<const 
     }
     const SheetLayout layout = layoutFor(first, static_cast<int>(tiles.size()), columns);
     const std::unique_ptr<RenderCanvas> canvas = RenderCanvas::create(first.width, layout.caption - 2, 3, error);
-    if (!canvas) {
-        return std::nullopt;
-    }
+    if (!canvas) { return std::nullopt; }
     Image sheet = makeImage(layout.width(), layout.height(), kSheet.red, kSheet.green, kSheet.blue);
     for (int i = 0; i < static_cast<int>(tiles.size()); ++i) {
         const auto index = static_cast<std::size_t>(i);

@@ -58,9 +58,7 @@ inline void addCounters(StepCounters& sums, const StepCounters& step) {
 
 inline std::vector<NamedNumber> namedCounters(const StepCounters& counters) {
     std::vector<NamedNumber> named;
-    for (const auto& [name, member] : kCounterNames) {
-        named.push_back({name, static_cast<double>(counters.*member)});
-    }
+    for (const auto& [name, member] : kCounterNames) { named.push_back({name, static_cast<double>(counters.*member)}); }
     return named;
 }
 

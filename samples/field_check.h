@@ -28,21 +28,15 @@ protected:
     double largest() const { return largest_; }
     std::optional<SceneError> takeError() { return std::move(error_); }
     bool fail(SceneError error) {
-        if (!error_) {
-            error_ = std::move(error);
-        }
+        if (!error_) { error_ = std::move(error); }
         return false;
     }
     bool fail(const Place& place, std::string reason) { return fail({"", place.pointer(), std::move(reason)}); }
 
     bool check(double value, const Place& place, const Range& range) {
-        if (!std::isfinite(value)) {
-            return fail(place, "must be finite, not " + shortestNumber(value));
-        }
+        if (!std::isfinite(value)) { return fail(place, "must be finite, not " + shortestNumber(value)); }
         const bool tooLow = range.lowestExcluded ? value <= range.lowest : value < range.lowest;
-        if (tooLow || value > range.highest) {
-            return fail(place, demandOf(range) + ", not " + shortestNumber(value));
-        }
+        if (tooLow || value > range.highest) { return fail(place, demandOf(range) + ", not " + shortestNumber(value)); }
         if (std::fabs(value) > largest_) {
             return fail(place, shortestNumber(value) + " is too large: the largest number allowed is " +
                                    shortestNumber(largest_));
@@ -63,9 +57,7 @@ protected:
     }
     bool check(const std::vector<DVec2>& points, const Place& place, const Range& range) {
         for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!check(points[i], place.at(i), range)) {
-                return false;
-            }
+            if (!check(points[i], place.at(i), range)) { return false; }
         }
         return true;
     }
@@ -93,9 +85,7 @@ protected:
     bool checkFields(const Object& object, const Place& place) {
         bool good = true;
         forEachField<Object>([&](const auto& field) {
-            if (!good) {
-                return;
-            }
+            if (!good) { return; }
             if constexpr (kBare<Object>) {
                 good = check(object.*(field.member), place, field.range);
             } else {
@@ -110,19 +100,13 @@ protected:
     bool checkNames(const std::vector<Named>& elements, const std::string& prefix, const Place& list,
                     NameIndex& index) {
         for (std::size_t i = 0; i < elements.size(); ++i) {
-            if (elements[i].name.empty()) {
-                index.emplace(prefix + std::to_string(i), i);
-            }
+            if (elements[i].name.empty()) { index.emplace(prefix + std::to_string(i), i); }
         }
         for (std::size_t i = 0; i < elements.size(); ++i) {
             const std::string& name = elements[i].name;
-            if (name.empty()) {
-                continue;
-            }
+            if (name.empty()) { continue; }
             const auto [other, isNew] = index.emplace(name, i);
-            if (isNew) {
-                continue;
-            }
+            if (isNew) { continue; }
             const std::size_t j = other->second;
             const std::string taken = elements[j].name.empty() ? " is the name of the unnamed " : " is the name of ";
             const Place element = list.at(i);
@@ -137,9 +121,7 @@ private:
         if (std::isfinite(range.lowest) && std::isfinite(range.highest)) {
             return "must be from " + shortestNumber(range.lowest) + " to " + shortestNumber(range.highest);
         }
-        if (!std::isfinite(range.lowest)) {
-            return "must be a number";
-        }
+        if (!std::isfinite(range.lowest)) { return "must be a number"; }
         return (range.lowestExcluded ? "must be greater than " : "must be at least ") + shortestNumber(range.lowest);
     }
 

@@ -11,7 +11,7 @@
 namespace swept {
 
 struct BodyFrame {
-    DVec2 position;  ///< body origin, world
+    DVec2 position;    ///< body origin, world
     double angle = 0;  ///< unwrapped
     DVec2 velocity;    ///< of the centre of mass
     double angularVelocity = 0;
@@ -76,8 +76,8 @@ struct Frame {
 
 enum class SceneEventType : std::uint8_t { begin, end, hit, sensorBegin, sensorEnd, jointBreak };
 
-/// One event of a step. `a`, `b` are indices of bodies in the scene (for jointBreak the joint's bodies), `shapeA`, `shapeB`
-/// indices within the body's shapes.
+/// One event of a step. `a`, `b` are indices of bodies in the scene (for jointBreak the joint's bodies), `shapeA`,
+/// `shapeB` indices within the body's shapes.
 struct SceneEvent {
     std::int64_t step = 0;
     double time = 0;  ///< (step − 1 + fraction) · dt

@@ -18,9 +18,7 @@ Image makeImage(int width, int height, std::uint8_t red, std::uint8_t green, std
 void blit(const Image& source, Image& target, int x, int y) {
     const int left = std::max(0, x);
     const int right = std::min(target.width, x + source.width);
-    if (left >= right) {
-        return;
-    }
+    if (left >= right) { return; }
     const std::size_t bytes = 3 * static_cast<std::size_t>(right - left);
     for (int row = std::max(0, y); row < std::min(target.height, y + source.height); ++row) {
         std::copy_n(source.at(left - x, row - y), bytes, target.at(left, row));
@@ -47,9 +45,7 @@ Image downsample(const std::vector<std::uint8_t>& rgba, int width, int height, i
             }
         }
         std::uint8_t* to = image.at(0, y);
-        for (std::size_t x = 0; x < sums.size(); ++x) {
-            to[x] = static_cast<std::uint8_t>(sums[x] / samples);
-        }
+        for (std::size_t x = 0; x < sums.size(); ++x) { to[x] = static_cast<std::uint8_t>(sums[x] / samples); }
     }
     return image;
 }

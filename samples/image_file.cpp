@@ -15,9 +15,7 @@ bool writeImageFile(const std::uint8_t* bytes, std::size_t size, const std::stri
     const bool written = std::fwrite(bytes, 1, size, file) == size;
     const int writeError = errno;
     const bool closed = std::fclose(file) == 0;
-    if (written && closed) {
-        return true;
-    }
+    if (written && closed) { return true; }
     error = path + ": " + std::strerror(written ? errno : writeError);
     std::remove(path.c_str());
     return false;

@@ -25,14 +25,10 @@ struct WebpWriter::Encoder {
 
 bool WebpWriter::Encoder::start(const Image& image) {
     WebPAnimEncoderOptions options;
-    if (WebPAnimEncoderOptionsInit(&options) == 0) {
-        return fail("the WebP library has another version");
-    }
+    if (WebPAnimEncoderOptionsInit(&options) == 0) { return fail("the WebP library has another version"); }
     options.anim_params.loop_count = 0;
     animation = WebPAnimEncoderNew(image.width, image.height, &options);
-    if (animation == nullptr) {
-        return fail("the WebP encoder refuses this size");
-    }
+    if (animation == nullptr) { return fail("the WebP encoder refuses this size"); }
     width = image.width;
     height = image.height;
     return true;
@@ -40,17 +36,13 @@ bool WebpWriter::Encoder::start(const Image& image) {
 
 bool WebpWriter::Encoder::encode(const Image& image, int timestampMs) {
     WebPConfig config;
-    if (WebPConfigInit(&config) == 0) {
-        return fail("the WebP library has another version");
-    }
+    if (WebPConfigInit(&config) == 0) { return fail("the WebP library has another version"); }
     // Flat colours are smaller without loss than with it, and keep their crisp edges. Higher methods gain few per cent.
     config.lossless = 1;
     config.method = 1;
     config.quality = 40;
     WebPPicture picture;
-    if (WebPPictureInit(&picture) == 0) {
-        return fail("the WebP library has another version");
-    }
+    if (WebPPictureInit(&picture) == 0) { return fail("the WebP library has another version"); }
     picture.use_argb = 1;
     picture.width = image.width;
     picture.height = image.height;
@@ -65,33 +57,21 @@ WebpWriter::~WebpWriter() = default;
 
 bool WebpWriter::add(const Image& image, int timestampMs) {
     Encoder& encoder = *encoder_;
-    if (!encoder.error.empty()) {
-        return false;
-    }
-    if (image.empty()) {
-        return encoder.fail("a picture is empty");
-    }
-    if (encoder.animation == nullptr && !encoder.start(image)) {
-        return false;
-    }
+    if (!encoder.error.empty()) { return false; }
+    if (image.empty()) { return encoder.fail("a picture is empty"); }
+    if (encoder.animation == nullptr && !encoder.start(image)) { return false; }
     if (image.width != encoder.width || image.height != encoder.height) {
         return encoder.fail("the pictures of an animation must have one size");
     }
-    if (timestampMs <= encoder.lastTimestamp) {
-        return encoder.fail("the timestamps of an animation must rise");
-    }
+    if (timestampMs <= encoder.lastTimestamp) { return encoder.fail("the timestamps of an animation must rise"); }
     encoder.lastTimestamp = timestampMs;
     return encoder.encode(image, timestampMs);
 }
 
 bool WebpWriter::finish(const std::string& path, int endMs, std::string& error) {
     Encoder& encoder = *encoder_;
-    if (encoder.error.empty() && encoder.animation == nullptr) {
-        encoder.fail("an animation needs a picture");
-    }
-    if (encoder.error.empty() && endMs <= encoder.lastTimestamp) {
-        encoder.fail("the last picture needs a duration");
-    }
+    if (encoder.error.empty() && encoder.animation == nullptr) { encoder.fail("an animation needs a picture"); }
+    if (encoder.error.empty() && endMs <= encoder.lastTimestamp) { encoder.fail("the last picture needs a duration"); }
     WebPData data{};
     if (encoder.error.empty() && (WebPAnimEncoderAdd(encoder.animation, nullptr, endMs, nullptr) == 0 ||
                                   WebPAnimEncoderAssemble(encoder.animation, &data) == 0)) {

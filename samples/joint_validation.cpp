@@ -16,13 +16,9 @@ public:
     std::optional<SceneError> run() {
         const Place root;  // a place refers to the one above it
         const Place joints = root.at("joints");
-        if (!checkNames(scene_.joints, "joint", joints, jointNames_)) {
-            return takeError();
-        }
+        if (!checkNames(scene_.joints, "joint", joints, jointNames_)) { return takeError(); }
         for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
-            if (!checkJoint(scene_.joints[i], joints.at(i))) {
-                return takeError();
-            }
+            if (!checkJoint(scene_.joints[i], joints.at(i))) { return takeError(); }
         }
         return std::nullopt;
     }
@@ -32,9 +28,7 @@ private:
         const auto found = bodies_.find(name);
         if (found == bodies_.end()) {
             std::vector<std::string_view> names;
-            for (const auto& entry : bodies_) {
-                names.push_back(entry.first);
-            }
+            for (const auto& entry : bodies_) { names.push_back(entry.first); }
             const std::string_view nearest = nearestName(name, names);
             return fail(place, "there is no body " + inQuotes(name) +
                                    (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?"));
@@ -46,26 +40,20 @@ private:
     // lower ≤ upper, where both exist.
     bool checkOrder(const std::optional<double>& lower, const std::optional<double>& upper, const Place& upperPlace,
                     const std::string& lowerName) {
-        if (!lower || !upper || *lower <= *upper) {
-            return true;
-        }
+        if (!lower || !upper || *lower <= *upper) { return true; }
         return fail(upperPlace, shortestNumber(*upper) + " is below " + lowerName + " " + shortestNumber(*lower));
     }
 
     template <class Members>
     bool checkSpring(const Members& joint, const Place& place) {
-        if (joint.hertz || !joint.dampingRatio) {
-            return true;
-        }
+        if (joint.hertz || !joint.dampingRatio) { return true; }
         return fail(place.at("dampingRatio"), "there is no spring to damp: \"hertz\" is missing");
     }
 
     // A motor of a revolute, prismatic or wheel joint. @param strength  name of the member that has it
     bool checkMotor(const std::optional<double>& speed, const std::optional<double>& limit, const Place& place,
                     const std::string& strength) {
-        if (!speed || limit) {
-            return true;
-        }
+        if (!speed || limit) { return true; }
         return fail(place.at("motorSpeed"), "a motor without \"" + strength + "\" has no strength");
     }
 
@@ -84,9 +72,7 @@ private:
     }
 
     bool checkJoint(const WeldDescription& joint, const Place& place) {
-        if (!joint.dampingRatio || joint.linearHertz || joint.angularHertz) {
-            return true;
-        }
+        if (!joint.dampingRatio || joint.linearHertz || joint.angularHertz) { return true; }
         return fail(place.at("dampingRatio"),
                     "there is no spring to damp: \"linearHertz\" and \"angularHertz\" are missing");
     }
@@ -121,9 +107,7 @@ private:
         const auto found = jointNames_.find(name);
         if (found == jointNames_.end()) {
             std::vector<std::string_view> names;
-            for (const auto& entry : jointNames_) {
-                names.push_back(entry.first);
-            }
+            for (const auto& entry : jointNames_) { names.push_back(entry.first); }
             const std::string_view nearest = nearestName(name, names);
             return fail(place, "there is no joint " + inQuotes(name) +
                                    (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?"));
@@ -140,9 +124,7 @@ private:
     }
 
     bool checkGear(const JointDescription& joint, const GearDescription& gear, const Place& place) {
-        if (gear.ratio == 0) {
-            return fail(place.at("ratio"), "must not be 0");
-        }
+        if (gear.ratio == 0) { return fail(place.at("ratio"), "must not be 0"); }
         return checkGeared(gear.jointA, place.at("jointA"), joint.bodyA, place.at("bodyA")) &&
                checkGeared(gear.jointB, place.at("jointB"), joint.bodyB, place.at("bodyB"));
     }
@@ -153,9 +135,7 @@ private:
 
     // What cannot be said of a joint without the members common to all.
     bool checkWhole(const JointDescription& joint, bool movesB, const Place& place) {
-        if (const auto* gear = std::get_if<GearDescription>(&joint.joint)) {
-            return checkGear(joint, *gear, place);
-        }
+        if (const auto* gear = std::get_if<GearDescription>(&joint.joint)) { return checkGear(joint, *gear, place); }
         if (std::holds_alternative<MouseDescription>(joint.joint) && !movesB) {
             return fail(place.at("bodyB"), "must be dynamic: it is what the joint pulls");
         }
@@ -171,9 +151,7 @@ private:
     }
 
     bool checkJoint(const RevoluteDescription& joint, const Place& place) {
-        if (!checkOrder(joint.lower, joint.upper, place.at("upper"), "lower")) {
-            return false;
-        }
+        if (!checkOrder(joint.lower, joint.upper, place.at("upper"), "lower")) { return false; }
         return checkMotor(joint.motorSpeed, joint.maxMotorTorque, place, "maxMotorTorque") && checkSpring(joint, place);
     }
 
@@ -192,20 +170,14 @@ private:
         std::size_t a = 0;
         std::size_t b = 0;
         const Place placeB = place.at("bodyB");
-        if (!findBody(joint.bodyA, place.at("bodyA"), a) || !findBody(joint.bodyB, placeB, b)) {
-            return false;
-        }
-        if (a == b) {
-            return fail(placeB, "must differ from bodyA, both are " + inQuotes(joint.bodyB));
-        }
+        if (!findBody(joint.bodyA, place.at("bodyA"), a) || !findBody(joint.bodyB, placeB, b)) { return false; }
+        if (a == b) { return fail(placeB, "must differ from bodyA, both are " + inQuotes(joint.bodyB)); }
         const auto isDynamic = [&](std::size_t i) { return scene_.bodies[i].type == SceneBodyType::dynamic; };
         if (!isDynamic(a) && !isDynamic(b)) {
             return fail(placeB, "a joint needs a dynamic body, neither " + inQuotes(joint.bodyA) + " nor " +
                                     inQuotes(joint.bodyB) + " is one");
         }
-        if (!checkFields(joint, place)) {
-            return false;
-        }
+        if (!checkFields(joint, place)) { return false; }
         return std::visit(
                    [&](const auto& members) { return checkFields(members, place) && checkJoint(members, place); },
                    joint.joint) &&

@@ -10,9 +10,7 @@ constexpr std::size_t kLineLength = 110;
 constexpr std::size_t kIndent = 1;
 
 std::string scalarText(const Json& value) {
-    if (!value.is_number_float()) {
-        return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    }
+    if (!value.is_number_float()) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
     const double number = value.get<double>();
     if (!std::isfinite(number)) {
         return "null";  // JSON has no word for it
@@ -33,16 +31,10 @@ bool appendOneLine(const Json& value, std::size_t limit, std::string& line) {
     line += isObject ? '{' : '[';
     bool first = true;
     for (auto it = value.begin(); it != value.end(); ++it) {
-        if (!first) {
-            line += ", ";
-        }
+        if (!first) { line += ", "; }
         first = false;
-        if (isObject) {
-            line += keyText(it.key());
-        }
-        if (!appendOneLine(*it, limit, line)) {
-            return false;
-        }
+        if (isObject) { line += keyText(it.key()); }
+        if (!appendOneLine(*it, limit, line)) { return false; }
     }
     line += isObject ? '}' : ']';
     return line.size() <= limit;

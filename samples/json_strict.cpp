@@ -31,13 +31,9 @@ std::string lineAndColumn(std::string_view text, std::size_t offset) {
 std::string plainMessage(std::string message) {
     const std::size_t column = message.find("column ");
     const std::size_t start = column == std::string::npos ? std::string::npos : message.find(": ", column);
-    if (start != std::string::npos) {
-        message.erase(0, start + 2);
-    }
+    if (start != std::string::npos) { message.erase(0, start + 2); }
     for (char& c : message) {
-        if (static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20) {
-            c = '?';
-        }
+        if (static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20) { c = '?'; }
     }
     return message;
 }
@@ -64,9 +60,7 @@ public:
     bool key(std::string& name) {
         Level& level = levels_.back();
         level.key = name;
-        if (!level.seen.insert(name).second) {
-            return fail(pointer(), "the key occurs twice in this object");
-        }
+        if (!level.seen.insert(name).second) { return fail(pointer(), "the key occurs twice in this object"); }
         return true;
     }
 
@@ -93,9 +87,7 @@ private:
     }
 
     void countElement() {
-        if (!levels_.empty() && levels_.back().value->is_array()) {
-            ++levels_.back().count;
-        }
+        if (!levels_.empty() && levels_.back().value->is_array()) { ++levels_.back().count; }
     }
 
     // Of the key or element that is being read.
@@ -180,25 +172,15 @@ std::string escapedToken(std::string_view token) {
 }
 
 std::string Place::pointer() const {
-    if (parent == nullptr) {
-        return {};
-    }
+    if (parent == nullptr) { return {}; }
     return parent->pointer() + '/' + (isIndex ? std::to_string(index) : escapedToken(key));
 }
 
 std::string kindOf(const Json& value) {
-    if (value.is_null()) {
-        return "null";
-    }
-    if (value.is_boolean()) {
-        return value.get<bool>() ? "true" : "false";
-    }
-    if (value.is_number()) {
-        return "a number";
-    }
-    if (value.is_string()) {
-        return "a string";
-    }
+    if (value.is_null()) { return "null"; }
+    if (value.is_boolean()) { return value.get<bool>() ? "true" : "false"; }
+    if (value.is_number()) { return "a number"; }
+    if (value.is_string()) { return "a string"; }
     return value.is_array() ? "an array" : "an object";
 }
 

@@ -17,9 +17,7 @@ void MotionTrails::addPositions(const Frame& frame) {
     lines_.resize(std::max(lines_.size(), frame.bodies.size()));
     for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
         lines_[i].push_back(frame.bodies[i].position);
-        if (pointLimit_ > 0 && lines_[i].size() > pointLimit_) {
-            lines_[i].pop_front();
-        }
+        if (pointLimit_ > 0 && lines_[i].size() > pointLimit_) { lines_[i].pop_front(); }
     }
 }
 
@@ -42,26 +40,20 @@ void MotionTrails::drawStrobes(Paint& paint, const PixelView& view, const SceneD
     for (std::size_t k = 0; k < strobes_.size(); ++k) {
         const double age = static_cast<double>(k + 1) / static_cast<double>(strobes_.size());
         for (std::size_t i = 0; i < std::min(strobes_[k].size(), scene.bodyCount()); ++i) {
-            if (!scene.moves(i)) {
-                continue;
-            }
+            if (!scene.moves(i)) { continue; }
             scene.drawPale(paint, view, i, strobes_[k][i], kOldestStrength + (kNewestStrobe - kOldestStrength) * age);
         }
     }
 }
 
 void MotionTrails::drawLine(Paint& paint, const PixelView& view, const std::deque<DVec2>& line, Color color) const {
-    if (line.empty()) {
-        return;
-    }
+    if (line.empty()) { return; }
     DVec2 last = view.toPixels(line.front());
     for (std::size_t i = 1; i < line.size(); ++i) {
         const DVec2 next = view.toPixels(line[i]);
         const bool newest = i + 1 == line.size();
         // Points closer than a pixel are joined, so that a slow body costs no more triangles than a fast one.
-        if (!newest && std::hypot(next.x - last.x, next.y - last.y) < 1) {
-            continue;
-        }
+        if (!newest && std::hypot(next.x - last.x, next.y - last.y) < 1) { continue; }
         const double age = static_cast<double>(i) / static_cast<double>(line.size());
         const double strength = kOldestStrength + (kNewestStrength - kOldestStrength) * age;
         paint.line(last, next, 1.6 * view.pen, mix(style::kBackground, color, strength));

@@ -73,9 +73,7 @@ std::unique_ptr<RenderCanvas> RenderCanvas::create(int width, int height, int su
 
 Image RenderCanvas::draw(Color background, std::span<const PaintVertex> triangles) {
     Target& target = *target_;
-    if (!target.makeCurrent()) {
-        return {};
-    }
+    if (!target.makeCurrent()) { return {}; }
     constexpr float kByte = 1.0f / 255.0f;
     glViewport(0, 0, target.width * target.factor, target.height * target.factor);
     glDisable(GL_DITHER);

@@ -24,9 +24,7 @@ DVec2 leftOf(DVec2 p, DVec2 q) {
 DVec2 miter(DVec2 before, DVec2 after) {
     const DVec2 sum = before + after;
     const double size = dot(sum, sum);
-    if (size < 1e-6) {
-        return after;
-    }  // a hairpin has no left side to share
+    if (size < 1e-6) { return after; }  // a hairpin has no left side to share
     const DVec2 exact = 2 / size * sum;
     const double longest = std::hypot(exact.x, exact.y);
     return std::min(1.0, kLongestMiter / longest) * exact;
@@ -45,9 +43,7 @@ void hatch(Paint& paint, DVec2 p, DVec2 along, DVec2 left, double walked, double
 
 void shadeSolidSide(Paint& paint, std::span<const DVec2> points, bool loop, Color color, double pen) {
     const std::size_t count = points.size();
-    if (count < 2 || !std::all_of(points.begin(), points.end(), isFinite)) {
-        return;
-    }
+    if (count < 2 || !std::all_of(points.begin(), points.end(), isFinite)) { return; }
     const std::size_t edges = loop ? count : count - 1;
     const PixelBox near = paint.box().grownBy(kLongestMiter * kBand * pen);
     const auto normal = [&](std::size_t edge) { return leftOf(points[edge % count], points[(edge + 1) % count]); };

@@ -17,9 +17,7 @@ std::vector<DVec2> springPath(DVec2 p, DVec2 q, double pen) {
     constexpr int kTurns = 12;
     const DVec2 along = q - p;
     const double size = std::hypot(along.x, along.y);
-    if (!(size > 0) || !std::isfinite(size)) {
-        return {p, q};
-    }
+    if (!(size > 0) || !std::isfinite(size)) { return {p, q}; }
     const DVec2 side = std::min(5 * pen, size / 8) / size * DVec2{-along.y, along.x};
     std::vector<DVec2> path{p, p + 0.12 * along};
     for (int i = 0; i < kTurns; ++i) {
@@ -50,18 +48,14 @@ DVec2 turned(double angle, DVec2 v) {
 /// Index of the body of a name; the number of bodies when there is none.
 std::size_t bodyIndex(const SceneDescription& scene, const std::string& name) {
     std::size_t i = 0;
-    while (i < scene.bodies.size() && bodyName(scene, i) != name) {
-        ++i;
-    }
+    while (i < scene.bodies.size() && bodyName(scene, i) != name) { ++i; }
     return i;
 }
 
 /// Anchor of a joint that can be geared, in world coordinates.
 std::optional<DVec2> gearedAnchor(const SceneDescription& scene, const std::string& name) {
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
-        if (jointName(scene, i) != name) {
-            continue;
-        }
+        if (jointName(scene, i) != name) { continue; }
         if (const auto* revolute = std::get_if<RevoluteDescription>(&scene.joints[i].joint)) {
             return revolute->anchor;
         }
@@ -117,9 +111,7 @@ struct DrawingMaker {
     void operator()(const GearDescription& joint) const {
         const std::optional<DVec2> first = gearedAnchor(scene, joint.jointA);
         const std::optional<DVec2> second = gearedAnchor(scene, joint.jointB);
-        if (first && second) {
-            anchors(JointMark::mesh, *first, *second);
-        }
+        if (first && second) { anchors(JointMark::mesh, *first, *second); }
     }
     void operator()(const PulleyDescription& joint) const {
         anchors(JointMark::pulley, joint.anchorA, joint.anchorB);
@@ -131,12 +123,8 @@ struct DrawingMaker {
 
 /// The arms from body to pin; a static body has none, its origin may be anywhere.
 void drawArms(Paint& paint, const PlacedJoint& placed, DVec2 anchorA, DVec2 anchorB, double pen) {
-    if (placed.movesA) {
-        paint.line(placed.poseA.origin(), anchorA, 1.1 * pen, style::kJoint);
-    }
-    if (placed.movesB) {
-        paint.line(placed.poseB.origin(), anchorB, 1.1 * pen, style::kJoint);
-    }
+    if (placed.movesA) { paint.line(placed.poseA.origin(), anchorA, 1.1 * pen, style::kJoint); }
+    if (placed.movesB) { paint.line(placed.poseB.origin(), anchorB, 1.1 * pen, style::kJoint); }
 }
 
 /// Direction of the axis in pixels, of unit length.
@@ -182,9 +170,7 @@ void drawSeam(Paint& paint, const PlacedJoint& placed, DVec2 anchorA, DVec2 anch
     const DVec2 p{size, size};
     const DVec2 q{size, -size};
     paint.line(anchorA, anchorB, 2 * pen, style::kWarning);
-    if (!placed.joint.sprung) {
-        paint.fillBox({anchorA - 1.2 * p, anchorA + 1.2 * p}, pen, style::kJoint);
-    }
+    if (!placed.joint.sprung) { paint.fillBox({anchorA - 1.2 * p, anchorA + 1.2 * p}, pen, style::kJoint); }
     const Color cross = placed.joint.sprung ? style::kJoint : rgb(0xFFFFFF);
     paint.line(anchorA - p, anchorA + p, 1.3 * pen, cross);
     paint.line(anchorA - q, anchorA + q, 1.3 * pen, cross);
@@ -195,12 +181,8 @@ void drawPulley(Paint& paint, const PixelView& view, const JointDrawing& joint, 
     const DVec2 wheelB = view.toPixels(joint.worldB);
     const std::array<DVec2, 4> rope{anchorA, wheelA, wheelB, anchorB};
     paint.polyline(rope, false, 1.3 * view.pen, style::kJoint);
-    for (const DVec2 wheel : {wheelA, wheelB}) {
-        pin(paint, wheel, 6 * view.pen);
-    }
-    for (const DVec2 end : {anchorA, anchorB}) {
-        pin(paint, end, 2.6 * view.pen);
-    }
+    for (const DVec2 wheel : {wheelA, wheelB}) { pin(paint, wheel, 6 * view.pen); }
+    for (const DVec2 end : {anchorA, anchorB}) { pin(paint, end, 2.6 * view.pen); }
 }
 
 }  // namespace
@@ -208,9 +190,7 @@ void drawPulley(Paint& paint, const PixelView& view, const JointDrawing& joint, 
 std::optional<JointDrawing> jointDrawing(const SceneDescription& scene, const JointDescription& joint) {
     const std::size_t a = bodyIndex(scene, joint.bodyA);
     const std::size_t b = bodyIndex(scene, joint.bodyB);
-    if (std::max(a, b) >= scene.bodies.size()) {
-        return std::nullopt;
-    }
+    if (std::max(a, b) >= scene.bodies.size()) { return std::nullopt; }
     JointDrawing drawing;
     drawing.bodyA = static_cast<int>(a);
     drawing.bodyB = static_cast<int>(b);
@@ -237,13 +217,14 @@ void drawJoint(Paint& paint, const PixelView& view, const PlacedJoint& placed) {
             } else {
                 paint.polyline(ends, false, 1.3 * pen, style::kJoint);
             }
-            for (const DVec2 end : ends) {
-                pin(paint, end, 2.6 * pen);
-            }
+            for (const DVec2 end : ends) { pin(paint, end, 2.6 * pen); }
             return;
-        case JointMark::slide: return drawSlide(paint, placed, anchorA, anchorB, pen);
-        case JointMark::wheel: return drawWheel(paint, placed, anchorA, anchorB, pen);
-        case JointMark::seam: return drawSeam(paint, placed, anchorA, anchorB, pen);
+        case JointMark::slide:
+            return drawSlide(paint, placed, anchorA, anchorB, pen);
+        case JointMark::wheel:
+            return drawWheel(paint, placed, anchorA, anchorB, pen);
+        case JointMark::seam:
+            return drawSeam(paint, placed, anchorA, anchorB, pen);
         case JointMark::arrow:
             paint.dashed(ends, false, 1.1 * pen, 5 * pen, 3.5 * pen, style::kJoint);
             paint.disc(anchorA, 2 * pen, style::kJoint);
@@ -256,9 +237,12 @@ void drawJoint(Paint& paint, const PixelView& view, const PlacedJoint& placed) {
             paint.disc(anchorB, 2 * pen, style::kJoint);
             return;
         }
-        case JointMark::mesh: return paint.dashed(ends, false, 1.1 * pen, 2 * pen, 3 * pen, style::kJoint);
-        case JointMark::pulley: return drawPulley(paint, view, joint, anchorA, anchorB);
-        case JointMark::none: return;
+        case JointMark::mesh:
+            return paint.dashed(ends, false, 1.1 * pen, 2 * pen, 3 * pen, style::kJoint);
+        case JointMark::pulley:
+            return drawPulley(paint, view, joint, anchorA, anchorB);
+        case JointMark::none:
+            return;
     }
 }
 

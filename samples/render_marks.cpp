@@ -33,9 +33,7 @@ bool isShown(const PixelView& view, const SceneDrawing& scene, const WayFrame& w
         return false;
     }
     for (const PoseFrame& pose : way.poses) {
-        if (!isFinite(pose.position) || !std::isfinite(pose.angle)) {
-            return false;
-        }
+        if (!isFinite(pose.position) || !std::isfinite(pose.angle)) { return false; }
     }
     const DVec2 moved = view.toPixels(way.poses.back().position) - view.toPixels(way.poses.front().position);
     return way.poses.size() > 2 || way.lostSeconds > 0 || std::hypot(moved.x, moved.y) > kLeastWay * view.pen;
@@ -45,9 +43,7 @@ bool isShown(const PixelView& view, const SceneDrawing& scene, const WayFrame& w
 
 void drawSweptAreas(Paint& paint, const PixelView& view, const SceneDrawing& scene, const Frame& frame) {
     for (const WayFrame& way : frame.ways) {
-        if (!isShown(view, scene, way)) {
-            continue;
-        }
+        if (!isShown(view, scene, way)) { continue; }
         for (std::size_t i = 1; i < way.poses.size(); ++i) {
             scene.drawSwept(paint, view, static_cast<std::size_t>(way.body), stateOf(way.poses[i - 1]),
                             stateOf(way.poses[i]));
@@ -57,9 +53,7 @@ void drawSweptAreas(Paint& paint, const PixelView& view, const SceneDrawing& sce
 
 void drawSweptPoses(Paint& paint, const PixelView& view, const SceneDrawing& scene, const Frame& frame) {
     for (const WayFrame& way : frame.ways) {
-        if (!isShown(view, scene, way)) {
-            continue;
-        }
+        if (!isShown(view, scene, way)) { continue; }
         const auto body = static_cast<std::size_t>(way.body);
         const DVec2 start = view.toPixels(way.poses.front().position);
         DVec2 last = start;
@@ -75,9 +69,7 @@ void drawSweptPoses(Paint& paint, const PixelView& view, const SceneDrawing& sce
     }
     for (const HitFrame& hit : frame.hits) {
         const DVec2 p = view.toPixels(hit.point);
-        if (!isFinite(p) || !isFinite(hit.normal)) {
-            continue;
-        }
+        if (!isFinite(p) || !isFinite(hit.normal)) { continue; }
         paint.arrow(p, p + view.pen * kHitLength * hit.normal, 1.7 * view.pen, style::kContact);
         paint.disc(p, 2.6 * view.pen, style::kContact);
     }
@@ -86,9 +78,7 @@ void drawSweptPoses(Paint& paint, const PixelView& view, const SceneDrawing& sce
 void drawLostTimes(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) {
     for (const WayFrame& way : frame.ways) {
         const DVec2 p = view.toPixels(way.poses.back().position);
-        if (!(way.lostSeconds > 0) || !isFinite(p) || !paint.box().contains(p)) {
-            continue;
-        }
+        if (!(way.lostSeconds > 0) || !isFinite(p) || !paint.box().contains(p)) { continue; }
         const std::string text = "lost " + fixedDecimals(1000 * way.lostSeconds, 1) + " ms";
         const double width = textWidth(text, textHeight);
         const DVec2 low = p + DVec2{-width / 2, kLabelHeight * textHeight};
@@ -100,9 +90,7 @@ void drawLostTimes(Paint& paint, const PixelView& view, const Frame& frame, doub
 void drawContacts(Paint& paint, const PixelView& view, const Frame& frame) {
     for (const ContactFrame& contact : frame.contacts) {
         const DVec2 p = view.toPixels(contact.point);
-        if (!isFinite(p) || !isFinite(contact.normal)) {
-            continue;
-        }
+        if (!isFinite(p) || !isFinite(contact.normal)) { continue; }
         paint.arrow(p, p + view.pen * kNormalLength * contact.normal, 1.4 * view.pen, style::kContact);
         paint.disc(p, 3.4 * view.pen, rgb(0xFFFFFF));
         paint.disc(p, 2.5 * view.pen, style::kContact);
@@ -113,9 +101,7 @@ void drawVelocities(Paint& paint, const PixelView& view, const SceneDrawing& sce
                     double seconds) {
     for (std::size_t i = 0; i < std::min(scene.bodyCount(), frame.bodies.size()); ++i) {
         const BodyFrame& body = frame.bodies[i];
-        if (!body.awake || !scene.moves(i)) {
-            continue;
-        }
+        if (!body.awake || !scene.moves(i)) { continue; }
         const DVec2 tail = view.toPixels(body.position);
         const DVec2 way = view.scale * seconds * body.velocity;
         if (std::hypot(way.x, way.y) >= kShortestArrow) {
@@ -126,9 +112,7 @@ void drawVelocities(Paint& paint, const PixelView& view, const SceneDrawing& sce
 
 void drawImpacts(Paint& paint, const PixelView& view, const SceneDrawing& scene, const Frame& frame) {
     for (const ImpactFrame& impact : frame.impacts) {
-        if (impact.body < 0 || static_cast<std::size_t>(impact.body) >= scene.bodyCount()) {
-            continue;
-        }
+        if (impact.body < 0 || static_cast<std::size_t>(impact.body) >= scene.bodyCount()) { continue; }
         BodyFrame state;
         state.position = impact.position;
         state.angle = impact.angle;

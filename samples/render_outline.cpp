@@ -44,9 +44,7 @@ struct Arc {
     void addTurn(double from, double turn) const {
         const int quarters = std::max(1, static_cast<int>(std::ceil(turn / (std::numbers::pi / 2) - 1e-9)));
         out.push_back(at(from));
-        for (int i = 0; i < quarters; ++i) {
-            add(from + turn * i / quarters, from + turn * (i + 1) / quarters, 0);
-        }
+        for (int i = 0; i < quarters; ++i) { add(from + turn * i / quarters, from + turn * (i + 1) / quarters, 0); }
     }
 };
 
@@ -84,9 +82,7 @@ ShapeCore shapeCore(const Geometry& geometry, double radius) { return std::visit
 std::vector<DVec2> convexHull(std::vector<DVec2> points) {
     std::sort(points.begin(), points.end(), [](DVec2 a, DVec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    if (points.size() < 3) {
-        return points;
-    }
+    if (points.size() < 3) { return points; }
     std::vector<DVec2> hull;
     const auto addSide = [&hull](auto first, auto last) {  // Andrew's monotone chain: one side, without its last point
         const std::size_t start = hull.size();
@@ -104,20 +100,14 @@ std::vector<DVec2> convexHull(std::vector<DVec2> points) {
 }
 
 double narrowestWidth(const ShapeCore& core) {
-    if (core.points.size() < 3) {
-        return 2 * core.radius;
-    }
+    if (core.points.size() < 3) { return 2 * core.radius; }
     double narrowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < core.points.size(); ++i) {
         const DVec2 edge = core.points[(i + 1) % core.points.size()] - core.points[i];
         const double size = std::hypot(edge.x, edge.y);
-        if (!(size > 0)) {
-            continue;
-        }
+        if (!(size > 0)) { continue; }
         double width = 0;
-        for (const DVec2 p : core.points) {
-            width = std::max(width, cross(1 / size * edge, p - core.points[i]));
-        }
+        for (const DVec2 p : core.points) { width = std::max(width, cross(1 / size * edge, p - core.points[i])); }
         narrowest = std::min(narrowest, width);
     }
     return (std::isfinite(narrowest) ? narrowest : 0) + 2 * core.radius;
@@ -130,9 +120,7 @@ std::vector<DVec2> roundedOutline(const ShapeCore& core, const PixelBox& box) {
         Arc{core.points[0], core.radius, box, out}.addTurn(0, 2 * std::numbers::pi);
         return out;
     }
-    if (!(core.radius > 0)) {
-        return core.points;
-    }
+    if (!(core.radius > 0)) { return core.points; }
     for (std::size_t i = 0; i < count; ++i) {
         const DVec2 before = core.points[i] - core.points[(i + count - 1) % count];
         const DVec2 after = core.points[(i + 1) % count] - core.points[i];
@@ -145,12 +133,8 @@ std::vector<DVec2> roundedOutline(const ShapeCore& core, const PixelBox& box) {
 }
 
 ShapeCore insetCore(const ShapeCore& core, double depth, const PixelBox& box) {
-    if (depth <= core.radius) {
-        return {core.points, core.radius - depth};
-    }
-    if (core.points.size() < 3) {
-        return {};
-    }
+    if (depth <= core.radius) { return {core.points, core.radius - depth}; }
+    if (core.points.size() < 3) { return {}; }
     ShapeCore inner{core.points, 0};
     const double cut = depth - core.radius;
     // Cut what is visible, not what is there: a corner 10^17 pixels away cannot be moved by one pixel.
@@ -159,9 +143,7 @@ ShapeCore insetCore(const ShapeCore& core, double depth, const PixelBox& box) {
         const DVec2 p = core.points[i];
         const DVec2 edge = core.points[(i + 1) % core.points.size()] - p;
         const double size = std::hypot(edge.x, edge.y);
-        if (!(size > 0)) {
-            continue;
-        }
+        if (!(size > 0)) { continue; }
         const DVec2 along = 1 / size * edge;
         cutLeftOf(inner.points, p + cut * DVec2{-along.y, along.x}, -along);
     }

@@ -28,9 +28,7 @@ void gridLines(Paint& paint, const PixelView& view, double spacing, int skipEver
         const double count = std::ceil((center + half) / spacing) - first;
         for (double k = 0; k <= count; ++k) {
             const bool skipped = skipEvery > 0 && std::fmod(first + k, skipEvery) == 0;
-            if (!skipped) {
-                draw(view.scale * ((first + k) * spacing - center));
-            }
+            if (!skipped) { draw(view.scale * ((first + k) * spacing - center)); }
         }
     };
     lines(view.center.x, halfSize.x, [&](double x) {
@@ -47,9 +45,7 @@ void swatch(Paint& paint, DVec2 center, double size, const LegendEntry& entry, d
     const PixelBox box{center - 0.5 * DVec2{size, size}, center + 0.5 * DVec2{size, size}};
     const std::array<DVec2, 4> corners{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}};
     if (entry.dashed || entry.outlineOnly) {
-        if (entry.dashed) {
-            paint.fillConvex(corners, entry.fill);
-        }
+        if (entry.dashed) { paint.fillConvex(corners, entry.fill); }
         if (entry.dashed) {
             paint.dashed(corners, true, 1.2 * pen, 3 * pen, 2.2 * pen, entry.edge);
         } else {
@@ -76,9 +72,7 @@ double roundLengthBelow(double limit) {
     const double power = std::pow(10.0, std::floor(std::log10(limit)));
     for (const double factor : {10.0, 5.0, 2.0}) {
         // A little tolerance: 10^k is not exact, and 0.5 must stay 0.5.
-        if (factor * power <= limit * (1 + 1e-12)) {
-            return factor * power;
-        }
+        if (factor * power <= limit * (1 + 1e-12)) { return factor * power; }
     }
     return power;
 }
@@ -91,9 +85,7 @@ std::string lengthLabel(double metres) {
     constexpr std::array<Unit, 5> kUnits{{{1e3, " km"}, {1, " m"}, {1e-2, " cm"}, {1e-3, " mm"}, {1e-6, " \u00B5m"}}};
     for (const Unit& unit : kUnits) {
         const double count = metres / unit.metres;
-        if (count > 0.999 && count < 9.99e5) {
-            return fixedDecimals(std::round(count), 0) + unit.name;
-        }
+        if (count > 0.999 && count < 9.99e5) { return fixedDecimals(std::round(count), 0) + unit.name; }
     }
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.0e m", metres);  // no decimals, hence no locale
@@ -124,9 +116,7 @@ std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const Rend
     if (any([](const BodyDescription& b) { return b.type == SceneBodyType::kinematic; })) {
         add(style::bodyStyle(SceneBodyType::kinematic, false, true, 0), "kinematic");
     }
-    if (any(isPlain)) {
-        entries.push_back(dynamicLegend("dynamic"));
-    }
+    if (any(isPlain)) { entries.push_back(dynamicLegend("dynamic")); }
     if (any(isPlain) && scene.settings.sleep) {
         add(style::bodyStyle(SceneBodyType::dynamic, false, false, 0), "asleep");
     }
@@ -144,9 +134,7 @@ std::vector<LegendEntry> legendEntries(const SceneDescription& scene, const Rend
     if (options.ghosts || options.sweeps) {
         entries.push_back({withAlpha(style::kGhost, 36), style::kGhost, "at impact", true, false, {}});
     }
-    if (options.contacts) {
-        add({style::kContact, style::kContact}, "contact");
-    }
+    if (options.contacts) { add({style::kContact, style::kContact}, "contact"); }
     if (options.velocities) {
         std::string label = "velocity \u00D7 " + fixedDecimals(options.velocitySeconds, 2) + " s";
         entries.push_back({style::kVelocity, style::kVelocity, label, false, false, {}});
@@ -223,18 +211,14 @@ void drawLegend(Paint& paint, const OverlayMetrics& m, std::span<const LegendEnt
         }
         rowOf.push_back(rows.size() - 1);
     }
-    if (rows.empty()) {
-        return;
-    }
+    if (rows.empty()) { return; }
     const double widest = *std::max_element(rows.begin(), rows.end());
     const DVec2 panelSize{widest + 2 * m.padding,
                           static_cast<double>(rows.size() - 1) * rowHeight + size + 2 * m.padding};
     const PixelBox box = panel(paint, m, {paint.box().high.x - m.margin - panelSize.x, m.margin}, panelSize);
     double x = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (i == 0 || rowOf[i] != rowOf[i - 1]) {
-            x = box.low.x + m.padding;
-        }
+        if (i == 0 || rowOf[i] != rowOf[i - 1]) { x = box.low.x + m.padding; }
         const double middle = box.high.y - m.padding - size / 2 - static_cast<double>(rowOf[i]) * rowHeight;
         swatch(paint, {x + size / 2, middle}, size, entries[i], m.pen);
         drawText(paint, entries[i].label, {x + 1.55 * size, middle - m.text / 2}, m.text, style::kText);

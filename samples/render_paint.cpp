@@ -36,9 +36,7 @@ void cutAtCoordinate(std::vector<DVec2>& points, double DVec2::*axis, double bou
         const DVec2 b = points[(i + 1) % points.size()];
         const double depthA = side * (a.*axis - bound);
         const double depthB = side * (b.*axis - bound);
-        if (depthA >= 0) {
-            kept.push_back(a);
-        }
+        if (depthA >= 0) { kept.push_back(a); }
         if ((depthA < 0 && depthB > 0) || (depthA > 0 && depthB < 0)) {
             DVec2 cut = a + depthA / (depthA - depthB) * (b - a);
             cut.*axis = bound;
@@ -51,9 +49,7 @@ void cutAtCoordinate(std::vector<DVec2>& points, double DVec2::*axis, double bou
 /// Narrows the visible part to `distance + t · slope >= 0`.
 void narrow(VisiblePart& part, double distance, double slope) {
     if (slope == 0) {
-        if (distance < 0) {
-            part = {};
-        }
+        if (distance < 0) { part = {}; }
         return;
     }
     const double crossing = -distance / slope;
@@ -91,9 +87,7 @@ void cutLeftOf(std::vector<DVec2>& points, DVec2 p, DVec2 direction) {
         const DVec2 b = points[(i + 1) % points.size()];
         const double sideA = cross(direction, a - p);
         const double sideB = cross(direction, b - p);
-        if (sideA <= 0) {
-            kept.push_back(a);
-        }
+        if (sideA <= 0) { kept.push_back(a); }
         if ((sideA < 0 && sideB > 0) || (sideA > 0 && sideB < 0)) {
             kept.push_back(a + sideA / (sideA - sideB) * (b - a));
         }
@@ -107,9 +101,7 @@ void clipToBox(std::vector<DVec2>& points, const PixelBox& box) {
         p = clamped(p);
         inside = inside && box.contains(p);
     }
-    if (inside) {
-        return;
-    }
+    if (inside) { return; }
     cutAtCoordinate(points, &DVec2::x, box.low.x, 1);
     cutAtCoordinate(points, &DVec2::x, box.high.x, -1);
     cutAtCoordinate(points, &DVec2::y, box.low.y, 1);
@@ -129,14 +121,10 @@ void Paint::triangle(DVec2 a, DVec2 b, DVec2 c, Color color) {
 }
 
 void Paint::fillConvex(std::span<const DVec2> outline, Color color) {
-    if (outline.size() < 3 || !allFinite(outline)) {
-        return;
-    }
+    if (outline.size() < 3 || !allFinite(outline)) { return; }
     clipped_.assign(outline.begin(), outline.end());
     clipToBox(clipped_, box_.grownBy(kClipMargin));
-    for (std::size_t i = 2; i < clipped_.size(); ++i) {
-        triangle(clipped_[0], clipped_[i - 1], clipped_[i], color);
-    }
+    for (std::size_t i = 2; i < clipped_.size(); ++i) { triangle(clipped_[0], clipped_[i - 1], clipped_[i], color); }
 }
 
 void Paint::fillGradient(DVec2 p, DVec2 q, DVec2 pFar, DVec2 qFar, Color color, Color farColor) {
@@ -164,9 +152,7 @@ void Paint::fillBox(const PixelBox& box, double cornerRadius, Color color) {
 }
 
 void Paint::disc(DVec2 center, double radius, Color color) {
-    if (!isFinite(center) || !box_.grownBy(radius).contains(center)) {
-        return;
-    }
+    if (!isFinite(center) || !box_.grownBy(radius).contains(center)) { return; }
     const int sides =
         std::max(8, static_cast<int>(std::ceil(std::numbers::pi * std::sqrt(radius / (2 * kDiscTolerance)))));
     DVec2 last = center + DVec2{radius, 0};
@@ -179,15 +165,11 @@ void Paint::disc(DVec2 center, double radius, Color color) {
 }
 
 void Paint::line(DVec2 p, DVec2 q, double width, Color color) {
-    if (!isFinite(p) || !isFinite(q)) {
-        return;
-    }
+    if (!isFinite(p) || !isFinite(q)) { return; }
     p = clamped(p);
     q = clamped(q);
     const VisiblePart part = clipSegment(p, q, box_.grownBy(kClipMargin + width));
-    if (part.from >= part.to) {
-        return;
-    }
+    if (part.from >= part.to) { return; }
     const DVec2 side = width / 2 * normalOf(p, q);
     const DVec2 a = p + part.from * (q - p);
     const DVec2 b = p + part.to * (q - p);
@@ -199,16 +181,12 @@ void Paint::polyline(std::span<const DVec2> points, bool closed, double width, C
     for (std::size_t i = 0; i < points.size(); ++i) {
         disc(points[i], width / 2, color);
         const std::size_t next = i + 1 < points.size() ? i + 1 : 0;
-        if (next != 0 || closed) {
-            line(points[i], points[next], width, color);
-        }
+        if (next != 0 || closed) { line(points[i], points[next], width, color); }
     }
 }
 
 void Paint::dashed(std::span<const DVec2> points, bool closed, double width, double dash, double gap, Color color) {
-    if (!allFinite(points)) {
-        return;
-    }
+    if (!allFinite(points)) { return; }
     const double period = dash + gap;
     double walked = 0;  // along the outline, so that dashes run on around its corners
     const std::size_t edges = closed ? points.size() : points.size() - std::min<std::size_t>(1, points.size());
@@ -224,9 +202,7 @@ void Paint::dashed(std::span<const DVec2> points, bool closed, double width, dou
             for (int k = 0; k * period - phase < visible; ++k) {
                 const double from = start + std::max(0.0, k * period - phase);
                 const double to = start + std::min(visible, k * period - phase + dash);
-                if (from < to) {
-                    line(p + from / size * (q - p), p + to / size * (q - p), width, color);
-                }
+                if (from < to) { line(p + from / size * (q - p), p + to / size * (q - p), width, color); }
             }
         }
         walked = std::fmod(walked + size, period);
@@ -235,9 +211,7 @@ void Paint::dashed(std::span<const DVec2> points, bool closed, double width, dou
 
 void Paint::arrow(DVec2 tail, DVec2 tip, double width, Color color) {
     const double size = std::hypot(tip.x - tail.x, tip.y - tail.y);
-    if (!(size > 0) || !std::isfinite(size)) {
-        return;
-    }
+    if (!(size > 0) || !std::isfinite(size)) { return; }
     const DVec2 along = 1 / size * (tip - tail);
     const DVec2 side{-along.y, along.x};
     const double head = std::min(4.5 * width, size / 2);

@@ -17,15 +17,14 @@ constexpr double kThinnest = 1.6;
 /// Thinner shapes show their edge only.
 constexpr double kThinnestWithFill = 2.6;
 constexpr double kSegmentThickness = 2.2;
-/// A sweep that turns is drawn in pieces of so many radians, which differ from the true one by less than a line's width.
+/// A sweep that turns is drawn in pieces of so many radians, which differ from the true one by less than a line's
+/// width.
 constexpr double kSweptTurn = 0.08;
 constexpr int kMostSweptPieces = 400;
 
 ShapeCore coreInPixels(const PixelPose& pose, const ShapeCore& core, double thinnest = kThinnest) {
     ShapeCore pixels{{}, core.radius * pose.scale()};
-    for (const DVec2 p : core.points) {
-        pixels.points.push_back(pose.toPixels(p));
-    }
+    for (const DVec2 p : core.points) { pixels.points.push_back(pose.toPixels(p)); }
     pixels.radius += std::max(0.0, (thinnest * pose.pen() - narrowestWidth(pixels)) / 2);
     return pixels;
 }
@@ -38,15 +37,11 @@ SceneDrawing::SceneDrawing(const SceneDescription& scene) {
         const BodyDescription& body = scene.bodies[i];
         BodyDrawing drawing{bodyName(scene, i), body.type, body.bullet, dynamicBodies, {}};
         dynamicBodies += body.type == SceneBodyType::dynamic ? 1 : 0;
-        for (const ShapeDescription& shape : body.shapes) {
-            drawing.shapes.push_back(shapeDrawing(shape));
-        }
+        for (const ShapeDescription& shape : body.shapes) { drawing.shapes.push_back(shapeDrawing(shape)); }
         bodies_.push_back(std::move(drawing));
     }
     for (const JointDescription& joint : scene.joints) {
-        if (const auto drawing = jointDrawing(scene, joint)) {
-            joints_.push_back(*drawing);
-        }
+        if (const auto drawing = jointDrawing(scene, joint)) { joints_.push_back(*drawing); }
     }
 }
 
@@ -79,13 +74,9 @@ void SceneDrawing::drawBodies(Paint& paint, const PixelView& view, const Frame& 
     const auto eachShape = [&](auto&& wanted, auto&& drawShape) {
         for (std::size_t i = 0; i < count; ++i) {
             const PixelPose pose(view, frame.bodies[i].position, frame.bodies[i].angle);
-            if (!pose.finite()) {
-                continue;
-            }
+            if (!pose.finite()) { continue; }
             for (const ShapeDrawing& shape : bodies_[i].shapes) {
-                if (wanted(bodies_[i], shape)) {
-                    drawShape(i, pose, shape);
-                }
+                if (wanted(bodies_[i], shape)) { drawShape(i, pose, shape); }
             }
         }
     };
@@ -126,16 +117,12 @@ void SceneDrawing::drawConvex(Paint& paint, const PixelPose& pose, const ShapeDr
 void SceneDrawing::drawChain(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape,
                              const style::BodyStyle& look) const {
     ShapeCore core{{}, shape.core.radius * pose.scale()};
-    for (const DVec2 p : shape.core.points) {
-        core.points.push_back(pose.toPixels(p));
-    }
+    for (const DVec2 p : shape.core.points) { core.points.push_back(pose.toPixels(p)); }
     shadeSolidSide(paint, core.points, shape.loop, look.edge, pose.pen());
     const double thickness = std::max(kSegmentThickness * pose.pen(), 2 * core.radius);
     const double edge = style::kEdgeWidth * pose.pen();
     paint.polyline(core.points, shape.loop, thickness, look.edge);
-    if (thickness > 3 * edge) {
-        paint.polyline(core.points, shape.loop, thickness - 2 * edge, look.fill);
-    }
+    if (thickness > 3 * edge) { paint.polyline(core.points, shape.loop, thickness - 2 * edge, look.fill); }
 }
 
 void SceneDrawing::drawSensor(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape) const {
@@ -147,9 +134,7 @@ void SceneDrawing::drawSensor(Paint& paint, const PixelPose& pose, const ShapeDr
         return;
     }
     std::vector<DVec2> points;
-    for (const DVec2 p : shape.core.points) {
-        points.push_back(pose.toPixels(p));
-    }
+    for (const DVec2 p : shape.core.points) { points.push_back(pose.toPixels(p)); }
     paint.dashed(points, shape.loop, 1.3 * pose.pen(), 5 * pose.pen(), 3.5 * pose.pen(), style::kSensor);
 }
 
@@ -168,37 +153,27 @@ void SceneDrawing::drawOutline(Paint& paint, const PixelPose& pose, const ShapeD
 void SceneDrawing::drawOutlines(Paint& paint, const PixelView& view, const Frame& frame, Color color) const {
     for (std::size_t i = 0; i < std::min(bodies_.size(), frame.bodies.size()); ++i) {
         const PixelPose pose(view, frame.bodies[i].position, frame.bodies[i].angle);
-        if (!moves(i) || !pose.finite()) {
-            continue;
-        }
-        for (const ShapeDrawing& shape : bodies_[i].shapes) {
-            drawOutline(paint, pose, shape, color);
-        }
+        if (!moves(i) || !pose.finite()) { continue; }
+        for (const ShapeDrawing& shape : bodies_[i].shapes) { drawOutline(paint, pose, shape, color); }
     }
 }
 
 void SceneDrawing::drawPale(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state,
                             double strength) const {
     const PixelPose pose(view, state.position, state.angle);
-    if (!pose.finite()) {
-        return;
-    }
+    if (!pose.finite()) { return; }
     const style::BodyStyle own = styleOf(body, true);
     const style::BodyStyle pale{mix(style::kBackground, own.fill, strength),
                                 mix(style::kBackground, own.edge, strength)};
     for (const ShapeDrawing& shape : bodies_[body].shapes) {
-        if (!shape.sensor && shape.kind != Kind::chain) {
-            drawConvex(paint, pose, shape, pale);
-        }
+        if (!shape.sensor && shape.kind != Kind::chain) { drawConvex(paint, pose, shape, pale); }
     }
 }
 
 void SceneDrawing::drawGhost(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& state,
                              Color color) const {
     const PixelPose pose(view, state.position, state.angle);
-    if (!pose.finite()) {
-        return;
-    }
+    if (!pose.finite()) { return; }
     for (const ShapeDrawing& shape : bodies_[body].shapes) {
         const std::vector<DVec2> outline = roundedOutline(coreInPixels(pose, shape.core), paint.box());
         paint.fillConvex(outline, withAlpha(color, 36));
@@ -231,23 +206,17 @@ void SceneDrawing::drawJoints(Paint& paint, const PixelView& view, const Frame& 
     for (const JointDrawing& joint : joints_) {
         const auto a = static_cast<std::size_t>(joint.bodyA);
         const auto b = static_cast<std::size_t>(joint.bodyB);
-        if (std::max(a, b) >= frame.bodies.size()) {
-            continue;
-        }
+        if (std::max(a, b) >= frame.bodies.size()) { continue; }
         const PixelPose poseA(view, frame.bodies[a].position, frame.bodies[a].angle);
         const PixelPose poseB(view, frame.bodies[b].position, frame.bodies[b].angle);
-        if (poseA.finite() && poseB.finite()) {
-            drawJoint(paint, view, {joint, poseA, poseB, moves(a), moves(b)});
-        }
+        if (poseA.finite() && poseB.finite()) { drawJoint(paint, view, {joint, poseA, poseB, moves(a), moves(b)}); }
     }
 }
 
 void SceneDrawing::drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const {
     for (std::size_t i = 0; i < std::min(bodies_.size(), frame.bodies.size()); ++i) {
         const DVec2 p = view.toPixels(frame.bodies[i].position);
-        if (!isFinite(p) || !paint.box().contains(p)) {
-            continue;
-        }
+        if (!isFinite(p) || !paint.box().contains(p)) { continue; }
         const double half = textWidth(bodies_[i].name, textHeight) / 2;
         paint.fillBox({{p.x - half - 3, p.y - 0.5 * textHeight - 3}, {p.x + half + 3, p.y + 0.5 * textHeight + 3}}, 3,
                       withAlpha(rgb(0xFFFFFF), 165));

@@ -23,9 +23,7 @@ struct WorldBox {
         high = {std::max(high.x, p.x + radius), std::max(high.y, p.y + radius)};
     }
     void add(const WorldBox& other) {
-        if (other.empty()) {
-            return;
-        }
+        if (other.empty()) { return; }
         add(other.low, 0);
         add(other.high, 0);
     }
@@ -64,15 +62,11 @@ PixelPose::PixelPose(const PixelView& view, DVec2 position, double angle)
 ViewDescription fittedView(const SceneDescription& scene, double aspect) {
     WorldBox moving;
     for (const BodyDescription& body : scene.bodies) {
-        if (body.type != SceneBodyType::fixed) {
-            moving.add(boxOf(body));
-        }
+        if (body.type != SceneBodyType::fixed) { moving.add(boxOf(body)); }
     }
     WorldBox all = moving;
     for (const BodyDescription& body : scene.bodies) {
-        if (body.type != SceneBodyType::fixed) {
-            continue;
-        }
+        if (body.type != SceneBodyType::fixed) { continue; }
         const WorldBox box = boxOf(body);
         if (moving.empty() || box.empty() || box.size() <= 25 * moving.size()) {
             all.add(box);
@@ -85,9 +79,7 @@ ViewDescription fittedView(const SceneDescription& scene, double aspect) {
         near.add(moving.high, reach);
         all.add(box.clippedTo(near));
     }
-    if (all.empty()) {
-        return {{0, 0}, 10};
-    }
+    if (all.empty()) { return {{0, 0}, 10}; }
     const double height = kMargin * std::max(all.high.y - all.low.y, (all.high.x - all.low.x) / aspect);
     return {0.5 * (all.low + all.high), height > 0 ? height : 10};
 }

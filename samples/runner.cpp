@@ -1,6 +1,7 @@
 #include "runner.h"
 
-// Each precision contributes one adapter (world_runner.cpp, compiled twice). Not inline here, so that both can be named.
+// Each precision contributes one adapter (world_runner.cpp, compiled twice). Not inline here, so that both can be
+// named.
 namespace swept::f32 {
 std::unique_ptr<Runner> makeWorldRunner(const SceneDescription& scene, const RunnerOptions& options,
                                         std::string& error);
@@ -14,8 +15,10 @@ namespace swept {
 
 std::unique_ptr<Runner> makeRunner(const SceneDescription& scene, const RunnerOptions& options, std::string& error) {
     switch (options.precision) {
-        case Precision::f32: return f32::makeWorldRunner(scene, options, error);
-        case Precision::f64: return f64::makeWorldRunner(scene, options, error);
+        case Precision::f32:
+            return f32::makeWorldRunner(scene, options, error);
+        case Precision::f64:
+            return f64::makeWorldRunner(scene, options, error);
     }
     return nullptr;  // unreachable, but GCC cannot know
 }

@@ -31,8 +31,8 @@ enum class Precision : std::uint8_t { f32, f64 };
 struct RunnerOptions {
     Precision precision = Precision::f32;
     bool collectEvents = false;
-    bool measure = false;  ///< deepest penetration, joint error and energies for the report
-    bool ways = false;     ///< `Frame::ways`, `hits` and `work`: what happened within the last step
+    bool measure = false;         ///< deepest penetration, joint error and energies for the report
+    bool ways = false;            ///< `Frame::ways`, `hits` and `work`: what happened within the last step
     TaskSystem* tasks = nullptr;  ///< of our world; null: the calling thread. Must outlive the runner
 };
 

@@ -132,9 +132,7 @@ MouseDescription& mouse(SceneDescription& scene, const std::string& a, const std
 GearDescription& gear(SceneDescription& scene, const std::string& jointA, const std::string& jointB, double ratio) {
     const auto movedBy = [&scene](const std::string& name) {
         for (std::size_t i = 0; i < scene.joints.size(); ++i) {
-            if (jointName(scene, i) == name) {
-                return scene.joints[i].bodyB;
-            }
+            if (jointName(scene, i) == name) { return scene.joints[i].bodyB; }
         }
         return std::string();
     };

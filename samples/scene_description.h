@@ -9,9 +9,9 @@
 
 #include "../shapes/dvec2.h"
 
-/// A scene as plain data, in double, for every backend: filled by the JSON reader and by the built-in samples, consumed by
-/// `makeRunner` (ours in f32 and f64, Box2D) and by the renderer. Defaults are those of the scene format. Metres, kilograms,
-/// seconds, radians. Nothing here is validated; `validateScene` does that for both sources.
+/// A scene as plain data, in double, for every backend: filled by the JSON reader and by the built-in samples, consumed
+/// by `makeRunner` (ours in f32 and f64, Box2D) and by the renderer. Defaults are those of the scene format. Metres,
+/// kilograms, seconds, radians. Nothing here is validated; `validateScene` does that for both sources.
 
 namespace swept {
 
@@ -63,7 +63,8 @@ struct FilterDescription {
 
 struct ShapeDescription {
     Geometry geometry = CircleGeometry{};
-    double radius = 0;  ///< grows box, polygon, segment or chain outwards; 0 for circle and capsule (they have their own)
+    double radius =
+        0;  ///< grows box, polygon, segment or chain outwards; 0 for circle and capsule (they have their own)
     double density = 1;
     double friction = 0.6;
     double restitution = 0;
@@ -197,7 +198,7 @@ struct SettingsDescription {
     std::optional<double> maxSpeed;  ///< omitted: none
     bool sleep = true;
     SceneBroadphase broadphase = SceneBroadphase::automatic;
-    std::optional<double> toiTolerance;  ///< metres; omitted: by extent
+    std::optional<double> toiTolerance;                                ///< metres; omitted: by extent
     std::optional<double> maxPenetration, maxJointError, maxLostTime;  ///< error budgets
 
     bool operator==(const SettingsDescription&) const = default;

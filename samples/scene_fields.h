@@ -172,26 +172,24 @@ inline constexpr auto kFields<DistanceDescription> =
                     field("dampingRatio", &DistanceDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
 
 template <>
-inline constexpr auto kFields<PrismaticDescription> =
-    std::make_tuple(required(field("anchor", &PrismaticDescription::anchor, units::kLength)),
-                    required(field("axis", &PrismaticDescription::axis)),
-                    field("lower", &PrismaticDescription::lower, units::kLength),
-                    field("upper", &PrismaticDescription::upper, units::kLength),
-                    field("motorSpeed", &PrismaticDescription::motorSpeed, units::kSpeed),
-                    field("maxMotorForce", &PrismaticDescription::maxMotorForce, units::kForce, bounds::kNotNegative),
-                    field("hertz", &PrismaticDescription::hertz, units::kRate, bounds::kPositive),
-                    field("dampingRatio", &PrismaticDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+inline constexpr auto kFields<PrismaticDescription> = std::make_tuple(
+    required(field("anchor", &PrismaticDescription::anchor, units::kLength)),
+    required(field("axis", &PrismaticDescription::axis)), field("lower", &PrismaticDescription::lower, units::kLength),
+    field("upper", &PrismaticDescription::upper, units::kLength),
+    field("motorSpeed", &PrismaticDescription::motorSpeed, units::kSpeed),
+    field("maxMotorForce", &PrismaticDescription::maxMotorForce, units::kForce, bounds::kNotNegative),
+    field("hertz", &PrismaticDescription::hertz, units::kRate, bounds::kPositive),
+    field("dampingRatio", &PrismaticDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
 
 template <>
-inline constexpr auto kFields<WheelDescription> =
-    std::make_tuple(required(field("anchor", &WheelDescription::anchor, units::kLength)),
-                    required(field("axis", &WheelDescription::axis)),
-                    field("lower", &WheelDescription::lower, units::kLength),
-                    field("upper", &WheelDescription::upper, units::kLength),
-                    field("motorSpeed", &WheelDescription::motorSpeed, units::kRate),
-                    field("maxMotorTorque", &WheelDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
-                    field("hertz", &WheelDescription::hertz, units::kRate, bounds::kPositive),
-                    field("dampingRatio", &WheelDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+inline constexpr auto kFields<WheelDescription> = std::make_tuple(
+    required(field("anchor", &WheelDescription::anchor, units::kLength)),
+    required(field("axis", &WheelDescription::axis)), field("lower", &WheelDescription::lower, units::kLength),
+    field("upper", &WheelDescription::upper, units::kLength),
+    field("motorSpeed", &WheelDescription::motorSpeed, units::kRate),
+    field("maxMotorTorque", &WheelDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
+    field("hertz", &WheelDescription::hertz, units::kRate, bounds::kPositive),
+    field("dampingRatio", &WheelDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
 
 template <>
 inline constexpr auto kFields<WeldDescription> =
@@ -219,9 +217,9 @@ inline constexpr auto kFields<MouseDescription> =
 
 /// The unit of `ratio` follows from the types of the two joints: see `gearRatioUnit`.
 template <>
-inline constexpr auto kFields<GearDescription> =
-    std::make_tuple(required(field("jointA", &GearDescription::jointA)),
-                    required(field("jointB", &GearDescription::jointB)), field("ratio", &GearDescription::ratio));
+inline constexpr auto kFields<GearDescription> = std::make_tuple(required(field("jointA", &GearDescription::jointA)),
+                                                                 required(field("jointB", &GearDescription::jointB)),
+                                                                 field("ratio", &GearDescription::ratio));
 
 template <>
 inline constexpr auto kFields<PulleyDescription> =

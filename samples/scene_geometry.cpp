@@ -17,20 +17,14 @@ Vec2 toVec2(DVec2 v) { return {v.x, v.y}; }
 
 std::vector<Vec2> toVec2(std::span<const DVec2> points) {
     std::vector<Vec2> result;
-    for (const DVec2 point : points) {
-        result.push_back(toVec2(point));
-    }
+    for (const DVec2 point : points) { result.push_back(toVec2(point)); }
     return result;
 }
 
-std::string elementOf(const char* list, std::size_t index) {
-    return std::string(list) + "/" + std::to_string(index);
-}
+std::string elementOf(const char* list, std::size_t index) { return std::string(list) + "/" + std::to_string(index); }
 
 std::optional<GeometryFault> equalEnds(const std::array<DVec2, 2>& points, const std::string& member) {
-    if (!(points[0] == points[1])) {
-        return std::nullopt;
-    }
+    if (!(points[0] == points[1])) { return std::nullopt; }
     return GeometryFault{member + "/1", "must differ from the first point " + textOf(points[0])};
 }
 
@@ -57,9 +51,7 @@ std::optional<GeometryFault> fault(const PolygonGeometry& polygon) {
     if (hull.status().code == StatusCode::degenerate) {
         return GeometryFault{"", "the points lie on a line, the polygon has no area"};
     }
-    if (!hull.ok()) {
-        return GeometryFault{"", std::string("the hull of the points ") + describe(hull.status().code)};
-    }
+    if (!hull.ok()) { return GeometryFault{"", std::string("the hull of the points ") + describe(hull.status().code)}; }
     const std::span<const Vec2> vertices = hull.value().points();
     for (std::size_t i = 0; i < count; ++i) {
         if (std::find(vertices.begin(), vertices.end(), toVec2(polygon.points[i])) == vertices.end()) {
@@ -124,9 +116,7 @@ std::vector<Polygon> piecesOf(const ShapeDescription& shape) {
     }
     const auto polygon =
         std::visit([&](const auto& geometry) { return polygonOf(geometry, shape.radius); }, shape.geometry);
-    if (polygon.ok()) {
-        pieces.push_back(polygon.value());
-    }
+    if (polygon.ok()) { pieces.push_back(polygon.value()); }
     return pieces;
 }
 
@@ -135,9 +125,7 @@ MassAndInertia massOfShapes(const BodyDescription& body) {
     for (const ShapeDescription& shape : body.shapes) {
         const auto polygon =
             std::visit([&](const auto& geometry) { return polygonOf(geometry, shape.radius); }, shape.geometry);
-        if (polygon.ok()) {
-            parts.push_back(massOf(polygon.value(), shape.density));
-        }
+        if (polygon.ok()) { parts.push_back(massOf(polygon.value(), shape.density)); }
     }
     const MassProperties sum = combine(parts);
     return {sum.mass, sum.inertia};

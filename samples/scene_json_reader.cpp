@@ -26,25 +26,19 @@ public:
     }
 
     bool read(const Json& value, const Place& place, double& number) {
-        if (!value.is_number()) {
-            return wrongType(value, place, "a number");
-        }
+        if (!value.is_number()) { return wrongType(value, place, "a number"); }
         number = value.get<double>();
         return true;
     }
 
     bool read(const Json& value, const Place& place, bool& truth) {
-        if (!value.is_boolean()) {
-            return wrongType(value, place, "true or false");
-        }
+        if (!value.is_boolean()) { return wrongType(value, place, "true or false"); }
         truth = value.get<bool>();
         return true;
     }
 
     bool read(const Json& value, const Place& place, std::string& text) {
-        if (!value.is_string()) {
-            return wrongType(value, place, "a string");
-        }
+        if (!value.is_string()) { return wrongType(value, place, "a string"); }
         text = value.get<std::string>();
         return true;
     }
@@ -53,9 +47,7 @@ public:
     bool read(const Json& value, const Place& place, std::uint32_t& number) { return readWhole(value, place, number); }
 
     bool read(const Json& value, const Place& place, DVec2& vector) {
-        if (!value.is_array()) {
-            return wrongType(value, place, "two numbers [x, y]");
-        }
+        if (!value.is_array()) { return wrongType(value, place, "two numbers [x, y]"); }
         if (value.size() != 2) {
             return fail(place, "must be two numbers [x, y], has " + std::to_string(value.size()) + " elements");
         }
@@ -63,9 +55,7 @@ public:
     }
 
     bool read(const Json& value, const Place& place, std::array<DVec2, 2>& points) {
-        if (!value.is_array()) {
-            return wrongType(value, place, "two points [[x, y], [x, y]]");
-        }
+        if (!value.is_array()) { return wrongType(value, place, "two points [[x, y], [x, y]]"); }
         if (value.size() != 2) {
             return fail(place,
                         "must be two points [[x, y], [x, y]], has " + std::to_string(value.size()) + " elements");
@@ -77,9 +67,7 @@ public:
     requires std::is_enum_v<Enumeration>
     bool read(const Json& value, const Place& place, Enumeration& enumerator) {
         const auto names = namesOf<Enumeration>();
-        if (!value.is_string()) {
-            return wrongType(value, place, listOf(names));
-        }
+        if (!value.is_string()) { return wrongType(value, place, listOf(names)); }
         const std::string& word = value.get_ref<const std::string&>();
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (names[i] == word) {
@@ -97,36 +85,26 @@ public:
 
     template <class Element>
     bool read(const Json& value, const Place& place, std::vector<Element>& elements) {
-        if (!value.is_array()) {
-            return wrongType(value, place, "an array");
-        }
+        if (!value.is_array()) { return wrongType(value, place, "an array"); }
         elements.clear();
         elements.reserve(value.size());
         for (std::size_t i = 0; i < value.size(); ++i) {
-            if (!read(value[i], place.at(i), elements.emplace_back())) {
-                return false;
-            }
+            if (!read(value[i], place.at(i), elements.emplace_back())) { return false; }
         }
         return true;
     }
 
     // One key more than the table: the one that names the geometry.
     bool read(const Json& value, const Place& place, ShapeDescription& shape) {
-        if (!isObject(value, place)) {
-            return false;
-        }
+        if (!isObject(value, place)) { return false; }
         std::string_view geometry;
         const auto names = geometryNames();
         for (const auto& [key, member] : value.items()) {
             const Place here = place.at(key);
             std::size_t kind = 0;
-            while (kind < names.size() && names[kind] != key) {
-                ++kind;
-            }
+            while (kind < names.size() && names[kind] != key) { ++kind; }
             if (kind == names.size()) {
-                if (!readMember(key, member, here, shape)) {
-                    return handled(here, key, allShapeKeys());
-                }
+                if (!readMember(key, member, here, shape)) { return handled(here, key, allShapeKeys()); }
                 continue;
             }
             if (!geometry.empty()) {
@@ -134,13 +112,9 @@ public:
                             "a shape has exactly one geometry; this one is a " + std::string(geometry) + " already");
             }
             geometry = names[kind];
-            if (!readAlternative(kind, member, here, shape.geometry)) {
-                return false;
-            }
+            if (!readAlternative(kind, member, here, shape.geometry)) { return false; }
         }
-        if (geometry.empty()) {
-            return fail(place, "a shape needs a geometry: " + listOf(names));
-        }
+        if (geometry.empty()) { return fail(place, "a shape needs a geometry: " + listOf(names)); }
         const bool ownRadius = geometry == "circle" || geometry == "capsule";
         if (ownRadius && value.contains("radius")) {
             return fail(place.at("radius"), "the radius of a " + std::string(geometry) + " belongs inside \"" +
@@ -151,25 +125,17 @@ public:
 
     // The type decides which other keys exist, so it is read first, wherever it stands.
     bool read(const Json& value, const Place& place, JointDescription& joint) {
-        if (!isObject(value, place)) {
-            return false;
-        }
-        if (!value.contains("type")) {
-            return fail(place.at("type"), "is missing: " + listOf(jointTypeNames()));
-        }
+        if (!isObject(value, place)) { return false; }
+        if (!value.contains("type")) { return fail(place.at("type"), "is missing: " + listOf(jointTypeNames())); }
         std::size_t type = 0;
-        if (!readJointType(value["type"], place.at("type"), type)) {
-            return false;
-        }
+        if (!readJointType(value["type"], place.at("type"), type)) { return false; }
         joint.joint = makeAlternative(type);
         return std::visit([&](auto& geometry) { return readJointMembers(value, place, joint, geometry); }, joint.joint);
     }
 
 private:
     bool fail(const Place& place, std::string reason) {
-        if (!error_) {
-            error_ = SceneError{"", place.pointer(), std::move(reason)};
-        }
+        if (!error_) { error_ = SceneError{"", place.pointer(), std::move(reason)}; }
         return false;
     }
 
@@ -203,9 +169,7 @@ private:
     bool readMember(std::string_view key, const Json& value, const Place& place, Object& object) {
         bool done = false;
         forEachField<Object>([&](const auto& field) {
-            if (!done && !error_ && key == field.key) {
-                done = read(value, place, object.*(field.member));
-            }
+            if (!done && !error_ && key == field.key) { done = read(value, place, object.*(field.member)); }
         });
         return done;
     }
@@ -223,9 +187,7 @@ private:
 
     template <class Object>
     bool readObject(const Json& value, const Place& place, Object& object) {
-        if (!isObject(value, place)) {
-            return false;
-        }
+        if (!isObject(value, place)) { return false; }
         for (const auto& [key, member] : value.items()) {
             const Place here = place.at(key);
             if (!readMember(key, member, here, object)) {
@@ -240,13 +202,9 @@ private:
     template <class Integer>
     bool readWhole(const Json& value, const Place& place, Integer& number) {
         using Limits = std::numeric_limits<Integer>;
-        if (!value.is_number()) {
-            return wrongType(value, place, "a whole number");
-        }
+        if (!value.is_number()) { return wrongType(value, place, "a whole number"); }
         const double wide = value.get<double>();  // exact for everything in range
-        if (std::trunc(wide) != wide) {
-            return fail(place, "must be a whole number, not " + shortestNumber(wide));
-        }
+        if (std::trunc(wide) != wide) { return fail(place, "must be a whole number, not " + shortestNumber(wide)); }
         if (wide < static_cast<double>(Limits::min()) || wide > static_cast<double>(Limits::max())) {
             return fail(place, "must be a whole number from " + std::to_string(Limits::min()) + " to " +
                                    std::to_string(Limits::max()) + ", not " + shortestNumber(wide));
@@ -258,9 +216,7 @@ private:
     template <std::size_t Index = 0>
     bool readAlternative(std::size_t kind, const Json& value, const Place& place, Geometry& geometry) {
         if constexpr (Index < std::variant_size_v<Geometry>) {
-            if (kind == Index) {
-                return read(value, place, geometry.template emplace<Index>());
-            }
+            if (kind == Index) { return read(value, place, geometry.template emplace<Index>()); }
             return readAlternative<Index + 1>(kind, value, place, geometry);
         } else {
             return fail(place, "unknown geometry");
@@ -278,14 +234,10 @@ private:
 
     bool readJointType(const Json& value, const Place& place, std::size_t& type) {
         const auto names = jointTypeNames();
-        if (!value.is_string()) {
-            return wrongType(value, place, listOf(names));
-        }
+        if (!value.is_string()) { return wrongType(value, place, listOf(names)); }
         const std::string& word = value.get_ref<const std::string&>();
         for (type = 0; type < names.size(); ++type) {
-            if (names[type] == word) {
-                return true;
-            }
+            if (names[type] == word) { return true; }
         }
         return fail(place, "unknown joint type " + inQuotes(word) + suggestion(word, names));
     }
@@ -294,12 +246,8 @@ private:
     bool readJointMembers(const Json& value, const Place& place, JointDescription& joint, JointMembers& members) {
         for (const auto& [key, member] : value.items()) {
             const Place here = place.at(key);
-            if (key == "type" || readMember(key, member, here, joint)) {
-                continue;
-            }
-            if (!error_ && readMember(key, member, here, members)) {
-                continue;
-            }
+            if (key == "type" || readMember(key, member, here, joint)) { continue; }
+            if (!error_ && readMember(key, member, here, members)) { continue; }
             std::vector<std::string_view> known{"type"};
             appendKeys<JointDescription>(known);
             appendKeys<JointMembers>(known);
@@ -328,12 +276,8 @@ std::optional<SceneError> emptyName(const Json& document, const char* list, cons
 std::optional<SceneError> sceneFromJson(const Json& value, SceneDescription& scene) {
     JsonReader reader;
     scene = SceneDescription{};
-    if (!reader.read(value, Place{}, scene)) {
-        return reader.takeError();
-    }
-    if (auto error = emptyName(value, "bodies", scene.bodies)) {
-        return error;
-    }
+    if (!reader.read(value, Place{}, scene)) { return reader.takeError(); }
+    if (auto error = emptyName(value, "bodies", scene.bodies)) { return error; }
     return emptyName(value, "joints", scene.joints);
 }
 

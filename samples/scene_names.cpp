@@ -29,21 +29,15 @@ char lowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A'
 // Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours.
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1, 0));
-    for (std::size_t i = 0; i <= a.size(); ++i) {
-        cost[i][0] = i;
-    }
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-        cost[0][j] = j;
-    }
+    for (std::size_t i = 0; i <= a.size(); ++i) { cost[i][0] = i; }
+    for (std::size_t j = 0; j <= b.size(); ++j) { cost[0][j] = j; }
     for (std::size_t i = 1; i <= a.size(); ++i) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = lowerCase(a[i - 1]) == lowerCase(b[j - 1]);
             cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + (same ? 0u : 1u)});
             const bool swapped = i > 1 && j > 1 && lowerCase(a[i - 1]) == lowerCase(b[j - 2]) &&
                                  lowerCase(a[i - 2]) == lowerCase(b[j - 1]);
-            if (swapped) {
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-            }
+            if (swapped) { cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1); }
         }
     }
     return cost[a.size()][b.size()];
@@ -74,18 +68,14 @@ std::span<const std::string_view> jointTypeNames() { return kJointTypes; }
 std::string listOf(std::span<const std::string_view> names) {
     std::string list;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) {
-            list += i + 1 < names.size() ? ", " : " or ";
-        }
+        if (i > 0) { list += i + 1 < names.size() ? ", " : " or "; }
         list += inQuotes(names[i]);
     }
     return list;
 }
 
 std::string_view nearestName(std::string_view word, std::span<const std::string_view> names) {
-    if (word.empty() || word.size() > kLongestWord) {
-        return {};
-    }
+    if (word.empty() || word.size() > kLongestWord) { return {}; }
     std::string_view nearest;
     // Not every letter may be wrong: "z" was not meant to be "x".
     std::size_t best = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
@@ -101,9 +91,7 @@ std::string_view nearestName(std::string_view word, std::span<const std::string_
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> names) {
     const std::string_view nearest = nearestName(word, names);
-    if (!nearest.empty()) {
-        return "; did you mean " + inQuotes(nearest) + "?";
-    }
+    if (!nearest.empty()) { return "; did you mean " + inQuotes(nearest) + "?"; }
     std::string list;
     for (const std::string_view name : names) {
         list += list.empty() ? "" : ", ";
@@ -113,12 +101,8 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 }
 
 std::string shortestNumber(double value) {
-    if (std::isnan(value)) {
-        return "nan";
-    }
-    if (std::isinf(value)) {
-        return value > 0 ? "inf" : "-inf";
-    }
+    if (std::isnan(value)) { return "nan"; }
+    if (std::isinf(value)) { return value > 0 ? "inf" : "-inf"; }
     std::array<char, 32> text{};  // the longest shortest form, -2.2250738585072014e-308, has 24 characters
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
     return std::string(text.data(), end.ptr);

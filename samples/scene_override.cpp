@@ -10,9 +10,7 @@ enum class Step : std::uint8_t { ok, notAnIndex, pastTheEnd, notAContainer };
 
 // RFC 6901: "0", or digits that do not start with 0.
 bool parseIndex(const std::string& token, std::size_t& index) {
-    if (token.empty() || (token.size() > 1 && token[0] == '0')) {
-        return false;
-    }
+    if (token.empty() || (token.size() > 1 && token[0] == '0')) { return false; }
     const auto [end, status] = std::from_chars(token.data(), token.data() + token.size(), index);
     return status == std::errc() && end == token.data() + token.size();
 }
@@ -25,9 +23,7 @@ bool unescape(std::string_view escaped, std::string& token) {
             continue;
         }
         ++i;
-        if (i == escaped.size() || (escaped[i] != '0' && escaped[i] != '1')) {
-            return false;
-        }
+        if (i == escaped.size() || (escaped[i] != '0' && escaped[i] != '1')) { return false; }
         token += escaped[i] == '0' ? '~' : '/';
     }
     return true;
@@ -35,26 +31,16 @@ bool unescape(std::string_view escaped, std::string& token) {
 
 // Goes down one token. Missing members of objects are made; the element behind the last of an array only as the target.
 Step descend(Json*& at, const std::string& token, bool isLast) {
-    if (at->is_null()) {
-        *at = Json::object();
-    }
+    if (at->is_null()) { *at = Json::object(); }
     if (at->is_object()) {
         at = &(*at)[token];
         return Step::ok;
     }
-    if (!at->is_array()) {
-        return Step::notAContainer;
-    }
+    if (!at->is_array()) { return Step::notAContainer; }
     std::size_t index = at->size();
-    if (token != "-" && !parseIndex(token, index)) {
-        return Step::notAnIndex;
-    }
-    if (index > at->size() || (index == at->size() && !isLast)) {
-        return Step::pastTheEnd;
-    }
-    if (index == at->size()) {
-        at->push_back(nullptr);
-    }
+    if (token != "-" && !parseIndex(token, index)) { return Step::notAnIndex; }
+    if (index > at->size() || (index == at->size() && !isLast)) { return Step::pastTheEnd; }
+    if (index == at->size()) { at->push_back(nullptr); }
     at = &(*at)[index];
     return Step::ok;
 }
@@ -87,9 +73,7 @@ std::optional<SceneError> applyOverride(Json& document, const Override& change) 
     if (parsed.error) {
         const bool looksLikeWord = !text.empty() && text.find_first_of("\"[]{} ") == std::string::npos &&
                                    (text[0] < '0' || text[0] > '9') && text[0] != '-';
-        if (looksLikeWord) {
-            return fail("not a JSON value (a string needs double quotes: \"" + text + "\")");
-        }
+        if (looksLikeWord) { return fail("not a JSON value (a string needs double quotes: \"" + text + "\")"); }
         const std::string where = parsed.error->where.empty() ? "" : parsed.error->where + ": ";
         return fail("not a JSON value: " + where + parsed.error->reason);
     }
@@ -101,9 +85,7 @@ std::optional<SceneError> applyOverride(Json& document, const Override& change) 
             return fail("not a JSON pointer: ~ must be followed by 0 or 1");
         }
         const Step step = descend(at, token, end == pointer.size());
-        if (step != Step::ok) {
-            return fail(reasonFor(step, *at, token));
-        }
+        if (step != Step::ok) { return fail(reasonFor(step, *at, token)); }
         start = end + 1;
     }
     *at = std::move(parsed.value);

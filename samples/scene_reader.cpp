@@ -13,9 +13,7 @@ namespace {
 
 SceneResult failure(SceneError error, std::string_view file) {
     error.file = file;
-    if (error.pointer.empty()) {
-        error.pointer = '/';
-    }
+    if (error.pointer.empty()) { error.pointer = '/'; }
     return {std::nullopt, std::move(error)};
 }
 
@@ -24,12 +22,8 @@ SceneResult failure(SceneError error, std::string_view file) {
 std::string SceneError::text() const {
     std::string result = file;
     for (const std::string* part : {&pointer, &reason}) {
-        if (part->empty()) {
-            continue;
-        }
-        if (!result.empty()) {
-            result += ": ";
-        }
+        if (part->empty()) { continue; }
+        if (!result.empty()) { result += ": "; }
         result += *part;
     }
     return result;
@@ -37,24 +31,16 @@ std::string SceneError::text() const {
 
 SceneResult readScene(std::string_view text, std::string_view file, const std::vector<Override>& overrides) {
     JsonResult parsed = parseStrict(text);
-    if (parsed.error) {
-        return failure({"", parsed.error->where, parsed.error->reason}, file);
-    }
+    if (parsed.error) { return failure({"", parsed.error->where, parsed.error->reason}, file); }
     if (!parsed.value.is_object()) {
         return failure({"", "", "a scene must be an object {…}, not " + kindOf(parsed.value)}, file);
     }
     for (const Override& change : overrides) {
-        if (auto error = applyOverride(parsed.value, change)) {
-            return failure(std::move(*error), file);
-        }
+        if (auto error = applyOverride(parsed.value, change)) { return failure(std::move(*error), file); }
     }
     SceneDescription scene;
-    if (auto error = sceneFromJson(parsed.value, scene)) {
-        return failure(std::move(*error), file);
-    }
-    if (auto error = validateScene(scene)) {
-        return failure(std::move(*error), file);
-    }
+    if (auto error = sceneFromJson(parsed.value, scene)) { return failure(std::move(*error), file); }
+    if (auto error = validateScene(scene)) { return failure(std::move(*error), file); }
     return {std::move(scene), {}};
 }
 
@@ -66,9 +52,7 @@ SceneResult readSceneFile(const std::string& path, const std::vector<Override>& 
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     std::ostringstream text;
-    if (stream) {
-        text << stream.rdbuf();
-    }
+    if (stream) { text << stream.rdbuf(); }
     if (!stream || text.bad()) {
         return {std::nullopt, {path, "", "cannot be read: " + std::generic_category().message(errno)}};
     }

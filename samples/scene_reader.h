@@ -26,11 +26,13 @@ struct SceneResult {
     SceneError error;
 };
 
-/// A JSON pointer and a JSON value, as given by `--set /settings/dt=0.01`; applied before validation. Objects missing on the
-/// way are made (an omitted "settings" is one full of defaults); elements of arrays must exist, or be the next one.
+/// A JSON pointer and a JSON value, as given by `--set /settings/dt=0.01`; applied before validation. Objects missing
+/// on the way are made (an omitted "settings" is one full of defaults); elements of arrays must exist, or be the next
+/// one.
 using Override = std::pair<std::string, std::string>;
 
-/// Strict: unknown and duplicate keys, wrong types, numbers that overflow and everything `validateScene` refuses are errors.
+/// Strict: unknown and duplicate keys, wrong types, numbers that overflow and everything `validateScene` refuses are
+/// errors.
 /// @param file  used in errors only.
 SceneResult readScene(std::string_view text, std::string_view file, const std::vector<Override>& overrides = {});
 SceneResult readSceneFile(const std::string& path, const std::vector<Override>& overrides = {});
@@ -42,7 +44,8 @@ std::string writeScene(const SceneDescription& scene);
 inline constexpr double kLargestSceneNumber = 3e38;
 
 /// What the format and the physics demand beyond syntax: names, ranges, geometry, masses, joint bodies.
-/// @param largest  bound on every number; its inverse bounds from below what must be greater than 0. With the default every
+/// @param largest  bound on every number; its inverse bounds from below what must be greater than 0. With the default
+/// every
 ///                 accepted scene can be held in single precision; a scene for f64 only may be given a larger one.
 /// @return nothing, or the first error in document order (`file` empty).
 std::optional<SceneError> validateScene(const SceneDescription& scene, double largest = kLargestSceneNumber);

@@ -19,9 +19,7 @@ std::unique_ptr<SceneRenderer> SceneRenderer::create(const SceneDescription& sce
                                                      std::string& error) {
     std::unique_ptr<RenderCanvas> canvas =
         RenderCanvas::create(options.width, options.height, options.superSampling, error);
-    if (!canvas) {
-        return nullptr;
-    }
+    if (!canvas) { return nullptr; }
     std::unique_ptr<SceneRenderer> renderer(new SceneRenderer(scene, options, std::move(canvas)));
     const PixelView& view = renderer->view_;
     if (!isFinite(view.center) || !std::isfinite(view.scale) || !(view.scale > 0)) {
@@ -52,59 +50,33 @@ Image SceneRenderer::draw(const Frame& frame, const Reference& reference) {
 
 Image SceneRenderer::drawFrame(const Frame& frame, const Reference* reference) {
     paint_.clear();
-    if (options_.grid) {
-        drawGrid(paint_, view_);
-    }
-    if (options_.trails) {
-        trails_.draw(paint_, view_, drawing_);
-    }
-    if (options_.sweeps) {
-        drawSweptAreas(paint_, view_, drawing_, frame);
-    }
+    if (options_.grid) { drawGrid(paint_, view_); }
+    if (options_.trails) { trails_.draw(paint_, view_, drawing_); }
+    if (options_.sweeps) { drawSweptAreas(paint_, view_, drawing_, frame); }
     drawing_.drawBodies(paint_, view_, frame);
-    if (options_.joints) {
-        drawing_.drawJoints(paint_, view_, frame);
-    }
-    if (reference != nullptr) {
-        drawing_.drawOutlines(paint_, view_, *reference->frame, style::kReference);
-    }
+    if (options_.joints) { drawing_.drawJoints(paint_, view_, frame); }
+    if (reference != nullptr) { drawing_.drawOutlines(paint_, view_, *reference->frame, style::kReference); }
     drawMarks(frame);
     drawOverlay(frame, reference);
     return canvas_->draw(style::kBackground, paint_.triangles());
 }
 
 void SceneRenderer::drawMarks(const Frame& frame) {
-    if (options_.ghosts) {
-        drawImpacts(paint_, view_, drawing_, frame);
-    }
+    if (options_.ghosts) { drawImpacts(paint_, view_, drawing_, frame); }
     if (options_.sweeps) {
         drawSweptPoses(paint_, view_, drawing_, frame);
         drawLostTimes(paint_, view_, frame, 0.9 * metrics_.text);
     }
-    if (options_.velocities) {
-        drawVelocities(paint_, view_, drawing_, frame, options_.velocitySeconds);
-    }
-    if (options_.contacts) {
-        drawContacts(paint_, view_, frame);
-    }
-    if (options_.labels) {
-        drawing_.drawNames(paint_, view_, frame, 0.8 * metrics_.text);
-    }
+    if (options_.velocities) { drawVelocities(paint_, view_, drawing_, frame, options_.velocitySeconds); }
+    if (options_.contacts) { drawContacts(paint_, view_, frame); }
+    if (options_.labels) { drawing_.drawNames(paint_, view_, frame, 0.8 * metrics_.text); }
 }
 
 void SceneRenderer::drawOverlay(const Frame& frame, const Reference* reference) {
-    if (options_.title && !title_.empty()) {
-        drawTitle(paint_, metrics_, title_);
-    }
-    if (options_.sweeps && options_.sweepWork) {
-        drawSweepWork(paint_, metrics_, frame.work);
-    }
-    if (options_.time) {
-        drawTime(paint_, metrics_, timeLabel(frame.time, dt_));
-    }
-    if (options_.scaleBar) {
-        drawScaleBar(paint_, metrics_, scaleBar(view_.scale, kScaleBarShare * options_.width));
-    }
+    if (options_.title && !title_.empty()) { drawTitle(paint_, metrics_, title_); }
+    if (options_.sweeps && options_.sweepWork) { drawSweepWork(paint_, metrics_, frame.work); }
+    if (options_.time) { drawTime(paint_, metrics_, timeLabel(frame.time, dt_)); }
+    if (options_.scaleBar) { drawScaleBar(paint_, metrics_, scaleBar(view_.scale, kScaleBarShare * options_.width)); }
     if (options_.legend && reference != nullptr) {
         const std::vector<LegendEntry> entries{
             dynamicLegend(reference->ours),

@@ -39,21 +39,15 @@ public:
         apply(value.y, d);
     }
     void apply(std::array<DVec2, 2>& points, const Dimension& d) const {
-        for (DVec2& point : points) {
-            apply(point, d);
-        }
+        for (DVec2& point : points) { apply(point, d); }
     }
     template <class Element>
     void apply(std::vector<Element>& elements, const Dimension& d) const {
-        for (Element& element : elements) {
-            apply(element, d);
-        }
+        for (Element& element : elements) { apply(element, d); }
     }
     template <class Value>
     void apply(std::optional<Value>& value, const Dimension& d) const {
-        if (value) {
-            apply(*value, d);
-        }
+        if (value) { apply(*value, d); }
     }
     template <class Value>
     requires(std::is_enum_v<Value> || std::is_integral_v<Value> ||
@@ -118,12 +112,8 @@ private:
         // Joint types share members: those of the same unit are one row, with their type where the unit is another.
         std::string field = at;
         for (const FieldUnit& row : rows) {
-            if (row.field != at) {
-                continue;
-            }
-            if (row.dimension == d) {
-                return;
-            }
+            if (row.field != at) { continue; }
+            if (row.dimension == d) { return; }
             field = at + " (" + jointType_ + ")";
         }
         rows.push_back({field, d});
@@ -150,14 +140,10 @@ private:
 };
 
 void appendUnit(std::string& text, const char* unit, int power) {
-    if (power <= 0) {
-        return;
-    }
+    if (power <= 0) { return; }
     text += text.empty() ? "" : "·";
     text += unit;
-    if (power == 2) {
-        text += "²";
-    }
+    if (power == 2) { text += "²"; }
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct FieldUnit {
 };
 
 /// The table that the page of the format shows: every number, in the order of the format; angles and plain numbers
-/// have the dimension 0, 0, 0. Where a member of one name has another unit in a later type of joint, the type stands behind it
-/// in parentheses: "/joints/*/lower (prismatic)". Of the `ratio` of a gear see `gearRatioUnit`.
+/// have the dimension 0, 0, 0. Where a member of one name has another unit in a later type of joint, the type stands
+/// behind it in parentheses: "/joints/*/lower (prismatic)". Of the `ratio` of a gear see `gearRatioUnit`.
 std::vector<FieldUnit> sceneUnits();
 
 /// The `ratio` of a gear has the unit of its first joint's coordinate per that of its second: a number, m or 1/m.

@@ -16,9 +16,7 @@ public:
     Validator(const SceneDescription& scene, double largest) : FieldCheck(largest), scene_(scene) {}
 
     std::optional<SceneError> run() {
-        if (!checkScene()) {
-            return takeError();
-        }
+        if (!checkScene()) { return takeError(); }
         return std::nullopt;
     }
 
@@ -27,9 +25,7 @@ private:
         const std::string_view kind = geometryNames()[shape.geometry.index()];
         const Place geometry = place.at(kind);
         const bool goodNumbers = std::visit([&](const auto& g) { return checkFields(g, geometry); }, shape.geometry);
-        if (!goodNumbers) {
-            return false;
-        }
+        if (!goodNumbers) { return false; }
         if (const auto fault = geometryFault(shape.geometry)) {
             return fail({"", geometry.pointer() + fault->member, fault->reason});
         }
@@ -60,13 +56,9 @@ private:
                         "a body with fixed rotation does not turn, but has angular velocity " +
                             shortestNumber(body.angularVelocity));
         }
-        if (body.type == SceneBodyType::dynamic) {
-            return true;
-        }
+        if (body.type == SceneBodyType::dynamic) { return true; }
         const std::string type(namesOf<SceneBodyType>()[static_cast<std::size_t>(body.type)]);
-        if (body.mass) {
-            return fail(place.at("mass"), "only a dynamic body has a mass, this one is " + type);
-        }
+        if (body.mass) { return fail(place.at("mass"), "only a dynamic body has a mass, this one is " + type); }
         if (body.inertia) {
             return fail(place.at("inertia"), "only a dynamic body has an inertia, this one is " + type);
         }
@@ -74,9 +66,7 @@ private:
     }
 
     bool checkMass(const BodyDescription& body, const Place& place) {
-        if (body.type != SceneBodyType::dynamic) {
-            return true;
-        }
+        if (body.type != SceneBodyType::dynamic) { return true; }
         const MassAndInertia shapes = massOfShapes(body);
         const double mass = body.mass.value_or(shapes.mass);
         // A given mass scales the inertia that the shapes have.
@@ -101,32 +91,22 @@ private:
     }
 
     bool checkBody(const BodyDescription& body, const Place& place) {
-        if (!checkFields(body, place) || !checkMotion(body, place)) {
-            return false;
-        }
+        if (!checkFields(body, place) || !checkMotion(body, place)) { return false; }
         const Place shapes = place.at("shapes");
         for (std::size_t i = 0; i < body.shapes.size(); ++i) {
-            if (!checkShape(body.shapes[i], body.type, shapes.at(i))) {
-                return false;
-            }
+            if (!checkShape(body.shapes[i], body.type, shapes.at(i))) { return false; }
         }
         return checkMass(body, place);
     }
 
     bool checkScene() {
         const Place root;
-        if (!checkFields(scene_, root)) {
-            return false;
-        }
+        if (!checkFields(scene_, root)) { return false; }
         NameIndex names;
         const Place bodies = root.at("bodies");
-        if (!checkNames(scene_.bodies, "body", bodies, names)) {
-            return false;
-        }
+        if (!checkNames(scene_.bodies, "body", bodies, names)) { return false; }
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-            if (!checkBody(scene_.bodies[i], bodies.at(i))) {
-                return false;
-            }
+            if (!checkBody(scene_.bodies[i], bodies.at(i))) { return false; }
         }
         std::optional<SceneError> fault = faultOfJoints(scene_, names, largest());
         return !fault || fail(std::move(*fault));

@@ -40,9 +40,7 @@ Json toJson(const std::optional<Value>& value) {
 template <class Element>
 Json toJson(const std::vector<Element>& elements) {
     Json array = Json::array();
-    for (const Element& element : elements) {
-        array.push_back(toJson(element));
-    }
+    for (const Element& element : elements) { array.push_back(toJson(element)); }
     return array;
 }
 
@@ -78,9 +76,7 @@ Json toJson(const ShapeDescription& shape) {
 
 Json toJson(const BodyDescription& body) {
     Json json = Json::object();
-    if (!body.name.empty()) {
-        json["name"] = body.name;
-    }
+    if (!body.name.empty()) { json["name"] = body.name; }
     json["type"] = toJson(body.type);
     addFields(body, json);
     return json;
@@ -88,9 +84,7 @@ Json toJson(const BodyDescription& body) {
 
 Json toJson(const JointDescription& joint) {
     Json json = Json::object();
-    if (!joint.name.empty()) {
-        json["name"] = joint.name;
-    }
+    if (!joint.name.empty()) { json["name"] = joint.name; }
     json["type"] = std::string(jointTypeNames()[joint.joint.index()]);
     addFields(joint, json);
     std::visit([&](const auto& members) { addFields(members, json); }, joint.joint);

@@ -29,8 +29,8 @@ SceneDescription bulletCurtain() {
 
 namespace {
 
-/// One step of this shows what a mode does: a ball, a capsule and a spinning bar meet a wall of 2 cm, and a ball passes by
-/// the corner of a post that it does not touch.
+/// One step of this shows what a mode does: a ball, a capsule and a spinning bar meet a wall of 2 cm, and a ball passes
+/// by the corner of a post that it does not touch.
 SceneDescription thinWall(const std::string& name, SceneContinuous mode) {
     constexpr std::uint32_t kPasserBy = 2;  ///< the only one whom the post may meet
     SceneDescription scene = build::scene(name, {-0.6, -0.1}, 3.05);

@@ -105,9 +105,7 @@ SceneDescription bouncingBalls() {
     }
     // One negative group: they pass through each other, so that each shows its own restitution and nothing else.
     for (BodyDescription& body : scene.bodies) {
-        if (body.type == SceneBodyType::dynamic) {
-            body.shapes[0].filter.group = -1;
-        }
+        if (body.type == SceneBodyType::dynamic) { body.shapes[0].filter.group = -1; }
     }
     return scene;
 }

@@ -51,9 +51,7 @@ SceneDescription paddleDrum() {
     std::vector<DVec2> rim;
     for (int turn = 0; turn < 4; ++turn) {
         for (DVec2 corner : quarter) {
-            for (int i = 0; i < turn; ++i) {
-                corner = {corner.y, -corner.x};
-            }
+            for (int i = 0; i < turn; ++i) { corner = {corner.y, -corner.x}; }
             rim.push_back(4.0 * corner);
         }
     }

@@ -23,7 +23,7 @@ void addGears(SceneDescription& scene, DVec2 center) {
     const std::string drivenJoint = lastJoint(scene);
     slider(scene, "frame", "rack", rack, {1, 0});
     const std::string rackJoint = lastJoint(scene);
-    gear(scene, driveJoint, drivenJoint, 0.5);   // two turns for one, the other way
+    gear(scene, driveJoint, drivenJoint, 0.5);      // two turns for one, the other way
     gear(scene, drivenJoint, rackJoint, -1 / 0.5);  // what rolls past is radius times angle
     for (const char* const part : {"drive wheel", "driven wheel", "rack"}) {
         for (BodyDescription& body : scene.bodies) {
@@ -69,7 +69,8 @@ void addLift(SceneDescription& scene, DVec2 bottom) {
 
 /// A tray held in place by a motor of limited force; a ball falls on it.
 void addTray(SceneDescription& scene, DVec2 center) {
-    addDynamic(scene, "tray", center, {box({0.8, 0.08}), box({0.06, 0.2}, {-0.74, 0.2}), box({0.06, 0.2}, {0.74, 0.2})});
+    addDynamic(scene, "tray", center,
+               {box({0.8, 0.08}), box({0.06, 0.2}, {-0.74, 0.2}), box({0.06, 0.2}, {0.74, 0.2})});
     MotorDescription& joint = motor(scene, "frame", "tray");
     joint.maxForce = 60;
     joint.maxTorque = 60;
@@ -116,9 +117,7 @@ SceneDescription car() {
     SceneDescription scene = build::scene("car", {6.6, 3}, 15);
     // From right to left: a run-up, bumps, a ramp and a gap.
     std::vector<DVec2> ground{{19.5, 4}, {19, 0}, {13.5, 0}, {13.5, -1}, {12, -1}, {12, 1.3}, {8, 0}};
-    for (int i = 0; i < 8; ++i) {
-        ground.push_back({7.5 - 0.75 * i, i % 2 == 0 ? 0.18 : 0});
-    }
+    for (int i = 0; i < 8; ++i) { ground.push_back({7.5 - 0.75 * i, i % 2 == 0 ? 0.18 : 0}); }
     for (const DVec2 point : {DVec2{1.5, 0}, DVec2{-7.5, 0}, DVec2{-8, 4}}) { ground.push_back(point); }
     addFixed(scene, "ground", {0, 0}, {chain(ground)});
     const DVec2 start{-5, 0.95};

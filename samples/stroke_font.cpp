@@ -80,9 +80,7 @@ private:
         return {x, number()};
     }
     void arc() {
-        if (!open_) {
-            begin();
-        }
+        if (!open_) { begin(); }
         const DVec2 center = point();
         const DVec2 radii = point();
         const DVec2 range = point();
@@ -103,9 +101,7 @@ Glyph readGlyph(const GlyphPath& path) { return {path.letter, path.width, PathRe
 const Glyph& glyphOf(char32_t letter) {
     static const std::vector<Glyph> glyphs = [] {
         std::vector<Glyph> all;
-        for (const GlyphPath& path : kGlyphs) {
-            all.push_back(readGlyph(path));
-        }
+        for (const GlyphPath& path : kGlyphs) { all.push_back(readGlyph(path)); }
         return all;
     }();
     static const Glyph missing = readGlyph(kMissingGlyph);
@@ -134,9 +130,7 @@ std::u32string decode(std::string_view text) {
 
 double textWidth(std::string_view text, double height) {
     double width = 0;
-    for (const char32_t letter : decode(text)) {
-        width += glyphOf(letter).width + kLetterGap;
-    }
+    for (const char32_t letter : decode(text)) { width += glyphOf(letter).width + kLetterGap; }
     return std::max(0.0, width - kLetterGap) * height / kUnitsPerCapital;
 }
 
@@ -149,9 +143,7 @@ void drawText(Paint& paint, std::string_view text, DVec2 base, double height, Co
         const Glyph& glyph = glyphOf(letter);
         for (const Stroke& stroke : glyph.strokes) {
             points.clear();
-            for (const DVec2 p : stroke.points) {
-                points.push_back(DVec2{x, base.y} + scale * p);
-            }
+            for (const DVec2 p : stroke.points) { points.push_back(DVec2{x, base.y} + scale * p); }
             const bool dot = points.size() == 2 && points[0] == points[1];
             paint.polyline(points, stroke.closed, scale * kStrokeWeight * (dot ? kDotWeight : 1), color);
         }

@@ -15,9 +15,7 @@ namespace {
 constexpr int kIndexBits = 32;
 
 Real real(double x) { return static_cast<Real>(x); }
-std::optional<Real> real(const std::optional<double>& x) {
-    return x ? std::optional<Real>(real(*x)) : std::nullopt;
-}
+std::optional<Real> real(const std::optional<double>& x) { return x ? std::optional<Real>(real(*x)) : std::nullopt; }
 
 std::vector<Vec2> realPoints(const std::vector<DVec2>& points) {
     std::vector<Vec2> result;
@@ -44,33 +42,48 @@ struct PolygonMaker {
 
 ContinuousMode continuousOf(SceneContinuous mode) {
     switch (mode) {
-        case SceneContinuous::off: return ContinuousMode::off;
-        case SceneContinuous::speedLimit: return ContinuousMode::speedLimit;
-        case SceneContinuous::speculative: return ContinuousMode::speculative;
-        case SceneContinuous::stop: return ContinuousMode::stop;
-        case SceneContinuous::subStep: return ContinuousMode::subStep;
+        case SceneContinuous::off:
+            return ContinuousMode::off;
+        case SceneContinuous::speedLimit:
+            return ContinuousMode::speedLimit;
+        case SceneContinuous::speculative:
+            return ContinuousMode::speculative;
+        case SceneContinuous::stop:
+            return ContinuousMode::stop;
+        case SceneContinuous::subStep:
+            return ContinuousMode::subStep;
     }
     return ContinuousMode::subStep;  // unreachable, but GCC cannot know
 }
 
 BroadphaseKind broadphaseOf(SceneBroadphase kind) {
     switch (kind) {
-        case SceneBroadphase::automatic: return BroadphaseKind::automatic;
-        case SceneBroadphase::allPairs: return BroadphaseKind::allPairs;
-        case SceneBroadphase::sortAndSweep: return BroadphaseKind::sortAndSweep;
-        case SceneBroadphase::quadtree: return BroadphaseKind::quadtree;
-        case SceneBroadphase::grid: return BroadphaseKind::grid;
-        case SceneBroadphase::bvh: return BroadphaseKind::bvh;
-        case SceneBroadphase::wideBvh: return BroadphaseKind::wideBvh;
+        case SceneBroadphase::automatic:
+            return BroadphaseKind::automatic;
+        case SceneBroadphase::allPairs:
+            return BroadphaseKind::allPairs;
+        case SceneBroadphase::sortAndSweep:
+            return BroadphaseKind::sortAndSweep;
+        case SceneBroadphase::quadtree:
+            return BroadphaseKind::quadtree;
+        case SceneBroadphase::grid:
+            return BroadphaseKind::grid;
+        case SceneBroadphase::bvh:
+            return BroadphaseKind::bvh;
+        case SceneBroadphase::wideBvh:
+            return BroadphaseKind::wideBvh;
     }
     return BroadphaseKind::automatic;  // unreachable, but GCC cannot know
 }
 
 BodyType typeOf(SceneBodyType type) {
     switch (type) {
-        case SceneBodyType::fixed: return BodyType::fixed;
-        case SceneBodyType::kinematic: return BodyType::kinematic;
-        case SceneBodyType::dynamic: return BodyType::dynamic;
+        case SceneBodyType::fixed:
+            return BodyType::fixed;
+        case SceneBodyType::kinematic:
+            return BodyType::kinematic;
+        case SceneBodyType::dynamic:
+            return BodyType::dynamic;
     }
     return BodyType::fixed;  // unreachable, but GCC cannot know
 }

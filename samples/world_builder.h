@@ -12,11 +12,12 @@ namespace swept::inline SWEPT_PRECISION {
 /// A world made from a scene, and which of its things belongs to which entry of the scene.
 struct SceneWorld {
     World world;
-    std::vector<BodyId> bodies;  ///< by body index
+    std::vector<BodyId> bodies;   ///< by body index
     std::vector<JointId> joints;  ///< by joint index
 };
 
-/// User data of a body is its index; of a shape its body's index (upper half) and its own (lower half); of a joint its index.
+/// User data of a body is its index; of a shape its body's index (upper half) and its own (lower half); of a joint its
+/// index.
 struct ShapeOrigin {
     int body = 0;
     int shape = 0;

@@ -10,22 +10,32 @@ namespace {
 
 const char* nameOf(LostTimeReason reason) {
     switch (reason) {
-        case LostTimeReason::stop: return "stop";
-        case LostTimeReason::budget: return "budget";
-        case LostTimeReason::stuck: return "stuck";
-        case LostTimeReason::clamp: return "clamp";
-        case LostTimeReason::speedLimit: return "speedLimit";
+        case LostTimeReason::stop:
+            return "stop";
+        case LostTimeReason::budget:
+            return "budget";
+        case LostTimeReason::stuck:
+            return "stuck";
+        case LostTimeReason::clamp:
+            return "clamp";
+        case LostTimeReason::speedLimit:
+            return "speedLimit";
     }
     return "";  // unreachable, but GCC cannot know
 }
 
 SceneEventType typeOf(ContactEventType type) {
     switch (type) {
-        case ContactEventType::begin: return SceneEventType::begin;
-        case ContactEventType::end: return SceneEventType::end;
-        case ContactEventType::hit: return SceneEventType::hit;
-        case ContactEventType::sensorBegin: return SceneEventType::sensorBegin;
-        case ContactEventType::sensorEnd: return SceneEventType::sensorEnd;
+        case ContactEventType::begin:
+            return SceneEventType::begin;
+        case ContactEventType::end:
+            return SceneEventType::end;
+        case ContactEventType::hit:
+            return SceneEventType::hit;
+        case ContactEventType::sensorBegin:
+            return SceneEventType::sensorBegin;
+        case ContactEventType::sensorEnd:
+            return SceneEventType::sensorEnd;
     }
     return SceneEventType::begin;  // unreachable, but GCC cannot know
 }
@@ -74,8 +84,8 @@ public:
         if (options_.ways) { readWays(frame); }
         if (!withContacts) { return; }
         world.visitContacts([&frame](const ContactView& contact) {
-            frame.contacts.push_back({contact.point, toDouble(contact.normal),
-                                      static_cast<double>(contact.separation), static_cast<double>(contact.impulse)});
+            frame.contacts.push_back({contact.point, toDouble(contact.normal), static_cast<double>(contact.separation),
+                                      static_cast<double>(contact.impulse)});
         });
         for (const ImpactPose& pose : world.impactPoses()) {
             frame.impacts.push_back({static_cast<int>(world.userData(pose.body)), pose.position, pose.angle});
@@ -168,9 +178,7 @@ private:
         list.emplace_back(entry.reason, entry.seconds);
     }
 
-    double timeAt(double fraction) const {
-        return (static_cast<double>(steps_ - 1) + fraction) * scene_.settings.dt;
-    }
+    double timeAt(double fraction) const { return (static_cast<double>(steps_ - 1) + fraction) * scene_.settings.dt; }
 
     void collectEvents() {
         events_.clear();
@@ -197,8 +205,7 @@ private:
 
     void measure() {
         built_.world.visitContacts([this](const ContactView& contact) {
-            report_.deepestPenetration =
-                std::max(report_.deepestPenetration, -static_cast<double>(contact.separation));
+            report_.deepestPenetration = std::max(report_.deepestPenetration, -static_cast<double>(contact.separation));
         });
         for (const JointId id : built_.joints) {
             report_.largestJointError =

@@ -30,8 +30,8 @@ inline bool isValid(const Aabb& a) {
     return isFinite(a.lower) && isFinite(a.upper) && a.lower.x <= a.upper.x && a.lower.y <= a.upper.y;
 }
 
-/// The smallest `Aabb` of `Real` that contains [lower, upper]: each bound is rounded outward. Bounds beyond the range of
-/// `Real` become its largest finite values.
+/// The smallest `Aabb` of `Real` that contains [lower, upper]: each bound is rounded outward. Bounds beyond the range
+/// of `Real` become its largest finite values.
 constexpr Aabb roundedOutward(DVec2 lower, DVec2 upper) {
     const double exact[4] = {lower.x, lower.y, -upper.x, -upper.y};
     Real down[4] = {};

@@ -42,7 +42,9 @@ DVec2 circumcenter(DVec2 a, DVec2 b, DVec2 c) {
 Circle boundingCircle(const Polygon& polygon) {
     const DVec2 origin = toDouble(polygon.vertices[0]);
     Points points;
-    for (const Vec2 v : polygon.points()) { points.at[static_cast<std::size_t>(points.count++)] = toDouble(v) - origin; }
+    for (const Vec2 v : polygon.points()) {
+        points.at[static_cast<std::size_t>(points.count++)] = toDouble(v) - origin;
+    }
 
     Candidate best{{}, std::numeric_limits<double>::infinity()};
     consider(points, {}, best);

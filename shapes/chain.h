@@ -26,7 +26,8 @@ Vec2 normalOf(const ChainSegment& segment);
 /// Number of segments of a chain of `pointCount` points.
 constexpr int chainSegmentCount(int pointCount, bool loop) { return loop ? pointCount : pointCount - 1; }
 
-/// Checks the points of a chain: at least 2 (loop: 3), all finite, no two consecutive ones equal, radius finite and ≥ 0.
+/// Checks the points of a chain: at least 2 (loop: 3), all finite, no two consecutive ones equal, radius finite and ≥
+/// 0.
 Status validateChain(std::span<const Vec2> points, bool loop, Real radius);
 
 /// The i-th segment (0 ≤ i < chainSegmentCount) of a valid chain.

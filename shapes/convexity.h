@@ -11,8 +11,8 @@ namespace swept::inline SWEPT_PRECISION {
 inline constexpr double kSmallestTurn = 4 * static_cast<double>(kEpsilon);
 
 /// Distance of a vertex from the chord of its neighbours, relative to the size of the cloud, below which it counts as a
-/// point on the edge. Such a vertex turns by at least its height over the shorter edge, and that edge is at most √2 times
-/// the size, so every polygon with greater heights passes the test of the turn.
+/// point on the edge. Such a vertex turns by at least its height over the shorter edge, and that edge is at most √2
+/// times the size, so every polygon with greater heights passes the test of the turn.
 inline constexpr double kSmallestHeight = 2 * kSmallestTurn;
 
 /// The larger side of the bounding box; 0 if all points are equal.

@@ -44,9 +44,7 @@ CoreAxis asCoreAxis(const FaceAxis& f, bool ofA) {
 /// Points and segments: where both lie on one line their Minkowski difference has no area, and its ends face along it.
 void tryEnds(const PairView& pair, CoreAxis& best) {
     for (const bool ofA : {true, false}) {
-        if ((ofA ? pair.a.count : pair.b.count) != 2) {
-            continue;
-        }
+        if ((ofA ? pair.a.count : pair.b.count) != 2) { continue; }
         const DVec2 along = ofA ? leftPerp(edgeNormal(pair.edgeA(0), pair.normalA(0)))
                                 : leftPerp(edgeNormal(pair.edgeB(0), pair.normalB(0)));
         for (const DVec2 direction : {along, -along}) {
@@ -54,9 +52,7 @@ void tryEnds(const PairView& pair, CoreAxis& best) {
             // Not by rounding alone: a perpendicular segment has this direction as a face, whose points are right.
             const double size = sumNorm(pair.vertexA(end.supportA)) + sumNorm(pair.vertexB(end.supportB)) +
                                 2 * sumNorm(pair.translation);
-            if (end.separation > best.separation + kResolution * size) {
-                best = end;
-            }
+            if (end.separation > best.separation + kResolution * size) { best = end; }
         }
     }
 }
@@ -90,7 +86,8 @@ MeasuredFace measureFace(const PairView& pair, int face) {
     const int support = ofA ? extremeVertex<-1>(pair.b, pair.toB(normal)) : extremeVertex<-1>(pair.a, normal);
     const DVec2 toSupport =
         ofA ? pair.vertexB(support) - pair.vertexA(face) : pair.vertexA(support) - pair.vertexB(face);
-    MeasuredFace measured{{face, support, dot(normal, toSupport), normal, 0, false}, dot(edge, toSupport), dot(edge, edge)};
+    MeasuredFace measured{
+        {face, support, dot(normal, toSupport), normal, 0, false}, dot(edge, toSupport), dot(edge, edge)};
     measured.axis.isOverFace = measured.along >= 0 && measured.along <= measured.end;
     return measured;
 }
@@ -106,9 +103,7 @@ FaceAxis settled(const PairView& pair, const BestFace& best) {
     for (int i = 1; i < reference.count && !chosen.axis.isOverFace; ++i) {
         const int beside = chosen.along < 0 ? reference.previous(chosen.axis.face) : reference.next(chosen.axis.face);
         const MeasuredFace other = measureFace<ofA>(pair, beside);
-        if (!(other.axis.separation > chosen.axis.separation)) {
-            break;
-        }
+        if (!(other.axis.separation > chosen.axis.separation)) { break; }
         chosen = other;
     }
     return chosen.axis;
@@ -138,13 +133,9 @@ FaceAxis knownFaceOfA(const PairView& pair, int face) { return measureFace<true>
 FaceAxis knownFaceOfB(const PairView& pair, int face) { return measureFace<false>(pair, face).axis; }
 
 bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB, double preference) {
-    if (faceA.face < 0 || faceB.face < 0) {
-        return faceB.face < 0;
-    }
+    if (faceA.face < 0 || faceB.face < 0) { return faceB.face < 0; }
     const double lead = faceB.separation - faceA.separation;
-    if (lead <= 0 || !(preference > 0)) {
-        return lead <= 0;
-    }
+    if (lead <= 0 || !(preference > 0)) { return lead <= 0; }
     const DVec2 edgeA = pair.edgeA(faceA.face);
     const DVec2 edgeB = pair.edgeB(faceB.face);
     const double squaredA = dot(edgeA, edgeA);
@@ -157,14 +148,10 @@ BestFaces bestFaces(const PairView& pair) { return {bestFaceOfA(pair), bestFaceO
 CoreAxis coreAxis(const PairView& pair, double preference) { return coreAxis(pair, bestFaces(pair), preference); }
 
 CoreAxis coreAxis(const PairView& pair, const BestFaces& faces, double preference) {
-    if (pair.a.count == 1 && pair.b.count == 1) {
-        return betweenPoints(pair);
-    }
+    if (pair.a.count == 1 && pair.b.count == 1) { return betweenPoints(pair); }
     const auto& [faceA, faceB] = faces;
     CoreAxis best = prefersA(pair, faceA, faceB, preference) ? asCoreAxis(faceA, true) : asCoreAxis(faceB, false);
-    if (pair.a.count <= 2 && pair.b.count <= 2) {
-        tryEnds(pair, best);
-    }
+    if (pair.a.count <= 2 && pair.b.count <= 2) { tryEnds(pair, best); }
     return best;
 }
 

@@ -35,9 +35,7 @@ bool isInRange(const Polygon& a, const Polygon& b, const GjkResult& gjk) {
     int iterations = 0;
     const auto solve = [cache, &iterations](const PairView& pair) {
         const GjkResult gjk = closestFeatures(pair, cache);
-        if (cache != nullptr) {
-            remember(gjk, *cache);
-        }
+        if (cache != nullptr) { remember(gjk, *cache); }
         iterations = gjk.iterations;
         return coreSeparation(pair, gjk);
     };
@@ -63,9 +61,7 @@ Distance distance(const Polygon& a, const Polygon& b, const Transform& bInA, Sim
     if (!gjk::walk(pair, gjk::start(pair, cache), gjk) || !isInRange(a, b, gjk)) {
         return distanceWithCare(a, b, bInA, cache);
     }
-    if (cache != nullptr) {
-        remember(gjk, *cache);
-    }
+    if (cache != nullptr) { remember(gjk, *cache); }
     const double rA = static_cast<double>(a.radius);
     const double rB = static_cast<double>(b.radius);
     return {static_cast<Real>(gjk.distance - rA - rB), toReal(gjk.normal),

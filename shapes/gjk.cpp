@@ -59,9 +59,7 @@ SWEPT_HOT void setSegment(const PairView& pair, Simplex& simplex, const SupportP
     const DVec2 edge = pair.spanB(p.b, q.b) - pair.spanA(p.a, q.a);
     const double edgeSquared = dot(edge, edge);
     const bool atP = dot(edge, p.w()) >= 0 || !(edgeSquared >= std::numeric_limits<double>::min());  // or underflow
-    if (atP || dot(edge, q.w()) <= 0) {
-        return setVertex(simplex, atP ? p : q);
-    }
+    if (atP || dot(edge, q.w()) <= 0) { return setVertex(simplex, atP ? p : q); }
     simplex.p = p;
     simplex.q = q;
     simplex.isSegment = true;
@@ -75,23 +73,17 @@ SWEPT_HOT void setSegment(const PairView& pair, Simplex& simplex, const SupportP
 /// The closer of the segments from `next` to the ends of `simplex`, in `closer`.
 SWEPT_HOT void extend(const PairView& pair, const Simplex& simplex, const SupportPoint& next, Simplex& closer) {
     setSegment(pair, closer, simplex.p, next);
-    if (!simplex.isSegment) {
-        return;
-    }
+    if (!simplex.isSegment) { return; }
     Simplex other;
     setSegment(pair, other, next, simplex.q);
-    if (other.distanceSquared < closer.distanceSquared) {
-        closer = other;
-    }
+    if (other.distanceSquared < closer.distanceSquared) { closer = other; }
 }
 
 /// The pair of a cached simplex; false when its indices do not fit.
 SWEPT_HOT bool load(const PairView& pair, const SimplexCache& warm, std::size_t i, SupportPoint& loaded) {
     const int a = warm.indexA[i];
     const int b = warm.indexB[i];
-    if (a >= pair.a.count || b >= pair.b.count) {
-        return false;
-    }
+    if (a >= pair.a.count || b >= pair.b.count) { return false; }
     loaded = pointAt(pair, a, b);
     return true;
 }
@@ -126,9 +118,7 @@ SWEPT_HOT bool enclosesOrigin(const Simplex& segment, const SupportPoint& p, dou
 /// From the closest point of the origin towards it, not normalised: the closest direction from A to B. Of a segment it
 /// comes from the edge itself, not from the closest point, which is all rounding near a contact.
 SWEPT_HOT DVec2 directionOf(const Simplex& simplex) {
-    if (!simplex.isSegment) {
-        return simplex.p.w();
-    }
+    if (!simplex.isSegment) { return simplex.p.w(); }
     const DVec2 across = leftPerp(DVec2{simplex.edgeX, simplex.edgeY});
     return simplex.side > 0 ? across : -across;
 }
@@ -148,9 +138,7 @@ SWEPT_HOT void store(const Simplex& simplex, GjkResult& r) {
     r.normal = inverse * directionOf(simplex);
     r.count = simplex.isSegment ? 2 : 1;
     r.simplex[0] = {simplex.p.a, simplex.p.b};
-    if (simplex.isSegment) {
-        r.simplex[1] = {simplex.q.a, simplex.q.b};
-    }
+    if (simplex.isSegment) { r.simplex[1] = {simplex.q.a, simplex.q.b}; }
 }
 
 }  // namespace
@@ -187,18 +175,12 @@ void runLoop(const PairView& pair, const SimplexCache* warm, GjkResult& r) {
             break;
         }
         extend(pair, *current, next, *grown);
-        if (!(grown->distanceSquared < current->distanceSquared)) {
-            break;
-        }
+        if (!(grown->distanceSquared < current->distanceSquared)) { break; }
         std::swap(current, grown);
     }
     store(*current, r);
-    if (r.encloses) {
-        r.count = 3;
-    }
-    if (r.outcome == GjkOutcome::apart) {
-        r.points = witnessOf(pair, r, r.distance * r.normal);
-    }
+    if (r.encloses) { r.count = 3; }
+    if (r.outcome == GjkOutcome::apart) { r.points = witnessOf(pair, r, r.distance * r.normal); }
 }
 
 }  // namespace gjk
@@ -218,9 +200,7 @@ GjkResult closestByExhaustion(const PairView& pair) {
         GjkResult candidate;
         gjk::store(simplex, candidate);
         const double gap = candidate.distance - dot(candidate.normal, gjk::supportPoint(pair, candidate.normal).w());
-        if (!(gap < bestGap) || !(candidate.distance > 0)) {
-            return;
-        }
+        if (!(gap < bestGap) || !(candidate.distance > 0)) { return; }
         bestGap = gap;
         best = candidate;
         best.outcome = GjkOutcome::apart;
@@ -244,9 +224,7 @@ GjkResult closestByExhaustion(const PairView& pair) {
 
 GjkResult closestFeatures(const PairView& pair, const SimplexCache* warm) {
     GjkResult r = runGjk(pair, warm);
-    if (r.outcome != GjkOutcome::stalled) {
-        return r;
-    }
+    if (r.outcome != GjkOutcome::stalled) { return r; }
     if (coreAxis(pair).separation <= 0) {
         r.outcome = GjkOutcome::touching;
         return r;
@@ -277,9 +255,7 @@ CorePoints witnessOf(const PairView& pair, const GjkResult& r, DVec2 gap) {
 }
 
 CoreSeparation coreSeparation(const PairView& pair, const GjkResult& gjk) {
-    if (gjk.outcome == GjkOutcome::apart) {
-        return {gjk.distance, gjk.normal, gjk.points};
-    }
+    if (gjk.outcome == GjkOutcome::apart) { return {gjk.distance, gjk.normal, gjk.points}; }
     const CoreAxis axis = coreAxis(pair);
     // In a mere touch the least penetration is all rounding, and its foot may lie beside a slender shape: the simplex
     // knows the place better.

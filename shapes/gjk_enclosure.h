@@ -39,9 +39,7 @@ inline bool provesOverlap(const PairView& pair, const Features& facing, DVec2 in
         }
         const double ahead = cross(to, next);
         const double behind = cross(next, from);
-        if (side > margin && ahead > margin && behind > margin) {
-            return true;
-        }
+        if (side > margin && ahead > margin && behind > margin) { return true; }
         if (ahead < behind) {
             from = next;
             side = -ahead;

@@ -88,9 +88,7 @@ SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) 
     const double resolution = resolutionOf(pair, a, turnedB);
     const auto prove = [&] {
         const double squared = dot(w, w);
-        if (!(squared > resolution * resolution)) {
-            return WalkStep::lost;
-        }
+        if (!(squared > resolution * resolution)) { return WalkStep::lost; }
         r.count = 1;
         r.simplex[0] = {f.a, f.b};
         r.distance = std::sqrt(squared);
@@ -99,17 +97,13 @@ SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) 
         r.points = {a, a + w};
         return WalkStep::proved;
     };
-    if (arePoints(pair)) {
-        return prove();
-    }
+    if (arePoints(pair)) { return prove(); }
     const Neighbours ofA = neighboursAlong(pair.a, f.a, a, w);
     const Neighbours ofB = neighboursAlong(pair.b, f.b, localB, -pair.toB(w));
     const double level = levelAlong(w, resolution);
     const double doubt = larger(doubtOf(pair.a, ofA, level), doubtOf(pair.b, ofB, level));
     const double sum = ofA.next + ofA.previous + ofB.next + ofB.previous;  // not a number, where any is not
-    if (doubt <= 0 && sum <= 0) {
-        return prove();
-    }
+    if (doubt <= 0 && sum <= 0) { return prove(); }
     if (ofA.highest() > ofB.highest()) {
         f.kind = Features::Kind::edgeOfA;
         f.a = choose(ofA.isNextHigher(), f.a, previousOf(pair.a, f.a));
@@ -155,9 +149,7 @@ SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
     const double side = sign * sideOfEdge;
     const DVec2 outward = sign * rightPerp(edge);
     const double resolution = resolutionOf(pair, a, turnedB);
-    if (!(side > 0 && side * side > resolution * resolution * edgeSquared)) {
-        return WalkStep::lost;
-    }
+    if (!(side > 0 && side * side > resolution * resolution * edgeSquared)) { return WalkStep::lost; }
     const Neighbours n =
         ofA ? neighboursAlong(other, f.b, localB, -pair.toB(outward)) : neighboursAlong(other, f.a, a, -outward);
     if (!(doubtOf(other, n, levelAlong(outward, resolution)) <= 0 && n.next + n.previous <= 0)) {
@@ -185,25 +177,17 @@ SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
 /// walk leaves them, in the order of the polygon; others it finds again from their first ends.
 SWEPT_HOT Features start(const PairView& pair, const SimplexCache* warm) {
     if (warm == nullptr || warm->count == 0 || warm->indexA[0] >= pair.a.count || warm->indexB[0] >= pair.b.count) {
-        if (arePoints(pair)) {
-            return {Features::Kind::vertices, 0, 0};
-        }
+        if (arePoints(pair)) { return {Features::Kind::vertices, 0, 0}; }
         const DVec2 towardsA = -pair.toB(pair.translation);
         return {Features::Kind::vertices, FacingVertex::along(pair.a, toReal(pair.translation)),
                 FacingVertex::along(pair.b, toReal(towardsA))};
     }
     Features f{Features::Kind::vertices, warm->indexA[0], warm->indexB[0]};
-    if (warm->count != 2) {
-        return f;
-    }
+    if (warm->count != 2) { return f; }
     const int a = warm->indexA[1];
     const int b = warm->indexB[1];
-    if (b == f.b && a == pair.a.next(f.a) && a != f.a) {
-        f.kind = Features::Kind::edgeOfA;
-    }
-    if (a == f.a && b == pair.b.next(f.b) && b != f.b) {
-        f.kind = Features::Kind::edgeOfB;
-    }
+    if (b == f.b && a == pair.a.next(f.a) && a != f.a) { f.kind = Features::Kind::edgeOfA; }
+    if (a == f.a && b == pair.b.next(f.b) && b != f.b) { f.kind = Features::Kind::edgeOfB; }
     return f;
 }
 
@@ -225,9 +209,7 @@ SWEPT_HOT bool walk(const PairView& pair, Features f, GjkResult& r) {
                 break;
         }
         r.iterations = i;
-        if (step != WalkStep::moved) {
-            return step == WalkStep::proved;
-        }
+        if (step != WalkStep::moved) { return step == WalkStep::proved; }
     }
     return false;
 }

@@ -13,9 +13,7 @@ namespace {
 
 bool lowerThenLefter(Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); }
 
-bool turnsLeft(Vec2 p, Vec2 q, Vec2 r) {
-    return cross(toDouble(q) - toDouble(p), toDouble(r) - toDouble(q)) > 0;
-}
+bool turnsLeft(Vec2 p, Vec2 q, Vec2 r) { return cross(toDouble(q) - toDouble(p), toDouble(r) - toDouble(q)) > 0; }
 
 /// One side of the hull, along points sorted from its first to its last vertex; the last one is left to the other side.
 template <class Iterator>

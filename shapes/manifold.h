@@ -23,30 +23,33 @@ struct ManifoldPoint {
 struct Manifold {
     Vec2 normal;  ///< unit, from A to B, frame of A
     std::array<ManifoldPoint, 2> points{};
-    int count = 0;  ///< 0 (farther apart than the margin), 1 or 2
+    int count = 0;             ///< 0 (farther apart than the margin), 1 or 2
     bool isNormalOfB = false;  ///< of a face of B, with which it turns; else of a face of A, or between two vertices
 };
 
-/// Contact manifold of any pair of polygons: closest features when the cores are apart (one point between vertices, up to
-/// two where faces are parallel enough), face clipping along the axis of least penetration when they overlap.
+/// Contact manifold of any pair of polygons: closest features when the cores are apart (one point between vertices, up
+/// to two where faces are parallel enough), face clipping along the axis of least penetration when they overlap.
 /// @param margin  largest separation at which a point is still reported, metres, at least 0.
 /// The deepest point's separation equals `distance()` up to rounding when the shapes are apart; the minimum translation
-/// when they overlap, except that a face axis is preferred to a nearly equal one (by a relative tolerance) for coherence.
+/// when they overlap, except that a face axis is preferred to a nearly equal one (by a relative tolerance) for
+/// coherence.
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin);
-/// The same manifold, bit for bit, from what the last query about the same two shapes found out, where that still holds.
+/// The same manifold, bit for bit, from what the last query about the same two shapes found out, where that still
+/// holds.
 /// @param memory  of these two shapes in this order; empty at first
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory);
 
-/// Against one face of A, whatever axis is shorter: the edge of B that faces it, clipped to the face; separations are heights
-/// above it. Nothing is reported where no part of that edge is over the face.
-/// @param sine  of the angle to the face's normal up to which a vertex beyond the end of the face still counts as over it
+/// Against one face of A, whatever axis is shorter: the edge of B that faces it, clipped to the face; separations are
+/// heights above it. Nothing is reported where no part of that edge is over the face.
+/// @param sine  of the angle to the face's normal up to which a vertex beyond the end of the face still counts as over
+/// it
 /// @pre A has the face
 Manifold collideOnFace(const Polygon& a, int face, const Polygon& b, const Transform& bInA, Real margin, Real sine);
 
-/// `collide` for a one-sided chain segment as A. Nothing is reported when the centre of B's core lies behind the segment,
-/// or where the contact belongs to a neighbour: normals outside the range that the neighbours leave open are refused
-/// (convex corner) or turned to the segment's own normal (flat or concave corner), so that a body slides over inner
-/// vertices without catching.
+/// `collide` for a one-sided chain segment as A. Nothing is reported when the centre of B's core lies behind the
+/// segment, or where the contact belongs to a neighbour: normals outside the range that the neighbours leave open are
+/// refused (convex corner) or turned to the segment's own normal (flat or concave corner), so that a body slides over
+/// inner vertices without catching.
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin);
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory);
 

@@ -8,9 +8,7 @@ Manifold singlePoint(const CorePoints& core, double coreSeparation, DVec2 normal
     const double radiusB = static_cast<double>(b.radius);
     Manifold manifold;
     manifold.normal = clampedReal(normal);
-    if (coreSeparation - radiusA - radiusB > margin) {
-        return manifold;
-    }
+    if (coreSeparation - radiusA - radiusB > margin) { return manifold; }
     manifold.count = 1;
     manifold.points[0].point = clampedReal(core.a + (0.5 * (coreSeparation + radiusA - radiusB)) * normal);
     manifold.points[0].separation = clampedReal(coreSeparation - radiusA - radiusB);

@@ -7,14 +7,14 @@
 namespace swept::inline SWEPT_PRECISION {
 
 struct MassProperties {
-    double mass = 0;                  ///< kg
-    DVec2 center;                     ///< centre of mass, metres, body frame
-    double inertia = 0;               ///< about the centre of mass, kg·m²
+    double mass = 0;     ///< kg
+    DVec2 center;        ///< centre of mass, metres, body frame
+    double inertia = 0;  ///< about the centre of mass, kg·m²
 };
 
-/// Mass properties of a uniform shape, exact for rounded polygons: the Minkowski sum of polygon and disk is split into the
-/// polygon, one rectangle per edge and one circular sector per vertex. Computed in double about the shape's own first
-/// vertex, so a shape far from the body origin loses nothing. A bare segment has no area and gives mass 0.
+/// Mass properties of a uniform shape, exact for rounded polygons: the Minkowski sum of polygon and disk is split into
+/// the polygon, one rectangle per edge and one circular sector per vertex. Computed in double about the shape's own
+/// first vertex, so a shape far from the body origin loses nothing. A bare segment has no area and gives mass 0.
 /// @param density  kg/m², at least 0.
 MassProperties massOf(const Polygon& polygon, Real density);
 

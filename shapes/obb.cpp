@@ -6,9 +6,9 @@ namespace {
 
 /// Both boxes as the separating-axis test sees them.
 struct Placement {
-    Vec2 inA;        ///< from the centre of A to that of B, along the axes of A
-    Vec2 inB;        ///< the same along the axes of B
-    Real cosine;     ///< of the angle between the boxes, not negative
+    Vec2 inA;     ///< from the centre of A to that of B, along the axes of A
+    Vec2 inB;     ///< the same along the axes of B
+    Real cosine;  ///< of the angle between the boxes, not negative
     Real sine;
 };
 
@@ -26,8 +26,10 @@ Vec2 reach(Vec2 half, const Placement& p) {
 Real largestGap(const Obb& a, const Obb& b, const Placement& p) {
     const Vec2 reachOfB = reach(b.half, p);
     const Vec2 reachOfA = reach(a.half, p);
-    const Real gapA = std::fmax(std::fabs(p.inA.x) - (a.half.x + reachOfB.x), std::fabs(p.inA.y) - (a.half.y + reachOfB.y));
-    const Real gapB = std::fmax(std::fabs(p.inB.x) - (b.half.x + reachOfA.x), std::fabs(p.inB.y) - (b.half.y + reachOfA.y));
+    const Real gapA =
+        std::fmax(std::fabs(p.inA.x) - (a.half.x + reachOfB.x), std::fabs(p.inA.y) - (a.half.y + reachOfB.y));
+    const Real gapB =
+        std::fmax(std::fabs(p.inB.x) - (b.half.x + reachOfA.x), std::fabs(p.inB.y) - (b.half.y + reachOfA.y));
     return std::fmax(gapA, gapB);
 }
 

@@ -14,8 +14,8 @@ struct Obb {
 /// by less than 8 eps × (extents + distance) as overlapping, never the reverse.
 bool overlaps(const Obb& a, const Obb& b);
 
-/// Largest separation along the four face normals, metres: positive when apart (a lower bound of the distance), negative
-/// when overlapping (minus the smallest translation that separates them).
+/// Largest separation along the four face normals, metres: positive when apart (a lower bound of the distance),
+/// negative when overlapping (minus the smallest translation that separates them).
 Real separation(const Obb& a, const Obb& b);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -13,17 +13,13 @@ DVec2 overFace(DVec2 start, DVec2 edge, DVec2 normal, const Polygon& incident, i
     const DVec2 v = vertexAt(support);
     const double along = dot(edge, v - start);
     const double end = dot(edge, edge);
-    if (incident.count < 2 || (along >= 0 && along <= end)) {
-        return v;
-    }
+    if (incident.count < 2 || (along >= 0 && along <= end)) { return v; }
     const DVec2 next = vertexAt(incident.next(support));
     const DVec2 previous = vertexAt(incident.previous(support));
     const DVec2 span = (dot(normal, next - v) < dot(normal, previous - v) ? next : previous) - v;
     const double slope = dot(edge, span);
     const double wanted = (along < 0 ? 0 : end) - along;
-    if (!(wanted * slope > 0)) {
-        return v;
-    }
+    if (!(wanted * slope > 0)) { return v; }
     const double fraction = wanted / slope;
     return v + (fraction < 1 ? fraction : 1) * span;
 }

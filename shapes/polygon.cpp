@@ -19,7 +19,8 @@ Status checkRadius(Real radius) {
 void setNormals(Polygon& polygon) {
     for (int i = 0; i < polygon.count && polygon.count > 1; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        polygon.normals[at] = edgeNormal(polygon.vertices[at], polygon.vertices[static_cast<std::size_t>(polygon.next(i))]);
+        polygon.normals[at] =
+            edgeNormal(polygon.vertices[at], polygon.vertices[static_cast<std::size_t>(polygon.next(i))]);
     }
 }
 
@@ -54,7 +55,8 @@ Status checkNormals(const Polygon& polygon) {
         const auto at = static_cast<std::size_t>(i);
         const Vec2 given = polygon.normals[at];
         if (!isFinite(given)) { return {StatusCode::notFinite, "normals"}; }
-        const Vec2 wanted = edgeNormal(polygon.vertices[at], polygon.vertices[static_cast<std::size_t>(polygon.next(i))]);
+        const Vec2 wanted =
+            edgeNormal(polygon.vertices[at], polygon.vertices[static_cast<std::size_t>(polygon.next(i))]);
         const Vec2 difference = given - wanted;
         if (std::fmax(std::fabs(difference.x), std::fabs(difference.y)) > kNormalError) {
             return {StatusCode::outOfRange, "normals"};

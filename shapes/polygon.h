@@ -16,8 +16,8 @@ inline constexpr int kMaxPolygonVertices = 8;
 /// Made by the functions below, which guarantee the invariants; `validate` checks a hand-made one.
 struct Polygon {
     std::array<Vec2, kMaxPolygonVertices> vertices{};
-    /// Outward unit normals: `normals[i]` belongs to the edge from vertex i to vertex i + 1 (cyclic). A segment has two,
-    /// one for each side; a circle has none.
+    /// Outward unit normals: `normals[i]` belongs to the edge from vertex i to vertex i + 1 (cyclic). A segment has
+    /// two, one for each side; a circle has none.
     std::array<Vec2, kMaxPolygonVertices> normals{};
     Real radius = 0;
     int count = 0;

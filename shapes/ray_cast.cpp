@@ -50,8 +50,8 @@ bool contains(const Polygon& polygon, DVec2 point) {
     return insideCore;
 }
 
-/// Ray from outside against the disk about vertex i. Starts at the fraction `from`, near the disk, so that the roots keep
-/// their digits when the ray comes from far away.
+/// Ray from outside against the disk about vertex i. Starts at the fraction `from`, near the disk, so that the roots
+/// keep their digits when the ray comes from far away.
 Entry enterDisk(const Polygon& polygon, int i, const Ray& ray, double from) {
     const double radius = static_cast<double>(polygon.radius);
     const DVec2 offset = (ray.origin - vertexOf(polygon, i)) + from * ray.direction;
@@ -131,8 +131,8 @@ Clip clipToEdges(const Polygon& polygon, const Ray& ray) {
     return clip;
 }
 
-/// Ray from outside against two or more vertices. The moved half-planes meet in sharp corners; where the ray enters beyond
-/// the end of an edge it is in one such corner, and leaves it through the arc of that vertex or not at all.
+/// Ray from outside against two or more vertices. The moved half-planes meet in sharp corners; where the ray enters
+/// beyond the end of an edge it is in one such corner, and leaves it through the arc of that vertex or not at all.
 Entry enterOutline(const Polygon& polygon, const Ray& ray) {
     const Clip clip = clipToEdges(polygon, ray);
     if (clip.empty) { return {}; }

@@ -51,20 +51,14 @@ private:
     double largestCoordinate(std::initializer_list<Vec2> more) const {
         Vec2 most = max(bInA_.translation, -bInA_.translation);
         for (const Polygon* p : {&a_, &b_}) {
-            for (const Vec2& v : p->points()) {
-                most = max(most, max(v, -v));
-            }
+            for (const Vec2& v : p->points()) { most = max(most, max(v, -v)); }
         }
-        for (const Vec2& v : more) {
-            most = max(most, max(v, -v));
-        }
+        for (const Vec2& v : more) { most = max(most, max(v, -v)); }
         return static_cast<double>(most.x > most.y ? most.x : most.y);
     }
     Polygon scaled(const Polygon& p) const {
         Polygon q = p;
-        for (Vec2& v : q.vertices) {
-            v = scaled(v);
-        }
+        for (Vec2& v : q.vertices) { v = scaled(v); }
         q.radius = 0;
         return q;
     }

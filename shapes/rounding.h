@@ -26,8 +26,8 @@ constexpr T nextDown(T x) {
     return -nextUp(-x);
 }
 
-/// The next smaller one of a number other than +0 (−infinity below the lowest), if so asked. Nobody can predict which way a sum
-/// was rounded, so there is no branch, and four of them may go side by side.
+/// The next smaller one of a number other than +0 (−infinity below the lowest), if so asked. Nobody can predict which
+/// way a sum was rounded, so there is no branch, and four of them may go side by side.
 template <class T>
 constexpr T steppedDown(bool isAsked, T x) {
     using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
@@ -49,9 +49,9 @@ constexpr Real roundedDown(double x) {
 /// The smallest `Real` that is not below `x`; the nearest finite one where `x` is out of range. NaN stays NaN.
 constexpr Real roundedUp(double x) { return -roundedDown(-x); }
 
-/// The largest `Real` not above a + b. The error of a rounded sum is itself a floating-point number (Knuth's TwoSum), so
-/// its sign says on which side of the exact sum the rounded one lies, however far apart the magnitudes are. The nearest finite
-/// one where the sum is out of range; NaN stays NaN.
+/// The largest `Real` not above a + b. The error of a rounded sum is itself a floating-point number (Knuth's TwoSum),
+/// so its sign says on which side of the exact sum the rounded one lies, however far apart the magnitudes are. The
+/// nearest finite one where the sum is out of range; NaN stays NaN.
 constexpr Real sumRoundedDown(Real a, Real b) {
     constexpr Real kMax = std::numeric_limits<Real>::max();
     const Real sum = a + b;

@@ -39,21 +39,36 @@ struct [[nodiscard]] Status {
 /// One phrase in lower case without a full stop, to be printed behind the field's name.
 constexpr const char* describe(StatusCode code) {
     switch (code) {
-        case StatusCode::ok: return "ok";
-        case StatusCode::notFinite: return "must be finite";
-        case StatusCode::negative: return "must not be negative";
-        case StatusCode::notPositive: return "must be greater than 0";
-        case StatusCode::outOfRange: return "is out of range";
-        case StatusCode::staleId: return "names nothing that exists";
-        case StatusCode::degenerate: return "is degenerate (no extent)";
-        case StatusCode::notConvex: return "is not a convex counter-clockwise polygon";
-        case StatusCode::tooFewVertices: return "has too few points";
-        case StatusCode::tooManyVertices: return "has more than 8 hull vertices";
-        case StatusCode::wrongBodyType: return "does not fit the body type";
-        case StatusCode::missingMass: return "leaves a dynamic body without mass";
-        case StatusCode::wrongJointType: return "does not fit the joint type";
-        case StatusCode::sameBody: return "must be two different bodies";
-        case StatusCode::outOfMemory: return "has no ids left";
+        case StatusCode::ok:
+            return "ok";
+        case StatusCode::notFinite:
+            return "must be finite";
+        case StatusCode::negative:
+            return "must not be negative";
+        case StatusCode::notPositive:
+            return "must be greater than 0";
+        case StatusCode::outOfRange:
+            return "is out of range";
+        case StatusCode::staleId:
+            return "names nothing that exists";
+        case StatusCode::degenerate:
+            return "is degenerate (no extent)";
+        case StatusCode::notConvex:
+            return "is not a convex counter-clockwise polygon";
+        case StatusCode::tooFewVertices:
+            return "has too few points";
+        case StatusCode::tooManyVertices:
+            return "has more than 8 hull vertices";
+        case StatusCode::wrongBodyType:
+            return "does not fit the body type";
+        case StatusCode::missingMass:
+            return "leaves a dynamic body without mass";
+        case StatusCode::wrongJointType:
+            return "does not fit the joint type";
+        case StatusCode::sameBody:
+            return "must be two different bodies";
+        case StatusCode::outOfMemory:
+            return "has no ids left";
     }
     return "";  // unreachable, but GCC cannot know
 }

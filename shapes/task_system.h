@@ -36,9 +36,7 @@ class SerialTaskSystem final : public TaskSystem {
 public:
     int workerCount() const override { return 1; }
     void run(std::size_t count, std::size_t /*grain*/, FunctionRef<void(std::size_t, std::size_t, int)> body) override {
-        if (count > 0) {
-            body(0, count, 0);
-        }
+        if (count > 0) { body(0, count, 0); }
     }
 };
 

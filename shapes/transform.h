@@ -14,9 +14,7 @@ struct Transform {
 
 constexpr Vec2 apply(const Transform& t, Vec2 point) { return rotate(t.rotation, point) + t.translation; }
 constexpr Vec2 applyInverse(const Transform& t, Vec2 point) { return unrotate(t.rotation, point - t.translation); }
-constexpr Transform inverse(const Transform& t) {
-    return {-unrotate(t.rotation, t.translation), inverse(t.rotation)};
-}
+constexpr Transform inverse(const Transform& t) { return {-unrotate(t.rotation, t.translation), inverse(t.rotation)}; }
 
 /// Where a body frame stands in the world: its position in double (in both builds), its rotation in `Real`.
 struct WorldTransform {

@@ -48,8 +48,8 @@ constexpr double polynomial(const std::array<double, N>& coefficients, double z)
     return sum;
 }
 
-/// The same for at most 8 coefficients by Estrin's scheme: pairs, then pairs of pairs. A few more products than Horner's
-/// rule, but a third of its chain of roundings and of waiting for each other.
+/// The same for at most 8 coefficients by Estrin's scheme: pairs, then pairs of pairs. A few more products than
+/// Horner's rule, but a third of its chain of roundings and of waiting for each other.
 template <std::size_t N>
 constexpr double polynomialInPairs(const std::array<double, N>& c, double z) {
     static_assert(N == 7 || N == 8);
@@ -72,9 +72,15 @@ SinCos sinCosOfReduced(TwoParts x) {
 }
 
 // atan(i/8).
-constexpr std::array<double, 9> kArcTangents = {
-    0x0p+0,                0x1.fd5ba9aac2f6ep-4, 0x1.f5b75f92c80ddp-3, 0x1.6f61941e4def1p-2, 0x1.dac670561bb4fp-2,
-    0x1.1e00babdefeb4p-1, 0x1.4978fa3269ee1p-1, 0x1.700a7c5784634p-1, 0x1.921fb54442d18p-1};
+constexpr std::array<double, 9> kArcTangents = {0x0p+0,
+                                                0x1.fd5ba9aac2f6ep-4,
+                                                0x1.f5b75f92c80ddp-3,
+                                                0x1.6f61941e4def1p-2,
+                                                0x1.dac670561bb4fp-2,
+                                                0x1.1e00babdefeb4p-1,
+                                                0x1.4978fa3269ee1p-1,
+                                                0x1.700a7c5784634p-1,
+                                                0x1.921fb54442d18p-1};
 // Taylor's polynomial of atan(u)/u in u²; for |u| ≤ 1/16 the first term left out is below 2⁻⁵⁹.
 constexpr std::array<double, 7> kArcTangent = {1.0, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13};
 

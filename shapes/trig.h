@@ -16,8 +16,8 @@ struct SinCos {
 };
 
 /// Sine and cosine of an angle in radians. Absolute error below 2⁻⁵³ for |angle| ≤ 2²⁰; beyond that the
-/// reduction adds |angle|·2⁻⁵³, which is the uncertainty of the angle itself. Odd and even exactly; next to a multiple of
-/// π/2 the small one of the two keeps its own digits (down to 2⁻⁹⁷). Not finite in → 0 and 1.
+/// reduction adds |angle|·2⁻⁵³, which is the uncertainty of the angle itself. Odd and even exactly; next to a multiple
+/// of π/2 the small one of the two keeps its own digits (down to 2⁻⁹⁷). Not finite in → 0 and 1.
 SinCos sinCos(double angle);
 
 /// Angle of (x, y) in (−π, π]; 0 for (0, 0) and for NaN; zeros have no sign, infinities

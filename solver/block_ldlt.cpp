@@ -32,15 +32,11 @@ Block3 solveBlock(const Block33& m, Block3 v) {
 
 /// v −= m·x
 void subtract(Block3& v, const Block33& m, const Block3& x) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        v[i] -= m[3 * i] * x[0] + m[3 * i + 1] * x[1] + m[3 * i + 2] * x[2];
-    }
+    for (std::size_t i = 0; i < 3; ++i) { v[i] -= m[3 * i] * x[0] + m[3 * i + 1] * x[1] + m[3 * i + 2] * x[2]; }
 }
 /// v −= mᵀ·x
 void subtractTransposed(Block3& v, const Block33& m, const Block3& x) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        v[i] -= m[i] * x[0] + m[3 + i] * x[1] + m[6 + i] * x[2];
-    }
+    for (std::size_t i = 0; i < 3; ++i) { v[i] -= m[i] * x[0] + m[3 + i] * x[1] + m[6 + i] * x[2]; }
 }
 
 /// target −= a·bᵀ
@@ -57,9 +53,7 @@ constexpr std::uint32_t kDiagonalBit = std::uint32_t{1} << 31;
 
 void addUnique(std::vector<std::uint32_t>& sorted, std::uint32_t value) {
     const auto place = std::lower_bound(sorted.begin(), sorted.end(), value);
-    if (place == sorted.end() || *place != value) {
-        sorted.insert(place, value);
-    }
+    if (place == sorted.end() || *place != value) { sorted.insert(place, value); }
 }
 
 }  // namespace
@@ -70,20 +64,14 @@ bool BlockLdlt::analyse(std::uint32_t nodes, std::span<const BlockEdge> edges, s
         return fits_;
     }
     edges_.assign(edges.begin(), edges.end());
-    if (neighbours_.size() < nodes) {
-        neighbours_.resize(nodes);
-    }
-    for (std::uint32_t i = 0; i < nodes; ++i) {
-        neighbours_[i].clear();
-    }
+    if (neighbours_.size() < nodes) { neighbours_.resize(nodes); }
+    for (std::uint32_t i = 0; i < nodes; ++i) { neighbours_[i].clear(); }
     for (const BlockEdge& edge : edges) {
         addUnique(neighbours_[edge.a], edge.b);
         addUnique(neighbours_[edge.b], edge.a);
     }
     fits_ = order(nodes, mostBlocks);
-    if (fits_) {
-        place();
-    }
+    if (fits_) { place(); }
     return fits_;
 }
 
@@ -104,15 +92,11 @@ bool BlockLdlt::order(std::uint32_t nodes, std::size_t mostBlocks) {
         const auto [degree, node] = heap_.back();
         heap_.pop_back();
         // Entries are not updated but added anew: those of an older degree are passed over.
-        if (position_[node] != kNotYet || degree != neighbours_[node].size()) {
-            continue;
-        }
+        if (position_[node] != kNotYet || degree != neighbours_[node].size()) { continue; }
         position_[node] = next++;
         rows_.insert(rows_.end(), neighbours_[node].begin(), neighbours_[node].end());
         begins_.push_back(static_cast<std::uint32_t>(rows_.size()));
-        if (rows_.size() > mostBlocks) {
-            return false;
-        }
+        if (rows_.size() > mostBlocks) { return false; }
         eliminate(node);
     }
     return true;
@@ -140,18 +124,14 @@ std::uint32_t BlockLdlt::blockAt(std::uint32_t row, std::uint32_t column) const 
 
 void BlockLdlt::place() {
     const auto columns = static_cast<std::uint32_t>(position_.size());
-    for (std::uint32_t& row : rows_) {
-        row = position_[row];
-    }
+    for (std::uint32_t& row : rows_) { row = position_[row]; }
     for (std::uint32_t c = 0; c < columns; ++c) {
         std::sort(rows_.begin() + begins_[c], rows_.begin() + begins_[c + 1]);
     }
     targets_.clear();
     for (std::uint32_t c = 0; c < columns; ++c) {
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
-            for (std::uint32_t k = begins_[c]; k < i; ++k) {
-                targets_.push_back(blockAt(rows_[i], rows_[k]));
-            }
+            for (std::uint32_t k = begins_[c]; k < i; ++k) { targets_.push_back(blockAt(rows_[i], rows_[k])); }
             targets_.push_back(kDiagonalBit | rows_[i]);
         }
     }
@@ -197,9 +177,7 @@ void BlockLdlt::factorise() {
 
 void BlockLdlt::solve(std::span<Block3> values) const {
     const std::size_t columns = diagonal_.size();
-    for (std::size_t node = 0; node < columns; ++node) {
-        scratch_[position_[node]] = values[node];
-    }
+    for (std::size_t node = 0; node < columns; ++node) { scratch_[position_[node]] = values[node]; }
     for (std::size_t c = 0; c < columns; ++c) {
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
             subtract(scratch_[rows_[i]], blocks_[i], scratch_[c]);
@@ -211,9 +189,7 @@ void BlockLdlt::solve(std::span<Block3> values) const {
             subtractTransposed(scratch_[c], blocks_[i], scratch_[rows_[i]]);
         }
     }
-    for (std::size_t node = 0; node < columns; ++node) {
-        values[node] = scratch_[position_[node]];
-    }
+    for (std::size_t node = 0; node < columns; ++node) { values[node] = scratch_[position_[node]]; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -48,12 +48,8 @@ constexpr bool isMovable(const BodyInertia& inertia) { return inertia.inverseMas
 /// Writes two bodies back. What cannot be moved is shared by many constraints of one colour and must never be written.
 inline void storePair(const SolverBodies& bodies, BodySlot slotA, const BodyState& a, BodySlot slotB,
                       const BodyState& b) {
-    if (isMovable(bodies.inertias[slotA])) {
-        bodies.states[slotA] = a;
-    }
-    if (isMovable(bodies.inertias[slotB])) {
-        bodies.states[slotB] = b;
-    }
+    if (isMovable(bodies.inertias[slotA])) { bodies.states[slotA] = a; }
+    if (isMovable(bodies.inertias[slotB])) { bodies.states[slotB] = b; }
 }
 
 /// Velocity of a point at `arm` from the centre of mass.

@@ -28,14 +28,10 @@ int ConstraintGraph::colourFor(const std::array<BodySlot, kBodies>& slots, std::
     }
     const std::uint64_t allowed = allMovable ? bits(0, kFirstFixedColour) : bits(kFirstFixedColour, kOverflowColour);
     const std::uint64_t free = allowed & ~taken;
-    if (free == 0) {
-        return kOverflowColour;
-    }
+    if (free == 0) { return kOverflowColour; }
     const int colour = std::countr_zero(free);
     for (const BodySlot slot : slots) {
-        if (isMovable(inertias[slot])) {
-            used_[slot] |= std::uint64_t{1} << colour;
-        }
+        if (isMovable(inertias[slot])) { used_[slot] |= std::uint64_t{1} << colour; }
     }
     return colour;
 }
@@ -47,9 +43,7 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, s
     ranges = {};
     places_.resize(constraints.size());
     colours_.resize(constraints.size());
-    if (constraints.empty()) {
-        return;
-    }
+    if (constraints.empty()) { return; }
     std::array<std::uint32_t, kColourCount> counts{};
     for (std::size_t i = 0; i < constraints.size(); ++i) {
         const int colour = colourFor(bodySlots(constraints[i]), inertias);
@@ -64,21 +58,15 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, s
         begin += counts[c];
         isUsed_[c] = isUsed_[c] || counts[c] > 0;
     }
-    for (std::uint32_t i = 0; i < constraints.size(); ++i) {
-        places_[next[colours_[i]]++] = i;
-    }
+    for (std::uint32_t i = 0; i < constraints.size(); ++i) { places_[next[colours_[i]]++] = i; }
 }
 
 template <class Constraint>
 void ConstraintGraph::sortAsListed(std::vector<Constraint>& constraints) {
-    if (constraints.empty()) {
-        return;
-    }
+    if (constraints.empty()) { return; }
     std::vector<Constraint>& sorted = std::get<Kind<Constraint>>(kinds_).scratch;
     sorted.resize(constraints.size());
-    for (std::size_t i = 0; i < constraints.size(); ++i) {
-        sorted[i] = constraints[places_[i]];
-    }
+    for (std::size_t i = 0; i < constraints.size(); ++i) { sorted[i] = constraints[places_[i]]; }
     constraints.swap(sorted);
 }
 
@@ -95,9 +83,7 @@ void ConstraintGraph::finish(const SolverBatch& batch) {
     }
     active_.clear();
     for (int c = 0; c < kColourCount; ++c) {
-        if (isUsed_[static_cast<std::size_t>(c)]) {
-            active_.push_back(c);
-        }
+        if (isUsed_[static_cast<std::size_t>(c)]) { active_.push_back(c); }
     }
 }
 

@@ -44,9 +44,7 @@ void DirectSolver::listContacts(SolverBatch& batch) {
     for (ContactConstraint& contact : batch.contacts) {
         const std::uint32_t a = nodeOf_[contact.slotA];
         const std::uint32_t b = nodeOf_[contact.slotB];
-        if (a == kNoNode && b == kNoNode) {
-            continue;
-        }
+        if (a == kNoNode && b == kNoNode) { continue; }
         const std::uint32_t island = islands_.find(a != kNoNode ? a : b);
         for (int i = 0; i < contact.count; ++i) {
             ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
@@ -104,9 +102,7 @@ void DirectSolver::gatherContacts(const SolverBatch& batch, Real h, bool useBias
         // its contacts.
         contact.limit = static_cast<double>(constraint.friction) * contact.normal.guess;
         const bool isNew = !(point.normalImpulse > 0);
-        if (isNew && constraint.friction > 0) {
-            contact.limit = std::numeric_limits<double>::infinity();
-        }
+        if (isNew && constraint.friction > 0) { contact.limit = std::numeric_limits<double>::infinity(); }
         contact.isExpected = presses;
         contact.normalHold = isOut ? Hold::free : Hold::held;
     }
@@ -150,9 +146,7 @@ bool DirectSolver::classify(bool isFirm) {
         hold = now;
     };
     for (ContactPoint& contact : contacts_) {
-        if (contact.normalHold == Hold::free) {
-            continue;
-        }
+        if (contact.normalHold == Hold::free) { continue; }
         const double brink = isFirm ? noise_[contact.island] : 0;
         Row& normal = contact.normal;
         Row& tangent = contact.tangent;
@@ -183,9 +177,7 @@ double DirectSolver::slopeAt(double part) const {
         }
     }
     for (const ContactPoint& contact : contacts_) {
-        if (contact.normalHold == Hold::free) {
-            continue;
-        }
+        if (contact.normalHold == Hold::free) { continue; }
         const auto impulseOf = [this, part](const Row& row, double least, double most) {
             return std::clamp(row.guess - strength_ * row.strength * (row.at + part * row.along), least, most);
         };
@@ -211,17 +203,13 @@ double DirectSolver::searchLine() {
     double highSlope = slopeAt(1);
     double low = 0;
     double lowSlope = slopeAt(0);
-    if (!(highSlope > 0) || !(lowSlope < 0)) {
-        return 1;
-    }
+    if (!(highSlope > 0) || !(lowSlope < 0)) { return 1; }
     const double small = -kSlopeRatio * lowSlope;
     for (int i = 0; i < kMostLineSteps; ++i) {
         const double secant = low + (high - low) * (lowSlope / (lowSlope - highSlope));
         const double middle = i % 2 == 0 ? secant : 0.5 * (low + high);
         const double slope = slopeAt(middle);
-        if (std::fabs(slope) <= small) {
-            return middle;
-        }
+        if (std::fabs(slope) <= small) { return middle; }
         (slope < 0 ? low : high) = middle;
         (slope < 0 ? lowSlope : highSlope) = slope;
     }
@@ -233,17 +221,11 @@ template <bool kJoints>
 bool DirectSolver::settle(DirectReport& report) {
     bool hasPlace = false;
     for (int round = 0; round < kMostRounds && roundsLeft_-- > 0; ++round) {
-        if (!holdsAsBefore()) {
-            assemble<kJoints>(report);
-        }
+        if (!holdsAsBefore()) { assemble<kJoints>(report); }
         computeChange<kJoints>();
         ++report.rounds;
-        if (round == 0) {
-            findNoise();
-        }
-        if (!classify(true)) {
-            return true;
-        }
+        if (round == 0) { findNoise(); }
+        if (!classify(true)) { return true; }
         if (hasPlace) {
             const double part = searchLine();
             if (part < 1) {
@@ -265,9 +247,7 @@ bool DirectSolver::settle(DirectReport& report) {
 bool DirectSolver::followLimits() {
     bool isFar = false;
     for (ContactPoint& contact : contacts_) {
-        if (contact.normalHold == Hold::free) {
-            continue;
-        }
+        if (contact.normalHold == Hold::free) { continue; }
         const double limit = static_cast<double>(contact.contact->friction) * contact.normal.impulse;
         const double rubbed = std::fabs(contact.tangent.impulse);
         const double slack = kLimitTolerance * limit + noise_[contact.island];
@@ -288,13 +268,9 @@ bool DirectSolver::tighten() {
         const double rub = std::fabs(contact.tangent.impulse - contact.tangent.guess);
         isFar = isFar || std::max(change, rub) > kFarRatio * (noise_[contact.island] / kBrinkRatio);
     }
-    if (!isFar) {
-        return false;
-    }
+    if (!isFar) { return false; }
     for (ContactPoint& contact : contacts_) {
-        if (contact.normalHold == Hold::free) {
-            continue;
-        }
+        if (contact.normalHold == Hold::free) { continue; }
         contact.normal.guess = contact.normal.impulse;
         contact.tangent.guess = contact.tangent.impulse;
     }
@@ -307,25 +283,19 @@ bool DirectSolver::findImpulses(DirectReport& report) {
     strength_ = 1;
     roundsLeft_ = kMostRoundsOfSolve;
     if (contacts_.empty()) {
-        if (!holdsAsBefore()) {
-            assemble<kJoints>(report);
-        }
+        if (!holdsAsBefore()) { assemble<kJoints>(report); }
         computeChange<kJoints>();
         return true;
     }
     int tightenings = 0;
     for (int round = 0; round < kMostLimitRounds; ++round) {
         while (!settle<kJoints>(report)) {
-            if (!(strength_ > kWeakest) || roundsLeft_ <= 0) {
-                return false;
-            }
+            if (!(strength_ > kWeakest) || roundsLeft_ <= 0) { return false; }
             strength_ *= kWeaker;
             guessHolds();
         }
         if (!followLimits()) {
-            if (tightenings++ >= kMostTightenings || !tighten()) {
-                break;
-            }
+            if (tightenings++ >= kMostTightenings || !tighten()) { break; }
         }
         classify(false);
     }

@@ -52,12 +52,8 @@ void DirectSolver::moveBodies(SolverBatch& batch) const {
 
 template <bool kJoints>
 void DirectSolver::project(SolverBatch& batch, Real h, bool always, DirectReport& report) {
-    if (contacts_.empty() || !gatherOverlaps(batch, h, always)) {
-        return;
-    }
-    if constexpr (kJoints) {
-        gatherJoints(batch, h, false, true);
-    }
+    if (contacts_.empty() || !gatherOverlaps(batch, h, always)) { return; }
+    if constexpr (kJoints) { gatherJoints(batch, h, false, true); }
     strength_ = kProjectionStrength;
     assemble<kJoints>(report);
     computeChange<kJoints>();

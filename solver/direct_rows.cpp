@@ -24,14 +24,10 @@ public:
         addPoint(joint, joint.linearImpulse);
     }
     void operator()(DistanceConstraint& joint) {
-        if (!joint.isRigid) {
-            return;
-        }
+        if (!joint.isRigid) { return; }
         begin(joint);
         const UnitAndLength offset = normalized(anchorOffset(joint, *a_, *b_));
-        if (offset.length > 0) {
-            joint.axis = offset.unit;
-        }
+        if (offset.length > 0) { joint.axis = offset.unit; }
         const Real aside = cross(joint.axis, anchorMotion(armA_));
         const Real turn = offset.length > 0 ? notableTurn(aside / offset.length) : Real(0);
         const Real bend = dot(joint.axis, bend_) + Real(0.5) * aside * turn;
@@ -49,12 +45,8 @@ public:
     }
     void operator()(WeldConstraint& joint) {
         begin(joint);
-        if (!joint.hasLinearSpring) {
-            addPoint(joint, joint.linearImpulse);
-        }
-        if (!joint.hasAngularSpring) {
-            addAngle(joint, joint.angularImpulse);
-        }
+        if (!joint.hasLinearSpring) { addPoint(joint, joint.linearImpulse); }
+        if (!joint.hasAngularSpring) { addAngle(joint, joint.angularImpulse); }
     }
 
 private:
@@ -137,9 +129,7 @@ private:
 void addJointRows(SolverBatch& batch, Real h, bool useBias, std::vector<DirectRow>& rows) {
     RowWriter writer(batch, h, useBias, rows);
     forEachHeldKind(batch, [&writer](auto& joints) {
-        for (auto& joint : joints) {
-            writer(joint);
-        }
+        for (auto& joint : joints) { writer(joint); }
     });
 }
 

@@ -44,35 +44,25 @@ RowEnds endsOf(const JointRow& row) {
 void addOuter(Block33& block, double factor, const Block3& a, const Block3& b) {
     for (std::size_t i = 0; i < 3; ++i) {
         const double scaled = factor * a[i];
-        for (std::size_t k = 0; k < 3; ++k) {
-            block[3 * i + k] += scaled * b[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) { block[3 * i + k] += scaled * b[k]; }
     }
 }
 
 void addScaled(Block3& to, double factor, const Block3& a) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        to[i] += factor * a[i];
-    }
+    for (std::size_t i = 0; i < 3; ++i) { to[i] += factor * a[i]; }
 }
 
 }  // namespace
 
 bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope) {
-    if (scope == DirectScope::freeJoints && !batch.contacts.empty()) {
-        return false;
-    }
+    if (scope == DirectScope::freeJoints && !batch.contacts.empty()) { return false; }
     scope_ = scope;
     isFactorised_ = false;
     joints_.clear();
     contacts_.clear();
     listNodes(batch);
-    if (nodes_.empty() || !listEdges(batch)) {
-        return false;
-    }
-    if (scope == DirectScope::all) {
-        listContacts(batch);
-    }
+    if (nodes_.empty() || !listEdges(batch)) { return false; }
+    if (scope == DirectScope::all) { listContacts(batch); }
     return true;
 }
 
@@ -81,9 +71,7 @@ void DirectSolver::listNodes(const SolverBatch& batch) {
     // Where contacts are iterated, what no joint holds has no part in it.
     nodeOf_.assign(batch.inertias.size(), scope_ == DirectScope::all ? kIsTied : kNoNode);
     forEachHeldKind(batch, [this](const auto& joints) {
-        for (const auto& joint : joints) {
-            nodeOf_[joint.slotA] = nodeOf_[joint.slotB] = kIsTied;
-        }
+        for (const auto& joint : joints) { nodeOf_[joint.slotA] = nodeOf_[joint.slotB] = kIsTied; }
     });
     nodes_.clear();
     for (std::uint32_t slot = 0; slot < batch.inertias.size(); ++slot) {
@@ -106,17 +94,13 @@ bool DirectSolver::listEdges(const SolverBatch& batch) {
         for (const auto& constraint : constraints) {
             const std::uint32_t a = nodeOf_[constraint.slotA];
             const std::uint32_t b = nodeOf_[constraint.slotB];
-            if (a == kNoNode || b == kNoNode || a == b) {
-                continue;
-            }
+            if (a == kNoNode || b == kNoNode || a == b) { continue; }
             edges_.push_back({a, b});
             islands_.unite(a, b);
         }
     };
     forEachHeldKind(batch, tie);
-    if (scope_ == DirectScope::all) {
-        tie(batch.contacts);
-    }
+    if (scope_ == DirectScope::all) { tie(batch.contacts); }
     weighIslands(batch);
     const auto count = static_cast<std::uint32_t>(nodes_.size());
     return matrix_.analyse(count, edges_, kMostBlocksPerBody * count);
@@ -134,9 +118,7 @@ void DirectSolver::weighIslands(const SolverBatch& batch) {
         for (const ContactConstraint& contact : batch.contacts) {
             const std::uint32_t a = nodeOf_[contact.slotA];
             const std::uint32_t node = a != kNoNode ? a : nodeOf_[contact.slotB];
-            if (node != kNoNode) {
-                ++loads_[islands_.find(node)].contacts;
-            }
+            if (node != kNoNode) { ++loads_[islands_.find(node)].contacts; }
         }
     }
     for (TiedLoad& load : loads_) {
@@ -158,9 +140,7 @@ DirectSolver::Row DirectSolver::rowOf(const SolverBatch& batch, const DirectRow&
     double inverseMass = 0;
     std::uint32_t island = 0;
     const auto add = [&](std::uint32_t node, BodySlot slot, const Block3& all, Block3& moved) {
-        if (node == kNoNode) {
-            return;
-        }
+        if (node == kNoNode) { return; }
         const BodyInertia& body = batch.inertias[slot];
         const auto linear = static_cast<double>(body.inverseMass);
         const auto angular = static_cast<double>(body.inverseInertia);
@@ -198,9 +178,7 @@ void DirectSolver::gatherJoints(SolverBatch& batch, Real h, bool useBias, bool a
 }
 
 bool DirectSolver::holdsAsBefore() const {
-    if (!isFactorised_ || factorised_ != strength_ || !joints_.empty()) {
-        return false;
-    }
+    if (!isFactorised_ || factorised_ != strength_ || !joints_.empty()) { return false; }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         if (holdsOf(contacts_[i].normalHold == Hold::held, contacts_[i].tangentHold == Hold::held) != holds_[i]) {
             return false;
@@ -210,16 +188,10 @@ bool DirectSolver::holdsAsBefore() const {
 }
 
 void DirectSolver::addToMatrix(const Row& row) {
-    if (!(row.strength > 0)) {
-        return;
-    }
+    if (!(row.strength > 0)) { return; }
     const double k = strength_ * row.strength;
-    if (row.nodeA != kNoNode) {
-        addOuter(matrix_.diagonal(row.nodeA), k, row.ofA, row.ofA);
-    }
-    if (row.nodeB != kNoNode) {
-        addOuter(matrix_.diagonal(row.nodeB), k, row.ofB, row.ofB);
-    }
+    if (row.nodeA != kNoNode) { addOuter(matrix_.diagonal(row.nodeA), k, row.ofA, row.ofA); }
+    if (row.nodeB != kNoNode) { addOuter(matrix_.diagonal(row.nodeB), k, row.ofB, row.ofB); }
     if (row.nodeA != kNoNode && row.nodeB != kNoNode && row.nodeA != row.nodeB) {
         const BlockLdlt::OffDiagonal off = matrix_.offDiagonal(row.nodeA, row.nodeB);
         addOuter(off.block, k, off.rowIsB ? row.ofB : row.ofA, off.rowIsB ? row.ofA : row.ofB);
@@ -237,21 +209,15 @@ void DirectSolver::assemble(DirectReport& report) {
         block[8] = node.inertia > 0 ? node.inertia : 1;
     }
     if constexpr (kJoints) {
-        for (const HeldJoint& joint : joints_) {
-            addToMatrix(joint.row);
-        }
+        for (const HeldJoint& joint : joints_) { addToMatrix(joint.row); }
     }
     holds_.clear();
     for (const ContactPoint& contact : contacts_) {
         const bool presses = contact.normalHold == Hold::held;
         const bool sticks = contact.tangentHold == Hold::held;
         holds_.push_back(holdsOf(presses, sticks));
-        if (presses) {
-            addToMatrix(contact.normal);
-        }
-        if (sticks) {
-            addToMatrix(contact.tangent);
-        }
+        if (presses) { addToMatrix(contact.normal); }
+        if (sticks) { addToMatrix(contact.tangent); }
     }
     matrix_.factorise();
     isFactorised_ = true;
@@ -259,12 +225,8 @@ void DirectSolver::assemble(DirectReport& report) {
 }
 
 void DirectSolver::push(const Row& row, double impulse) {
-    if (row.nodeA != kNoNode) {
-        addScaled(change_[row.nodeA], impulse, row.ofA);
-    }
-    if (row.nodeB != kNoNode) {
-        addScaled(change_[row.nodeB], impulse, row.ofB);
-    }
+    if (row.nodeA != kNoNode) { addScaled(change_[row.nodeA], impulse, row.ofA); }
+    if (row.nodeB != kNoNode) { addScaled(change_[row.nodeB], impulse, row.ofB); }
 }
 
 template <bool kJoints>
@@ -278,9 +240,7 @@ void DirectSolver::computeChange() {
         }
     };
     if constexpr (kJoints) {
-        for (const HeldJoint& joint : joints_) {
-            push(joint.row, -strength_ * joint.row.strength * joint.row.excess);
-        }
+        for (const HeldJoint& joint : joints_) { push(joint.row, -strength_ * joint.row.strength * joint.row.excess); }
     }
     for (const ContactPoint& contact : contacts_) {
         pushContact(contact.normal, contact.normalHold);
@@ -291,12 +251,8 @@ void DirectSolver::computeChange() {
 
 double DirectSolver::changedExcess(const Row& row) const {
     double excess = row.excess;
-    if (row.nodeA != kNoNode) {
-        excess += dot3(row.ofA, change_[row.nodeA]);
-    }
-    if (row.nodeB != kNoNode) {
-        excess += dot3(row.ofB, change_[row.nodeB]);
-    }
+    if (row.nodeA != kNoNode) { excess += dot3(row.ofA, change_[row.nodeA]); }
+    if (row.nodeB != kNoNode) { excess += dot3(row.ofB, change_[row.nodeB]); }
     return excess;
 }
 
@@ -312,9 +268,7 @@ void DirectSolver::dropNoise() {
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
         const Block3& largest = largest_[islands_.find(i)];
         for (std::size_t k = 0; k < 3; ++k) {
-            if (std::fabs(change_[i][k]) < kNoiseRatio * largest[k < 2 ? 0 : 1]) {
-                change_[i][k] = 0;
-            }
+            if (std::fabs(change_[i][k]) < kNoiseRatio * largest[k < 2 ? 0 : 1]) { change_[i][k] = 0; }
         }
     }
 }
@@ -349,9 +303,7 @@ void DirectSolver::applyToImpulses() {
 template <bool kJoints>
 bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
     strength_ = 1;
-    if constexpr (kJoints) {
-        gatherJoints(batch, h, useBias, false);
-    }
+    if constexpr (kJoints) { gatherJoints(batch, h, useBias, false); }
     gatherContacts(batch, h, useBias);
     if (!findImpulses<kJoints>(report)) {
         ++report.givenUp;

@@ -30,8 +30,15 @@ struct Rod {
 Rod rodOf(DistanceConstraint& joint, BodyState& a, BodyState& b, const SolverBodies& bodies) {
     const UnitAndLength offset = normalized(anchorOffset(joint, a, b));
     if (offset.length > 0) { joint.axis = offset.unit; }
-    Rod rod{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB], rotate(a.deltaRotation, joint.anchorA),
-            rotate(b.deltaRotation, joint.anchorB), joint.axis, offset.length, 0};
+    Rod rod{a,
+            b,
+            bodies.inertias[joint.slotA],
+            bodies.inertias[joint.slotB],
+            rotate(a.deltaRotation, joint.anchorA),
+            rotate(b.deltaRotation, joint.anchorB),
+            joint.axis,
+            offset.length,
+            0};
     const Real inverse = rod.inertiaA.inverseMass + rod.inertiaB.inverseMass +
                          rod.inertiaA.inverseInertia * square(cross(rod.armA, rod.axis)) +
                          rod.inertiaB.inverseInertia * square(cross(rod.armB, rod.axis));
@@ -40,7 +47,7 @@ Rod rodOf(DistanceConstraint& joint, BodyState& a, BodyState& b, const SolverBod
 }
 
 void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
-    if (!(rod.mass > 0)) { return; }  // nothing to move; and 0 kg times the room of a limit at infinity is no number
+    if (!(rod.mass > 0)) { return; }   // nothing to move; and 0 kg times the room of a limit at infinity is no number
     if (joint.hasSpring && useBias) {  // once per sub-step
         const Real change = joint.spring.drag * (joint.springImpulse - rod.mass * rod.speed());
         joint.springImpulse += change;

@@ -43,8 +43,8 @@ void addSide(Mesh& mesh, const GearSide& side, Real weight, const SolverBodies& 
     const Vec2 axis = rotate(a.deltaRotation, side.axis);
     const Vec2 armB = rotate(b.deltaRotation, side.anchorB);
     const Vec2 before = side.centerOffset + side.anchorB - side.anchorA;
-    const Vec2 offset = side.centerOffset + (b.deltaPosition - a.deltaPosition) + armB -
-                        rotate(a.deltaRotation, side.anchorA);
+    const Vec2 offset =
+        side.centerOffset + (b.deltaPosition - a.deltaPosition) + armB - rotate(a.deltaRotation, side.anchorA);
     const JointRow row = rowAlong(axis, rotate(a.deltaRotation, side.anchorA) + offset, armB);
     mesh.add(side.slotA, -weight * axis, -weight * row.spinA);
     mesh.add(side.slotB, weight * axis, weight * row.spinB);

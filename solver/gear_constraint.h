@@ -16,15 +16,15 @@ struct GearSide {
     Vec2 centerOffset;
 };
 
-/// Couples the coordinates of two joints: first + ratio·second stays what it is. Up to four bodies, of which some may be the
-/// same. `slotA`, `slotB` are the bodies that the joints move.
+/// Couples the coordinates of two joints: first + ratio·second stays what it is. Up to four bodies, of which some may
+/// be the same. `slotA`, `slotB` are the bodies that the joints move.
 struct GearConstraint : JointConstraint {
     GearSide first;
     GearSide second;
-    Real ratio = 1;         ///< metres or radians of the first per metre or radian of the second
-    Real baseError = 0;     ///< first + ratio·second − constant at the start of the step
-    Vec2 axisNow{1, 0};     ///< of the second side in the last sub-step
-    Real impulse = 0;       ///< on the first coordinate; accumulated; warm start in, result out. N·s or N·m·s per sub-step
+    Real ratio = 1;      ///< metres or radians of the first per metre or radian of the second
+    Real baseError = 0;  ///< first + ratio·second − constant at the start of the step
+    Vec2 axisNow{1, 0};  ///< of the second side in the last sub-step
+    Real impulse = 0;  ///< on the first coordinate; accumulated; warm start in, result out. N·s or N·m·s per sub-step
 };
 
 std::array<BodySlot, 4> bodySlots(const GearConstraint& gear);

@@ -80,9 +80,7 @@ void fillBlock(WideRevolute& block, const SolverBatch& batch, std::span<const st
         block.place[lane] = places[lane];
         fillLane(block, lane, joint, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
     }
-    for (std::size_t lane = places.size(); lane < kBlockLanes; ++lane) {
-        fillLane(block, lane, {}, {}, {});
-    }
+    for (std::size_t lane = places.size(); lane < kBlockLanes; ++lane) { fillLane(block, lane, {}, {}, {}); }
 }
 
 }  // namespace
@@ -90,9 +88,7 @@ void fillBlock(WideRevolute& block, const SolverBatch& batch, std::span<const st
 void HingeBlocks::fill(const SolverBatch& batch, std::span<const std::uint32_t> places) {
     while (places.size() >= kFewestLanes) {
         const std::size_t lanes = std::min(places.size(), kBlockLanes);
-        if (count_ == blocks_.size()) {
-            blocks_.emplace_back();
-        }
+        if (count_ == blocks_.size()) { blocks_.emplace_back(); }
         fillBlock(blocks_[count_++], batch, places.first(lanes));
         places = places.subspan(lanes);
     }
@@ -100,26 +96,20 @@ void HingeBlocks::fill(const SolverBatch& batch, std::span<const std::uint32_t> 
 }
 
 void HingeBlocks::fillColour(const SolverBatch& batch, ColourRange range) {
-    for (std::vector<std::uint32_t>& places : byParts_) {
-        places.clear();
-    }
+    for (std::vector<std::uint32_t>& places : byParts_) { places.clear(); }
     for (std::uint32_t place = range.begin; place < range.end; ++place) {
         const RevoluteConstraint& joint = batch.revolutes[place];
         const bool fits = fitsBlocks(joint, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
         (fits ? byParts_[indexOf(partsOf(joint))] : rest_).push_back(place);
     }
-    for (const std::vector<std::uint32_t>& places : byParts_) {
-        fill(batch, places);
-    }
+    for (const std::vector<std::uint32_t>& places : byParts_) { fill(batch, places); }
 }
 
 void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide) {
     kernels_ = wide ? revoluteKernels() : nullptr;
     count_ = 0;
     rest_.clear();
-    if (batch.revolutes.empty()) {
-        return;
-    }
+    if (batch.revolutes.empty()) { return; }
     for (const int c : graph.activeColours()) {
         Colour& colour = colours_[static_cast<std::size_t>(c)];
         const ColourRange range = graph.range<RevoluteConstraint>(c);
@@ -128,9 +118,7 @@ void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool w
         if (kernels_ != nullptr && c != kOverflowColour) {
             fillColour(batch, range);
         } else {
-            for (std::uint32_t place = range.begin; place < range.end; ++place) {
-                rest_.push_back(place);
-            }
+            for (std::uint32_t place = range.begin; place < range.end; ++place) { rest_.push_back(place); }
         }
         colour.blocks.end = count_;
         colour.rest.end = static_cast<std::uint32_t>(rest_.size());
@@ -167,9 +155,7 @@ void HingeBlocks::solve(SolverBatch& batch, int colour, RangeCut& cut, const Con
 }
 
 void HingeBlocks::addUpRest(SolverBatch& batch) const {
-    for (const std::uint32_t place : rest_) {
-        addUpReactions(std::span(&batch.revolutes[place], 1));
-    }
+    for (const std::uint32_t place : rest_) { addUpReactions(std::span(&batch.revolutes[place], 1)); }
 }
 
 void HingeBlocks::readBack(SolverBatch& batch) const {

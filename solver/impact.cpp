@@ -10,8 +10,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Below this ratio of the determinant to the product of its diagonal, a response is singular as far as rounding can tell:
-/// two points act as one (same place, or no rotation).
+/// Below this ratio of the determinant to the product of its diagonal, a response is singular as far as rounding can
+/// tell: two points act as one (same place, or no rotation).
 constexpr Real kSingularRatio = 16 * kEpsilon;
 /// Impulse vectors (world) at the points.
 using Impulses = std::array<Vec2, 2>;
@@ -23,8 +23,9 @@ Scalars solveBlock(const ImpactProblem& problem, const Scalars& change) {
     const Real k01 = problem.response(0, 1);
     const Real determinant = k00 * k11 - k01 * k01;
     if (determinant <= kSingularRatio * k00 * k11) {
-        // Any split moves the bodies alike. Where the points approach at different speeds (a kinematic partner turns), only
-        // the faster one may carry the impact: at the slower one the same impulse would do less work going in than out.
+        // Any split moves the bodies alike. Where the points approach at different speeds (a kinematic partner turns),
+        // only the faster one may carry the impact: at the slower one the same impulse would do less work going in than
+        // out.
         if (change[0] == change[1]) { return {change[0] / (k00 + k11), change[1] / (k00 + k11)}; }
         return change[0] > change[1] ? Scalars{change[0] / k00, 0} : Scalars{0, change[1] / k11};
     }
@@ -37,11 +38,11 @@ Scalars solveBlock(const ImpactProblem& problem, const Scalars& change) {
     return x0 < 0 ? Scalars{0, change[1] / k11} : Scalars{change[0] / k00, 0};
 }
 
-/// One point, normal and friction together: the normal velocity changes by exactly `change`, and friction opposes the slip
-/// that remains. Along the impulses with that normal change (normal = (change − coupling·friction)/kNormal), slip grows
-/// with friction, and the cone is an interval around 0: so the friction that would stop the slip, clamped to it, is the
-/// only solution. With restitution 0 it never makes energy (Moreau's argument: no work at the normal end velocity 0, and
-/// friction against the slip at the end).
+/// One point, normal and friction together: the normal velocity changes by exactly `change`, and friction opposes the
+/// slip that remains. Along the impulses with that normal change (normal = (change − coupling·friction)/kNormal), slip
+/// grows with friction, and the cone is an interval around 0: so the friction that would stop the slip, clamped to it,
+/// is the only solution. With restitution 0 it never makes energy (Moreau's argument: no work at the normal end
+/// velocity 0, and friction against the slip at the end).
 Vec2 solvePoint(const ImpactProblem& problem, int i, Real change) {
     const Vec2 normal = problem.contact.normal;
     const Vec2 tangent = rightPerp(normal);
@@ -111,8 +112,8 @@ Impulses mix(const Impulses& plastic, const Impulses& full, Real share) {
     return mixed;
 }
 
-/// The largest share of the full solution that makes no energy, by halving: work(share) is convex, not positive at 0 and
-/// positive at 1, so there is one crossing. As many halvings as the significand has bits decide it.
+/// The largest share of the full solution that makes no energy, by halving: work(share) is convex, not positive at 0
+/// and positive at 1, so there is one crossing. As many halvings as the significand has bits decide it.
 Impulses withoutEnergyGain(const ImpactProblem& problem, const Impulses& full) {
     // Without friction a restitution of at most 1 cannot make energy; what shows here is rounding.
     if (problem.contact.friction <= 0 || workOf(problem, full) <= 0) { return full; }

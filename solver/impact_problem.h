@@ -24,9 +24,7 @@ struct ImpactProblem {
 
     const ContactConstraintPoint& point(int i) const { return contact.points[static_cast<std::size_t>(i)]; }
 
-    Vec2 relativeVelocity(int i) const {
-        return velocityAt(b, point(i).anchorB) - velocityAt(a, point(i).anchorA);
-    }
+    Vec2 relativeVelocity(int i) const { return velocityAt(b, point(i).anchorB) - velocityAt(a, point(i).anchorA); }
     /// What rounding of the relative velocity is measured against: sum of the speeds it is made of. Those of moving and
     /// turning are taken apart, since they cancel where a body rolls, and their rounding does not.
     Real speedScale(int i) const {
@@ -54,7 +52,7 @@ struct ImpactProblem {
 
 /// Which points take part in an impact, and how.
 struct Approach {
-    Scalars speed{};        ///< m/s; of points that take no part, too
+    Scalars speed{};  ///< m/s; of points that take no part, too
     Scalars restitution{};
     std::array<bool, 2> active{};
 
@@ -70,8 +68,8 @@ inline Approach approachOf(const ImpactProblem& problem, const ImpactRule& rule)
         approach.speed[k] = speed;
         if (contact.points[k].normalMass <= 0 || speed <= kRoundingRatio * problem.speedScale(i)) { continue; }
         const bool bounces = contact.restitution > 0 && speed > rule.restitutionThreshold;
-        const bool meets = rule.horizon <= 0 || currentSeparation(contact, contact.points[k], problem.a, problem.b) <=
-                                                    speed * rule.horizon;
+        const bool meets = rule.horizon <= 0 ||
+                           currentSeparation(contact, contact.points[k], problem.a, problem.b) <= speed * rule.horizon;
         approach.active[k] = meets && (bounces || rule.resolvePlastic);
         approach.restitution[k] = bounces ? contact.restitution : Real(0);
     }

@@ -5,8 +5,8 @@
 
 namespace swept {
 
-/// Connected components by union–find with path halving; the root of a component is its lowest member, so the result does
-/// not depend on the order of the unions.
+/// Connected components by union–find with path halving; the root of a component is its lowest member, so the result
+/// does not depend on the order of the unions.
 class IslandFinder {
 public:
     /// `count` members, each on its own.

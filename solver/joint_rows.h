@@ -82,8 +82,8 @@ constexpr HeldRows heldSlide(const JointPair& pair, const JointRow& side) {
     const Real across = coupling(side, side, pair);
     if (!(turn > 0)) { return heldLine(pair, side); }  // bodies that cannot turn need no holding
     // Expanded into terms that are all ≥ 0: see `pointMatrix`.
-    const Real determinant = mass * turn + pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia *
-                                               square(side.spinA - side.spinB);
+    const Real determinant =
+        mass * turn + pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia * square(side.spinA - side.spinB);
     return {side, kSpinRow, {across, coupling(side, kSpinRow, pair), turn, determinant}};
 }
 
@@ -96,8 +96,9 @@ constexpr Vec2 heldChange(const HeldRows& held, const JointPair& pair, Vec2 erro
     return -used.massScale * solve(held.matrix, speedsOf(held, pair) + bias) - used.impulseScale * accumulated;
 }
 
-/// A row that is pushed while held rows stay as they are: each unit of impulse on it brings `answer` on the held ones. Such
-/// a block is solved exactly, however long the arms; and a spring between hinged bodies has the inertia that it really moves.
+/// A row that is pushed while held rows stay as they are: each unit of impulse on it brings `answer` on the held ones.
+/// Such a block is solved exactly, however long the arms; and a spring between hinged bodies has the inertia that it
+/// really moves.
 struct GuidedRow {
     JointRow row;
     Vec2 answer;
@@ -114,8 +115,8 @@ constexpr GuidedRow guidedBy(const HeldRows& held, const JointRow& row, const Jo
 constexpr Real fullDeterminant(const JointPair& pair, Vec2 armA, Vec2 armB) {
     const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
     const Real turn = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
-    return mass * (mass * turn +
-                   pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia * lengthSquared(armA - armB));
+    return mass *
+           (mass * turn + pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia * lengthSquared(armA - armB));
 }
 
 /// The angle of two bodies that share a point.
@@ -134,7 +135,8 @@ constexpr void apply(const GuidedRow& guided, const HeldRows& held, const JointP
     heldImpulse += impulse * guided.answer;
 }
 
-/// One side of a pair of limits, whose impulse only pushes. @param room  what is left before the limit, negative beyond it
+/// One side of a pair of limits, whose impulse only pushes. @param room  what is left before the limit, negative beyond
+/// it
 /// @param speed  at which the room grows; @return change of the accumulated impulse
 inline Real limitChange(Real mass, Real speed, Real room, Real accumulated, const Softness& softness, Real h,
                         bool useBias) {
@@ -181,12 +183,13 @@ constexpr void pushSpring(FreedomParts& parts, Real mass, Real place) {
     parts.springImpulse = parts.hasSpring ? -mass * (parts.spring.push * place) : Real(0);
 }
 
-/// Drag of the spring, motor and limits in this order: limits have the last word. @param speed  the present one, called anew for each
+/// Drag of the spring, motor and limits in this order: limits have the last word. @param speed  the present one, called
+/// anew for each
 /// @param push  applies an impulse
 template <class SpeedNow, class Push>
 void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& softness, Real h, bool useBias,
                   SpeedNow&& speed, Push&& push) {
-    if (!(mass > 0)) { return; }  // nothing to move; and 0 times the room of a limit at infinity is no number
+    if (!(mass > 0)) { return; }       // nothing to move; and 0 times the room of a limit at infinity is no number
     if (parts.hasSpring && useBias) {  // once per sub-step
         const Real change = parts.spring.drag * (parts.springImpulse - mass * speed());
         parts.springImpulse += change;

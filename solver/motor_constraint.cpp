@@ -28,8 +28,8 @@ void aim(MotorConstraint& joint, const JointPair& pair, Real h) {
 }
 
 void driveLine(MotorConstraint& joint, const JointPair& pair) {
-    const HeldRows point = heldPoint(pair, rotate(pair.a.deltaRotation, joint.anchorA),
-                                     rotate(pair.b.deltaRotation, joint.anchorB));
+    const HeldRows point =
+        heldPoint(pair, rotate(pair.a.deltaRotation, joint.anchorA), rotate(pair.b.deltaRotation, joint.anchorB));
     Vec2 total = joint.linearImpulse - solve(point.matrix, speedsOf(point, pair) - joint.velocity);
     const UnitAndLength wanted = normalized(total);
     if (wanted.length > joint.maxLinearImpulse) { total = joint.maxLinearImpulse * wanted.unit; }

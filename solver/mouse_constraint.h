@@ -5,8 +5,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Pulls a point of B to a target, by a spring or rigidly, with limited force. Slot A is the fixed world and `centerOffset` the
-/// centre of B minus the target.
+/// Pulls a point of B to a target, by a spring or rigidly, with limited force. Slot A is the fixed world and
+/// `centerOffset` the centre of B minus the target.
 struct MouseConstraint : JointConstraint {
     SpringGains spring;
     Real maxImpulse = 0;     ///< maximum force times sub-step, N·s; may be infinite

@@ -5,8 +5,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// B slides along an axis that is fixed in A, without turning relative to A: within limits, against a spring, driven by a
-/// motor. The translation is that of B's anchor from A's, along the axis.
+/// B slides along an axis that is fixed in A, without turning relative to A: within limits, against a spring, driven by
+/// a motor. The translation is that of B's anchor from A's, along the axis.
 struct PrismaticConstraint : JointConstraint, FreedomParts {
     Vec2 axis{1, 0};     ///< unit, world, at the start of the step; turns with A
     Real baseAngle = 0;  ///< angle of B relative to A at the start of the step, rad; held at 0

@@ -42,8 +42,8 @@ void pull(const PulleyConstraint& joint, const Rope& rope, const JointPair& pair
 void solveOne(PulleyConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Rope rope = ropeOf(joint, pair);
     if (!(rope.mass > 0)) { return; }
-    const Real growth = dot(joint.axisA, velocityAt(pair.a, rope.armA)) +
-                        joint.ratio * dot(joint.axisB, velocityAt(pair.b, rope.armB));
+    const Real growth =
+        dot(joint.axisA, velocityAt(pair.a, rope.armA)) + joint.ratio * dot(joint.axisB, velocityAt(pair.b, rope.armB));
     const Real change =
         limitChange(rope.mass, -growth, joint.totalLength - rope.length, joint.tension, joint.softness, h, useBias);
     joint.tension += change;
@@ -73,9 +73,7 @@ void solve(std::span<PulleyConstraint> joints, const SolverBodies& bodies, Real 
     }
 }
 
-JointReaction reactionOf(const PulleyConstraint& joint) {
-    return {(-joint.tension * joint.ratio) * joint.axisB, 0};
-}
+JointReaction reactionOf(const PulleyConstraint& joint) { return {(-joint.tension * joint.ratio) * joint.axisB, 0}; }
 
 Real ropeLength(const PulleyConstraint& joint, const BodyState& a, const BodyState& b) {
     return length(fromWheelA(joint, a)) + joint.ratio * length(fromWheelB(joint, b));

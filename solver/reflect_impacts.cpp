@@ -44,9 +44,9 @@ void beginRounds(std::span<ContactConstraint* const> contacts, const SolverBodie
     for (const ContactConstraint* contact : contacts) { scratch.slots.push_back({contact->slotA, contact->slotB}); }
 }
 
-/// Lists what approaches now: in the first round of a call among all contacts, later among those of bodies that the round
-/// before may have moved; the others have not begun to. @return whether two of them share a body that can be moved, and none
-/// differs in restitution (what is too slow to bounce has none)
+/// Lists what approaches now: in the first round of a call among all contacts, later among those of bodies that the
+/// round before may have moved; the others have not begun to. @return whether two of them share a body that can be
+/// moved, and none differs in restitution (what is too slow to bounce has none)
 bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
                      ImpactScratch& scratch) {
     scratch.approaching.clear();
@@ -75,24 +75,25 @@ bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverB
 
 /// How much work a call may be.
 struct ImpactBudget {
-    /// Sweeps of the projection: each takes an impact one contact further, and the soft tail does not matter, since the energy
-    /// is made right at the end.
+    /// Sweeps of the projection: each takes an impact one contact further, and the soft tail does not matter, since the
+    /// energy is made right at the end.
     std::size_t sweeps;
-    /// Where thousands press against each other, rounds and sweeps would take seconds and still not be done. So the contacts
-    /// that a call visits, in all rounds and sweeps together, are counted: so many are free …
+    /// Where thousands press against each other, rounds and sweeps would take seconds and still not be done. So the
+    /// contacts that a call visits, in all rounds and sweeps together, are counted: so many are free …
     std::size_t always;
     /// … and beyond that there are so many for each contact. What still approaches then is plastic, the solver's.
     std::size_t perContact;
 };
 /// Up to 8 contacts do as they like, from 8192 on there are 2 visits for each of them.
 constexpr ImpactBudget kFineBudget{.sweeps = 64, .always = 16384, .perContact = 2};
-/// Profile `fast`: a pile of 1500 that is stirred took twelve times as long for its blows as for all else (`swept bench world`,
-/// spinner).
+/// Profile `fast`: a pile of 1500 that is stirred took twelve times as long for its blows as for all else (`swept bench
+/// world`, spinner).
 constexpr ImpactBudget kCoarseBudget{.sweeps = 8, .always = 1024, .perContact = 2};
 /// Fewer sweeps than this are no projection.
 constexpr std::size_t kFewestSweeps = 2;
 
-/// The bodies of a contact where they are: a sweep reads and writes their velocities, and leaves the rest of their states.
+/// The bodies of a contact where they are: a sweep reads and writes their velocities, and leaves the rest of their
+/// states.
 struct BodyPair {
     BodyState& a;
     BodyState& b;
@@ -135,8 +136,9 @@ Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
     return largest;
 }
 
-/// Factor on the impulses of the projection that makes them a reflection: work done is (1 − e²) of what a plastic impact takes,
-/// as if the projection had converged. (Impulses λ, speeds before −v: work of s·λ is s·v·λ + s²·q/2, q = λ·(change of v).)
+/// Factor on the impulses of the projection that makes them a reflection: work done is (1 − e²) of what a plastic
+/// impact takes, as if the projection had converged. (Impulses λ, speeds before −v: work of s·λ is s·v·λ + s²·q/2, q =
+/// λ·(change of v).)
 Real reflectionFactor(const SolverBodies& bodies, const ImpactScratch& scratch) {
     Real given = 0;
     Real change = 0;
@@ -179,7 +181,8 @@ void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScrat
 }
 
 /// @param mostSweeps, visitsLeft  of the call
-void reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch, std::size_t mostSweeps, std::size_t visitsLeft) {
+void reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch, std::size_t mostSweeps,
+                     std::size_t visitsLeft) {
     const std::size_t size = scratch.approaching.size();
     scratch.impulses.assign(size, {});
     // A later round finds what this one stirred up: it gets its share.
@@ -205,7 +208,9 @@ int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBod
             continue;
         }
         bool applied = false;
-        for (ContactConstraint* contact : scratch.approaching) { applied = resolveImpact(*contact, bodies, rule) || applied; }
+        for (ContactConstraint* contact : scratch.approaching) {
+            applied = resolveImpact(*contact, bodies, rule) || applied;
+        }
         if (!applied) { return round; }
     }
     return maxRounds;

@@ -65,9 +65,7 @@ void solvePoint(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& 
         push(joint, hinge, pair, -solve(hinge.matrix, speedsOf(hinge, pair)));
         return;
     }
-    if (joint.isHeld) {
-        return;
-    }
+    if (joint.isHeld) { return; }
     const Vec2 gap = joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (hinge.armB - hinge.armA);
     const Vec2 firm = solve(hinge.matrix, speedsOf(hinge, pair) + joint.softness.biasRate * gap);
     push(joint, hinge, pair, -joint.softness.massScale * firm - joint.softness.impulseScale * joint.linearImpulse);
@@ -76,9 +74,7 @@ void solvePoint(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& 
 void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Hinge hinge = hingeOf(joint, pair);
     solvePoint(joint, hinge, pair, useBias);
-    if (!hasParts(joint)) {
-        return;
-    }
+    if (!hasParts(joint)) { return; }
     // The angle last, but guided: the point stays as it was just solved.
     const Spin spin = spinOf(hinge, pair);
     solveFreedom(
@@ -104,9 +100,7 @@ void warmStart(std::span<RevoluteConstraint> joints, const SolverBodies& bodies)
         applyImpulse(b, pair.inertiaB, joint.linearImpulse, hinge.armB);
         const Real mass = joint.hasSpring ? spinOf(hinge, pair).mass : Real(0);
         pushSpring(joint, mass, angleOf(joint, pair));
-        if (hasParts(joint)) {
-            turn(pair, joint.impulse());
-        }
+        if (hasParts(joint)) { turn(pair, joint.impulse()); }
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }

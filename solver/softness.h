@@ -7,7 +7,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// A constraint as a damped spring, integrated implicitly over one sub-step (Catto, "Soft Constraints", GDC 2011): the
 /// bias velocity is biasRate·C, the effective mass is scaled, and a part of the accumulated impulse is given back.
 struct Softness {
-    Real biasRate = 0;      ///< 1/s
+    Real biasRate = 0;  ///< 1/s
     Real massScale = 1;
     Real impulseScale = 0;
 };
@@ -24,30 +24,32 @@ constexpr Softness softnessOf(Real angularFrequency, Real dampingRatio, Real h) 
     return {angularFrequency / a1, a2 * a3, a3};
 }
 
-/// Stiffness that follows the sub-step rate: `cycles` oscillations a sub-step, at most a quarter, the stiffest spring that one
-/// sub-step still samples well. The error of resting scenes then falls with the square of the number of sub-steps.
+/// Stiffness that follows the sub-step rate: `cycles` oscillations a sub-step, at most a quarter, the stiffest spring
+/// that one sub-step still samples well. The error of resting scenes then falls with the square of the number of
+/// sub-steps.
 constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
     constexpr Real kTwoPi = static_cast<Real>(6.283185307179586);
     return softnessOf(kTwoPi * cycles / h, dampingRatio, h);
 }
 
-/// A spring that a user gave, over one sub-step, in two parts: at its start a push of `push`·C, a force that is known before
-/// anything is solved, and within the solve a drag that takes the part `drag` of the velocity that there is without the push.
-/// (Warm-started with the impulse of the sub-step before, eight stiff springs at one body fed on each other.)
+/// A spring that a user gave, over one sub-step, in two parts: at its start a push of `push`·C, a force that is known
+/// before anything is solved, and within the solve a drag that takes the part `drag` of the velocity that there is
+/// without the push. (Warm-started with the impulse of the sub-step before, eight stiff springs at one body fed on each
+/// other.)
 ///
-/// With θ = ω·h and D = (1 + ζθ)² the step (x, v) → (x + h·v₁, v₁), v₁ = (v − h·ω²·x)/D, has determinant 1/D: an undamped
-/// spring is symplectic and keeps its amplitude for ever (implicit Euler takes e^(−ωθ·t/2) from it), a critical one has the
-/// double root 1/(1 + θ), and a load at rest is carried with the exact deflection. Frequency and decay are right to ζθ/2
-/// and θ²/24. An explicit force needs θ² < 4 over all springs that pull at a body: what is stiffer than `kUndampedPhase` is
-/// damped by D = (1 + ζθ)² + θ² − kUndampedPhase², close to implicit Euler, and what is stiffer than `kStiffestPhase` is not
-/// made any stiffer.
+/// With θ = ω·h and D = (1 + ζθ)² the step (x, v) → (x + h·v₁, v₁), v₁ = (v − h·ω²·x)/D, has determinant 1/D: an
+/// undamped spring is symplectic and keeps its amplitude for ever (implicit Euler takes e^(−ωθ·t/2) from it), a
+/// critical one has the double root 1/(1 + θ), and a load at rest is carried with the exact deflection. Frequency and
+/// decay are right to ζθ/2 and θ²/24. An explicit force needs θ² < 4 over all springs that pull at a body: what is
+/// stiffer than `kUndampedPhase` is damped by D = (1 + ζθ)² + θ² − kUndampedPhase², close to implicit Euler, and what
+/// is stiffer than `kStiffestPhase` is not made any stiffer.
 struct SpringGains {
     Real push = 0;  ///< 1/s
     Real drag = 0;  ///< 0 … 1
 };
 
-/// Radians of oscillation in a sub-step up to which a spring is undamped unless it is told otherwise: 25 sub-steps a period
-/// (38 Hz at 960 sub-steps a second). Its square leaves room for 64 such springs at one body.
+/// Radians of oscillation in a sub-step up to which a spring is undamped unless it is told otherwise: 25 sub-steps a
+/// period (38 Hz at 960 sub-steps a second). Its square leaves room for 64 such springs at one body.
 inline constexpr Real kUndampedPhase = Real(1) / 4;
 /// A load g then rests h²·g beside its place, 10 µm at 960 sub-steps a second on earth.
 inline constexpr Real kStiffestPhase = 1;
@@ -65,8 +67,8 @@ constexpr SpringGains springGainsOf(Real angularFrequency, Real dampingRatio, Re
     return {phase * phase / ((1 + loss) * h), loss / (1 + loss)};
 }
 
-/// Half of what a joint can take: the two points of a wide flat contact push on each other through its rotation, and with a
-/// quarter a stack of twenty planks of 37:1 never came to rest.
+/// Half of what a joint can take: the two points of a wide flat contact push on each other through its rotation, and
+/// with a quarter a stack of twenty planks of 37:1 never came to rest.
 inline constexpr Real kContactCycles = Real(1) / 8;
 inline constexpr Real kJointCycles = Real(1) / 4;
 /// Strongly overdamped: a contact must push out without bouncing.

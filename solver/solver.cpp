@@ -44,9 +44,7 @@ SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias
 /// @return whether the speed was cut
 bool limitSpeed(BodyState& body, Real maxSpeed) {
     const Real speed = length(body.velocity);
-    if (!(speed > maxSpeed)) {
-        return false;
-    }
+    if (!(speed > maxSpeed)) { return false; }
     body.velocity = (maxSpeed / speed) * body.velocity;
     return true;
 }
@@ -58,13 +56,9 @@ int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, st
         body.velocity = drive.decay * body.velocity + drive.gain;
         body.angularVelocity = drive.angularDecay * body.angularVelocity + drive.angularGain;
     }
-    if (!(maxSpeed < std::numeric_limits<Real>::infinity())) {
-        return 0;
-    }
+    if (!(maxSpeed < std::numeric_limits<Real>::infinity())) { return 0; }
     int limited = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-        limited += limitSpeed(batch.states[i], maxSpeed) ? 1 : 0;
-    }
+    for (std::size_t i = begin; i < end; ++i) { limited += limitSpeed(batch.states[i], maxSpeed) ? 1 : 0; }
     return limited;
 }
 
@@ -76,34 +70,26 @@ void moveBodies(std::span<BodyState> bodies, Real h) {
 }
 
 void rotateBodies(std::span<BodyState> bodies) {
-    for (BodyState& body : bodies) {
-        body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle));
-    }
+    for (BodyState& body : bodies) { body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle)); }
 }
 
 void addUpImpulses(std::vector<ContactConstraint>& contacts) {
     for (ContactConstraint& contact : contacts) {
-        for (ContactConstraintPoint& point : contact.points) {
-            point.totalNormalImpulse += point.normalImpulse;
-        }
+        for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
     }
 }
 
 /// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
 void makeContactsRigid(SolverBatch& batch, DirectScope scope) {
     for (ContactConstraint& contact : batch.contacts) {
-        if (scope != DirectScope::all) {
-            break;
-        }
+        if (scope != DirectScope::all) { break; }
         contact.softness = {contact.softness.biasRate, 1, 0};
         contact.isHeld = true;
     }
 }
 void makeJointsRigid(SolverBatch& batch) {
     batch.forEachJointKind([](auto& joints) {
-        for (auto& joint : joints) {
-            joint.isHeld = true;
-        }
+        for (auto& joint : joints) { joint.isHeld = true; }
     });
 }
 
@@ -126,9 +112,7 @@ void prepareJoints(SolverBatch& batch) {
 void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
     for (const std::uint32_t place : graph_.contacts()) {
         ContactConstraint& contact = batch.contacts[place];
-        if (!(contact.restitution > 0)) {
-            continue;
-        }
+        if (!(contact.restitution > 0)) { continue; }
         contact.bounceSpeed = restitutionThreshold;
         bouncing_.push_back(&contact);
     }
@@ -137,9 +121,7 @@ void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
 template <bool kJoints>
 void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
     if (needsContactsPrepared(settings)) {
-        for (ContactConstraint& contact : batch.contacts) {
-            prepareContact(contact, batch.inertias);
-        }
+        for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
     }
     if constexpr (kJoints) {
         prepareJoints(batch);
@@ -148,13 +130,9 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
         graph_.colourContacts(batch);
     }
     // What is solved all at once is summed up in the order of the array.
-    if (settings.direct == DirectScope::all) {
-        graph_.sortContacts(batch);
-    }
+    if (settings.direct == DirectScope::all) { graph_.sortContacts(batch); }
     bouncing_.clear();
-    if (settings.bounces) {
-        listBouncing(batch, settings.restitutionThreshold);
-    }
+    if (settings.bounces) { listBouncing(batch, settings.restitutionThreshold); }
 }
 
 /// All that a colour holds, joints first and one list after the other, in ranges that any worker may take: no two share
@@ -188,9 +166,7 @@ std::size_t Solver::partsOf(SolverBatch& batch, int colour) const {
 template <bool kJoints>
 bool Solver::isWorthSharing(SolverBatch& batch) const {
     std::size_t count = 0;
-    for (const int colour : graph_.activeColours()) {
-        count += partsOf<kJoints>(batch, colour);
-    }
+    for (const int colour : graph_.activeColours()) { count += partsOf<kJoints>(batch, colour); }
     return count >= kFewestPerColour * graph_.activeColours().size();
 }
 
@@ -201,9 +177,7 @@ void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
         forColour<kJoints>(batch, colour, [&](RangeCut cut) {
             if constexpr (kJoints) {
                 batch.forEachJointKind([&](auto& joints) {
-                    if (joints.empty()) {
-                        return;
-                    }
+                    if (joints.empty()) { return; }
                     if constexpr (kAreHinges<decltype(joints)>) {
                         hinges_.warmStart(batch, colour, cut, hasMoved);
                     } else {
@@ -223,9 +197,7 @@ void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
         forColour<kJoints>(batch, colour, [&](RangeCut cut) {
             if constexpr (kJoints) {
                 batch.forEachJointKind([&](auto& joints) {
-                    if (joints.empty()) {
-                        return;
-                    }
+                    if (joints.empty()) { return; }
                     if constexpr (kAreHinges<decltype(joints)>) {
                         hinges_.solve(batch, colour, cut, pass);
                     } else {
@@ -243,9 +215,7 @@ int Solver::integrateVelocities(SolverBatch& batch, Real maxSpeed) {
     std::atomic<int> limited = 0;
     loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
         const int some = swept::integrateVelocities(batch, maxSpeed, begin + 1, end + 1);
-        if (some > 0) {
-            limited.fetch_add(some, std::memory_order_relaxed);
-        }
+        if (some > 0) { limited.fetch_add(some, std::memory_order_relaxed); }
     });
     return limited;
 }
@@ -263,9 +233,7 @@ template <bool kJoints>
 void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, bool isFirst,
                                 SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-    if (settings.direct != DirectScope::none) {
-        report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-    }
+    if (settings.direct != DirectScope::none) { report.speedsLimited += integrateVelocities(batch, settings.maxSpeed); }
     const bool relaxes = settings.relaxPasses > 0;
     warmStart<kJoints>(batch, isFirst || !relaxes);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .hasMoved = isFirst || !relaxes, .isLast = !relaxes});
@@ -321,9 +289,7 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
     direct_.beginSecondHalf();
     if (!direct_.solve<kJoints>(batch, h, false, report.direct)) {
         warmStart<kJoints>(batch, true);
-        for (int pass = 0; pass < settings.relaxPasses; ++pass) {
-            solveColours<kJoints>(batch, {.h = h});
-        }
+        for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, {.h = h}); }
     }
     direct_.addHalves();
     addUpImpulses(batch.contacts);
@@ -366,16 +332,12 @@ template <bool kJoints>
 SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
     prepare<kJoints>(batch, settings);
     rotate_ = settings.wide ? rotationKernel() : nullptr;
-    if (rotate_ == nullptr) {
-        rotate_ = rotateBodies;
-    }
+    if (rotate_ == nullptr) { rotate_ = rotateBodies; }
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct);
     if (report.isDirect) {
         makeContactsRigid(batch, settings.direct);
-        if constexpr (kJoints) {
-            makeJointsRigid(batch);
-        }
+        if constexpr (kJoints) { makeJointsRigid(batch); }
     }
     const bool contactsAreDirect = report.isDirect && settings.direct == DirectScope::all;
     contacts_.build(batch, graph_, settings.wide && !contactsAreDirect, needsContactsPrepared(settings));
@@ -392,9 +354,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         runSubSteps<kJoints, true>(batch, settings, report);
     }
     contacts_.readBack(batch);
-    if constexpr (kJoints) {
-        hinges_.readBack(batch);
-    }
+    if constexpr (kJoints) { hinges_.readBack(batch); }
     return report;
 }
 

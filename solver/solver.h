@@ -23,7 +23,7 @@ struct SolverSettings {
     bool joints = true;                                     ///< false: the batch holds none, and they cost nothing
     bool bounces = true;                                    ///< false: no contact there has restitution, likewise
     bool coarseImpacts = false;  ///< bounces in large piles are gone through a few times only, see `ImpactRule`
-    bool wide = true;  ///< contacts in blocks where kernels are there; false: one by one, with the same bits
+    bool wide = true;            ///< contacts in blocks where kernels are there; false: one by one, with the same bits
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
     /// then those of half a sub-step: one half before its motion and one after.
     DirectScope direct = DirectScope::none;

@@ -17,9 +17,10 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Everything one coloured solve works on: bodies by slot, constraints by kind, each kind contiguous. The engine fills it
-/// anew each step (capacities stay), `Solver` sorts the constraints by colour, the engine reads the results by `source`.
-/// This is the seam between engine and solver: wide kernels and threads change what is behind it, not what is in front.
+/// Everything one coloured solve works on: bodies by slot, constraints by kind, each kind contiguous. The engine fills
+/// it anew each step (capacities stay), `Solver` sorts the constraints by colour, the engine reads the results by
+/// `source`. This is the seam between engine and solver: wide kernels and threads change what is behind it, not what is
+/// in front.
 struct SolverBatch {
     std::vector<BodyState> states;
     std::vector<BodyInertia> inertias;
@@ -39,7 +40,8 @@ struct SolverBatch {
     std::vector<GearConstraint> gears;
     std::vector<PulleyConstraint> pulleys;
 
-    /// Calls `visit` with the array of each kind of joint, in the order in which a colour solves them; contacts come after.
+    /// Calls `visit` with the array of each kind of joint, in the order in which a colour solves them; contacts come
+    /// after.
     template <class Visit>
     void forEachJointKind(Visit&& visit) {
         visit(revolutes);

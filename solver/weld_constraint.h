@@ -5,17 +5,17 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Two bodies share a point and an angle, each rigidly or by a spring. All three rows rigid are solved as one block; where one
-/// of the two parts is a spring, it has the inertia that it moves while the other part holds.
+/// Two bodies share a point and an angle, each rigidly or by a spring. All three rows rigid are solved as one block;
+/// where one of the two parts is a spring, it has the inertia that it moves while the other part holds.
 struct WeldConstraint : JointConstraint {
     Real baseAngle = 0;  ///< angle of B relative to A at the start of the step, rad; held at 0
     SpringGains linearSpring;
     SpringGains angularSpring;
-    bool hasLinearSpring = false;   ///< false: rigid
+    bool hasLinearSpring = false;  ///< false: rigid
     bool hasAngularSpring = false;
     /// Accumulated; warm start in, result out. Per sub-step.
-    Vec2 linearImpulse;      ///< N·s
-    Real angularImpulse = 0; ///< N·m·s
+    Vec2 linearImpulse;       ///< N·s
+    Real angularImpulse = 0;  ///< N·m·s
 };
 
 void prepare(WeldConstraint& joint, std::span<const BodyInertia> inertias);

@@ -5,18 +5,18 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// B's anchor slides along an axis that is fixed in A, on a spring and within limits, while B turns freely or by a motor: a
-/// wheel with its suspension.
+/// B's anchor slides along an axis that is fixed in A, on a spring and within limits, while B turns freely or by a
+/// motor: a wheel with its suspension.
 struct WheelConstraint : JointConstraint {
-    Vec2 axis{0, 1};          ///< unit, world, at the start of the step; turns with A
-    FreedomParts suspension;  ///< along the axis; without motor
-    Real motorSpeed = 0;      ///< of B relative to A, rad/s
-    Real maxMotorImpulse = 0; ///< maximum torque times sub-step, N·m·s
+    Vec2 axis{0, 1};           ///< unit, world, at the start of the step; turns with A
+    FreedomParts suspension;   ///< along the axis; without motor
+    Real motorSpeed = 0;       ///< of B relative to A, rad/s
+    Real maxMotorImpulse = 0;  ///< maximum torque times sub-step, N·m·s
     bool hasMotor = false;
     /// Accumulated; warm start in, result out. Per sub-step.
-    Real motorImpulse = 0;    ///< N·m·s
-    Vec2 heldImpulse;         ///< across the axis, N·s; y is not used
-    Vec2 axisNow{0, 1};       ///< in the last sub-step
+    Real motorImpulse = 0;  ///< N·m·s
+    Vec2 heldImpulse;       ///< across the axis, N·s; y is not used
+    Vec2 axisNow{0, 1};     ///< in the last sub-step
 };
 
 void prepare(WheelConstraint& joint, std::span<const BodyInertia> inertias);

@@ -39,7 +39,7 @@ struct alignas(32) WideContact {
     std::uint32_t lanes = 0;                       ///< in use
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
-    bool anyBounces = false;       ///< totals are added up in the batch, where bounces add to them
+    bool anyBounces = false;  ///< totals are added up in the batch, where bounces add to them
     alignas(32) LaneArray normalX;
     LaneArray normalY;
     LaneArray friction;

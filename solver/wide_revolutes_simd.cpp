@@ -44,9 +44,7 @@ public:
           inverseInertiaB_(at(block.inverseInertiaB)) {}
 
     HWY_INLINE void warmStart(bool hasMoved) {
-        if (hasMoved) {
-            findGeometry();
-        }
+        if (hasMoved) { findGeometry(); }
         const Lanes x = at(block_.impulseX);
         const Lanes y = at(block_.impulseY);
         a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, x));
@@ -57,24 +55,16 @@ public:
         b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, y));
         const Lanes twistB = hn::Sub(hn::Mul(at(block_.armBX), y), hn::Mul(at(block_.armBY), x));
         b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, twistB));
-        if (block_.parts.any()) {
-            warmStartParts();
-        }
+        if (block_.parts.any()) { warmStartParts(); }
         scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
-        if (pass.hasMoved) {
-            findGeometry();
-        }
+        if (pass.hasMoved) { findGeometry(); }
         solvePoint<kUseBias>();
-        if (block_.parts.any()) {
-            solveParts<kUseBias>(hn::Set(Tag(), pass.h));
-        }
-        if (pass.isLast) {
-            addUp();
-        }
+        if (block_.parts.any()) { solveParts<kUseBias>(hn::Set(Tag(), pass.h)); }
+        if (pass.isLast) { addUp(); }
         scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
@@ -234,9 +224,7 @@ private:
             add(change, block_.motorImpulse);
             turnGuided(spin, change);
         }
-        if (!block_.parts.hasLimits) {
-            return;
-        }
+        if (!block_.parts.hasLimits) { return; }
         const Lanes lower =
             limitChange<kUseBias>(spin.mass, speed(), hn::Sub(place, at(block_.lower)), block_.lowerImpulse, h);
         add(lower, block_.lowerImpulse);
@@ -283,9 +271,7 @@ private:
 
 void warmStart(std::span<WideRevolute> blocks, const SolverBodies& bodies, bool hasMoved) {
     for (WideRevolute& block : blocks) {
-        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
-            RevoluteGroup(block, i, bodies).warmStart(hasMoved);
-        }
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) { RevoluteGroup(block, i, bodies).warmStart(hasMoved); }
     }
 }
 

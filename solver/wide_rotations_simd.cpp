@@ -50,9 +50,7 @@ HWY_INLINE bool sinCosOfSmall(const double* angles, double* sines, double* cosin
     const AngleLanes one = hn::Set(tag, 1.0);
     const AngleLanes turns = hn::Add(hn::Mul(x, hn::Set(tag, kTwoOverPi)), hn::Set(tag, 0.5));
     // What is not a number is not small.
-    if (!hn::AllTrue(tag, hn::And(hn::Ge(turns, zero), hn::Lt(turns, one)))) {
-        return false;
-    }
+    if (!hn::AllTrue(tag, hn::And(hn::Ge(turns, zero), hn::Lt(turns, one)))) { return false; }
     const AngleLanes z = hn::Mul(x, x);
     const AngleLanes half = hn::Mul(hn::Set(tag, 0.5), z);
     const AngleLanes sine = hn::Add(x, hn::Mul(hn::Mul(x, z), polynomial(kSine, z)));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Instruction sets that the wide kernels of this folder are not compiled for. Read before any header of Highway. Sizes of
-/// registers are known to the compiler here; SSE4 is all there was to SSSE3, soon after it.
+/// Instruction sets that the wide kernels of this folder are not compiled for. Read before any header of Highway. Sizes
+/// of registers are known to the compiler here; SSE4 is all there was to SSSE3, soon after it.
 #ifdef SWEPT_SIMD_FEW
 // AVX2 alone: under sanitizers each set takes seconds to compile, and what clang has for plain processors minutes.
 #define HWY_BROKEN_EMU128 1

@@ -23,9 +23,7 @@ constexpr double kAhead = 1.125;
 /// @param from  the farthest one now.
 [[gnu::always_inline]] inline VertexRun walk(const CenteredPolygon& body, int from, Vec2 axis, double angle) {
     VertexRun run{from, 1, angle > 0 ? -1 : 1};
-    if (angle == 0 || body.count() == 1) {
-        return run;
-    }
+    if (angle == 0 || body.count() == 1) { return run; }
     const Vec2 end = (1 - 0.5 * angle * angle) * axis + angle * rightPerp(axis);
     // What rounding may make of a level edge: when in doubt the walk goes on.
     const double margin = 16 * kEpsilon * body.reach();
@@ -35,9 +33,7 @@ constexpr double kAhead = 1.125;
     while (run.count < polygon.count) {
         i = angle > 0 ? polygon.previous(i) : polygon.next(i);
         const Vec2 there = body.vertex(i);
-        if (dot(end, there - here) < -margin) {
-            break;
-        }
+        if (dot(end, there - here) < -margin) { break; }
         ++run.count;
         here = there;
     }
@@ -94,9 +90,7 @@ struct Bounds {
 
 /// What the motion of the centres allows.
 Bounds boundsOfCenters(const MovingPair& pair, const PairPose& pose, double spin, double bend) {
-    if (spin == 0) {
-        return {bend, 0, 0, 0};
-    }
+    if (spin == 0) { return {bend, 0, 0, 0}; }
     const double w = std::fabs(spin);
     const double distance = length(pose.offset);
     const double curvature = length(pair.motion.curvature);
@@ -150,8 +144,8 @@ double firstRootOfRuns(const MovingPair& pair, const HeldAxis& axis, const Part&
             const Bounds bounds =
                 withTurns(centersBounds, turnA, length(pair.a.vertex(i)), turnB, length(pair.b.vertex(j)));
             Parabola bound = sum(centers, a, partOfB(axis, pair.b.vertex(j), turnB));
-            bound.bend = std::min(bound.bend + thirdWithin(bounds, window),
-                                  bounds.second + window * bounds.secondPerWindow);
+            bound.bend =
+                std::min(bound.bend + thirdWithin(bounds, window), bounds.second + window * bounds.secondPerWindow);
             step = firstRoot(bound, step);
         }
     }
@@ -178,9 +172,7 @@ Vec2 directionAt(const PairPose& pose, const HeldAxis& axis) {
 }
 
 HeldAxis hold(const MovingPair& pair, const PairPose& pose, const Closest& closest, AxisOwner holder) {
-    if (!closest.isApart()) {
-        return hold(pair, pose, rotate(pose.rotationA, closest.normal), holder);
-    }
+    if (!closest.isApart()) { return hold(pair, pose, rotate(pose.rotationA, closest.normal), holder); }
     HeldAxis axis;
     setHolder(pair, axis, holder);
     axis.inA = closest.normal;
@@ -206,8 +198,8 @@ HeldAxis hold(const MovingPair& pair, const PairPose& pose, Vec2 normal, AxisOwn
     return axis;
 }
 
-SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const HeldAxis& axis, double level,
-                        double limit, VertexReach reach) {
+SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const HeldAxis& axis, double level, double limit,
+                        VertexReach reach) {
     const RelativeMotion& motion = pair.motion;
     const double turnA = motion.spinA - axis.spin;
     const double turnB = motion.spinB - axis.spin;
@@ -226,9 +218,7 @@ SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const Held
     SafeAdvance best{0, {axis.a, 1, 1}, {axis.b, 1, 1}, now.rate < 0};
     double window = std::min(limit, kAhead * firstRoot(now, limit));
     const double turn = std::max(std::fabs(turnA), std::fabs(turnB));
-    if (turn * window > kWidestTurn) {
-        window = kWidestTurn / turn;
-    }
+    if (turn * window > kWidestTurn) { window = kWidestTurn / turn; }
     for (int round = 0; round < kWindows; ++round) {
         SafeAdvance next{0, walk(pair.a, axis.a, axis.inA, turnA * window),
                          walk(pair.b, axis.b, -axis.inB, turnB * window), best.approaches};
@@ -241,12 +231,8 @@ SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const Held
         } else {
             next.step = firstRootOfRuns(pair, axis, centers, turnA, turnB, next, second, third, window);
         }
-        if (next.step > best.step) {
-            best = next;
-        }
-        if (!(next.step < kFilled * window)) {
-            break;
-        }
+        if (next.step > best.step) { best = next; }
+        if (!(next.step < kFilled * window)) { break; }
         window = 2 * best.step;
     }
     return best;
@@ -254,12 +240,8 @@ SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const Held
 
 void follow(const MovingPair& pair, const PairPose& pose, const SafeAdvance& advance, HeldAxis& axis) {
     axis.normal = directionAt(pose, axis);
-    if (axis.holder != AxisOwner::a) {
-        axis.inA = unrotate(pose.rotationA, axis.normal);
-    }
-    if (axis.holder != AxisOwner::b) {
-        axis.inB = unrotate(pose.rotationB, axis.normal);
-    }
+    if (axis.holder != AxisOwner::a) { axis.inA = unrotate(pose.rotationA, axis.normal); }
+    if (axis.holder != AxisOwner::b) { axis.inB = unrotate(pose.rotationB, axis.normal); }
     double highA = 0;
     double lowB = 0;
     axis.a = farthestOf(pair.a, advance.a, axis.inA, highA);
@@ -273,26 +255,20 @@ double advanceOfCircles(const MovingPair& pair, double fraction, double level, d
     const DVec2 velocity = motion.velocityAt(fraction);
     const double reach = level + pair.radii + pair.a.reach() + pair.b.reach();
     const double distance = length(offset);
-    if (!(distance > reach)) {
-        return 0;
-    }
+    if (!(distance > reach)) { return 0; }
     if (motion.curvature != DVec2{} || pair.isExtreme()) {
         const Vec2 unit = normalized(Vec2{offset.x, offset.y}).unit;
         const DVec2 line{unit.x, unit.y};
         return firstRoot({distance - reach, dot(line, velocity), -2 * dot(line, motion.curvature)}, limit);
     }
     const double approach = -dot(offset, velocity);
-    if (!(approach > 0)) {
-        return limit;
-    }
+    if (!(approach > 0)) { return limit; }
     // |offset + s·velocity| = reach. The distance at which the centres pass each
     // other comes from the cross product, whose error is a rounding of the
     // distance; the usual discriminant would lose twice the digits.
     const double aside = cross(offset, velocity);
     const double discriminant = dot(velocity, velocity) * (reach * reach) - aside * aside;
-    if (discriminant < 0) {
-        return limit;
-    }
+    if (discriminant < 0) { return limit; }
     const double step = (distance - reach) * (distance + reach) / (approach + std::sqrt(discriminant));
     return step < limit ? step : limit;
 }

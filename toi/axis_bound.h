@@ -10,8 +10,8 @@ struct HeldAxis {
     // Without initial values: all are written at once.
     AxisOwner holder;
     double spin;  ///< the rate at which it turns, radians per unit of fraction: 0, or that of its holder
-    Vec2 normal;      ///< unit, world axes, at the fraction last looked at
-    Vec2 inA;         ///< the same in the frames of the bodies
+    Vec2 normal;  ///< unit, world axes, at the fraction last looked at
+    Vec2 inA;     ///< the same in the frames of the bodies
     Vec2 inB;
     int a;  ///< vertex of A that lies highest along it, vertex of B that lies lowest
     int b;
@@ -44,7 +44,8 @@ struct SafeAdvance {
 
 /// Whose distance from the centre is the |r| that bounds how a vertex swings. Either is right.
 enum class VertexReach : std::uint8_t {
-    farthest,  ///< that of the farthest vertex, for all: the cheaper, and hardly worse where the centre is in the middle
+    farthest,  ///< that of the farthest vertex, for all: the cheaper, and hardly worse where the centre is in the
+               ///< middle
     own,       ///< that of each vertex: longer steps where those that can touch are much nearer than the farthest
 };
 

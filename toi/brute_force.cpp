@@ -14,9 +14,7 @@ public:
     template <class Curve>
     void consider(const Curve& curve) {
         const auto root = RootSearch<Curve>(curve, budget_).earliest(0, fraction_);
-        if (!root) {
-            return;
-        }
+        if (!root) { return; }
         fraction_ = *root;
         found_ = true;
     }
@@ -53,9 +51,7 @@ Toi bruteForce(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, co
     const MethodPair pair(a, sweepA, b, sweepB);
     SimplexCache cache;
     const MethodPose start = pair.poseAt(0, cache);
-    if (const auto atStart = answerAtStart(start, sweepA, settings)) {
-        return *atStart;
-    }
+    if (const auto atStart = answerAtStart(start, sweepA, settings)) { return *atStart; }
 
     constexpr double kResolutionRatio = 1.0 / 16;  // of the tolerance: what counts as touching without crossing
     FeatureFrame ofA{pair.a, pair.b, pair.motion};
@@ -70,9 +66,7 @@ Toi bruteForce(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, co
     considerEdgesOf(ofB, earliest);
     considerVertices(ofA, earliest);
 
-    if (budget.exhausted()) {
-        return answerFrom(start, sweepA, ToiState::failed, budget.spent);
-    }
+    if (budget.exhausted()) { return answerFrom(start, sweepA, ToiState::failed, budget.spent); }
     const ToiState state = earliest.found() ? ToiState::hit : ToiState::separated;
     return answerFrom(pair.poseAt(earliest.fraction(), cache), sweepA, state, budget.spent);
 }

@@ -19,8 +19,8 @@ namespace swept {
 Toi conservativeAdvancement(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                             const ToiSettings& settings);
 
-/// Steps are at least half a tolerance long, measured along the fastest path: this allows for paths of 2¹⁷ tolerances at
-/// the least. Beyond that the answer would take some tens of milliseconds.
+/// Steps are at least half a tolerance long, measured along the fastest path: this allows for paths of 2¹⁷ tolerances
+/// at the least. Beyond that the answer would take some tens of milliseconds.
 inline constexpr int kMaxAdvancementSteps = 1 << 18;
 
 }  // namespace swept

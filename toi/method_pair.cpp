@@ -11,9 +11,7 @@ MethodBody::MethodBody(const ToiPolygon& source, DVec2 center) {
         polygon.vertices[i] = toReal(source.vertices[i] - center);
         reach[i] = length(polygon.vertices[i]);
     }
-    if (polygon.count < 2) {
-        return;
-    }
+    if (polygon.count < 2) { return; }
     for (int i = 0; i < polygon.count; ++i) {
         const Vec2 from = polygon.vertices[static_cast<std::size_t>(i)];
         const Vec2 to = polygon.vertices[static_cast<std::size_t>(polygon.next(i))];
@@ -48,12 +46,8 @@ Toi answerFrom(const MethodPose& pose, const Sweep& sweepA, ToiState state, int 
 }
 
 std::optional<Toi> answerAtStart(const MethodPose& pose, const Sweep& sweepA, const ToiSettings& settings) {
-    if (pose.distance.coreDistance <= 0) {
-        return answerFrom(pose, sweepA, ToiState::overlapped, 1);
-    }
-    if (pose.distance.distance <= settings.target) {
-        return answerFrom(pose, sweepA, ToiState::hit, 1);
-    }
+    if (pose.distance.coreDistance <= 0) { return answerFrom(pose, sweepA, ToiState::overlapped, 1); }
+    if (pose.distance.distance <= settings.target) { return answerFrom(pose, sweepA, ToiState::hit, 1); }
     return std::nullopt;
 }
 

@@ -30,9 +30,7 @@ Polygon withNormals(const Polygon& polygon) {
     result.count = polygon.count;
     result.radius = polygon.radius;
     std::copy_n(polygon.vertices.begin(), polygon.count, result.vertices.begin());
-    if (polygon.count < 2) {
-        return result;
-    }
+    if (polygon.count < 2) { return result; }
     for (int i = 0; i < polygon.count; ++i) {
         result.normals[static_cast<std::size_t>(i)] = edgeNormal(
             polygon.vertices[static_cast<std::size_t>(i)], polygon.vertices[static_cast<std::size_t>(polygon.next(i))]);
@@ -43,9 +41,7 @@ Polygon withNormals(const Polygon& polygon) {
 /// A simplex of one vertex of B and an edge of A holds a face of A, and the
 /// other way round; two edges are either's.
 AxisOwner ownerOf(const GjkResult& gjk) {
-    if (gjk.count < 2) {
-        return AxisOwner::world;
-    }
+    if (gjk.count < 2) { return AxisOwner::world; }
     return gjk.simplex[0].a == gjk.simplex[1].a ? AxisOwner::b : AxisOwner::a;
 }
 
@@ -99,12 +95,8 @@ void MovingPair::moveTo(double fraction, PairPose& pose) const {
     const DVec2 offset = motion.offsetAt(fraction);
     pose.fraction = fraction;
     pose.offset = {offset.x, offset.y};
-    if (motion.spinA != 0) {
-        pose.rotationA = motion.rotationA(fraction);
-    }
-    if (motion.spinB != 0) {
-        pose.rotationB = motion.rotationB(fraction);
-    }
+    if (motion.spinA != 0) { pose.rotationA = motion.rotationA(fraction); }
+    if (motion.spinB != 0) { pose.rotationB = motion.rotationB(fraction); }
 }
 
 Transform MovingPair::bInA(const PairPose& pose) const {
@@ -152,9 +144,7 @@ void MovingPair::measureOverlap(const PairPose& pose, Closest& closest) const {
 }
 
 CorePoints MovingPair::witnessesOf(const PairPose& pose, const Closest& closest) const {
-    if (!closest.isApart()) {
-        return closest.exactPoints;
-    }
+    if (!closest.isApart()) { return closest.exactPoints; }
     const DVec2 normal = closest.gjk.normal;
     CorePoints points =
         witnessOf(PairView(a.polygon(), b.polygon(), bInA(pose)), closest.gjk, closest.gjk.distance * normal);

@@ -63,7 +63,8 @@ struct MovingPair {
     CenteredPolygon b;
     RelativeMotion motion;
     double radii;    ///< both, metres
-    double fastest;  ///< no less than the speed of the centres' difference anywhere in the sweep, metres per unit of fraction
+    double fastest;  ///< no less than the speed of the centres' difference anywhere in the sweep, metres per unit of
+                     ///< fraction
 
     MovingPair(const ToiPolygon& polygonA, const Sweep& sweepA, const ToiPolygon& polygonB, const Sweep& sweepB);
 

@@ -11,9 +11,7 @@ namespace {
 /// Mean of the vertices, from the centre of mass.
 Vec2 middleOf(const Polygon& polygon) {
     Vec2 sum;
-    for (const Vec2 vertex : polygon.points()) {
-        sum += vertex;
-    }
+    for (const Vec2 vertex : polygon.points()) { sum += vertex; }
     return (1.0 / polygon.count) * sum;
 }
 
@@ -24,9 +22,7 @@ double castAgainst(const MethodBody& shape, Rotation rotation, double radius, Ve
     grown.radius = radius;
     const Vec2 origin = unrotate(rotation, from);
     const Vec2 direction = unrotate(rotation, path);
-    if (direction == Vec2{}) {
-        return containsPoint(grown, origin) ? 0 : 2;
-    }
+    if (direction == Vec2{}) { return containsPoint(grown, origin) ? 0 : 2; }
     const RayCastHit hit = rayCast(grown, origin, direction, 1);
     return hit.hit ? hit.fraction : 2;
 }

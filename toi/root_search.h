@@ -60,25 +60,17 @@ private:
         const double span = to.fraction - from.fraction;
         const double sag = curve_.bend() * span * span / 8;
         const bool oneSide = isOutside(from) == isOutside(to);
-        if (oneSide && std::min(std::fabs(from.value), std::fabs(to.value)) > sag) {
-            return std::nullopt;
-        }
-        if (budget_.exhausted()) {
-            return std::nullopt;
-        }
+        if (oneSide && std::min(std::fabs(from.value), std::fabs(to.value)) > sag) { return std::nullopt; }
+        if (budget_.exhausted()) { return std::nullopt; }
         if (2 * sag <= curve_.resolution() || halvings == 0) {
             return accepted(oneSide ? nearer(from, to) : refined(from, to));
         }
         const CurveSample middle = sample(from.fraction + 0.5 * span);
         if (std::fabs(middle.rate) > 0.5 * curve_.bend() * span) {
-            if (oneSide) {
-                return std::nullopt;
-            }
+            if (oneSide) { return std::nullopt; }
             return accepted(isOutside(middle) == isOutside(from) ? refined(middle, to) : refined(from, middle));
         }
-        if (const auto root = earliestBetween(from, middle, halvings - 1)) {
-            return root;
-        }
+        if (const auto root = earliestBetween(from, middle, halvings - 1)) { return root; }
         return earliestBetween(middle, to, halvings - 1);
     }
 
@@ -99,26 +91,18 @@ private:
         for (int i = 0; i < kMaxRefinements; ++i) {
             const double part = weightFrom / (weightFrom - weightTo);
             const double next = from.fraction + part * (to.fraction - from.fraction);
-            if (!(next > from.fraction && next < to.fraction)) {
-                break;
-            }
+            if (!(next > from.fraction && next < to.fraction)) { break; }
             const CurveSample found = sample(next);
-            if (found.value == 0) {
-                return next;
-            }
+            if (found.value == 0) { return next; }
             if (isOutside(found) == isOutside(from)) {
                 from = found;
                 weightFrom = found.value;
-                if (side == 1) {
-                    weightTo /= 2;
-                }
+                if (side == 1) { weightTo /= 2; }
                 side = 1;
             } else {
                 to = found;
                 weightTo = found.value;
-                if (side == -1) {
-                    weightFrom /= 2;
-                }
+                if (side == -1) { weightFrom /= 2; }
                 side = -1;
             }
         }

@@ -91,9 +91,7 @@ double rootBetween(const HeldAxis& axis, Deepest vertices, double from, double t
         const double t = low + part * (high - low);
         const double above = axis.separationOf(vertices, t) - settings.target;
         ++iterations;
-        if (std::fabs(above) < settings.tolerance) {
-            return t;
-        }
+        if (std::fabs(above) < settings.tolerance) { return t; }
         (above > 0 ? low : high) = t;
         (above > 0 ? aboveAtLow : aboveAtHigh) = above;
     }
@@ -109,21 +107,13 @@ AxisStep advanceAlong(const HeldAxis& axis, double from, const ToiSettings& sett
         const Deepest deepest = axis.deepestAt(end);
         const double atEnd = axis.separationOf(deepest, end);
         ++iterations;
-        if (atEnd > top) {
-            return {AxisVerdict::separated, settings.tMax};
-        }
-        if (atEnd > bottom) {
-            return {AxisVerdict::advanced, end};
-        }
+        if (atEnd > top) { return {AxisVerdict::separated, settings.tMax}; }
+        if (atEnd > bottom) { return {AxisVerdict::advanced, end}; }
 
         const double atStart = axis.separationOf(deepest, from);
         ++iterations;
-        if (atStart < bottom) {
-            return {AxisVerdict::failed, from};
-        }
-        if (atStart <= top) {
-            return {AxisVerdict::reached, from};
-        }
+        if (atStart < bottom) { return {AxisVerdict::failed, from}; }
+        if (atStart <= top) { return {AxisVerdict::reached, from}; }
         end = rootBetween(axis, deepest, from, end, settings, iterations);
     }
     return {AxisVerdict::failed, from};
@@ -136,9 +126,7 @@ Toi separatingAxisRoot(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygo
     const MethodPair pair(a, sweepA, b, sweepB);
     SimplexCache cache;
     MethodPose pose = pair.poseAt(0, cache);
-    if (const auto atStart = answerAtStart(pose, sweepA, settings)) {
-        return *atStart;
-    }
+    if (const auto atStart = answerAtStart(pose, sweepA, settings)) { return *atStart; }
 
     int iterations = 1;
     for (int axes = 0; axes < kMaxAxes; ++axes) {
@@ -148,9 +136,7 @@ Toi separatingAxisRoot(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygo
         const AxisStep step = advanceAlong(HeldAxis(pair, pose, cache), pose.fraction, settings, iterations);
         switch (step.verdict) {
             case AxisVerdict::advanced:
-                if (!(step.fraction > pose.fraction)) {
-                    return answerFrom(pose, sweepA, ToiState::failed, iterations);
-                }
+                if (!(step.fraction > pose.fraction)) { return answerFrom(pose, sweepA, ToiState::failed, iterations); }
                 pose = pair.poseAt(step.fraction, cache);
                 ++iterations;
                 break;

@@ -7,9 +7,9 @@
 namespace swept {
 namespace {
 
-constexpr double kTargetRatio = 1.0 / 1024;   // of the pair's extent
-constexpr double kToleranceRatio = 1.0 / 4;   // of the target
-constexpr double kTolerancePerSlack = 4;      // half the tolerance holds the slack of a bound and that of a distance
+constexpr double kTargetRatio = 1.0 / 1024;  // of the pair's extent
+constexpr double kToleranceRatio = 1.0 / 4;  // of the target
+constexpr double kTolerancePerSlack = 4;     // half the tolerance holds the slack of a bound and that of a distance
 
 DVec2 vertex(const ToiPolygon& polygon, int i) { return polygon.vertices[static_cast<std::size_t>(i)]; }
 

@@ -24,9 +24,7 @@ Toi speculativeContact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygo
     const MethodPair pair(a, sweepA, b, sweepB);
     SimplexCache cache;
     const MethodPose start = pair.poseAt(0, cache);
-    if (const auto atStart = answerAtStart(start, sweepA, settings)) {
-        return *atStart;
-    }
+    if (const auto atStart = answerAtStart(start, sweepA, settings)) { return *atStart; }
 
     const double gap = start.distance.distance - settings.target;
     const double approach = approachOf(pair, start, settings.tMax);

@@ -9,10 +9,10 @@ namespace swept {
 /// line), and the angle is a0 + t (a1 − a0). A body-fixed point p stands at c(t) + R(angle(t)) · (p − localCenter).
 struct Sweep {
     DVec2 localCenter{};  ///< centre of mass, body frame, metres
-    DVec2 c0;           ///< centre at fraction 0
-    DVec2 c1;           ///< centre at fraction 1
+    DVec2 c0;             ///< centre at fraction 0
+    DVec2 c1;             ///< centre at fraction 1
     DVec2 k{};            ///< curvature of the path, metres
-    double a0 = 0;      ///< angle at fraction 0, radians; any number of turns
+    double a0 = 0;        ///< angle at fraction 0, radians; any number of turns
     double a1 = 0;
 };
 

@@ -12,8 +12,8 @@ namespace {
 /// Each step is certified and gains time. Two or three distances are typical.
 /// Beyond the budget the answer is `failed`.
 constexpr int kMaxDistances = 1024;
-/// After so many distances each vertex is bounded by its own swing: a little dearer, and needed where shapes are long and
-/// touch near the point they turn about. Of 800 000 queries of all families none came so far (59 was the most).
+/// After so many distances each vertex is bounded by its own swing: a little dearer, and needed where shapes are long
+/// and touch near the point they turn about. Of 800 000 queries of all families none came so far (59 was the most).
 constexpr int kPatience = 64;
 /// After so many looks along one axis the next distance will know a better one.
 constexpr int kLooksPerAxis = 8;
@@ -28,9 +28,7 @@ DVec2 toWorld(Rotation rotation, DVec2 v) {
 
 /// The features that a simplex names, as seen from one of the shapes.
 ToiFeature featureOf(int first, int second) {
-    if (first == second) {
-        return {first, -1};
-    }
+    if (first == second) { return {first, -1}; }
     return {first, second};
 }
 
@@ -46,17 +44,11 @@ public:
     Toi run() {
         // Up to here the circles that hold the bodies stay apart.
         const double start = advanceOfCircles(pair_, 0, target_, settings_.tMax);
-        if (start >= settings_.tMax) {
-            return separated();
-        }
+        if (start >= settings_.tMax) { return separated(); }
         pose_ = pair_.poseAt(start);
         findClosest();
-        if (pose_.fraction <= 0 && closest_.coresOverlap()) {
-            return overlapped();
-        }
-        if (closest_.isDeep()) {
-            pair_.measureOverlap(pose_, closest_);
-        }
+        if (pose_.fraction <= 0 && closest_.coresOverlap()) { return overlapped(); }
+        if (closest_.isDeep()) { pair_.measureOverlap(pose_, closest_); }
         return search();
     }
 
@@ -91,12 +83,8 @@ private:
         separationLower_ = closest_.separation;
         fractionLower_ = pose_.fraction;
         while (iterations_ < kMaxDistances) {
-            if (closest_.separation <= target_) {
-                return answer(ToiState::hit);
-            }
-            if (!(pose_.fraction < settings_.tMax)) {
-                return separated();
-            }
+            if (closest_.separation <= target_) { return answer(ToiState::hit); }
+            if (!(pose_.fraction < settings_.tMax)) { return separated(); }
             switch (followAxis()) {
                 case End::free:
                     return separated();
@@ -153,17 +141,11 @@ private:
         }
         axis_ = hold(pair_, pose_, closest_, closest_.owner);
         SafeAdvance best = safeAdvance(pair_, pose_, axis_, level_, rest, reach());
-        if (best.step >= kGoodStep * rest || (pair_.motion.spinA == 0 && pair_.motion.spinB == 0)) {
-            return best;
-        }
+        if (best.step >= kGoodStep * rest || (pair_.motion.spinA == 0 && pair_.motion.spinB == 0)) { return best; }
         for (const AxisOwner holder : {AxisOwner::world, AxisOwner::a, AxisOwner::b}) {
-            if (holder == closest_.owner) {
-                continue;
-            }
+            if (holder == closest_.owner) { continue; }
             const HeldAxis other = hold(pair_, pose_, closest_, holder);
-            if (other.spin == axis_.spin) {
-                continue;
-            }
+            if (other.spin == axis_.spin) { continue; }
             const SafeAdvance advance = safeAdvance(pair_, pose_, other, level_, rest, reach());
             if (advance.step > best.step) {
                 best = advance;
@@ -186,15 +168,9 @@ private:
                 return looks == 0 ? End::hit : atEndOfAxis();
             }
             const double next = free ? settings_.tMax : pose_.fraction + advance.step;
-            if (settings_.observer != nullptr) {
-                tell(next);
-            }
-            if (free) {
-                return End::free;
-            }
-            if (!(next > pose_.fraction)) {
-                return looks == 0 ? End::stuck : End::newAxis;
-            }
+            if (settings_.observer != nullptr) { tell(next); }
+            if (free) { return End::free; }
+            if (!(next > pose_.fraction)) { return looks == 0 ? End::stuck : End::newAxis; }
             if (separation > closeEnough_) {
                 fractionLower_ = pose_.fraction;
                 separationLower_ = separation;
@@ -203,12 +179,8 @@ private:
             follow(pair_, pose_, advance, axis_);
             ++rootIterations_;
             separation = axis_.gap - pair_.radii;
-            if (separation <= target_) {
-                return atEndOfAxis();
-            }
-            if (looks + 1 >= kLooksPerAxis) {
-                return End::newAxis;
-            }
+            if (separation <= target_) { return atEndOfAxis(); }
+            if (looks + 1 >= kLooksPerAxis) { return End::newAxis; }
             rest = settings_.tMax - pose_.fraction;
             advance = safeAdvance(pair_, pose_, axis_, level_, rest, reach());
         }
@@ -218,17 +190,13 @@ private:
     /// and the other's deepest vertex stands over that face, this is the
     /// distance.
     End atEndOfAxis() {
-        if (!closest_.isApart() || closest_.gjk.count < 2 || axis_.holder == AxisOwner::world) {
-            return End::newAxis;
-        }
+        if (!closest_.isApart() || closest_.gjk.count < 2 || axis_.holder == AxisOwner::world) { return End::newAxis; }
         const SupportPair& p = closest_.gjk.simplex[0];
         const SupportPair& q = closest_.gjk.simplex[1];
         const bool ofA = axis_.holder == AxisOwner::a;
         // Where the cores cross the line of the face only the distance knows how
         // deep they are in each other.
-        if (closest_.owner != axis_.holder || !(axis_.gap > 0)) {
-            return End::newAxis;
-        }
+        if (closest_.owner != axis_.holder || !(axis_.gap > 0)) { return End::newAxis; }
         face_ = ofA ? ToiFeature{p.a, q.a} : ToiFeature{p.b, q.b};
         const CenteredPolygon& reference = ofA ? pair_.a : pair_.b;
         const CenteredPolygon& other = ofA ? pair_.b : pair_.a;
@@ -237,9 +205,7 @@ private:
         const Rotation otherFrame = ofA ? pose_.rotationB : pose_.rotationA;
         const int vertex = ofA ? axis_.b : axis_.a;
         const int deepest = ofA ? axis_.a : axis_.b;
-        if (deepest != face_.first && deepest != face_.second) {
-            return End::newAxis;
-        }
+        if (deepest != face_.first && deepest != face_.second) { return End::newAxis; }
         const Vec2 from = reference.vertex(face_.first);
         const Vec2 edge = reference.vertex(face_.second) - from;
         const Vec2 foot = unrotate(frame, offset + rotate(otherFrame, other.vertex(vertex))) - from;
@@ -287,12 +253,8 @@ private:
     }
 
     Toi overlapped() {
-        if (settings_.detail != ToiDetail::depth) {
-            return bare(ToiState::overlapped);
-        }
-        if (closest_.isDeep()) {
-            pair_.measureOverlap(pose_, closest_);
-        }
+        if (settings_.detail != ToiDetail::depth) { return bare(ToiState::overlapped); }
+        if (closest_.isDeep()) { pair_.measureOverlap(pose_, closest_); }
         return answer(ToiState::overlapped);
     }
 
@@ -335,9 +297,7 @@ private:
         SimplexCache cold;
         Search here(*this);
         here.pair_.findClosest(pose_, cold, here.closest_);
-        if (here.closest_.isDeep()) {
-            here.pair_.measureOverlap(pose_, here.closest_);
-        }
+        if (here.closest_.isDeep()) { here.pair_.measureOverlap(pose_, here.closest_); }
         const Toi toi = here.answer(ToiState::separated);
         settings_.observer->onStep({toi.fraction, toi.separation, toi.normal, toi.pointA, toi.pointB, next});
     }
@@ -394,9 +354,7 @@ double certainUntil(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& 
     SimplexCache cache;
     Closest closest;
     pair.findClosest(pose, cache, closest);
-    if (closest.isDeep()) {
-        pair.measureOverlap(pose, closest);
-    }
+    if (closest.isDeep()) { pair.measureOverlap(pose, closest); }
     return fraction + bestAdvance(pair, pose, closest, level, settings.tMax - fraction);
 }
 

@@ -12,9 +12,7 @@ namespace {
 
 constexpr bool isInOrder() {
     for (std::size_t i = 0; i < kToiMethods.size(); ++i) {
-        if (static_cast<std::size_t>(kToiMethods[i].method) != i) {
-            return false;
-        }
+        if (static_cast<std::size_t>(kToiMethods[i].method) != i) { return false; }
     }
     return true;
 }
@@ -29,9 +27,7 @@ std::string_view describe(ToiMethod method) { return infoOf(method).description;
 
 std::optional<ToiMethod> toiMethodFrom(std::string_view name) {
     for (const ToiMethodInfo& info : kToiMethods) {
-        if (info.name == name) {
-            return info.method;
-        }
+        if (info.name == name) { return info.method; }
     }
     return std::nullopt;
 }

@@ -19,14 +19,14 @@ struct ToiStep {
 class ToiObserver {
 public:
     virtual ~ToiObserver() = default;
-    /// Before each step that goes on to another fraction. The first one need not start at 0: as long as the circles that
-    /// hold the bodies cannot meet, there is nothing to look at. The last look is the answer itself.
+    /// Before each step that goes on to another fraction. The first one need not start at 0: as long as the circles
+    /// that hold the bodies cannot meet, there is nothing to look at. The last look is the answer itself.
     virtual void onStep(const ToiStep& step) = 0;
 };
 
-/// How far the motion is free for certain as seen from one fraction: the largest one, up to `settings.tMax`, at which the
-/// bounds that `timeOfImpact` steps by are still above `level`. Asked for all levels below the separation it draws the
-/// bound that the search has at that fraction.
+/// How far the motion is free for certain as seen from one fraction: the largest one, up to `settings.tMax`, at which
+/// the bounds that `timeOfImpact` steps by are still above `level`. Asked for all levels below the separation it draws
+/// the bound that the search has at that fraction.
 /// @param level  metres, radii included, below the separation at `fraction`.
 double certainUntil(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                     const ToiSettings& settings, double fraction, double level);

@@ -7,23 +7,17 @@
 namespace swept {
 
 std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
+    if (text.find_first_of(",\"\r\n") == std::string::npos) { return text; }
     std::string quoted = "\"";
     for (const char character : text) {
-        if (character == '"') {
-            quoted += '"';
-        }
+        if (character == '"') { quoted += '"'; }
         quoted += character;
     }
     return quoted + '"';
 }
 
 CsvWriter::CsvWriter(std::ostream& out, const std::vector<std::string>& bodyNames) : out_(out) {
-    for (const std::string& name : bodyNames) {
-        fields_.push_back(csvField(name));
-    }
+    for (const std::string& name : bodyNames) { fields_.push_back(csvField(name)); }
     out_ << "step,time,body,x,y,angle,vx,vy,omega,awake\n";
 }
 

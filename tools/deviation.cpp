@@ -36,24 +36,16 @@ struct GeometryAdder {
     }
     void operator()(const CircleGeometry& circle) const { bounds.add(circle.center, circle.radius); }
     void operator()(const CapsuleGeometry& capsule) const {
-        for (const DVec2 point : capsule.points) {
-            bounds.add(point, capsule.radius);
-        }
+        for (const DVec2 point : capsule.points) { bounds.add(point, capsule.radius); }
     }
     void operator()(const SegmentGeometry& segment) const {
-        for (const DVec2 point : segment.points) {
-            bounds.add(point, radius);
-        }
+        for (const DVec2 point : segment.points) { bounds.add(point, radius); }
     }
     void operator()(const PolygonGeometry& polygon) const {
-        for (const DVec2 point : polygon.points) {
-            bounds.add(point, radius);
-        }
+        for (const DVec2 point : polygon.points) { bounds.add(point, radius); }
     }
     void operator()(const ChainGeometry& chain) const {
-        for (const DVec2 point : chain.points) {
-            bounds.add(point, radius);
-        }
+        for (const DVec2 point : chain.points) { bounds.add(point, radius); }
     }
 };
 
@@ -65,9 +57,7 @@ Deviation deviationOf(const SceneDescription& scene, const Frame& ours, const Fr
     deviation.time = ours.time;
     double sum = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (scene.bodies[i].type != SceneBodyType::dynamic) {
-            continue;
-        }
+        if (scene.bodies[i].type != SceneBodyType::dynamic) { continue; }
         const BodyFrame& a = ours.bodies[i];
         const BodyFrame& b = theirs.bodies[i];
         const BodyDeviation body{static_cast<int>(i), length(a.position - b.position), std::abs(a.angle - b.angle),
@@ -80,25 +70,19 @@ Deviation deviationOf(const SceneDescription& scene, const Frame& ours, const Fr
         sum += body.position;
         deviation.bodies.push_back(body);
     }
-    if (!deviation.bodies.empty()) {
-        deviation.meanPosition = sum / static_cast<double>(deviation.bodies.size());
-    }
+    if (!deviation.bodies.empty()) { deviation.meanPosition = sum / static_cast<double>(deviation.bodies.size()); }
     return deviation;
 }
 
 double visibleDeviation(const SceneDescription& scene) {
     double smallest = 0;
     for (const BodyDescription& body : scene.bodies) {
-        if (body.type != SceneBodyType::dynamic || body.shapes.empty()) {
-            continue;
-        }
+        if (body.type != SceneBodyType::dynamic || body.shapes.empty()) { continue; }
         BodyBounds bounds;
         for (const ShapeDescription& shape : body.shapes) {
             std::visit(GeometryAdder{bounds, shape.radius}, shape.geometry);
         }
-        if (smallest <= 0 || bounds.size() < smallest) {
-            smallest = bounds.size();
-        }
+        if (smallest <= 0 || bounds.size() < smallest) { smallest = bounds.size(); }
     }
     return kVisibleShare * smallest;
 }

@@ -9,9 +9,7 @@ std::optional<std::size_t> firstNotFinite(const Frame& frame) {
         const BodyFrame& body = frame.bodies[i];
         const bool isFiniteBody = isFinite(body.position) && isFinite(body.velocity) && std::isfinite(body.angle) &&
                                   std::isfinite(body.angularVelocity);
-        if (!isFiniteBody) {
-            return i;
-        }
+        if (!isFiniteBody) { return i; }
     }
     return std::nullopt;
 }

@@ -26,31 +26,21 @@ bool isDevice(const std::string& path) {
 }  // namespace
 
 void OutputFiles::protect(const std::string& path) {
-    if (!path.empty()) {
-        protected_.push_back(path);
-    }
+    if (!path.empty()) { protected_.push_back(path); }
 }
 
 void OutputFiles::addFile(const std::string& flag, const std::string& path) {
-    if (!path.empty()) {
-        files_.push_back({flag, path, {}});
-    }
+    if (!path.empty()) { files_.push_back({flag, path, {}}); }
 }
 
 void OutputFiles::addDirectory(const std::string& flag, const std::string& path) {
-    if (!path.empty()) {
-        directories_.push_back({flag, path, {}});
-    }
+    if (!path.empty()) { directories_.push_back({flag, path, {}}); }
 }
 
 bool OutputFiles::open(std::string& error) {
     bool opened = refuseClashes(error);
-    for (const Place& place : directories_) {
-        opened = opened && openDirectory(place, error);
-    }
-    for (Place& place : files_) {
-        opened = opened && openFile(place, error);
-    }
+    for (const Place& place : directories_) { opened = opened && openDirectory(place, error); }
+    for (Place& place : files_) { opened = opened && openFile(place, error); }
     if (!opened) {
         discard();
         return false;
@@ -66,20 +56,14 @@ bool OutputFiles::open(std::string& error) {
 
 bool OutputFiles::refuseClashes(std::string& error) const {
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        if (isDevice(files_[i].path)) {
-            continue;
-        }
+        if (isDevice(files_[i].path)) { continue; }
         for (const std::string& input : protected_) {
-            if (!samePlace(files_[i].path, input)) {
-                continue;
-            }
+            if (!samePlace(files_[i].path, input)) { continue; }
             error = files_[i].flag + ' ' + files_[i].path + ": would overwrite the input";
             return false;
         }
         for (std::size_t j = 0; j < i; ++j) {
-            if (!samePlace(files_[i].path, files_[j].path)) {
-                continue;
-            }
+            if (!samePlace(files_[i].path, files_[j].path)) { continue; }
             error = files_[i].flag + ' ' + files_[i].path + ": is already the file of " + files_[j].flag;
             return false;
         }
@@ -94,9 +78,7 @@ bool OutputFiles::openDirectory(const Place& place, std::string& error) {
         partial /= part;
         std::error_code failure;
         const bool isNew = !part.empty() && fs::create_directory(partial, failure);
-        if (isNew) {
-            created_.push_back(partial.string());
-        }
+        if (isNew) { created_.push_back(partial.string()); }
         std::error_code ignored;
         if (!fs::is_directory(partial, ignored)) {
             const std::string reason = failure ? failure.message() : "Not a directory";
@@ -125,30 +107,22 @@ bool OutputFiles::openFile(Place& place, std::string& error) {
         error = place.flag + ' ' + place.path + ": cannot be written: " + std::strerror(errno);
         return false;
     }
-    if (!existed) {
-        created_.push_back(place.path);
-    }
+    if (!existed) { created_.push_back(place.path); }
     return true;
 }
 
 std::ofstream* OutputFiles::stream(const std::string& path) {
     for (Place& place : files_) {
-        if (!path.empty() && place.path == path) {
-            return &place.stream;
-        }
+        if (!path.empty() && place.path == path) { return &place.stream; }
     }
     return nullptr;
 }
 
 bool OutputFiles::close(std::string& error) {
     for (Place& place : files_) {
-        if (!place.stream.is_open()) {
-            continue;
-        }
+        if (!place.stream.is_open()) { continue; }
         place.stream.close();
-        if (place.stream) {
-            continue;
-        }
+        if (place.stream) { continue; }
         error = place.flag + ' ' + place.path + ": could not be written to the end";
         return false;
     }
@@ -156,13 +130,9 @@ bool OutputFiles::close(std::string& error) {
 }
 
 void OutputFiles::discard() {
-    for (Place& place : files_) {
-        place.stream.close();
-    }
+    for (Place& place : files_) { place.stream.close(); }
     std::error_code ignored;
-    for (; !created_.empty(); created_.pop_back()) {
-        fs::remove(created_.back(), ignored);
-    }
+    for (; !created_.empty(); created_.pop_back()) { fs::remove(created_.back(), ignored); }
 }
 
 }  // namespace swept

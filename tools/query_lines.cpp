@@ -60,10 +60,14 @@ private:
 
 const char* nameOf(ToiState state) {
     switch (state) {
-        case ToiState::hit: return "hit";
-        case ToiState::separated: return "separated";
-        case ToiState::overlapped: return "overlapped";
-        case ToiState::failed: return "failed";
+        case ToiState::hit:
+            return "hit";
+        case ToiState::separated:
+            return "separated";
+        case ToiState::overlapped:
+            return "overlapped";
+        case ToiState::failed:
+            return "failed";
     }
     return "";  // unreachable, but GCC cannot know
 }

@@ -27,7 +27,8 @@ LineAnswer answerToiLine(std::string_view line, ToiMethod method = ToiMethod::ce
 std::optional<std::string> readToiLine(std::string_view line, ToiQuery& query);
 
 /// At fraction 0: {"id", "distance", "normal", "pointA", "pointB", "iterations"}.
-/// @param precision  of the distance function; the numbers of the line are rounded to it relative to the bodies' centres.
+/// @param precision  of the distance function; the numbers of the line are rounded to it relative to the bodies'
+/// centres.
 LineAnswer answerDistanceLine(std::string_view line, Precision precision = Precision::f64);
 
 /// Answers each line in order; skips blank ones. The error of a bad one begins with "line N", counted from 1.

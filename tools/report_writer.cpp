@@ -31,17 +31,13 @@ Json pairOf(DVec2 v) { return Json::array({v.x, v.y}); }
 
 template <class T>
 void setIfGiven(Json& object, const char* key, const std::optional<T>& value) {
-    if (value) {
-        object[key] = *value;
-    }
+    if (value) { object[key] = *value; }
 }
 
 /// A count without a decimal point, as long as it is one and exact.
 Json countOf(double value) {
     constexpr double kExact = 9007199254740992.0;  // 2^53
-    if (std::trunc(value) == value && std::abs(value) <= kExact) {
-        return static_cast<std::int64_t>(value);
-    }
+    if (std::trunc(value) == value && std::abs(value) <= kExact) { return static_cast<std::int64_t>(value); }
     return value;
 }
 
@@ -76,9 +72,7 @@ Json lostTimeOf(const SceneDescription& scene, const RunReport& report) {
 }
 
 void addBudget(Json& budgets, const char* name, const std::optional<double>& limit, double value) {
-    if (!limit) {
-        return;
-    }
+    if (!limit) { return; }
     Json entry;
     entry["limit"] = *limit;
     entry["value"] = value;
@@ -88,9 +82,7 @@ void addBudget(Json& budgets, const char* name, const std::optional<double>& lim
 
 Json budgetsOf(const SettingsDescription& settings, const RunReport& report) {
     double longestLoss = 0;
-    for (const LostTime& lost : report.lostTime) {
-        longestLoss = std::max(longestLoss, lost.seconds);
-    }
+    for (const LostTime& lost : report.lostTime) { longestLoss = std::max(longestLoss, lost.seconds); }
     Json budgets = Json::object();
     addBudget(budgets, "maxPenetration", settings.maxPenetration, report.deepestPenetration);
     addBudget(budgets, "maxJointError", settings.maxJointError, report.largestJointError);
@@ -109,9 +101,7 @@ std::string reportText(const SceneDescription& scene, const RunReport& report, c
     json["time"] = static_cast<double>(facts.steps) * scene.settings.dt;
     json["finite"] = report.finite;
     json["counters"] = Json::object();
-    for (const NamedNumber& counter : report.counters) {
-        json["counters"][counter.name] = countOf(counter.value);
-    }
+    for (const NamedNumber& counter : report.counters) { json["counters"][counter.name] = countOf(counter.value); }
     json["lostTime"] = lostTimeOf(scene, report);
     json["deepestPenetration"] = report.deepestPenetration;
     json["largestJointError"] = report.largestJointError;

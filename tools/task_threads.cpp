@@ -8,9 +8,7 @@ namespace swept {
 
 std::unique_ptr<TaskSystem> makeTaskSystem([[maybe_unused]] int threads) {
 #ifdef SWEPT_TBB
-    if (threads > 1) {
-        return std::make_unique<TbbTaskSystem>(threads);
-    }
+    if (threads > 1) { return std::make_unique<TbbTaskSystem>(threads); }
 #endif
     return nullptr;
 }

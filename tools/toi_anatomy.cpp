@@ -34,9 +34,7 @@ std::vector<ToiAnatomy::Point> boundFrom(const ToiQuery& q, const ToiStep& step)
             bound.push_back({q.settings.tMax, level});
             break;
         }
-        if (until > bound.back().fraction) {
-            bound.push_back({until, level});
-        }
+        if (until > bound.back().fraction) { bound.push_back({until, level}); }
     }
     return bound;
 }

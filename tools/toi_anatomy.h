@@ -23,15 +23,15 @@ struct ToiAnatomy {
 
     ToiQuery query;
     Toi answer;
-    std::vector<Look> looks;   ///< without the last one, which is the answer
-    std::vector<Point> truth;  ///< the separation itself, over the whole sweep
+    std::vector<Look> looks;         ///< without the last one, which is the answer
+    std::vector<Point> truth;        ///< the separation itself, over the whole sweep
     std::vector<double> plainLooks;  ///< where conservative advancement looks
 };
 
 ToiAnatomy dissectToi(const ToiQuery& query);
 
-/// A gnuplot script that draws it, with all its data: above, the bodies as the larger one sees them, a ghost at each look
-/// with the axis found there; below, separation and bounds over the fraction.
+/// A gnuplot script that draws it, with all its data: above, the bodies as the larger one sees them, a ghost at each
+/// look with the axis found there; below, separation and bounds over the fraction.
 /// @param picture  the PNG that the script writes.
 std::string anatomyScript(const ToiAnatomy& anatomy, const std::string& picture);
 

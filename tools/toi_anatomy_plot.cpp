@@ -14,7 +14,7 @@ constexpr double kPi = 3.141592653589793;
 // Pixels.
 constexpr double kWidth = 1200;
 constexpr double kHeight = 1000;
-constexpr double kSceneTop = 0.94;     // of the height; the panels' edges
+constexpr double kSceneTop = 0.94;  // of the height; the panels' edges
 constexpr double kSceneBottom = 0.46;
 constexpr double kCurveTop = 0.395;
 constexpr double kCurveBottom = 0.075;
@@ -43,9 +43,7 @@ Outline outlineOf(const ToiPolygon& polygon) {
     for (int i = 0; i < polygon.count; ++i) {
         const double from = polygon.count > 1 ? normalAngle(i - 1) : 0;
         double turn = polygon.count > 1 ? normalAngle(i) - from : 2 * kPi;
-        if (turn < 0) {
-            turn += 2 * kPi;
-        }
+        if (turn < 0) { turn += 2 * kPi; }
         const int pieces = polygon.radius > 0 ? static_cast<int>(std::ceil(kArc * turn / kPi)) : 0;
         for (int j = 0; j <= pieces; ++j) {
             const double angle = from + (pieces > 0 ? turn * j / pieces : 0);
@@ -125,12 +123,8 @@ struct View {
                 const DVec2 to = outline[(i + 1) % outline.size()];
                 const double inFrom = side.sign * (from.*side.axis - side.limit);
                 const double inTo = side.sign * (to.*side.axis - side.limit);
-                if (inFrom >= 0) {
-                    kept.push_back(from);
-                }
-                if ((inFrom < 0) != (inTo < 0)) {
-                    kept.push_back(from + (inFrom / (inFrom - inTo)) * (to - from));
-                }
+                if (inFrom >= 0) { kept.push_back(from); }
+                if ((inFrom < 0) != (inTo < 0)) { kept.push_back(from + (inFrom / (inFrom - inTo)) * (to - from)); }
             }
             outline = kept;
         }
@@ -148,9 +142,7 @@ public:
         const auto isNear = [&](DVec2 other) {
             return std::fabs(other.x - place.x) < room_.x && std::fabs(other.y - place.y) < room_.y;
         };
-        if (std::any_of(taken_.begin(), taken_.end(), isNear)) {
-            return "";
-        }
+        if (std::any_of(taken_.begin(), taken_.end(), isNear)) { return ""; }
         taken_.push_back(place);
         const std::string tag = std::to_string(number);
         return "set label " + tag + " '" + tag + "' at " + text(place.x) + ',' + text(place.y) +
@@ -164,7 +156,8 @@ private:
 
 /// From blue at the start to red at the answer.
 std::string colourOf(std::size_t look, std::size_t last) {
-    constexpr std::array<std::array<double, 3>, 4> kStops{{{70, 130, 200}, {60, 165, 120}, {225, 150, 30}, {205, 40, 40}}};
+    constexpr std::array<std::array<double, 3>, 4> kStops{
+        {{70, 130, 200}, {60, 165, 120}, {225, 150, 30}, {205, 40, 40}}};
     const double place = last == 0 ? 3 : 3.0 * static_cast<double>(look) / static_cast<double>(last);
     const auto stop = std::min<std::size_t>(2, static_cast<std::size_t>(place));
     const double part = place - static_cast<double>(stop);
@@ -180,17 +173,13 @@ std::string colourOf(std::size_t look, std::size_t last) {
 
 std::string block(const std::string& name, const Outline& points) {
     std::string script = "$" + name + " << EOD\n";
-    for (const DVec2 p : points) {
-        script += text(p) + '\n';
-    }
+    for (const DVec2 p : points) { script += text(p) + '\n'; }
     return script + "EOD\n";
 }
 
 std::string block(const std::string& name, const std::vector<ToiAnatomy::Point>& points) {
     Outline pairs;
-    for (const ToiAnatomy::Point& p : points) {
-        pairs.push_back({p.fraction, p.separation});
-    }
+    for (const ToiAnatomy::Point& p : points) { pairs.push_back({p.fraction, p.separation}); }
     return block(name, pairs);
 }
 
@@ -251,9 +240,7 @@ std::string sceneOf(const ToiAnatomy& anatomy) {
     const std::size_t last = sights.size() - 1;
 
     std::vector<Outline> ghosts;
-    for (const Sight& sight : sights) {
-        ghosts.push_back(frame.place(rim, moving, sight.fraction));
-    }
+    for (const Sight& sight : sights) { ghosts.push_back(frame.place(rim, moving, sight.fraction)); }
     const Outline start = frame.place(rim, moving, 0);
     const Outline end = frame.place(rim, moving, q.settings.tMax);
     std::vector<Outline> shown = ghosts;
@@ -264,17 +251,20 @@ std::string sceneOf(const ToiAnatomy& anatomy) {
         const double fraction = q.settings.tMax * i / 200;
         path.push_back(frame.fromWorld(centerAt(moving, fraction), fraction));
     }
-    std::string script = panel(kSceneBottom, kSceneTop) + "unset key\nunset tics\nset clip two\nset border 15 lc rgb '#bbbbbb'\n";
+    std::string script =
+        panel(kSceneBottom, kSceneTop) + "unset key\nunset tics\nset clip two\nset border 15 lc rgb '#bbbbbb'\n";
     script += "set xrange [" + text(view.low.x) + ':' + text(view.high.x) + "]\nset yrange [" + text(view.low.y) + ':' +
               text(view.high.y) + "]\n";
     const Outline rest = frame.place(outlineOf(aRests ? q.a : q.b), resting, 0);
     script += block("resting", rest) + block("visible", view.clipped(rest)) + block("path", path);
-    std::string plot = "plot $visible with filledcurves closed fs solid fc rgb '#d9dde3' notitle, \\\n"
-                       "  $resting with lines lw 2 lc rgb '#59616b' notitle, \\\n"
-                       "  $path with lines dt 3 lw 1.5 lc rgb '#999999' notitle";
+    std::string plot =
+        "plot $visible with filledcurves closed fs solid fc rgb '#d9dde3' notitle, \\\n"
+        "  $resting with lines lw 2 lc rgb '#59616b' notitle, \\\n"
+        "  $path with lines dt 3 lw 1.5 lc rgb '#999999' notitle";
     script += block("start", start) + block("end", end);
-    plot += ", \\\n  $start with lines lw 1 dt 2 lc rgb '#999999' notitle, \\\n"
-            "  $end with lines lw 1 dt 2 lc rgb '#999999' notitle";
+    plot +=
+        ", \\\n  $start with lines lw 1 dt 2 lc rgb '#999999' notitle, \\\n"
+        "  $end with lines lw 1 dt 2 lc rgb '#999999' notitle";
     const double arm = 0.16 * view.height();
     for (std::size_t i = 0; i <= last; ++i) {
         const std::string id = std::to_string(i);
@@ -307,12 +297,8 @@ std::string curvesOf(const ToiAnatomy& anatomy) {
     const std::size_t last = sights.size() - 1;
     double highest = 0;
     double lowest = 0;
-    for (const Sight& sight : sights) {
-        highest = std::max(highest, sight.separation);
-    }
-    for (const ToiAnatomy::Point& p : anatomy.truth) {
-        lowest = std::min(lowest, p.separation);
-    }
+    for (const Sight& sight : sights) { highest = std::max(highest, sight.separation); }
+    for (const ToiAnatomy::Point& p : anatomy.truth) { lowest = std::min(lowest, p.separation); }
     const double low = std::max(lowest, -0.3 * highest) - 0.06 * highest;
     const double high = 1.12 * highest;
     std::string script = panel(kCurveBottom, kCurveTop) +
@@ -327,9 +313,7 @@ std::string curvesOf(const ToiAnatomy& anatomy) {
     script += block("truth", anatomy.truth);
     std::string plot = "plot $truth with lines lw 2.5 lc rgb '#222222' title 'separation'";
     Outline rug;
-    for (const double fraction : anatomy.plainLooks) {
-        rug.push_back({fraction, low + 0.035 * (high - low)});
-    }
+    for (const double fraction : anatomy.plainLooks) { rug.push_back({fraction, low + 0.035 * (high - low)}); }
     for (std::size_t i = 0; i < anatomy.looks.size(); ++i) {
         const std::string id = std::to_string(i);
         script += block("bound" + id, anatomy.looks[i].bound);
@@ -351,10 +335,11 @@ std::string curvesOf(const ToiAnatomy& anatomy) {
     }
     if (!rug.empty()) {
         script += block("rug", rug);
-        plot += ", \\\n  $rug with points pt 2 ps 0.5 lc rgb '#8a8a8a' title '" +
-                std::to_string(rug.size() + 1) + " looks of conservative advancement'";
+        plot += ", \\\n  $rug with points pt 2 ps 0.5 lc rgb '#8a8a8a' title '" + std::to_string(rug.size() + 1) +
+                " looks of conservative advancement'";
     }
-    return script + plot + ", \\\n  NaN with boxes fs solid 0.35 noborder fc rgb '#f2b84b' title 'target ± tolerance'\n";
+    return script + plot +
+           ", \\\n  NaN with boxes fs solid 0.35 noborder fc rgb '#f2b84b' title 'target ± tolerance'\n";
 }
 
 }  // namespace
@@ -363,14 +348,12 @@ std::string anatomyScript(const ToiAnatomy& anatomy, const std::string& picture)
     const Toi& answer = anatomy.answer;
     const std::size_t looks = anatomy.looks.size() + 1;
     std::string quoted;
-    for (const char c : picture) {
-        quoted += c == '\'' ? std::string("''") : std::string(1, c);
-    }
+    for (const char c : picture) { quoted += c == '\'' ? std::string("''") : std::string(1, c); }
     return "set terminal pngcairo size " + text(kWidth) + ',' + text(kHeight) +
            " font 'sans,12' background rgb 'white'\nset output '" + quoted + "'\nset encoding utf8\nset multiplot\n" +
            "set label 100 '" + wordFor(answer.state) + " at " + roundedText(answer.fraction, 6) + ", after " +
-           std::to_string(looks) + (looks == 1 ? " look" : " looks") +
-           "' at screen 0.5,0.968 center font ',15'\n" + sceneOf(anatomy) + curvesOf(anatomy) + "unset multiplot\n";
+           std::to_string(looks) + (looks == 1 ? " look" : " looks") + "' at screen 0.5,0.968 center font ',15'\n" +
+           sceneOf(anatomy) + curvesOf(anatomy) + "unset multiplot\n";
 }
 
 }  // namespace swept

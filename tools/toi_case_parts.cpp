@@ -79,9 +79,7 @@ ToiPolygon randomPolygon(Dice& dice, double size, double aspect, int low, int hi
         polygon.vertices[static_cast<std::size_t>(i)] =
             center + rotated({size * std::cos(angle), size * aspect * std::sin(angle)}, tilt);
     }
-    if (polygon.count == 1 || chance(dice, 0.4)) {
-        polygon.radius = size * dice.range(0.01, 0.5);
-    }
+    if (polygon.count == 1 || chance(dice, 0.4)) { polygon.radius = size * dice.range(0.01, 0.5); }
     return polygon;
 }
 
@@ -112,9 +110,7 @@ ToiPolygon withCutCorner(Dice& dice, ToiPolygon polygon, double ratio) {
     // The corner becomes vertices 0 and 1, the others follow.
     cut.vertices[0] = at(corner) + ratio * (at(corner - 1) - at(corner));
     cut.vertices[1] = at(corner) + ratio * (at(corner + 1) - at(corner));
-    for (int i = 1; i < polygon.count; ++i) {
-        cut.vertices[static_cast<std::size_t>(i + 1)] = at(corner + i);
-    }
+    for (int i = 1; i < polygon.count; ++i) { cut.vertices[static_cast<std::size_t>(i + 1)] = at(corner + i); }
     return cut;
 }
 
@@ -133,9 +129,7 @@ void approach(Dice& dice, ToiQuery& query, double sizeA, double sizeB, const App
 
 void turnScene(ToiQuery& query, double angle) {
     for (Sweep* sweep : {&query.sweepA, &query.sweepB}) {
-        for (DVec2* v : {&sweep->c0, &sweep->c1, &sweep->k}) {
-            *v = rotated(*v, angle);
-        }
+        for (DVec2* v : {&sweep->c0, &sweep->c1, &sweep->k}) { *v = rotated(*v, angle); }
         sweep->a0 += angle;
         sweep->a1 += angle;
     }

@@ -48,9 +48,7 @@ ToiQuery spin(Dice& dice) {
 void presentPlane(Dice& dice, ToiQuery& q) {
     turnScene(q, dice.range(0, kTurn));
     drift(q, dice.range(0, 2) * direction(dice));
-    if (chance(dice, 0.5)) {
-        swapBodies(q);
-    }
+    if (chance(dice, 0.5)) { swapBodies(q); }
 }
 
 ToiQuery caWorst(Dice& dice) {
@@ -66,9 +64,7 @@ ToiQuery caWorst(Dice& dice) {
     q.b.vertices[2] = {near * std::cos(other), near * std::sin(other)};
     q.sweepB.c0 = q.sweepB.c1 = {dice.range(-0.5, 0.5), logRange(dice, 2e-3, 0.1)};
     q.sweepB.a1 = -dice.range(0.3, 1.1) * (lowest + 0.5);
-    if (chance(dice, 0.3)) {
-        q.sweepB.c1.y += dice.range(-0.02, 0.1);
-    }
+    if (chance(dice, 0.3)) { q.sweepB.c1.y += dice.range(-0.02, 0.1); }
     presentPlane(dice, q);
     return q;
 }
@@ -80,12 +76,8 @@ ToiQuery sliver(Dice& dice) {
 ToiQuery tinyHuge(Dice& dice) {
     const Sizes sizes{logRange(dice, 10, 1e4), logRange(dice, 1e-4, 1e-1)};
     ToiQuery q = pairOf(dice, sizes, {.distance = 1.2, .travel = chance(dice, 0.5) ? 1 : 0.1});
-    if (chance(dice, 0.5)) {
-        startAt(q, sizes.b * logRange(dice, 1e-1, 1e2));
-    }
-    if (chance(dice, 0.5)) {
-        swapBodies(q);
-    }
+    if (chance(dice, 0.5)) { startAt(q, sizes.b * logRange(dice, 1e-1, 1e2)); }
+    if (chance(dice, 0.5)) { swapBodies(q); }
     return q;
 }
 
@@ -118,9 +110,7 @@ ToiQuery touch(Dice& dice) {
     startAt(q, chance(dice, 0.3) ? 0 : sign(dice) * sizes.b * logRange(dice, 1e-12, 1e-6));
     q.settings = defaultToiSettings(q.a, q.b);
     const double below = separationAtFraction(q, 0) - 2 * q.settings.tolerance;
-    if (chance(dice, 0.5) && below + q.a.radius + q.b.radius >= 0) {
-        q.settings.target = below;
-    }
+    if (chance(dice, 0.5) && below + q.a.radius + q.b.radius >= 0) { q.settings.target = below; }
     return q;
 }
 
@@ -137,16 +127,12 @@ ToiQuery faceFace(Dice& dice) {
     const DVec2 half{dice.range(0.1, 1), dice.range(0.05, 1)};
     q.a = box({0, -1}, {dice.range(0.5, 10), 1});
     q.b = box({}, half);
-    if (chance(dice, 0.3)) {
-        q.b.radius = half.y * dice.range(0.01, 0.5);
-    }
+    if (chance(dice, 0.3)) { q.b.radius = half.y * dice.range(0.01, 0.5); }
     q.sweepB.c0 = {dice.range(-2, 2), half.y + q.b.radius + half.y * logRange(dice, 1e-2, 3)};
     q.sweepB.c1 = q.sweepB.c0 + DVec2{dice.range(-1, 1), -half.y * dice.range(0, 4)};
     const double turn = chance(dice, 0.5) ? 0 : sign(dice) * logRange(dice, 1e-8, 1e-2);
     q.sweepB.a1 = turn;
-    if (chance(dice, 0.5)) {
-        q.sweepA.a1 = chance(dice, 0.5) ? turn : sign(dice) * logRange(dice, 1e-8, 1e-2);
-    }
+    if (chance(dice, 0.5)) { q.sweepA.a1 = chance(dice, 0.5) ? turn : sign(dice) * logRange(dice, 1e-8, 1e-2); }
     presentPlane(dice, q);
     return q;
 }
@@ -180,9 +166,7 @@ ToiQuery dip(Dice& dice) {
         q.sweepB.c0 = q.sweepB.c1 = {dice.range(-0.3, 0.3), reach - depth};
         q.sweepB.a0 = -swing * dice.range(0.3, 0.7);
         q.sweepB.a1 = q.sweepB.a0 + swing;
-        if (chance(dice, 0.5)) {
-            std::swap(q.sweepB.a0, q.sweepB.a1);
-        }
+        if (chance(dice, 0.5)) { std::swap(q.sweepB.a0, q.sweepB.a1); }
     }
     presentPlane(dice, q);
     return q;
@@ -190,9 +174,7 @@ ToiQuery dip(Dice& dice) {
 
 ToiQuery bothTurning(Dice& dice) {
     ToiQuery q = pairOf(dice, usualSizes(dice), {.distance = 1.4, .travel = 1.5, .turns = 0});
-    for (Sweep* sweep : {&q.sweepA, &q.sweepB}) {
-        sweep->a1 = sweep->a0 + sign(dice) * kTurn * dice.range(0.1, 1);
-    }
+    for (Sweep* sweep : {&q.sweepA, &q.sweepB}) { sweep->a1 = sweep->a0 + sign(dice) * kTurn * dice.range(0.1, 1); }
     return q;
 }
 
@@ -320,22 +302,14 @@ ToiQuery makeToiCase(ToiFamily family, std::uint64_t seed, std::uint64_t index) 
     Dice dice(seed * 0xD1342543DE82EF95U + index * 0xAF251AF3B0F025B5U +
               static_cast<std::uint64_t>(family) * 0x9E6C63D0876A9A63U);
     ToiQuery q = make(family, dice);
-    if (!(q.settings.tolerance > 0)) {
-        q.settings = defaultToiSettings(q.a, q.b);
-    }
-    if (chance(dice, 0.1)) {
-        q.settings.tMax = dice.range(0.1, 1);
-    }
+    if (!(q.settings.tolerance > 0)) { q.settings = defaultToiSettings(q.a, q.b); }
+    if (chance(dice, 0.1)) { q.settings.tMax = dice.range(0.1, 1); }
     if (chance(dice, 0.3)) {  // down to a millionth of the extent, where double can resolve it
         const double usual = q.settings.tolerance;
         q.settings.tolerance = usual * logRange(dice, 1.0 / 256, 1);
-        if (!isAccepted(q)) {
-            q.settings.tolerance = usual;
-        }
+        if (!isAccepted(q)) { q.settings.tolerance = usual; }
     }
-    while (!isAccepted(q) && q.settings.tolerance < q.settings.target) {
-        q.settings.tolerance *= 2;
-    }
+    while (!isAccepted(q) && q.settings.tolerance < q.settings.target) { q.settings.tolerance *= 2; }
     return q;
 }
 

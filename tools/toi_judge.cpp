@@ -50,12 +50,8 @@ ToiJudgement judgeOverlap(const MovingPair& pair, const ToiQuery& query, const T
     const Interval core = pair.coreSeparationAt(0);
     const double room = 0.25 * query.settings.tolerance;
     const bool said = answer.state == ToiState::overlapped;
-    if (said && answer.fraction != 0) {
-        return {ToiVerdict::wrongReport, 0, answer.fraction, 0};
-    }
-    if (said ? core.above(room) : core.below(-room)) {
-        return {ToiVerdict::falseOverlap, core.magnitude(), 0, 0};
-    }
+    if (said && answer.fraction != 0) { return {ToiVerdict::wrongReport, 0, answer.fraction, 0}; }
+    if (said ? core.above(room) : core.below(-room)) { return {ToiVerdict::falseOverlap, core.magnitude(), 0, 0}; }
     const bool sure = said ? core.hi <= room : core.lo >= -room;
     return {sure ? ToiVerdict::right : ToiVerdict::undecided, 0, 0, 0};
 }
@@ -63,64 +59,44 @@ ToiJudgement judgeOverlap(const MovingPair& pair, const ToiQuery& query, const T
 ToiJudgement judgeHitSeparation(const MovingPair& pair, const ToiQuery& query, const Toi& answer) {
     const Interval there = pair.separationAt(answer.fraction);
     const double most = highest(query.settings);
-    if (there.above(most)) {
-        return {ToiVerdict::early, there.lo - most, answer.fraction, 0};
-    }
+    if (there.above(most)) { return {ToiVerdict::early, there.lo - most, answer.fraction, 0}; }
     return {there.hi <= most ? ToiVerdict::right : ToiVerdict::undecided, 0, answer.fraction, 0};
 }
 
 /// What a world coordinate of the answer may be off by: some roundings at the distance from the origin.
 double coordinateRoom(const ToiQuery& q) {
     double largest = 0;
-    for (const Sweep* s : {&q.sweepA, &q.sweepB}) {
-        largest += length(s->c0) + length(s->c1) + length(s->k);
-    }
+    for (const Sweep* s : {&q.sweepA, &q.sweepB}) { largest += length(s->c0) + length(s->c1) + length(s->k); }
     return 8 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 bool reportIsTrue(const MovingPair& pair, const ToiQuery& query, const Toi& answer) {
     const double room = 0.25 * query.settings.tolerance;
     const Interval there = pair.separationAt(answer.fraction);
-    if (!(there.lo - room <= answer.separation && answer.separation <= there.hi + room)) {
-        return false;
-    }
-    if (!(std::fabs(length(answer.normal) - 1) < 1e-14)) {
-        return false;
-    }
+    if (!(there.lo - room <= answer.separation && answer.separation <= there.hi + room)) { return false; }
+    if (!(std::fabs(length(answer.normal) - 1) < 1e-14)) { return false; }
     if (!(pair.gapAt(answer.fraction, {answer.normal.x, answer.normal.y}) >= answer.separation - room)) {
         return false;
     }
-    if (answer.state == ToiState::overlapped) {
-        return true;
-    }
+    if (answer.state == ToiState::overlapped) { return true; }
     const DVec2 wrong = (answer.pointB - answer.pointA) - answer.separation * answer.normal;
     return length(wrong) <= room + coordinateRoom(query);
 }
 
 bool isWithinTheSweep(const ToiQuery& query, const Toi& answer) {
-    if (answer.state == ToiState::separated) {
-        return answer.fraction == query.settings.tMax;
-    }
+    if (answer.state == ToiState::separated) { return answer.fraction == query.settings.tMax; }
     return answer.fraction >= 0 && answer.fraction <= query.settings.tMax;
 }
 
 ToiJudgement judgeEvent(const MovingPair& pair, const ToiQuery& query, const Toi& answer) {
-    if (answer.state == ToiState::failed) {
-        return {ToiVerdict::failed, 0, answer.fraction, 0};
-    }
-    if (!isWithinTheSweep(query, answer)) {
-        return {ToiVerdict::wrongReport, 0, answer.fraction, 0};
-    }
+    if (answer.state == ToiState::failed) { return {ToiVerdict::failed, 0, answer.fraction, 0}; }
+    if (!isWithinTheSweep(query, answer)) { return {ToiVerdict::wrongReport, 0, answer.fraction, 0}; }
     const ToiJudgement overlap = judgeOverlap(pair, query, answer);
-    if (overlap.verdict != ToiVerdict::right || answer.state == ToiState::overlapped) {
-        return overlap;
-    }
+    if (overlap.verdict != ToiVerdict::right || answer.state == ToiState::overlapped) { return overlap; }
     if (answer.state == ToiState::hit) {
         const ToiJudgement there = judgeHitSeparation(pair, query, answer);
         // A hit at the start may be as deep as it likes.
-        if (there.verdict != ToiVerdict::right || answer.fraction == 0) {
-            return there;
-        }
+        if (there.verdict != ToiVerdict::right || answer.fraction == 0) { return there; }
     }
     return judgeTheWay(pair, query, answer);
 }

@@ -36,8 +36,9 @@ ToiJudgement judgeToi(const ToiQuery& query, const Toi& answer);
 /// The same without a look at the reported separation, normal and witness points: for methods that have their own.
 ToiJudgement judgeToiEvent(const ToiQuery& query, const Toi& answer);
 
-/// Rotations as (cosine, sine) at both ends of a sweep, for bodies that do not turn at a constant rate: between the ends
-/// the two are mixed linearly and normalised. That is less than half a turn, slow at the ends and fast in the middle.
+/// Rotations as (cosine, sine) at both ends of a sweep, for bodies that do not turn at a constant rate: between the
+/// ends the two are mixed linearly and normalised. That is less than half a turn, slow at the ends and fast in the
+/// middle.
 struct MixedTurns {
     DVec2 fromA;
     DVec2 toA;

@@ -34,9 +34,7 @@ void append(std::string& text, const Sweep& sweep) {
 void append(std::string& text, const ToiPolygon& polygon, const Sweep& sweep) {
     text += "{\"vertices\": [";
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
-        if (i > 0) {
-            text += ", ";
-        }
+        if (i > 0) { text += ", "; }
         append(text, polygon.vertices[i]);
     }
     text += "], \"radius\": ";

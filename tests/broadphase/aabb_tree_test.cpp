@@ -64,18 +64,12 @@ TEST_P(Tree, IsSoundAfterEveryCall) {
                 ASSERT_EQ(tree.node(leaves[at]).box, box);
                 ASSERT_TRUE(tree.node(leaves[at]).moved);
             } else {
-                for (const NodeIndex leaf : leaves) {
-                    tree.clearMoved(leaf);
-                }
-                if (!leaves.empty()) {
-                    ASSERT_FALSE(tree.node(tree.root()).moved);
-                }
+                for (const NodeIndex leaf : leaves) { tree.clearMoved(leaf); }
+                if (!leaves.empty()) { ASSERT_FALSE(tree.node(tree.root()).moved); }
             }
         }
         expectSound(tree, leaves.size());
-        if (HasFailure()) {
-            FAIL() << GetParam() << " call " << i;
-        }
+        if (HasFailure()) { FAIL() << GetParam() << " call " << i; }
     }
 }
 

@@ -11,9 +11,7 @@ std::atomic<std::uint64_t> allocations = 0;
 
 void* counted(std::size_t size) {
     ++allocations;
-    if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
-        return memory;
-    }
+    if (void* const memory = std::malloc(size == 0 ? 1 : size)) { return memory; }
     throw std::bad_alloc();
 }
 }  // namespace
@@ -54,18 +52,14 @@ void playRound(Broadphase& broadphase, const std::vector<Aabb>& boxes, std::vect
         broadphase.ray({-50, -50}, {100, 100}, 1, [](ProxyId, Real limit) { return limit; });
         broadphase.sweep(boxes[0], {10, 10}, 1, [](ProxyId, Real limit) { return limit; });
     }
-    for (std::uint32_t i = 0; i < count; ++i) {
-        (void)broadphase.remove(static_cast<ProxyId>((i * 7) % count));
-    }
+    for (std::uint32_t i = 0; i < count; ++i) { (void)broadphase.remove(static_cast<ProxyId>((i * 7) % count)); }
 }
 
 TEST(Allocation, HappensOnlyUntilWarm) {
     for (const BroadphaseKind kind : kEveryKind) {
         Random random(3);
         std::vector<Aabb> boxes;
-        for (int i = 0; i < 500; ++i) {
-            boxes.push_back(randomBox(Family::scattered, random));
-        }
+        for (int i = 0; i < 500; ++i) { boxes.push_back(randomBox(Family::scattered, random)); }
         const auto broadphase = makeBroadphase(kind);
         std::vector<ProxyPair> pairs;
         const std::uint64_t cold = allocations;

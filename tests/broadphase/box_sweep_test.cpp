@@ -53,9 +53,7 @@ TEST(BoxSweep, MeetsEveryBoxAroundABoxItMeets) {
                           static_cast<double>(target.lower.y) - static_cast<double>(moving.lower.y)};
         const BoxSweep sweep = BoxSweep::ofBox(moving, by);
         const double touch = sweep.firstTouch(inner, 1);
-        if (touch == BoxSweep::kNever) {
-            continue;
-        }
+        if (touch == BoxSweep::kNever) { continue; }
         ++met;
         ASSERT_LE(sweep.firstTouch(outer, 1), touch) << "case " << i;
     }

@@ -41,13 +41,9 @@ TEST(ConcurrentQueries, SeeTheSameAsOneThread) {
         for (std::uint64_t& mine : seen) {
             threads.emplace_back([&] { mine = askEverything(*broadphase, boxes); });
         }
-        for (std::thread& thread : threads) {
-            thread.join();
-        }
+        for (std::thread& thread : threads) { thread.join(); }
         EXPECT_GT(expected, 1000U);
-        for (const std::uint64_t each : seen) {
-            EXPECT_EQ(each, expected);
-        }
+        for (const std::uint64_t each : seen) { EXPECT_EQ(each, expected); }
         EXPECT_EQ(broadphase->counters().boxTests, 5 * testsOfOne) << "no test is lost from the count";
     }
 }

@@ -17,19 +17,26 @@
 namespace swept::test {
 
 /// Every implementation by itself; `automatic` is one of them.
-inline constexpr BroadphaseKind kEveryKind[] = {
-    BroadphaseKind::allPairs, BroadphaseKind::sortAndSweep, BroadphaseKind::quadtree,
-    BroadphaseKind::grid,     BroadphaseKind::bvh,          BroadphaseKind::wideBvh};
+inline constexpr BroadphaseKind kEveryKind[] = {BroadphaseKind::allPairs, BroadphaseKind::sortAndSweep,
+                                                BroadphaseKind::quadtree, BroadphaseKind::grid,
+                                                BroadphaseKind::bvh,      BroadphaseKind::wideBvh};
 
 inline std::string nameOf(BroadphaseKind kind) {
     switch (kind) {
-        case BroadphaseKind::automatic: return "automatic";
-        case BroadphaseKind::allPairs: return "allPairs";
-        case BroadphaseKind::sortAndSweep: return "sortAndSweep";
-        case BroadphaseKind::quadtree: return "quadtree";
-        case BroadphaseKind::grid: return "grid";
-        case BroadphaseKind::bvh: return "bvh";
-        case BroadphaseKind::wideBvh: return "wideBvh";
+        case BroadphaseKind::automatic:
+            return "automatic";
+        case BroadphaseKind::allPairs:
+            return "allPairs";
+        case BroadphaseKind::sortAndSweep:
+            return "sortAndSweep";
+        case BroadphaseKind::quadtree:
+            return "quadtree";
+        case BroadphaseKind::grid:
+            return "grid";
+        case BroadphaseKind::bvh:
+            return "bvh";
+        case BroadphaseKind::wideBvh:
+            return "wideBvh";
     }
     return "";
 }
@@ -51,15 +58,11 @@ public:
 
     std::uint32_t insert(const Aabb& box, ProxyKind kind) {
         std::uint32_t slot = 0;
-        while (proxies_.count(slot) != 0) {
-            ++slot;
-        }
+        while (proxies_.count(slot) != 0) { ++slot; }
         proxies_[slot] = {box, kind};
         return slot;
     }
-    void move(std::uint32_t slot, const Aabb& box) {
-        proxies_[slot].box = box;
-    }
+    void move(std::uint32_t slot, const Aabb& box) { proxies_[slot].box = box; }
     void renew(std::uint32_t slot) { proxies_[slot].known.reset(); }
     void remove(std::uint32_t slot) { proxies_.erase(slot); }
     std::vector<ProxyPair> pairs() {
@@ -71,17 +74,13 @@ public:
                 found.push_back({static_cast<ProxyId>(a), static_cast<ProxyId>(b)});
             }
         }
-        for (auto& [slot, proxy] : proxies_) {
-            proxy.known = proxy.box;
-        }
+        for (auto& [slot, proxy] : proxies_) { proxy.known = proxy.box; }
         return found;
     }
     std::set<std::uint32_t> overlapping(const Aabb& box) const {
         std::set<std::uint32_t> found;
         for (const auto& [slot, proxy] : proxies_) {
-            if (touching(box, proxy.box)) {
-                found.insert(slot);
-            }
+            if (touching(box, proxy.box)) { found.insert(slot); }
         }
         return found;
     }

@@ -37,9 +37,7 @@ void randomCall(Family family, Random& random, Model& model, std::vector<std::un
     } else if (choice < 0.45) {
         const std::uint32_t slot = anySlot(model, random);
         model.remove(slot);
-        for (const auto& broadphase : all) {
-            ASSERT_TRUE(broadphase->remove(static_cast<ProxyId>(slot)).ok());
-        }
+        for (const auto& broadphase : all) { ASSERT_TRUE(broadphase->remove(static_cast<ProxyId>(slot)).ok()); }
     } else if (choice < 0.5) {
         const std::uint32_t slot = anySlot(model, random);
         model.renew(slot);
@@ -70,9 +68,7 @@ TEST_P(Pairs, AreThoseOfTheModelAfterAnyProgram) {
             const std::uint32_t calls = random.chance(0.3) ? below(random, 80) : below(random, 8);
             for (std::uint32_t call = 0; call < calls; ++call) {
                 randomCall(GetParam(), random, model, all);
-                if (HasFatalFailure()) {
-                    FAIL() << "seed " << seed << " round " << round;
-                }
+                if (HasFatalFailure()) { FAIL() << "seed " << seed << " round " << round; }
             }
             const std::vector<ProxyPair> expected = model.pairs();
             found += expected.size();
@@ -113,15 +109,11 @@ TEST(PairsOfManyProxies, AreTheSameInTheSameOrder) {
                 ASSERT_TRUE(broadphase->move(static_cast<ProxyId>(i), boxes[i]).ok());
             }
         }
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            all[i]->pairs(pairs[i]);
-        }
+        for (std::size_t i = 0; i < all.size(); ++i) { all[i]->pairs(pairs[i]); }
         ASSERT_TRUE(std::is_sorted(pairs[0].begin(), pairs[0].end()));
         ASSERT_TRUE(std::adjacent_find(pairs[0].begin(), pairs[0].end()) == pairs[0].end());
         for (std::size_t i = 1; i < all.size(); ++i) { ASSERT_EQ(pairs[i], pairs[0]) << i << " round " << round; }
-        if (stride == 1) {
-            EXPECT_GT(pairs[0].size(), kCount / 8);
-        }
+        if (stride == 1) { EXPECT_GT(pairs[0].size(), kCount / 8); }
     }
     for (std::size_t i = 1; i < all.size(); ++i) {
         EXPECT_LT(4 * all[i]->counters().boxTests, all[0]->counters().boxTests) << i << " does not prune";
@@ -131,18 +123,14 @@ TEST(PairsOfManyProxies, AreTheSameInTheSameOrder) {
 TEST(Pairs, DoNotDependOnHowTheTreeCameAbout) {
     Random random(7);
     std::vector<Aabb> boxes;
-    for (int i = 0; i < 300; ++i) {
-        boxes.push_back(randomBox(Family::mixedSizes, random));
-    }
+    for (int i = 0; i < 300; ++i) { boxes.push_back(randomBox(Family::mixedSizes, random)); }
     const auto direct = makeBroadphase(BroadphaseKind::bvh);
     const auto detour = makeBroadphase(BroadphaseKind::bvh);
     for (const Aabb& box : boxes) {
         ASSERT_TRUE(direct->insert(box, ProxyKind::dynamic).ok());
         ASSERT_TRUE(detour->insert(randomBox(Family::scattered, random), ProxyKind::dynamic).ok());
     }
-    for (std::size_t i = boxes.size(); i-- > 0;) {
-        ASSERT_TRUE(detour->move(static_cast<ProxyId>(i), boxes[i]).ok());
-    }
+    for (std::size_t i = boxes.size(); i-- > 0;) { ASSERT_TRUE(detour->move(static_cast<ProxyId>(i), boxes[i]).ok()); }
     std::vector<ProxyPair> a;
     std::vector<ProxyPair> b;
     direct->pairs(a);

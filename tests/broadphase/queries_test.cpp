@@ -13,9 +13,7 @@ long double firstTouch(const Aabb& moving, DVec2 by, const Aabb& other) {
     const auto clip = [&](long double lower, long double upper, long double speed, long double otherLower,
                           long double otherUpper) {
         if (speed == 0) {
-            if (otherLower > upper || lower > otherUpper) {
-                enter = infinity;
-            }
+            if (otherLower > upper || lower > otherUpper) { enter = infinity; }
             return;
         }
         const long double t0 = (otherLower - upper) / speed;
@@ -150,15 +148,9 @@ TEST_P(Queries, OfRaysAndSweepsFindWhatIsMet) {
         const Aabb to = randomBox(GetParam(), random);
         DVec2 by = {static_cast<double>(to.lower.x) - static_cast<double>(from.lower.x),
                     static_cast<double>(to.lower.y) - static_cast<double>(from.lower.y)};
-        if (i % 8 == 0) {
-            by.x = 0;
-        }
-        if (i % 8 == 1) {
-            by.y = 0;
-        }
-        if (i % 16 == 0) {
-            by.y = 0;
-        }
+        if (i % 8 == 0) { by.x = 0; }
+        if (i % 8 == 1) { by.y = 0; }
+        if (i % 16 == 0) { by.y = 0; }
         const Real limit = i % 3 == 0 ? Real(1) : static_cast<Real>(random.uniform());
         const Aabb point = {from.lower, from.lower};
         const auto ray = [&](const Broadphase& broadphase) {
@@ -175,9 +167,7 @@ TEST_P(Queries, OfRaysAndSweepsFindWhatIsMet) {
         }
         expectMatches(all, onRay, point, by, limit);
         expectMatches(all, onSweep, from, by, limit);
-        if (HasFatalFailure()) {
-            FAIL() << GetParam() << " case " << i;
-        }
+        if (HasFatalFailure()) { FAIL() << GetParam() << " case " << i; }
         found += onRay.size() + onSweep.size();
     }
     EXPECT_GT(found, 200U);
@@ -198,9 +188,7 @@ TEST_P(Queries, OfRaysShortenedByTheVisitorEndAtTheNearest) {
             Real best = 2;
             broadphase->sweep(from, by, 1, [&](ProxyId id, Real limit) {
                 const auto t = static_cast<Real>(firstTouch(from, by, broadphase->box(id)));
-                if (t <= limit) {
-                    best = std::min(best, t);
-                }
+                if (t <= limit) { best = std::min(best, t); }
                 return std::min(limit, t);
             });
             if (nearest <= 1) {

@@ -77,12 +77,8 @@ TEST_P(Refusal, IsNotNeededForTheLargestFiniteBoxes) {
     Model model;
     for (int i = 0; i < 60; ++i) {
         Aabb box = randomBox(Family::mixedSizes, random);
-        if (i % 5 == 0) {
-            box = {{-most, -most}, {most, most}};
-        }
-        if (i % 5 == 1) {
-            box = {{most, -most}, {most, most}};
-        }
+        if (i % 5 == 0) { box = {{-most, -most}, {most, most}}; }
+        if (i % 5 == 1) { box = {{most, -most}, {most, most}}; }
         model.insert(box, ProxyKind::dynamic);
         ASSERT_TRUE(broadphase_->insert(box, ProxyKind::dynamic).ok());
     }

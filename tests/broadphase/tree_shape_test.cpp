@@ -21,9 +21,7 @@ double relativeCost(const AabbTree& tree) {
     while (!open.empty()) {
         const TreeNode& node = tree.node(open.back());
         open.pop_back();
-        if (node.isLeaf()) {
-            continue;
-        }
+        if (node.isLeaf()) { continue; }
         sum += static_cast<double>(perimeter(node.box));
         open.insert(open.end(), node.child.begin(), node.child.end());
     }
@@ -46,18 +44,14 @@ TEST(TreeShape, StaysLowOverARowInOrder) {
     // The order in which levels are written: the worst for a tree without rotations.
     AabbTree tree;
     constexpr std::size_t kCount = 4096;
-    for (std::uint32_t i = 0; i < kCount; ++i) {
-        tree.insert(boxAround(i, 0, 0.5, 0.5), i, true);
-    }
+    for (std::uint32_t i = 0; i < kCount; ++i) { tree.insert(boxAround(i, 0, 0.5, 0.5), i, true); }
     EXPECT_LE(heightOf(tree), 2 * leastHeight(kCount));
 }
 
 TEST(TreeShape, IsBalancedWhereAllBoxesAreTheSame) {
     AabbTree tree;
     constexpr std::size_t kCount = 4096;
-    for (std::uint32_t i = 0; i < kCount; ++i) {
-        tree.insert(boxAround(3, 4, 1, 1), i, true);
-    }
+    for (std::uint32_t i = 0; i < kCount; ++i) { tree.insert(boxAround(3, 4, 1, 1), i, true); }
     EXPECT_LE(heightOf(tree), leastHeight(kCount) * 3 / 2);
 }
 
@@ -85,9 +79,7 @@ TEST(TreeShape, DoesNotDecayWhileEverythingMoves) {
         leaves.push_back(drifted.insert(boxes.back(), i, true));
     }
     std::vector<DVec2> velocity;
-    for (std::size_t i = 0; i < kCount; ++i) {
-        velocity.push_back({random.range(-1, 1), random.range(-1, 1)});
-    }
+    for (std::size_t i = 0; i < kCount; ++i) { velocity.push_back({random.range(-1, 1), random.range(-1, 1)}); }
     for (int step = 0; step < 200; ++step) {
         for (std::size_t i = 0; i < kCount; ++i) {
             const DVec2 by = velocity[i];
@@ -98,9 +90,7 @@ TEST(TreeShape, DoesNotDecayWhileEverythingMoves) {
         }
     }
     AabbTree fresh;
-    for (std::uint32_t i = 0; i < kCount; ++i) {
-        fresh.insert(boxes[i], i, true);
-    }
+    for (std::uint32_t i = 0; i < kCount; ++i) { fresh.insert(boxes[i], i, true); }
     EXPECT_LE(relativeCost(drifted), 1.3 * relativeCost(fresh));
     EXPECT_LE(heightOf(drifted), 2 * leastHeight(kCount) + 4);
 }

@@ -27,9 +27,7 @@ struct Drop {
         for (int i = 0; i < 60'000 && static_cast<int>(result.size()) < count; ++i) {
             must(world.step(kStep));
             const double now = velocityOf(world, ball).y;
-            if (before < 0 && now > 0) {
-                result.push_back(apex());
-            }
+            if (before < 0 && now > 0) { result.push_back(apex()); }
             before = now;
         }
         return result;
@@ -42,9 +40,7 @@ TEST(Bounce, ElasticBallKeepsItsHeight) {
         const std::vector<double> apexes = drop.apexes(10);
         ASSERT_EQ(apexes.size(), 10U) << height;
         double worst = 0;
-        for (const double apex : apexes) {
-            worst = std::max(worst, std::abs(apex / height - 1));
-        }
+        for (const double apex : apexes) { worst = std::max(worst, std::abs(apex / height - 1)); }
         expectAtMost("apex from " + std::to_string(height) + " m", worst, 1e-4);
     }
 }
@@ -71,8 +67,8 @@ TEST(Bounce, ElasticBallKeepsItsTime) {
             const double y = kRadius + height - 0.5 * kGravity * t * t;
             worst = std::max(worst, std::abs(drop.world.position(drop.ball).y - y));
         }
-        // The ball turns at its target, a few hundred-thousandths of its diameter above the floor: that far early, once a
-        // bounce, at full speed.
+        // The ball turns at its target, a few hundred-thousandths of its diameter above the floor: that far early, once
+        // a bounce, at full speed.
         const double bounces = 10 / (2 * fall);
         expectAtMost("height from " + std::to_string(height) + " m", worst, 3 * bounces * 2 * kRadius / 8192);
     }
@@ -111,8 +107,8 @@ TEST(Bounce, ElasticBallKeepsHeightAndTimeFrom197Heights) {
     expectAtMost("time of a bounce", late, 1e-4);
 }
 
-/// As long as it approaches faster than what gravity gives it in two steps: a quarter of the height remains, and each bounce
-/// comes at its time.
+/// As long as it approaches faster than what gravity gives it in two steps: a quarter of the height remains, and each
+/// bounce comes at its time.
 TEST(Bounce, HalfElasticBallKeepsAQuarterFrom197Heights) {
     double worst = 0;
     double late = 0;
@@ -195,12 +191,8 @@ struct PingPong {
     void step() {
         double x = world.position(ball).x;
         must(world.step(kStep));
-        for (const ContactEvent& event : world.contactEvents()) {
-            hits += event.type == ContactEventType::hit ? 1 : 0;
-        }
-        for (const LostTimeEntry& entry : world.lostTime()) {
-            lost += entry.seconds;
-        }
+        for (const ContactEvent& event : world.contactEvents()) { hits += event.type == ContactEventType::hit ? 1 : 0; }
+        for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
         for (const ImpactPose& pose : world.impactPoses()) {
             way += std::abs(pose.position.x - x);
             x = pose.position.x;
@@ -213,9 +205,7 @@ struct PingPong {
 TEST(Bounce, BallBetweenWallsHitsOnTime) {
     for (const double speed : {5.0, 20.0, 60.0, 200.0, 1000.0}) {
         PingPong scene(speed, ContinuousMode::subStep);
-        for (int i = 0; i < 600; ++i) {
-            scene.step();
-        }
+        for (int i = 0; i < 600; ++i) { scene.step(); }
         const std::string name = std::to_string(speed) + " m/s: ";
         const double expected = std::floor((10 * speed - (5 - kRadius - 0.37)) / (10 - 2 * kRadius)) + 1;
         expectAtMost(name + "hits", std::abs(scene.hits - expected), 0.005 * expected);
@@ -229,9 +219,7 @@ TEST(Bounce, BallBetweenWallsHitsOnTime) {
 TEST(Bounce, StopEntersTheLostTime) {
     for (const double speed : {10.0, 100.0, 300.0}) {
         PingPong scene(speed, ContinuousMode::stop);
-        for (int i = 0; i < 600; ++i) {
-            scene.step();
-        }
+        for (int i = 0; i < 600; ++i) { scene.step(); }
         const std::string name = std::to_string(speed) + " m/s: ";
         expectAtMost(name + "time unaccounted for", std::abs(scene.way / speed + scene.lost - 10), 1e-6);
         EXPECT_GT(scene.lost, 0.01) << name << "nothing was lost, so nothing was tested";

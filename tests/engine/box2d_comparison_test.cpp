@@ -28,9 +28,7 @@ double slidInBox2d(double speed, double friction) {
     fixture.density = 1;
     b2Body* body = world.CreateBody(&def);
     body->CreateFixture(&fixture);
-    for (int i = 0; i < 300; ++i) {
-        world.Step(static_cast<float>(kStep), 8, 3);
-    }
+    for (int i = 0; i < 300; ++i) { world.Step(static_cast<float>(kStep), 8, 3); }
     return static_cast<double>(body->GetPosition().x);
 }
 

@@ -39,9 +39,7 @@ public:
         addStatic(world_, boxOf(20), material(0.6), {0, -20 * scale.length});
         for (int row = 0; row < kRows; ++row) {
             const int columns = kRows + 1 - row;
-            for (int i = 0; i < columns; ++i) {
-                addBox({i - 0.5 * (columns - 1), row + 0.5}, 1);
-            }
+            for (int i = 0; i < columns; ++i) { addBox({i - 0.5 * (columns - 1), row + 0.5}, 1); }
         }
     }
 
@@ -127,9 +125,9 @@ TEST(Budget, FarInsideItCostsLikeNone) {
     const double budget = 0.0125;
     const Outcome chosen = Pyramid(withPenetration(budget)).play();
     expectAtMost("penetration", chosen.worst, budget);
-    // Most of the time it rests, which costs the least there is with and without budget. A limit of 1 was luck: what is left
-    // is the time from the blow to rest, and how long a pyramid rocks on its edges, rounding decides (up to 1.08 in both
-    // precisions, as overlaps of a millionth were told from none here or there).
+    // Most of the time it rests, which costs the least there is with and without budget. A limit of 1 was luck: what is
+    // left is the time from the blow to rest, and how long a pyramid rocks on its edges, rounding decides (up to 1.08
+    // in both precisions, as overlaps of a millionth were told from none here or there).
     expectAtMost("cost beside the profile's", costBeside(chosen, usual), 1.1);
 }
 
@@ -175,16 +173,12 @@ Outcome playRope(const WorldSettings& settings) {
         join(last, link, end);
         end += 2.0 * along;
         last = link;
-        if (i == kLinks / 2) {
-            middle = link;
-        }
+        if (i == kLinks / 2) { middle = link; }
     }
     join(last, must(world.createBody(bodyAt(BodyType::fixed, end))), end);
     Outcome outcome;
     for (int i = 0; i < 4 * static_cast<int>(kRate); ++i) {
-        if (i >= 60 && i < 90) {
-            must(world.applyForce(middle, vec(0, -60), world.position(middle)));
-        }
+        if (i >= 60 && i < 90) { must(world.applyForce(middle, vec(0, -60), world.position(middle))); }
         must(world.step(kStep));
         outcome.count(world);
         for (const JointId id : joints) {
@@ -230,15 +224,11 @@ struct Rattle {
         settings.maxImpacts = 2;
         settings.maxLostTime = maxLostTime;
         World world = makeWorld(settings);
-        for (const double side : {-1.0, 1.0}) {
-            addStatic(world, box(0.5, 5), material(0, 1), {side * 0.65, 0});
-        }
+        for (const double side : {-1.0, 1.0}) { addStatic(world, box(0.5, 5), material(0, 1), {side * 0.65, 0}); }
         addBody(world, dynamicAt({0, 0}, vec(speed, 0)), circle(0.1), material(0, 1));
         for (int i = 0; i < 30; ++i) {
             must(world.step(kStep));
-            for (const LostTimeEntry& entry : world.lostTime()) {
-                lost += entry.seconds;
-            }
+            for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
             over += world.counters().overLostTime;
         }
     }

@@ -26,8 +26,8 @@ TEST(Bullets, NeverPassEachOtherHeadOn) {
                         addBody(world, bulletAt({-3, 0}, vec(speed, 0)), circle(0.1), material(0, restitution)),
                         addBody(world, right, circle(0.1), material(0, restitution))};
                     runFor(world, 0.5);
-                    const std::string name =
-                        "e " + std::to_string(restitution) + ", " + std::to_string(speed) + " m/s, " + std::to_string(i);
+                    const std::string name = "e " + std::to_string(restitution) + ", " + std::to_string(speed) +
+                                             " m/s, " + std::to_string(i);
                     EXPECT_LT(world.position(bodies[0]).x, world.position(bodies[1]).x) << name;
                     const double before = world.mass(bodies[0]) * speed * speed;
                     EXPECT_NEAR(energyOf(world, bodies, 0) / before, restitution, 1e-5) << name;
@@ -71,8 +71,8 @@ private:
 
 constexpr double kPlankHalf = 1;
 
-/// Whether the bullet got from one side of the plank's middle line to the other between its ends, and stayed there, in the last
-/// step. @pre both went straight from impact to impact
+/// Whether the bullet got from one side of the plank's middle line to the other between its ends, and stayed there, in
+/// the last step. @pre both went straight from impact to impact
 bool crosses(const Way& bullet, const Way& plank) {
     std::vector<double> moments;
     for (const Way* way : {&bullet, &plank}) {
@@ -106,8 +106,8 @@ struct Shot {
     double lost = 0;       ///< s
 };
 
-/// A bullet, and a plank that is free to move, and maybe comes towards it. Off its centre the plank begins to turn, and the bullet
-/// may get round its end.
+/// A bullet, and a plank that is free to move, and maybe comes towards it. Off its centre the plank begins to turn, and
+/// the bullet may get round its end.
 Shot shootAtPlank(double speed, double plankSpeed, double restitution, double aim, std::uint64_t seed) {
     World world = makeWorld(0);
     Random random(seed);
@@ -115,15 +115,17 @@ Shot shootAtPlank(double speed, double plankSpeed, double restitution, double ai
     def.angle = random.range(-0.3, 0.3);
     const BodyId plank = addBody(world, def, box(0.025, kPlankHalf), material(1, restitution));
     const double x = -1 - random.uniform() * speed * kStep;
-    const BodyId bullet = addBody(world, bulletAt({x, aim * random.range(-1, 1)}, vec(speed, 0)), circle(0.05),
-                                  material(1, restitution));
+    const BodyId bullet =
+        addBody(world, bulletAt({x, aim * random.range(-1, 1)}, vec(speed, 0)), circle(0.05), material(1, restitution));
     Shot shot;
     for (int i = 0; i < 4; ++i) {
         const Place bulletStart{0, world.position(bullet), world.angle(bullet)};
         const Place plankStart{0, world.position(plank), world.angle(plank)};
         must(world.step(kStep));
         for (const LostTimeEntry& entry : world.lostTime()) { shot.lost += entry.seconds; }
-        for (const ContactEvent& event : world.contactEvents()) { shot.met = shot.met || event.type == ContactEventType::hit; }
+        for (const ContactEvent& event : world.contactEvents()) {
+            shot.met = shot.met || event.type == ContactEventType::hit;
+        }
         const DVec2 offset = turned(world.position(bullet) - world.position(plank), -world.angle(plank));
         shot.behind = shot.behind || (offset.x > 0 && std::abs(offset.y) < kPlankHalf);
         shot.crossed = shot.crossed || crosses(Way(world, bullet, bulletStart), Way(world, plank, plankStart));
@@ -138,11 +140,13 @@ TEST(Bullets, NeverPassAPlank) {
             for (const double speed : {30.0, 100.0, 300.0, 3000.0}) {
                 double lost = 0;
                 for (std::uint64_t seed = 0; seed < 200; ++seed) {
-                    const std::string name = std::to_string(speed) + " m/s, plank at " + std::to_string(approach * speed) +
-                                             ", e " + std::to_string(restitution) + ", seed " + std::to_string(seed);
+                    const std::string name = std::to_string(speed) + " m/s, plank at " +
+                                             std::to_string(approach * speed) + ", e " + std::to_string(restitution) +
+                                             ", seed " + std::to_string(seed);
                     const Shot aside = shootAtPlank(speed, approach * speed, restitution, 0.7, seed);
                     EXPECT_TRUE(aside.met) << name;
-                    // Without restitution it rides on the plank to the end of a step: of that way only the ends are known.
+                    // Without restitution it rides on the plank to the end of a step: of that way only the ends are
+                    // known.
                     if (restitution > 0) { EXPECT_FALSE(aside.crossed) << name << ", aside"; }
                     behind += restitution > 0 && aside.behind ? 1 : 0;
                     const Shot centred = shootAtPlank(speed, approach * speed, restitution, 0, seed);
@@ -191,7 +195,9 @@ TEST(Bullets, AStackTakesTheBlow) {
         World world = makeWorld(settings);
         addStatic(world, segment(-20, 0, 50, 0), material(0.5));
         std::vector<BodyId> boxes;
-        for (int i = 0; i < 4; ++i) { boxes.push_back(addBody(world, dynamicAt({0, 0.25 + 0.5 * i}), box(0.25, 0.25))); }
+        for (int i = 0; i < 4; ++i) {
+            boxes.push_back(addBody(world, dynamicAt({0, 0.25 + 0.5 * i}), box(0.25, 0.25)));
+        }
         runFor(world, 3);
         const BodyId bullet = addBody(world, bulletAt({-1.5, 0.8}, vec(speed, 0)), circle(0.05), material(0.3, 0, 4));
         double front = -10;

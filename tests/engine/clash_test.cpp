@@ -80,9 +80,7 @@ TEST(Clash, DisksBounceAtTheirTime) {
         }
         int hits = 0;
         for (const ContactEvent& event : world.contactEvents()) {
-            if (event.type != ContactEventType::hit) {
-                continue;
-            }
+            if (event.type != ContactEventType::hit) { continue; }
             ++hits;
             time = std::max(time, std::abs(event.fraction * kStep - disks.timeOfImpact()));
         }
@@ -150,9 +148,7 @@ TEST(Clash, PairsKeepWhatIsToBeKept) {
                 const double turnBefore = angularMomentumOf(pair.world, pair.bodies);
                 const double scale = std::sqrt(2 * energy * pair.world.mass(pair.bodies[0]));
                 must(pair.world.step(kStep));
-                if (pair.world.counters().clashes == 0) {
-                    continue;
-                }
+                if (pair.world.counters().clashes == 0) { continue; }
                 ++clashes;
                 ASSERT_TRUE(pair.world.lostTime().empty());
                 overlap = std::max(overlap, pair.overlap());
@@ -177,8 +173,8 @@ TEST(Clash, PairsKeepWhatIsToBeKept) {
     EXPECT_GT(clashes, 1000) << "too few to prove anything";
 }
 
-/// A ball between two plates that close on it bounces ever faster: more than a clash may take. The solver does it then, from
-/// the start of the step, and nothing is told twice.
+/// A ball between two plates that close on it bounces ever faster: more than a clash may take. The solver does it then,
+/// from the start of the step, and nothing is told twice.
 TEST(Clash, WhatBouncesTooOftenIsForTheSolver) {
     World world = makeWorld(0);
     const ShapeDef surface = material(0, 0.9);
@@ -194,9 +190,7 @@ TEST(Clash, WhatBouncesTooOftenIsForTheSolver) {
     EXPECT_GT(world.counters().bodySubSteps, 0U);
     std::vector<double> hits;
     for (const ContactEvent& event : world.contactEvents()) {
-        if (event.type == ContactEventType::hit) {
-            hits.push_back(event.fraction);
-        }
+        if (event.type == ContactEventType::hit) { hits.push_back(event.fraction); }
     }
     EXPECT_LE(hits.size(), 2U * 16U) << "one a contact and part of the step";
     run(world, 60);

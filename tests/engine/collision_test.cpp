@@ -68,9 +68,7 @@ TEST(Collision, OpenClusterKeepsItsMomenta) {
     }
     const double speed = 3;  // typical
     double mass = 0;
-    for (const BodyId body : all) {
-        mass += world.mass(body);
-    }
+    for (const BodyId body : all) { mass += world.mass(body); }
     const DVec2 momentum = momentumOf(world, all);
     const double spin = angularMomentumOf(world, all);
     run(world, 300);
@@ -82,9 +80,7 @@ TEST(Collision, RowOfTouchingBallsPassesTheImpactOn) {
     for (const double speed : {1.0, 5.0, 8.0}) {
         Balls balls;
         balls.add({-1.4, 0}, {speed, 0});
-        for (int i = 0; i < 4; ++i) {
-            balls.add({static_cast<double>(i), 0}, {0, 0});
-        }
+        for (int i = 0; i < 4; ++i) { balls.add({static_cast<double>(i), 0}, {0, 0}); }
         runFor(balls.world, 1.2 / speed);
         const std::string name = std::to_string(speed) + " m/s: ";
         expectAtMost(name + "last", 1 - velocityOf(balls.world, balls.all[4]).x / speed, 0.01);
@@ -124,7 +120,8 @@ TEST(Collision, CradleOnRodsSwings) {
     expectAtMost("gaps of 1 cm", std::abs(cradleRatio(0.01) - 1), 5e-3);
 }
 
-/// Four redundant points: with one relaxation pass half of these starts left the wall with up to a quarter of the speed.
+/// Four redundant points: with one relaxation pass half of these starts left the wall with up to a quarter of the
+/// speed.
 TEST(Collision, PlasticBoxStaysAtAWallOfFlushPieces) {
     constexpr double kSpeed = 4;
     for (int start = 0; start < 20; ++start) {

@@ -17,9 +17,7 @@ class BackwardTasks final : public TaskSystem {
 public:
     int workerCount() const override { return 4; }
     void run(std::size_t count, std::size_t, FunctionRef<void(std::size_t, std::size_t, int)> body) override {
-        for (std::size_t i = count; i > 0; --i) {
-            body(i - 1, i, 0);
-        }
+        for (std::size_t i = count; i > 0; --i) { body(i - 1, i, 0); }
     }
 };
 
@@ -33,9 +31,7 @@ std::vector<std::uint64_t> chainOfLoops(TaskSystem& loops, int rounds) {
     for (int round = 0; round < rounds; ++round) {
         const std::size_t grain = 1 + static_cast<std::size_t>(round % 70);
         loops.run(kCount, grain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t i = begin; i < end; ++i) {
-                next[i] = 3 * now[(i * 7 + 1) % kCount] + now[kCount - 1 - i];
-            }
+            for (std::size_t i = begin; i < end; ++i) { next[i] = 3 * now[(i * 7 + 1) % kCount] + now[kCount - 1 - i]; }
         });
         now.swap(next);
     }
@@ -101,9 +97,7 @@ TEST(Crew, MoreBlocksThanATicketHolds) {
     std::vector<std::uint8_t> visits(300'000);
     crew.lead(tasks, [&] {
         crew.run(visits.size(), 1, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t i = begin; i < end; ++i) {
-                ++visits[i];
-            }
+            for (std::size_t i = begin; i < end; ++i) { ++visits[i]; }
         });
     });
     EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), static_cast<std::ptrdiff_t>(visits.size()));

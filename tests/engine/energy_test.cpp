@@ -48,9 +48,7 @@ struct Growth {
 
 Growth watch(Crowd crowd) {
     Growth growth;
-    for (const BodyId body : crowd.bodies) {
-        growth.kinetic += kineticEnergy(crowd.world, body);
-    }
+    for (const BodyId body : crowd.bodies) { growth.kinetic += kineticEnergy(crowd.world, body); }
     const double start = crowd.energy();
     double lowest = start;
     for (int i = 0; i < 300; ++i) {
@@ -81,9 +79,7 @@ void expectNoGrowth(double gravity, double speed, std::uint64_t seed, double wor
             expectAtMost(name + "above start", growth.aboveStart / growth.kinetic, 1e-5);
             expectAtMost(name + "above lowest", growth.aboveLowest / growth.kinetic, worstLimit);
             EXPECT_FALSE(growth.escaped) << name;
-            if (restitution < 1) {
-                EXPECT_GT(growth.lost, 0.1 * growth.kinetic) << name << "too few collisions";
-            }
+            if (restitution < 1) { EXPECT_GT(growth.lost, 0.1 * growth.kinetic) << name << "too few collisions"; }
             sum += growth.aboveLowest / growth.kinetic;
             ++count;
         }
@@ -102,7 +98,8 @@ TEST(Energy, NeverGrowsUnderGravity) {
     expectNoGrowth(kGravity, 3, 4, 0.05, 0.005);
 }
 
-/// A square that turns, between four walls, no gravity: J at the end and largest growth, as parts of the energy at the start.
+/// A square that turns, between four walls, no gravity: J at the end and largest growth, as parts of the energy at the
+/// start.
 struct Rattle {
     double end = 1;
     double growth = 0;
@@ -118,7 +115,8 @@ struct Rattle {
         Random random(seed);
         const double aim = random.range(0, 2 * kPi);
         const Vec2 velocity = vec(speed * std::cos(aim), speed * std::sin(aim));
-        const BodyId square = addBody(world, dynamicAt({0.3, 0.1}, velocity, random.range(-10, 10)), box(0.5, 0.5), surface);
+        const BodyId square =
+            addBody(world, dynamicAt({0.3, 0.1}, velocity, random.range(-10, 10)), box(0.5, 0.5), surface);
         const double before = kineticEnergy(world, square);
         double lowest = before;
         for (int i = 0; i < 2000 && impacts < 1000; ++i) {

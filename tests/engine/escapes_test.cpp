@@ -3,7 +3,8 @@
 #include "../support/random.h"
 #include "world_support.h"
 
-/// Everything that is shot at walls, terrain, wedges and grooves, a thousand times each, at 10 … 10 000 m/s and up to 500 rad/s.
+/// Everything that is shot at walls, terrain, wedges and grooves, a thousand times each, at 10 … 10 000 m/s and up to
+/// 500 rad/s.
 
 namespace swept::test {
 namespace {
@@ -18,10 +19,8 @@ struct Projectile {
 };
 
 std::vector<Projectile> projectiles() {
-    return {{"circle", circle(0.1)},
-            {"square", box(0.1, 0.1)},
-            {"bar", box(0.25, 0.005)},
-            {"capsule", capsule(0.5, 0.05)}};
+    return {
+        {"circle", circle(0.1)}, {"square", box(0.1, 0.1)}, {"bar", box(0.25, 0.005)}, {"capsule", capsule(0.5, 0.05)}};
 }
 
 struct Volley {
@@ -121,10 +120,10 @@ TEST(Escapes, WedgesAndGrooves) {
                     const DVec2 direction{std::cos(aim), std::sin(aim)};
                     volley.shoot(projectile, {-way * direction.x, -0.2 * way * direction.y}, speed * direction, random);
                 }
-                const int escaped = volley.escapedAfter(120, [half](DVec2 p) {
-                    return p.x >= 0 || std::abs(p.y) >= -p.x * std::tan(half);
-                });
-                volley.expectKept(nameOf((std::to_string(degrees) + " degrees").c_str(), projectile, speed), escaped, 120);
+                const int escaped = volley.escapedAfter(
+                    120, [half](DVec2 p) { return p.x >= 0 || std::abs(p.y) >= -p.x * std::tan(half); });
+                volley.expectKept(nameOf((std::to_string(degrees) + " degrees").c_str(), projectile, speed), escaped,
+                                  120);
             }
         }
     }
@@ -141,7 +140,8 @@ TEST(Escapes, StormOfAThousand) {
     for (int i = 0; i < 1000; ++i) {
         const double aim = random.range(0, 2 * kPi);
         const DVec2 place{-19 + 38.0 * (i % 32) / 31, -19 + 38.0 * (i / 32) / 31};
-        bodies.push_back(addBody(world, dynamicAt(place, vec(50 * std::cos(aim), 50 * std::sin(aim)), random.range(-20, 20)),
+        bodies.push_back(addBody(world,
+                                 dynamicAt(place, vec(50 * std::cos(aim), 50 * std::sin(aim)), random.range(-20, 20)),
                                  i % 2 == 0 ? box(0.1, 0.1) : circle(0.1), material(0, 1)));
     }
     const double before = energyOf(world, bodies, 0);

@@ -22,8 +22,7 @@ public:
     void listen(const World& world) {
         for (const ContactEvent& event : world.contactEvents()) {
             if (event.type == ContactEventType::hit) { continue; }
-            const bool begins =
-                event.type == ContactEventType::begin || event.type == ContactEventType::sensorBegin;
+            const bool begins = event.type == ContactEventType::begin || event.type == ContactEventType::sensorBegin;
             if (begins) {
                 EXPECT_TRUE(touching_.insert(pairOf(event)).second) << "began twice";
                 ++begins_;
@@ -44,9 +43,7 @@ private:
 };
 
 void expectSorted(const World& world) {
-    const auto key = [](const ContactEvent& e) {
-        return std::tuple(e.fraction, e.shapeA.index, e.shapeB.index);
-    };
+    const auto key = [](const ContactEvent& e) { return std::tuple(e.fraction, e.shapeA.index, e.shapeB.index); };
     const auto events = world.contactEvents();
     for (std::size_t i = 1; i < events.size(); ++i) { EXPECT_LE(key(events[i - 1]), key(events[i])); }
     for (const ContactEvent& event : events) {
@@ -69,8 +66,8 @@ World bouncingWorld(std::vector<BodyId>& bodies) {
     for (int i = 0; i < 24; ++i) {
         const DVec2 place{random.range(-4, 4), random.range(3, 8)};
         const Polygon shape = i % 2 == 0 ? circle(random.range(0.1, 0.4)) : box(random.range(0.1, 0.4), 0.3);
-        bodies.push_back(addBody(world, dynamicAt(place, vec(random.range(-8, 8), random.range(-8, 8))), shape,
-                                 material(0.4, 0.6)));
+        bodies.push_back(
+            addBody(world, dynamicAt(place, vec(random.range(-8, 8), random.range(-8, 8))), shape, material(0.4, 0.6)));
     }
     return world;
 }
@@ -116,7 +113,8 @@ TEST(Events, HitOfAFlyerIsThatOfTheClosedForm) {
             ++hits;
             EXPECT_NEAR(static_cast<double>(event.approachSpeed), speed, 1e-3 * speed);
             EXPECT_NEAR((step - 1 + event.fraction) * kStep, time, 1e-4 * time);
-            EXPECT_NEAR(static_cast<double>(event.impulse), 1.5 * world.mass(ball) * speed, 2e-3 * world.mass(ball) * speed);
+            EXPECT_NEAR(static_cast<double>(event.impulse), 1.5 * world.mass(ball) * speed,
+                        2e-3 * world.mass(ball) * speed);
             EXPECT_NEAR(static_cast<double>(event.normal.y), 1, 1e-6) << "from the floor to the ball";
             EXPECT_EQ(event.bodyB, ball);
             EXPECT_NEAR(event.point.y, 1, 1e-3);
@@ -190,7 +188,8 @@ bool collides(Filter a, Filter b, bool joined, bool collideConnected) {
     const BodyId body = addBody(world, dynamicAt({0, 1.6}), circle(0.5), ball);
     if (joined) {
         DistanceJointDef def{.base = {.bodyA = ground, .bodyB = body, .collideConnected = collideConnected},
-                             .anchorA = {0, 0}, .anchorB = {0, 1.6}};
+                             .anchorA = {0, 0},
+                             .anchorB = {0, 1.6}};
         def.limits = LengthLimits{0, 100};
         must(world.createJoint(def));
     }
@@ -289,8 +288,8 @@ TEST(Waking, JointedPartnerIsWoken) {
     const BodyId a = addBody(world, dynamicAt({0, 4}), circle(0.25));
     const BodyId b = addBody(world, dynamicAt({0, 3}), circle(0.25));
     const auto rod = [&world](BodyId upper, BodyId lower, double y) {
-        must(world.createJoint(DistanceJointDef{
-            .base = {.bodyA = upper, .bodyB = lower}, .anchorA = {0, y + 1}, .anchorB = {0, y}}));
+        must(world.createJoint(
+            DistanceJointDef{.base = {.bodyA = upper, .bodyB = lower}, .anchorA = {0, y + 1}, .anchorB = {0, y}}));
     };
     rod(hook, a, 4);
     rod(a, b, 3);

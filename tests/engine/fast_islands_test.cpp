@@ -74,9 +74,9 @@ struct Ragdoll {
     Ragdoll(World& world, DVec2 place, DVec2 velocity, double restitution, double spin) {
         const ShapeDef surface = material(0.3, restitution);
         const auto add = [&](double x, double y, const Polygon& polygon) {
-            bodies.push_back(addBody(
-                world, dynamicAt({place.x + x, place.y + y}, toReal(velocity + spin * DVec2{-y, x}), spin), polygon,
-                surface));
+            bodies.push_back(
+                addBody(world, dynamicAt({place.x + x, place.y + y}, toReal(velocity + spin * DVec2{-y, x}), spin),
+                        polygon, surface));
             return bodies.back();
         };
         const auto limb = [](double half, double radius) {
@@ -133,8 +133,8 @@ TEST(FastIslands, ARagdollStaysTogetherAndOnItsSideOfAWall) {
     }
 }
 
-/// What a joint mends of its error in a short part of the step, and what a contact starts from after one, must not be energy:
-/// it was, and some of these shots had up to 2.7 times as much after a step as before.
+/// What a joint mends of its error in a short part of the step, and what a contact starts from after one, must not be
+/// energy: it was, and some of these shots had up to 2.7 times as much after a step as before.
 TEST(FastIslands, ARagdollGainsNoEnergyAtAWall) {
     Random random(9);
     double worst = 0;
@@ -145,9 +145,7 @@ TEST(FastIslands, ARagdollGainsNoEnergyAtAWall) {
         const double aim = random.range(-0.5, 0.5);
         const Ragdoll doll(world, {-way, 0}, 30.0 * DVec2{std::cos(aim), std::sin(aim)}, 0.5, random.range(-10, 10));
         double kinetic = 0;
-        for (const BodyId body : doll.bodies) {
-            kinetic += kineticEnergy(world, body);
-        }
+        for (const BodyId body : doll.bodies) { kinetic += kineticEnergy(world, body); }
         double lowest = energyOf(world, doll.bodies, kGravity);
         for (int step = 0; step < 20; ++step) {
             must(world.step(kStep));
@@ -186,9 +184,9 @@ TEST(FastIslands, AStackSlidesOverSeams) {
                 const std::string which = name + std::to_string(i);
                 EXPECT_NEAR(velocityOf(world, boxes[i]).x / speed, 1, 1e-3) << which;
                 // It leans by 5 mm at 20 m/s (4.97 to 5.01: a limit of 5 mm was no limit but the number itself), on a
-                // floor of one piece by 0.06 mm: the lowest box falls behind by some 60 µm at each seam that it passes, less with
-                // shorter sub-steps (8, 16, 32, 64 of them: 18.6, 5.0, 0.9, 0.2 mm). What is held at a seam is left behind by
-                // metres.
+                // floor of one piece by 0.06 mm: the lowest box falls behind by some 60 µm at each seam that it passes,
+                // less with shorter sub-steps (8, 16, 32, 64 of them: 18.6, 5.0, 0.9, 0.2 mm). What is held at a seam
+                // is left behind by metres.
                 EXPECT_NEAR(world.position(boxes[i]).x - world.position(boxes[0]).x, 0, 0.006) << which;
                 EXPECT_NEAR(world.position(boxes[i]).y, 0.5 + static_cast<double>(i), 0.002) << which;
             }
@@ -203,9 +201,7 @@ TEST(FastIslands, ShotLosesNoTime) {
             World world = makeWorld();
             const ShapeDef surface = material(0.6, restitution);
             addStatic(world, box(100, 0.5), surface, {0, -0.5});
-            for (const double wall : {-20.0, 8.0}) {
-                addStatic(world, segment(wall, -1, wall, 200), surface);
-            }
+            for (const double wall : {-20.0, 8.0}) { addStatic(world, segment(wall, -1, wall, 200), surface); }
             std::vector<BodyId> bodies;
             for (int row = 0; row < 5; ++row) {
                 for (int k = 0; k < 5 - row; ++k) {
@@ -303,8 +299,8 @@ TEST(FastIslands, AMotorThatPressesLosesNoTime) {
     }
 }
 
-/// More than a thousand touching disks are thrown into a tray of thin walls: their island is too large to be tried part by
-/// part, yet nobody leaves, and no step costs much more than one in which nothing is fast.
+/// More than a thousand touching disks are thrown into a tray of thin walls: their island is too large to be tried part
+/// by part, yet nobody leaves, and no step costs much more than one in which nothing is fast.
 TEST(FastIslands, ALargePileCostsHardlyMoreThanItsStep) {
     constexpr int kSide = 35;
     World world = makeWorld(9.81);

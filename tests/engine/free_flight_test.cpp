@@ -109,8 +109,8 @@ TEST(FreeFlight, NoSpeedIsTooHigh) {
                     EXPECT_TRUE(world.lostTime().empty());
                     EXPECT_EQ(world.counters().speedsLimited + world.counters().speedsCapped, 0U);
                 }
-                const std::string name = "mode " + std::to_string(static_cast<int>(mode)) + ", " + std::to_string(speed) +
-                                         " m/s, " + std::to_string(spin) + " rad/s: ";
+                const std::string name = "mode " + std::to_string(static_cast<int>(mode)) + ", " +
+                                         std::to_string(speed) + " m/s, " + std::to_string(spin) + " rad/s: ";
                 EXPECT_EQ(velocityOf(world, bar), (DVec2{speed, 0})) << name;
                 EXPECT_EQ(spinOf(world, bar), spin) << name;
                 expectAtMost(name + "x", std::abs(world.centerOfMass(bar).x / speed - 1), 1e-13);

@@ -37,16 +37,12 @@ void addPiece(World& world, Ground ground, DVec2 p, DVec2 q) {
 void addFloor(World& world, Ground ground, int first, int last, double level = 0) {
     if (ground == Ground::chain) {
         std::vector<Vec2> points;  // ground is listed from right to left
-        for (int i = last; i >= first; --i) {
-            points.push_back(vec(i * kSpan, level));
-        }
+        for (int i = last; i >= first; --i) { points.push_back(vec(i * kSpan, level)); }
         const BodyId body = must(world.createBody(bodyAt(BodyType::fixed, {})));
         must(world.addChain(body, points, false, material(0)));
         return;
     }
-    for (int i = first; i < last; ++i) {
-        addPiece(world, ground, {i * kSpan, level}, {(i + 1) * kSpan, level});
-    }
+    for (int i = first; i < last; ++i) { addPiece(world, ground, {i * kSpan, level}, {(i + 1) * kSpan, level}); }
 }
 
 World worldIn(ContinuousMode mode) {
@@ -89,9 +85,7 @@ Ride ride(const Slider& slider, Ground ground, ContinuousMode mode, double speed
         result.change = std::max(result.change, std::abs(velocityOf(world, body).x / speed - 1));
         result.off = std::max(result.off, std::abs(world.position(body).y - slider.height));
         result.turn = std::max(result.turn, std::abs(world.angle(body)));
-        for (const LostTimeEntry& lost : world.lostTime()) {
-            result.waited += lost.seconds;
-        }
+        for (const LostTimeEntry& lost : world.lostTime()) { result.waited += lost.seconds; }
     }
     result.waited /= steps * kStep;
     result.arrived = world.position(body).x >= end;
@@ -278,9 +272,7 @@ double sinkOf(World& world, BodyId body, double left, double right, const Surfac
     for (int i = 0; i < 360; ++i) {
         must(world.step(kStep));
         const DVec2 p = world.position(body);
-        if (p.x > left && p.x < right) {
-            sink = std::max(sink, surface(p.x) - p.y);
-        }
+        if (p.x > left && p.x < right) { sink = std::max(sink, surface(p.x) - p.y); }
     }
     return sink;
 }
@@ -318,9 +310,7 @@ TEST(Ghosts, WhatIsDroppedOnASeamOrARidgeOrStairsStays) {
     for (const Ground ground : kLoose) {
         for (const ContinuousMode mode : kModes) {
             for (const Slider& slider : sliders()) {
-                for (const double drop : {0.0, 1.0, 50.0}) {
-                    expectHeld(ground, mode, slider, drop);
-                }
+                for (const double drop : {0.0, 1.0, 50.0}) { expectHeld(ground, mode, slider, drop); }
             }
         }
     }
@@ -361,12 +351,8 @@ TEST(Ghosts, SeparationAlongIsThatOfTheFarthestPoints) {
         };
         long double highest = -100;
         long double lowest = 100;
-        for (const Vec2 v : a.points()) {
-            highest = std::max(highest, along(poseA, v));
-        }
-        for (const Vec2 v : b.points()) {
-            lowest = std::min(lowest, along(poseB, v));
-        }
+        for (const Vec2 v : a.points()) { highest = std::max(highest, along(poseA, v)); }
+        for (const Vec2 v : b.points()) { lowest = std::min(lowest, along(poseB, v)); }
         const double radii = static_cast<double>(a.radius) + static_cast<double>(b.radius);
         ASSERT_NEAR(static_cast<double>(separationAlong(a, poseA, b, poseB, direction)),
                     static_cast<double>(lowest - highest) - radii, 64 * static_cast<double>(kEpsilon))

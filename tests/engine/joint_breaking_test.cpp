@@ -2,7 +2,8 @@
 
 #include "joint_support.h"
 
-/// Joints that break: each kind carries a load whose weight is known, holds at a little more, and breaks at a little less.
+/// Joints that break: each kind carries a load whose weight is known, holds at a little more, and breaks at a little
+/// less.
 
 namespace swept::test {
 namespace {
@@ -18,7 +19,8 @@ struct Bearer {
     BodyId load{};
     JointId joint{};
 
-    /// A box of one kilogram. @param x  of its centre: where that is not 0, the joint at the origin bears its torque too
+    /// A box of one kilogram. @param x  of its centre: where that is not 0, the joint at the origin bears its torque
+    /// too
     JointDef hang(double x) {
         load = addBody(world, dynamicAt({x, 0}), box(0.5, 0.5));
         return between(base, load);
@@ -40,18 +42,21 @@ void join(Bearer& bearer, Def def, std::optional<Real> force, std::optional<Real
 
 /// Kinds that do not let the load turn.
 std::vector<Kind> rigidKinds() {
-    return {{"weld", [](Bearer& b, double x, auto force, auto torque) {
+    return {{"weld",
+             [](Bearer& b, double x, auto force, auto torque) {
                  WeldJointDef def;
                  def.base = b.hang(x);
                  join(b, def, force, torque);
              }},
-            {"prismatic, across its axis", [](Bearer& b, double x, auto force, auto torque) {
+            {"prismatic, across its axis",
+             [](Bearer& b, double x, auto force, auto torque) {
                  PrismaticJointDef def;
                  def.base = b.hang(x);
                  def.axis = {1, 0};
                  join(b, def, force, torque);
              }},
-            {"revolute, at its limit", [](Bearer& b, double x, auto force, auto torque) {
+            {"revolute, at its limit",
+             [](Bearer& b, double x, auto force, auto torque) {
                  RevoluteJointDef def;
                  def.base = b.hang(x);
                  def.limits = AngleLimits{0, 0};
@@ -68,34 +73,39 @@ std::vector<Kind> rigidKinds() {
 
 /// Kinds that carry a weight below them.
 std::vector<Kind> carryingKinds() {
-    return {{"distance", [](Bearer& b, double x, auto force, auto torque) {
+    return {{"distance",
+             [](Bearer& b, double x, auto force, auto torque) {
                  DistanceJointDef def;
                  def.base = b.hang(x);
                  def.anchorA = {x, 2};
                  def.anchorB = {x, 0.5};
                  join(b, def, force, torque);
              }},
-            {"prismatic, by its motor", [](Bearer& b, double x, auto force, auto torque) {
+            {"prismatic, by its motor",
+             [](Bearer& b, double x, auto force, auto torque) {
                  PrismaticJointDef def;
                  def.base = b.hang(x);
                  def.axis = {0, 1};
                  def.motor = LinearMotor{0, 100};
                  join(b, def, force, torque);
              }},
-            {"motor", [](Bearer& b, double x, auto force, auto torque) {
+            {"motor",
+             [](Bearer& b, double x, auto force, auto torque) {
                  MotorJointDef def;
                  def.base = b.hang(x);
                  def.drive.maxForce = real(100);
                  def.drive.maxTorque = real(100);
                  join(b, def, force, torque);
              }},
-            {"mouse", [](Bearer& b, double x, auto force, auto torque) {
+            {"mouse",
+             [](Bearer& b, double x, auto force, auto torque) {
                  MouseJointDef def;
                  def.base = b.hang(x);
                  def.target = {x, 0};
                  join(b, def, force, torque);
              }},
-            {"pulley", [](Bearer& b, double x, auto force, auto torque) {
+            {"pulley",
+             [](Bearer& b, double x, auto force, auto torque) {
                  PulleyJointDef def;
                  def.base = b.hang(x);
                  def.base.bodyA = addBody(b.world, dynamicAt({x + 2, 0}), box(0.5, 0.5));
@@ -127,9 +137,7 @@ bool breaks(Bearer& bearer) {
     const std::uint32_t before = world.jointCount();
     for (int i = 0; i < 30; ++i) {
         must(world.step(kStep));
-        if (world.jointBreaks().empty()) {
-            continue;
-        }
+        if (world.jointBreaks().empty()) { continue; }
         EXPECT_EQ(world.jointBreaks().size(), 1U);
         EXPECT_EQ(world.jointBreaks()[0].joint, bearer.joint);
         EXPECT_EQ(world.jointBreaks()[0].bodyB, bearer.load);

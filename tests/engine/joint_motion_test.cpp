@@ -31,9 +31,7 @@ Swing watch(World& world, BodyId bob, JointId joint, double seconds) {
         const double now = offset();
         if (before * now < 0) {
             last = (i - now / (now - before)) * kStep;
-            if (crossings++ == 0) {
-                first = last;
-            }
+            if (crossings++ == 0) { first = last; }
         }
         before = now;
         swing.energyError = std::max(swing.energyError, std::abs(energy() - start) / range);
@@ -112,9 +110,7 @@ TEST(JointMotion, DoublePendulumKeepsItsEnergy) {
     for (int i = 0; i < 1800; ++i) {
         must(world.step(kStep));
         worst = std::max(worst, std::abs(energyOf(world, rods, kGravity)) / (world.mass(rods[0]) * kGravity * 2));
-        for (const JointId joint : joints) {
-            gap = std::max(gap, static_cast<double>(world.jointError(joint)));
-        }
+        for (const JointId joint : joints) { gap = std::max(gap, static_cast<double>(world.jointError(joint))); }
     }
     expectAtMost("energy / (m g 2 m)", worst, 0.02);
     expectAtMost("gap", gap, 1e-3);
@@ -141,9 +137,7 @@ TEST(JointMotion, SpringSwingsAtItsFrequency) {
             const double now = world.position(mass).x - 1;
             if (before * now < 0) {
                 last = (i - now / (now - before)) * kStep;
-                if (crossings++ == 0) {
-                    first = last;
-                }
+                if (crossings++ == 0) { first = last; }
             }
             before = now;
         }

@@ -11,18 +11,14 @@ void expectUsable(Vandal& vandal) {
     World& world = vandal.world();
     ASSERT_EQ(world.bodyCount(), vandal.livingBodies());
     for (const BodyId id : vandal.known().bodies) {
-        if (world.isValid(id)) {
-            must(world.destroyBody(id));
-        }
+        if (world.isValid(id)) { must(world.destroyBody(id)); }
     }
     EXPECT_EQ(world.bodyCount(), 0u);
     EXPECT_EQ(world.jointCount(), 0u);
     must(world.step(kStep));
     EXPECT_EQ(world.counters().contacts, 0u);
     EXPECT_EQ(world.counters().awakeBodies, 0u);
-    for (const ShapeId id : vandal.known().shapes) {
-        EXPECT_FALSE(world.isValid(id));
-    }
+    for (const ShapeId id : vandal.known().shapes) { EXPECT_FALSE(world.isValid(id)); }
     must(world.configure(awakeSettings()));
     addStatic(world, box(20, 1));
     const BodyId ball = addBody(world, dynamicAt({0, 4}), circle(0.5));
@@ -44,30 +40,20 @@ void vandalise(Sizes sizes, int seeds, int actions) {
         for (int i = 0; i < actions; ++i) {
             vandal.act();
             ASSERT_TRUE(vandal.allFinite()) << "seed " << seed << " action " << i;
-            if (testing::Test::HasFatalFailure()) {
-                FAIL() << "seed " << seed << " action " << i;
-            }
+            if (testing::Test::HasFatalFailure()) { FAIL() << "seed " << seed << " action " << i; }
         }
         expectUsable(vandal);
-        if (testing::Test::HasFailure()) {
-            FAIL() << "seed " << seed;
-        }
+        if (testing::Test::HasFailure()) { FAIL() << "seed " << seed; }
         refusals += vandal.refusals();
         calls += vandal.calls();
         broken += vandal.broken();
-        for (std::size_t type = 0; type < joined.size(); ++type) {
-            joined[type] += vandal.joined()[type];
-        }
-        for (std::size_t c = 0; c < codes.size(); ++c) {
-            codes[c] += vandal.codes()[c];
-        }
+        for (std::size_t type = 0; type < joined.size(); ++type) { joined[type] += vandal.joined()[type]; }
+        for (std::size_t c = 0; c < codes.size(); ++c) { codes[c] += vandal.codes()[c]; }
     }
     EXPECT_GT(refusals, calls / 5);
     EXPECT_GT(codes[0], calls / 5);
     EXPECT_GT(broken, 0);
-    for (std::size_t type = 0; type < joined.size(); ++type) {
-        EXPECT_GT(joined[type], 0) << "joint type " << type;
-    }
+    for (std::size_t type = 0; type < joined.size(); ++type) { EXPECT_GT(joined[type], 0) << "joint type " << type; }
     for (const StatusCode code :
          {StatusCode::notFinite, StatusCode::negative, StatusCode::notPositive, StatusCode::outOfRange,
           StatusCode::staleId, StatusCode::degenerate, StatusCode::notConvex, StatusCode::tooFewVertices,

@@ -12,9 +12,7 @@ inline void throwChain(SceneDescription& scene, const std::string& name, DVec2 f
     for (int i = 0; i < 5; ++i) {
         const std::string link = name + std::to_string(i);
         addDynamic(scene, link, from + DVec2{0.5 * i, 0}, {box({0.25, 0.1})}).velocity = velocity;
-        if (i > 0) {
-            hinge(scene, name + std::to_string(i - 1), link, from + DVec2{0.5 * i - 0.25, 0});
-        }
+        if (i > 0) { hinge(scene, name + std::to_string(i - 1), link, from + DVec2{0.5 * i - 0.25, 0}); }
     }
 }
 

@@ -54,8 +54,8 @@ struct Range {
         }
     }
     int escaped() const {
-        return static_cast<int>(std::count_if(shots.begin(), shots.end(),
-                                              [this](BodyId shot) { return world.centerOfMass(shot).x > 0; }));
+        return static_cast<int>(
+            std::count_if(shots.begin(), shots.end(), [this](BodyId shot) { return world.centerOfMass(shot).x > 0; }));
     }
 };
 
@@ -135,7 +135,8 @@ TEST(SpeedLimit, CutsOnce) {
     addStatic(world, box(0.01, 10), {}, {1e6, 0});
     Random random(5);
     for (int i = 0; i < 100; ++i) {
-        addBody(world, dynamicAt({3.0 * i, 0}, vec(random.range(100, 1000), random.range(-400, 400)), random.range(-99, 99)),
+        addBody(world,
+                dynamicAt({3.0 * i, 0}, vec(random.range(100, 1000), random.range(-400, 400)), random.range(-99, 99)),
                 box(0.3, 0.1));
     }
     run(world, 1);
@@ -151,7 +152,9 @@ TEST(SpeedLimit, LeavesTheSlowAlone) {
         World world = makeWorld(settingsOf(mode, kGravity));
         addStatic(world, box(10, 0.5));
         std::vector<BodyId> bodies;
-        for (int i = 0; i < 5; ++i) { bodies.push_back(addBody(world, dynamicAt({1.2 * i, 1.2}, {}, 1), box(0.5, 0.5))); }
+        for (int i = 0; i < 5; ++i) {
+            bodies.push_back(addBody(world, dynamicAt({1.2 * i, 1.2}, {}, 1), box(0.5, 0.5)));
+        }
         std::uint64_t capped = 0;
         for (int step = 0; step < 90; ++step) {
             run(world, 1);

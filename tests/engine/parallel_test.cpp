@@ -10,8 +10,8 @@
 #include "world_digest.h"
 #include "world_support.h"
 
-/// The same bits whoever does the work: one thread or several, in whatever chunks and whatever order. More of it in the long
-/// run (SWEPT_LONG).
+/// The same bits whoever does the work: one thread or several, in whatever chunks and whatever order. More of it in the
+/// long run (SWEPT_LONG).
 
 namespace swept::test {
 namespace {
@@ -39,8 +39,8 @@ void expectSameSteps(World& serial, World& parallel, const KnownIds& known, int 
     }
 }
 
-/// Every range one element long, in an order that no two loops share, handed to three workers in turn: all on one thread, so
-/// that what is found wrong here is found again.
+/// Every range one element long, in an order that no two loops share, handed to three workers in turn: all on one
+/// thread, so that what is found wrong here is found again.
 class ShuffledTasks final : public TaskSystem {
 public:
     int workerCount() const override { return kWorkers; }
@@ -158,7 +158,8 @@ struct Crowd {
         addStatic(world, box(1, 40), material(0.2, 1), {40, 0});
         Random random(21);
         for (int i = 0; i < 150; ++i) {
-            known.bodies.push_back(addBody(world, dynamicAt({-10 + 1.01 * (i % 20), 1.5 + 1.01 * (i / 20)}), box(0.5, 0.5)));
+            known.bodies.push_back(
+                addBody(world, dynamicAt({-10 + 1.01 * (i % 20), 1.5 + 1.01 * (i / 20)}), box(0.5, 0.5)));
         }
         for (int i = 0; i < 60; ++i) {
             const BodyDef def = dynamicAt({random.range(15, 35), random.range(2, 30)},
@@ -187,7 +188,8 @@ TEST(Parallel, AnyOrderOfTheSameWork) {
         Crowd shuffled(mode);
         ShuffledTasks tasks;
         shuffled.world.setTaskSystem(&tasks);
-        expectSameSteps(serial.world, shuffled.world, serial.known, kCrowdSteps, "mode " + std::to_string(static_cast<int>(mode)));
+        expectSameSteps(serial.world, shuffled.world, serial.known, kCrowdSteps,
+                        "mode " + std::to_string(static_cast<int>(mode)));
         EXPECT_GT(serial.world.counters().flyers, 10U) << "too few to prove anything";
     }
 }
@@ -237,13 +239,14 @@ TEST(Parallel, FlyersDoNotCareWhoWasMadeFirst) {
 }
 
 TEST(Parallel, EveryMode) {
-    for (const ContinuousMode mode : {ContinuousMode::off, ContinuousMode::speedLimit, ContinuousMode::speculative,
-                                      ContinuousMode::stop}) {
+    for (const ContinuousMode mode :
+         {ContinuousMode::off, ContinuousMode::speedLimit, ContinuousMode::speculative, ContinuousMode::stop}) {
         Crowd serial(mode);
         Crowd parallel(mode);
         ThreadTasks tasks(3);
         parallel.world.setTaskSystem(&tasks);
-        expectSameSteps(serial.world, parallel.world, serial.known, kCrowdSteps / 2, "mode " + std::to_string(static_cast<int>(mode)));
+        expectSameSteps(serial.world, parallel.world, serial.known, kCrowdSteps / 2,
+                        "mode " + std::to_string(static_cast<int>(mode)));
     }
 }
 

@@ -32,10 +32,14 @@ Polygon anyPolygon(Random& random) {
     const double b = random.range(0.1, 1);
     const double c = random.range(-1, 1);
     switch (kind) {
-        case 0: return circle(a);
-        case 1: return capsule(a, b / 2);
-        case 2: return must(makeBox(vec(a, b), {}, 3 * c, real(0.05)));
-        default: return segment(-a, c, b, -c);
+        case 0:
+            return circle(a);
+        case 1:
+            return capsule(a, b / 2);
+        case 2:
+            return must(makeBox(vec(a, b), {}, 3 * c, real(0.05)));
+        default:
+            return segment(-a, c, b, -c);
     }
 }
 
@@ -103,8 +107,7 @@ struct Scenery {
             if (!sees(query, item.def)) { continue; }
             for (const Polygon& part : item.parts) {
                 const WorldTransform frame = pose(item);
-                const RayCastHit hit =
-                    rayCast(part, applyInverse(frame, from), unrotate(frame.rotation, along), 1);
+                const RayCastHit hit = rayCast(part, applyInverse(frame, from), unrotate(frame.rotation, along), 1);
                 if (hit.hit && (!best || hit.fraction < *best)) { best = hit.fraction; }
             }
         }
@@ -144,7 +147,8 @@ TEST(Queries, RaysAgreeWithAWalkOverAllShapes) {
                 ASSERT_EQ(hit.hit, wanted.has_value()) << "seed " << seed << " ray " << i;
                 if (!hit.hit) { continue; }
                 ++hits;
-                ASSERT_NEAR(static_cast<double>(hit.fraction), static_cast<double>(*wanted), 16 * static_cast<double>(kEpsilon))
+                ASSERT_NEAR(static_cast<double>(hit.fraction), static_cast<double>(*wanted),
+                            16 * static_cast<double>(kEpsilon))
                     << "seed " << seed << " ray " << i;
                 ASSERT_TRUE(s.world.isValid(hit.shape));
                 ASSERT_EQ(s.world.bodyOf(hit.shape), hit.body);

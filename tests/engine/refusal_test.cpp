@@ -33,8 +33,8 @@ struct Stage {
         hinge = must(world.createJoint(RevoluteJointDef{.base = {.bodyA = cart, .bodyB = ball}, .anchor = {2, 3}}));
         goneBody = must(world.createBody({}));
         goneShape = must(world.addShape(goneBody, circle(1)));
-        goneJoint = must(world.createJoint(DistanceJointDef{
-            .base = {.bodyA = crate, .bodyB = ball}, .anchorA = {0, 1}, .anchorB = {2, 2}}));
+        goneJoint = must(world.createJoint(
+            DistanceJointDef{.base = {.bodyA = crate, .bodyB = ball}, .anchorA = {0, 1}, .anchorB = {2, 2}}));
         must(world.destroyJoint(goneJoint));
         must(world.destroyBody(goneBody));
         run(world, 10);
@@ -134,24 +134,47 @@ TEST(Refusal, CallsOnBodies) {
         {"stale destroy", [](Stage& s) { return s.world.destroyBody(s.goneBody); }, StatusCode::staleId, "body"},
         {"null destroy", [](Stage& s) { return s.world.destroyBody({}); }, StatusCode::staleId, "body"},
         {"stale pose", [](Stage& s) { return s.world.setPose(s.goneBody, {}, 0); }, StatusCode::staleId, "body"},
-        {"pose", [](Stage& s) { return s.world.setPose(s.crate, {0, kNanDouble}, 0); }, StatusCode::notFinite,
-         "position"},
-        {"pose angle", [](Stage& s) { return s.world.setPose(s.crate, {}, kNanDouble); }, StatusCode::notFinite, "angle"},
-        {"moving wall", [](Stage& s) { return s.world.setVelocity(s.ground, {}, 0); }, StatusCode::wrongBodyType, "body"},
-        {"velocity", [](Stage& s) { return s.world.setVelocity(s.ball, {kNan, 0}, 0); }, StatusCode::notFinite,
-         "velocity"},
+        {"pose",
+         [](Stage& s) {
+             return s.world.setPose(s.crate, {0, kNanDouble}, 0);
+         },
+         StatusCode::notFinite, "position"},
+        {"pose angle", [](Stage& s) { return s.world.setPose(s.crate, {}, kNanDouble); }, StatusCode::notFinite,
+         "angle"},
+        {"moving wall", [](Stage& s) { return s.world.setVelocity(s.ground, {}, 0); }, StatusCode::wrongBodyType,
+         "body"},
+        {"velocity",
+         [](Stage& s) {
+             return s.world.setVelocity(s.ball, {kNan, 0}, 0);
+         },
+         StatusCode::notFinite, "velocity"},
         {"spin", [](Stage& s) { return s.world.setVelocity(s.ball, {}, kInfinity); }, StatusCode::notFinite,
          "angularVelocity"},
-        {"pushed cart", [](Stage& s) { return s.world.applyForce(s.cart, {1, 0}, {}); }, StatusCode::wrongBodyType,
-         "body"},
-        {"force", [](Stage& s) { return s.world.applyForce(s.ball, {kNan, 0}, {}); }, StatusCode::notFinite, "force"},
-        {"point", [](Stage& s) { return s.world.applyForce(s.ball, {}, {kNanDouble, 0}); }, StatusCode::notFinite,
-         "point"},
+        {"pushed cart",
+         [](Stage& s) {
+             return s.world.applyForce(s.cart, {1, 0}, {});
+         },
+         StatusCode::wrongBodyType, "body"},
+        {"force",
+         [](Stage& s) {
+             return s.world.applyForce(s.ball, {kNan, 0}, {});
+         },
+         StatusCode::notFinite, "force"},
+        {"point",
+         [](Stage& s) {
+             return s.world.applyForce(s.ball, {}, {kNanDouble, 0});
+         },
+         StatusCode::notFinite, "point"},
         {"torque", [](Stage& s) { return s.world.applyTorque(s.ball, kNan); }, StatusCode::notFinite, "torque"},
-        {"impulse", [](Stage& s) { return s.world.applyImpulse(s.ball, {0, kNan}, {}); }, StatusCode::notFinite,
-         "impulse"},
-        {"stale impulse", [](Stage& s) { return s.world.applyImpulse(s.goneBody, {}, {}); }, StatusCode::staleId, "body"},
-        {"sleeping wall", [](Stage& s) { return s.world.setAwake(s.ground, false); }, StatusCode::wrongBodyType, "body"},
+        {"impulse",
+         [](Stage& s) {
+             return s.world.applyImpulse(s.ball, {0, kNan}, {});
+         },
+         StatusCode::notFinite, "impulse"},
+        {"stale impulse", [](Stage& s) { return s.world.applyImpulse(s.goneBody, {}, {}); }, StatusCode::staleId,
+         "body"},
+        {"sleeping wall", [](Stage& s) { return s.world.setAwake(s.ground, false); }, StatusCode::wrongBodyType,
+         "body"},
         {"stale sleeper", [](Stage& s) { return s.world.setAwake(s.goneBody, true); }, StatusCode::staleId, "body"},
     });
 }
@@ -173,10 +196,16 @@ TEST(Refusal, Shapes) {
          StatusCode::notConvex, "vertices"},
         {"line", withShape([](ShapeDef&, Polygon& p) { p.count = 2, p.vertices[1] = p.vertices[0]; }),
          StatusCode::degenerate, "vertices"},
-        {"normals", withShape([](ShapeDef&, Polygon& p) { p.normals[0] = {1, 0}; }), StatusCode::outOfRange, "normals"},
+        {"normals", withShape([](ShapeDef&, Polygon& p) {
+             p.normals[0] = {1, 0};
+         }),
+         StatusCode::outOfRange, "normals"},
         {"gone", [](Stage& s) { return s.world.destroyShape(s.goneShape); }, StatusCode::staleId, "shape"},
         {"null", [](Stage& s) { return s.world.destroyShape({}); }, StatusCode::staleId, "shape"},
-        {"inner part of a chain", [](Stage& s) { return s.world.destroyShape({s.chain.index + 1, s.chain.generation}); },
+        {"inner part of a chain",
+         [](Stage& s) {
+             return s.world.destroyShape({s.chain.index + 1, s.chain.generation});
+         },
          StatusCode::staleId, "shape"},
     });
 }
@@ -205,17 +234,37 @@ TEST(Refusal, Joints) {
         {"nothing dynamic", withHinge([](auto& d, Stage& s) { d.base.bodyB = s.cart; }), StatusCode::wrongBodyType,
          "bodyB"},
         {"anchor", withHinge([](auto& d, Stage&) { d.anchor.x = kNanDouble; }), StatusCode::notFinite, "anchor"},
-        {"force", withHinge([](auto& d, Stage&) { d.base.breakForce = Real(0); }), StatusCode::notPositive, "breakForce"},
+        {"force", withHinge([](auto& d, Stage&) { d.base.breakForce = Real(0); }), StatusCode::notPositive,
+         "breakForce"},
         {"torque", withHinge([](auto& d, Stage&) { d.base.breakTorque = kNan; }), StatusCode::notFinite, "breakTorque"},
-        {"limits", withHinge([](auto& d, Stage&) { d.limits = {1, -1}; }), StatusCode::outOfRange, "upper"},
-        {"motor", withHinge([](auto& d, Stage&) { d.motor = {1, -1}; }), StatusCode::negative, "maxMotorTorque"},
-        {"spring", withHinge([](auto& d, Stage&) { d.spring = {0, 1}; }), StatusCode::notPositive, "hertz"},
-        {"damping", withHinge([](auto& d, Stage&) { d.spring = {1, -1}; }), StatusCode::negative, "dampingRatio"},
+        {"limits", withHinge([](auto& d, Stage&) {
+             d.limits = {1, -1};
+         }),
+         StatusCode::outOfRange, "upper"},
+        {"motor", withHinge([](auto& d, Stage&) {
+             d.motor = {1, -1};
+         }),
+         StatusCode::negative, "maxMotorTorque"},
+        {"spring", withHinge([](auto& d, Stage&) {
+             d.spring = {0, 1};
+         }),
+         StatusCode::notPositive, "hertz"},
+        {"damping", withHinge([](auto& d, Stage&) {
+             d.spring = {1, -1};
+         }),
+         StatusCode::negative, "dampingRatio"},
         {"rod anchor", withRod([](auto& d, Stage&) { d.anchorB.y = kNanDouble; }), StatusCode::notFinite, "anchorB"},
-        {"rod of no length", withRod([](auto& d, Stage&) { d.anchorB = d.anchorA; }), StatusCode::notPositive, "length"},
+        {"rod of no length", withRod([](auto& d, Stage&) { d.anchorB = d.anchorA; }), StatusCode::notPositive,
+         "length"},
         {"length", withRod([](auto& d, Stage&) { d.length = kNan; }), StatusCode::notFinite, "length"},
-        {"shortest", withRod([](auto& d, Stage&) { d.limits = {-1, 1}; }), StatusCode::negative, "minLength"},
-        {"longest", withRod([](auto& d, Stage&) { d.limits = {2, 1}; }), StatusCode::outOfRange, "maxLength"},
+        {"shortest", withRod([](auto& d, Stage&) {
+             d.limits = {-1, 1};
+         }),
+         StatusCode::negative, "minLength"},
+        {"longest", withRod([](auto& d, Stage&) {
+             d.limits = {2, 1};
+         }),
+         StatusCode::outOfRange, "maxLength"},
         {"gone", [](Stage& s) { return s.world.destroyJoint(s.goneJoint); }, StatusCode::staleId, "joint"},
     });
 }
@@ -228,7 +277,8 @@ TEST(Refusal, SettingsAndSteps) {
         {"impacts", withSettings([](WorldSettings& s) { s.maxImpacts = 0; }), StatusCode::outOfRange, "maxImpacts"},
         {"speed", withSettings([](WorldSettings& s) { s.maxSpeed = 0; }), StatusCode::notPositive, "maxSpeed"},
         {"no speed", withSettings([](WorldSettings& s) { s.maxSpeed = kNan; }), StatusCode::notFinite, "maxSpeed"},
-        {"tolerance", withSettings([](WorldSettings& s) { s.toiTolerance = -1; }), StatusCode::negative, "toiTolerance"},
+        {"tolerance", withSettings([](WorldSettings& s) { s.toiTolerance = -1; }), StatusCode::negative,
+         "toiTolerance"},
         {"penetration", withSettings([](WorldSettings& s) { s.maxPenetration = kNan; }), StatusCode::notFinite,
          "maxPenetration"},
         {"less than none", withSettings([](WorldSettings& s) { s.maxPenetration = -1; }), StatusCode::negative,
@@ -237,7 +287,8 @@ TEST(Refusal, SettingsAndSteps) {
          "maxJointError"},
         {"negative joint error", withSettings([](WorldSettings& s) { s.maxJointError = -1; }), StatusCode::negative,
          "maxJointError"},
-        {"lost time", withSettings([](WorldSettings& s) { s.maxLostTime = kNan; }), StatusCode::notFinite, "maxLostTime"},
+        {"lost time", withSettings([](WorldSettings& s) { s.maxLostTime = kNan; }), StatusCode::notFinite,
+         "maxLostTime"},
         {"negative lost time", withSettings([](WorldSettings& s) { s.maxLostTime = -1; }), StatusCode::negative,
          "maxLostTime"},
         {"busy", withSettings([](WorldSettings& s) { s.broadphase = BroadphaseKind::allPairs; }),

@@ -38,7 +38,8 @@ struct Ride {
 };
 
 /// @param bodyFirst  the ground is made after the body that slides over it
-Ride ride(Ground ground, const Polygon& polygon, double height, double speed, double start = 0, bool bodyFirst = false) {
+Ride ride(Ground ground, const Polygon& polygon, double height, double speed, double start = 0,
+          bool bodyFirst = false) {
     // As many as it passes in 20 s.
     const int seams = static_cast<int>(std::min<double>(kSeams, 20 * speed / kSpan));
     World world = makeWorld();
@@ -85,7 +86,9 @@ void expectSmooth(const std::string& name, const Polygon& polygon, double height
 TEST(Seams, BoxSlidesOverThem) { expectSmooth("box", box(0.5, 0.5), 0.5); }
 TEST(Seams, CircleSlidesOverThem) { expectSmooth("circle", circle(0.5), 0.5); }
 TEST(Seams, CapsuleSlidesOverThem) { expectSmooth("capsule", capsule(0.5, 0.25), 0.25); }
-TEST(Seams, RoundedBoxSlidesOverThem) { expectSmooth("rounded box", must(makeBox(vec(0.4, 0.4), {}, 0, real(0.1))), 0.5); }
+TEST(Seams, RoundedBoxSlidesOverThem) {
+    expectSmooth("rounded box", must(makeBox(vec(0.4, 0.4), {}, 0, real(0.1))), 0.5);
+}
 
 }  // namespace
 }  // namespace swept::test

@@ -23,9 +23,7 @@ std::vector<ContactEvent> sensorEventsOf(const World& world) {
     std::vector<ContactEvent> events;
     for (const ContactEvent& event : world.contactEvents()) {
         const bool isSensor = event.type == ContactEventType::sensorBegin || event.type == ContactEventType::sensorEnd;
-        if (isSensor) {
-            events.push_back(event);
-        }
+        if (isSensor) { events.push_back(event); }
     }
     return events;
 }
@@ -47,9 +45,7 @@ TEST(SensorSweeps, SeeWhatPassesWithinAStep) {
         const std::vector<ContactEvent> events = sensorEventsOf(world);
         ASSERT_EQ(events.size(), mode.events);
         EXPECT_EQ(world.counters().sensorSweeps, mode.events / 2);
-        if (events.empty()) {
-            continue;
-        }
+        if (events.empty()) { continue; }
         EXPECT_EQ(events[0].type, ContactEventType::sensorBegin);
         EXPECT_EQ(events[1].type, ContactEventType::sensorEnd);
         EXPECT_NEAR(events[0].fraction, (1 - 0.2) / 2, 1e-3);

@@ -13,14 +13,17 @@ TEST(SimultaneousImpacts, OnlyTheLastBallLeavesACradle) {
     for (const double speed : {1.0, 5.0, 10.0}) {
         World world = makeWorld(0);
         std::vector<BodyId> balls;
-        for (int i = 0; i < 5; ++i) { balls.push_back(addBody(world, dynamicAt({i * 0.4, 0}), circle(0.2), material(0, 1))); }
+        for (int i = 0; i < 5; ++i) {
+            balls.push_back(addBody(world, dynamicAt({i * 0.4, 0}), circle(0.2), material(0, 1)));
+        }
         const BodyId hitter = addBody(world, dynamicAt({-1, 0}, vec(speed, 0)), circle(0.2), material(0, 1));
         runFor(world, 1 + 1 / speed);
         const std::string name = std::to_string(speed) + " m/s: ";
         EXPECT_GE(velocityOf(world, balls[4]).x, 0.99 * speed) << name;
         expectAtMost(name + "hitter", std::abs(velocityOf(world, hitter).x) / speed, 0.01);
         for (std::size_t i = 0; i < 4; ++i) {
-            expectAtMost(name + "speed of ball " + std::to_string(i), std::abs(velocityOf(world, balls[i]).x) / speed, 0.01);
+            expectAtMost(name + "speed of ball " + std::to_string(i), std::abs(velocityOf(world, balls[i]).x) / speed,
+                         0.01);
             expectAtMost(name + "way of ball " + std::to_string(i),
                          std::abs(world.position(balls[i]).x - 0.4 * static_cast<double>(i)), 0.4 / 1024);
         }

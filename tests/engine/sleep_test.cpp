@@ -37,7 +37,8 @@ TEST(Sleep, StackFallsAsleepAndStaysPut) {
     expectAtMost("sag", std::abs(top.y - 4.5), 0.005);
 }
 
-/// Iteration solves both points of a contact at once, so that nothing leans: tens of steps of sway kept such a stack awake.
+/// Iteration solves both points of a contact at once, so that nothing leans: tens of steps of sway kept such a stack
+/// awake.
 TEST(Sleep, HighStackOfTheFastProfileStandsUprightAndFallsAsleep) {
     WorldSettings settings = awakeSettings();
     settings.sleep = true;
@@ -124,12 +125,8 @@ TEST(Sensor, ReportsBeginAndEndAndDoesNotCollide) {
                 EXPECT_EQ(event.bodyA, gate);
                 EXPECT_EQ(event.bodyB, ball);
                 const double time = (i - 1 + event.fraction) * kStep;
-                if (event.type == ContactEventType::sensorBegin) {
-                    begins.push_back(time);
-                }
-                if (event.type == ContactEventType::sensorEnd) {
-                    ends.push_back(time);
-                }
+                if (event.type == ContactEventType::sensorBegin) { begins.push_back(time); }
+                if (event.type == ContactEventType::sensorEnd) { ends.push_back(time); }
             }
         }
         ASSERT_EQ(begins.size(), 1U) << speed;

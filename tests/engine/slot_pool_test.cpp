@@ -73,9 +73,7 @@ TEST(SlotPool, AgreesWithAMap) {
         const BodyId probe = given[static_cast<std::size_t>(random.integer(0, static_cast<int>(given.size()) - 1))];
         const auto found = living.find(std::pair(probe.index, probe.generation));
         ASSERT_EQ(pool.isValid(probe), found != living.end()) << "operation " << i;
-        if (found != living.end()) {
-            ASSERT_EQ(*pool.find(probe), found->second) << "operation " << i;
-        }
+        if (found != living.end()) { ASSERT_EQ(*pool.find(probe), found->second) << "operation " << i; }
         ASSERT_EQ(pool.size(), living.size());
     }
     EXPECT_GT(reused, 1'000);
@@ -105,12 +103,8 @@ TEST(PairTable, AgreesWithASet) {
             ASSERT_EQ(table.size(), pairs.size()) << "seed " << seed << " operation " << i;
         }
         // Whatever is left is found, and can be taken out again, in either order of the two.
-        for (const auto& [a, b] : pairs) {
-            EXPECT_FALSE(table.insert(b, a)) << "seed " << seed;
-        }
-        for (const auto& [a, b] : pairs) {
-            table.erase(b, a);
-        }
+        for (const auto& [a, b] : pairs) { EXPECT_FALSE(table.insert(b, a)) << "seed " << seed; }
+        for (const auto& [a, b] : pairs) { table.erase(b, a); }
         EXPECT_EQ(table.size(), 0u);
     }
     EXPECT_GT(repeated, 10'000);

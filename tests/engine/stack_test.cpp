@@ -41,18 +41,14 @@ struct Pile {
 
 TEST(Stack, TwentyBoxesStand) {
     Pile pile;
-    for (int i = 0; i < 20; ++i) {
-        pile.add({0, i + 0.5});
-    }
+    for (int i = 0; i < 20; ++i) { pile.add({0, i + 0.5}); }
     pile.stand();
     pile.expect("", 0.002, 0.005, 0.01);
 }
 
 TEST(Stack, TwentyBoxesDroppedIntoPlaceStand) {
     Pile pile;
-    for (int i = 0; i < 20; ++i) {
-        pile.add({0.02 * (i % 2), 1.02 * i + 0.52});
-    }
+    for (int i = 0; i < 20; ++i) { pile.add({0.02 * (i % 2), 1.02 * i + 0.52}); }
     pile.stand();
     expectAtMost("overlap", pile.overlap, 0.005);
     expectAtMost("drift", pile.drift, 0.02);
@@ -62,9 +58,7 @@ TEST(Stack, TwentyBoxesDroppedIntoPlaceStand) {
 TEST(Stack, PyramidStands) {
     Pile pile;
     for (int row = 0; row < 10; ++row) {
-        for (int i = 0; i < 10 - row; ++i) {
-            pile.add({1.05 * (i - 0.5 * (9 - row)), row + 0.5});
-        }
+        for (int i = 0; i < 10 - row; ++i) { pile.add({1.05 * (i - 0.5 * (9 - row)), row + 0.5}); }
     }
     pile.stand();
     pile.expect("", 0.001, 0.001, 0.002);
@@ -73,9 +67,7 @@ TEST(Stack, PyramidStands) {
 TEST(Stack, HeavyStandsOnLight) {
     for (const int below : {1, 10}) {
         Pile pile;
-        for (int i = 0; i < below; ++i) {
-            pile.add({0, i + 0.5});
-        }
+        for (int i = 0; i < below; ++i) { pile.add({0, i + 0.5}); }
         pile.add({0, below + 0.5}, 10);
         pile.stand();
         pile.expect("10:1 on " + std::to_string(below) + ": ", 0.002, 0.002, 0.001 * below);
@@ -141,8 +133,8 @@ void expectRest(const std::string& name, const Polygon& polygon, double height, 
     expectAtMost(of + "overlap", column.overlap, height * 0.001 * count);
     expectAtMost(of + "drift", column.drift, 0.001);
     expectAtMost(of + "sag", column.sag, height * 0.01 * count);
-    // A plank that sinks by a hundredth of its height at one end only has turned by so much: the stack of ten, each 1 cm
-    // farther out, comes to rest with a third of it.
+    // A plank that sinks by a hundredth of its height at one end only has turned by so much: the stack of ten, each 1
+    // cm farther out, comes to rest with a third of it.
     expectAtMost(of + "turn", column.turn, 5.4e-4);
 }
 

@@ -23,9 +23,7 @@ struct Yard {
         BodyId before = addStatic(world, circle(0.02), ghost, {8, 5});
         bob = hang(before, {8, 5}, {9, 5}, ghost);
         before = addStatic(world, circle(0.02), ghost, {14, 5});
-        for (int i = 0; i < 5; ++i) {
-            before = hang(before, {14.0 + 0.4 * i, 5}, {14.4 + 0.4 * i, 5}, ghost);
-        }
+        for (int i = 0; i < 5; ++i) { before = hang(before, {14.0 + 0.4 * i, 5}, {14.4 + 0.4 * i, 5}, ghost); }
         start = energy();
     }
     BodyId hang(BodyId from, DVec2 anchor, DVec2 place, const ShapeDef& shape) {
@@ -63,9 +61,7 @@ void expectGoesWell(const std::string& name, double seconds, double gain, double
         must(yard.world.step(dt));
         time += dt;
         yard.expectSound(name + " step " + std::to_string(i));
-        if (::testing::Test::HasFatalFailure()) {
-            return;
-        }
+        if (::testing::Test::HasFatalFailure()) { return; }
         most = std::max(most, yard.energy() / yard.start - 1);
         widest = std::max(widest, yard.gap());
     }

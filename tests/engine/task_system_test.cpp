@@ -40,19 +40,11 @@ void expectExactCover(TaskSystem& tasks, std::size_t count, std::size_t grain) {
     std::atomic<int> tooShort = 0;
     std::atomic<int> strangeWorkers = 0;
     tasks.run(count, grain, [&](std::size_t begin, std::size_t end, int worker) {
-        if (end - begin < grain && end != count) {
-            ++tooShort;
-        }
-        if (worker < 0 || worker >= tasks.workerCount()) {
-            ++strangeWorkers;
-        }
-        for (std::size_t i = begin; i < end; ++i) {
-            ++visits[i];
-        }
+        if (end - begin < grain && end != count) { ++tooShort; }
+        if (worker < 0 || worker >= tasks.workerCount()) { ++strangeWorkers; }
+        for (std::size_t i = begin; i < end; ++i) { ++visits[i]; }
     });
-    for (std::size_t i = 0; i < count; ++i) {
-        ASSERT_EQ(visits[i], 1) << i << " of " << count << ", grain " << grain;
-    }
+    for (std::size_t i = 0; i < count; ++i) { ASSERT_EQ(visits[i], 1) << i << " of " << count << ", grain " << grain; }
     EXPECT_EQ(tooShort, 0) << count << ", grain " << grain;
     EXPECT_EQ(strangeWorkers, 0);
 }
@@ -62,9 +54,7 @@ TEST_P(TaskSystems, CoverEverythingOnce) {
         const auto tasks = make(GetParam(), workers);
         ASSERT_GE(tasks->workerCount(), 1);
         for (const std::size_t count : {0U, 1U, 2U, 7U, 64U, 1000U}) {
-            for (const std::size_t grain : {0U, 1U, 3U, 64U, 5000U}) {
-                expectExactCover(*tasks, count, grain);
-            }
+            for (const std::size_t grain : {0U, 1U, 3U, 64U, 5000U}) { expectExactCover(*tasks, count, grain); }
         }
     }
 }
@@ -77,9 +67,7 @@ TEST_P(TaskSystems, WorkersDoOneThingAtATime) {
     for (int round = 0; round < 50; ++round) {
         tasks->run(64, 1, [&](std::size_t, std::size_t, int worker) {
             std::atomic<int>& mine = inside[static_cast<std::size_t>(worker)];
-            if (++mine != 1) {
-                ++clashes;
-            }
+            if (++mine != 1) { ++clashes; }
             std::this_thread::yield();
             --mine;
         });
@@ -104,14 +92,10 @@ TEST(TbbTaskSystem, ServesSeveralThreadsAtOnce) {
     std::vector<std::thread> callers;
     for (int i = 0; i < 3; ++i) {
         callers.emplace_back([&tasks] {
-            for (int round = 0; round < 20; ++round) {
-                expectExactCover(tasks, 500, 7);
-            }
+            for (int round = 0; round < 20; ++round) { expectExactCover(tasks, 500, 7); }
         });
     }
-    for (std::thread& caller : callers) {
-        caller.join();
-    }
+    for (std::thread& caller : callers) { caller.join(); }
 }
 #endif
 

@@ -49,9 +49,7 @@ struct Range {
     }
     int escaped() const {
         int count = 0;
-        for (const BodyId shot : shots) {
-            count += world.centerOfMass(shot).x >= 0 ? 1 : 0;
-        }
+        for (const BodyId shot : shots) { count += world.centerOfMass(shot).x >= 0 ? 1 : 0; }
         return count;
     }
 };
@@ -75,9 +73,7 @@ Volley fireAll(ContinuousMode mode) {
                 const int escaped = range.escaped();
                 volley.shots += kShots;
                 volley.escaped += escaped;
-                if (escaped == 0) {
-                    continue;
-                }
+                if (escaped == 0) { continue; }
                 volley.where += std::string(projectile.name) + (wall == Wall::segment ? " segment " : " box ") +
                                 std::to_string(speed) + " m/s: " + std::to_string(escaped) + "; ";
             }
@@ -129,9 +125,7 @@ Volley shakeInBox(Wall wall, ContinuousMode mode, double restitution, double gra
             }
             for (int i = 0; i < 120; ++i) {
                 must(world.step(kStep));
-                for (const LostTimeEntry& entry : world.lostTime()) {
-                    volley.lost += entry.seconds;
-                }
+                for (const LostTimeEntry& entry : world.lostTime()) { volley.lost += entry.seconds; }
             }
             volley.flown += 10 * 120 * kStep;
             int escaped = 0;
@@ -221,13 +215,9 @@ int belowTerrain(const Projectile& projectile, double speed) {
     World world = makeWorld();
     Random random(7);
     std::vector<double> heights;
-    for (int i = 0; i <= 200; ++i) {
-        heights.push_back(0.5 * std::sin(0.7 * i) + random.range(0, 0.5));
-    }
+    for (int i = 0; i <= 200; ++i) { heights.push_back(0.5 * std::sin(0.7 * i) + random.range(0, 0.5)); }
     std::vector<Vec2> points;
-    for (int i = 200; i >= 0; --i) {
-        points.push_back(vec(i, heights[static_cast<std::size_t>(i)]));
-    }
+    for (int i = 200; i >= 0; --i) { points.push_back(vec(i, heights[static_cast<std::size_t>(i)])); }
     const BodyId ground = must(world.createBody(bodyAt(BodyType::fixed, {})));
     must(world.addChain(ground, points, false, material(0.3)));
     ShapeDef surface = material(0.3);
@@ -245,9 +235,7 @@ int belowTerrain(const Projectile& projectile, double speed) {
     int below = 0;
     for (const BodyId shot : shots) {
         const DVec2 p = world.centerOfMass(shot);
-        if (p.x < 0 || p.x >= 200) {
-            continue;
-        }  // it left at the side
+        if (p.x < 0 || p.x >= 200) { continue; }  // it left at the side
         const double cell = std::floor(p.x);
         const auto i = static_cast<std::size_t>(cell);
         below += p.y < heights[i] + (p.x - cell) * (heights[i + 1] - heights[i]) ? 1 : 0;
@@ -306,9 +294,7 @@ TEST(Tunnelling, NothingLeavesAStorm) {
     double lost = 0;
     for (int i = 0; i < 120; ++i) {
         must(world.step(kStep));
-        for (const LostTimeEntry& entry : world.lostTime()) {
-            lost += entry.seconds;
-        }
+        for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
     }
     for (const BodyId body : bodies) {
         const DVec2 p = world.centerOfMass(body);

@@ -31,36 +31,16 @@ public:
 
     void act() {
         const int choice = random().integer(0, 29);
-        if (choice < 4) {
-            return note(makeBody());
-        }
-        if (choice < 8) {
-            return note(makeShape());
-        }
-        if (choice < 9) {
-            return note(makeChain());
-        }
-        if (choice < 12) {
-            return note(makeJoint());
-        }
-        if (choice < 13) {
-            return note(changeJoint());
-        }
-        if (choice < 16) {
-            return note(pushBody());
-        }
-        if (choice < 20) {
-            return note(destroySomething());
-        }
-        if (choice < 21) {
-            return note(changeSettings());
-        }
-        if (choice < 23) {
-            return ask();
-        }
-        if (choice < 24) {
-            return note(world_.step(wild()));
-        }
+        if (choice < 4) { return note(makeBody()); }
+        if (choice < 8) { return note(makeShape()); }
+        if (choice < 9) { return note(makeChain()); }
+        if (choice < 12) { return note(makeJoint()); }
+        if (choice < 13) { return note(changeJoint()); }
+        if (choice < 16) { return note(pushBody()); }
+        if (choice < 20) { return note(destroySomething()); }
+        if (choice < 21) { return note(changeSettings()); }
+        if (choice < 23) { return ask(); }
+        if (choice < 24) { return note(world_.step(wild())); }
         removeMassless();
         note(world_.step(kStep));
         broken_ += static_cast<int>(world_.jointBreaks().size());
@@ -80,25 +60,19 @@ public:
         for (const BodyId id : known_.bodies) {
             const bool good = isFinite(world_.position(id)) && isFinite(world_.velocity(id)) &&
                               isFinite(world_.angularVelocity(id)) && std::isfinite(world_.angle(id));
-            if (!good) {
-                return false;
-            }
+            if (!good) { return false; }
         }
         for (const JointId id : known_.joints) {
             const bool good = isFinite(world_.jointForce(id)) && std::isfinite(world_.jointTorque(id)) &&
                               !std::isnan(world_.jointError(id)) && std::isfinite(world_.jointAngle(id));
-            if (!good) {
-                return false;
-            }
+            if (!good) { return false; }
         }
         return true;
     }
     std::uint32_t livingBodies() const {
         std::set<std::uint32_t> slots;  // an invented id may be that of a body made later
         for (const BodyId id : known_.bodies) {
-            if (world_.isValid(id)) {
-                slots.insert(id.index);
-            }
+            if (world_.isValid(id)) { slots.insert(id.index); }
         }
         return static_cast<std::uint32_t>(slots.size());
     }
@@ -114,79 +88,51 @@ private:
             def.velocity = vector();
             def.angularVelocity = realNumber();
         }
-        if (random().chance(0.1)) {
-            def.linearDamping = realNumber();
-        }
-        if (random().chance(0.1)) {
-            def.angularDamping = realNumber();
-        }
-        if (random().chance(0.1)) {
-            def.gravityScale = realNumber();
-        }
-        if (random().chance(0.3)) {
-            def.mass = realPositive();
-        }
-        if (random().chance(0.1)) {
-            def.inertia = realPositive();
-        }
+        if (random().chance(0.1)) { def.linearDamping = realNumber(); }
+        if (random().chance(0.1)) { def.angularDamping = realNumber(); }
+        if (random().chance(0.1)) { def.gravityScale = realNumber(); }
+        if (random().chance(0.3)) { def.mass = realPositive(); }
+        if (random().chance(0.1)) { def.inertia = realPositive(); }
         def.fixedRotation = random().chance(0.1);
         def.awake = random().chance(0.9);
-        if (random().chance(0.2)) {
-            def.continuous = static_cast<ContinuousMode>(random().integer(0, 5));
-        }
+        if (random().chance(0.2)) { def.continuous = static_cast<ContinuousMode>(random().integer(0, 5)); }
         const Result<BodyId> id = world_.createBody(def);
-        if (!id.ok()) {
-            return id.status();
-        }
+        if (!id.ok()) { return id.status(); }
         known_.bodies.push_back(id.value());
-        if (random().chance(0.8)) {
-            (void)world_.addShape(id.value(), good());
-        }
+        if (random().chance(0.8)) { (void)world_.addShape(id.value(), good()); }
         return id.status();
     }
 
     template <class Id>
     static Status remember(const Result<Id>& id, std::vector<Id>& ids) {
-        if (id.ok()) {
-            ids.push_back(id.value());
-        }
+        if (id.ok()) { ids.push_back(id.value()); }
         return id.status();
     }
     Status makeShape() { return remember(world_.addShape(any(known_.bodies), polygon(), surface()), known_.shapes); }
     Status makeChain() {
         std::vector<Vec2> points;
         const int count = random().integer(0, 6);
-        for (int i = 0; i < count; ++i) {
-            points.push_back(vector());
-        }
+        for (int i = 0; i < count; ++i) { points.push_back(vector()); }
         const Real radius = random().chance(0.7) ? Real(0) : realPositive();
         return remember(world_.addChain(any(known_.bodies), points, random().chance(0.3), surface(), radius),
                         known_.shapes);
     }
     BodyId mostlyAlive() {
         BodyId id = any(known_.bodies);
-        for (int tries = 0; tries < 4 && !world_.isValid(id); ++tries) {
-            id = any(known_.bodies);
-        }
+        for (int tries = 0; tries < 4 && !world_.isValid(id); ++tries) { id = any(known_.bodies); }
         return id;
     }
     JointDef anyBodies() {
         JointDef def{.bodyA = mostlyAlive(), .bodyB = mostlyAlive()};
         def.collideConnected = random().chance(0.3);
-        if (random().chance(0.2)) {
-            def.breakForce = realPositive();
-        }
-        if (random().chance(0.2)) {
-            def.breakTorque = realPositive();
-        }
+        if (random().chance(0.2)) { def.breakForce = realPositive(); }
+        if (random().chance(0.2)) { def.breakTorque = realPositive(); }
         return def;
     }
     template <class Def>
     Status join(const Def& def) {
         const Result<JointId> id = world_.createJoint(def);
-        if (id.ok()) {
-            ++joined_[static_cast<std::size_t>(world_.type(id.value()))];
-        }
+        if (id.ok()) { ++joined_[static_cast<std::size_t>(world_.type(id.value()))]; }
         return remember(id, known_.joints);
     }
     /// Random ids hardly ever name two joints that a gear can couple: without two of them, one is made.
@@ -279,12 +225,8 @@ private:
     }
     Status destroySomething() {
         // Not too crowded: most of the time goes into calls, not into steps.
-        if (world_.bodyCount() > 10 || random().chance(0.2)) {
-            return world_.destroyBody(any(known_.bodies));
-        }
-        if (random().chance(0.5)) {
-            return world_.destroyShape(any(known_.shapes));
-        }
+        if (world_.bodyCount() > 10 || random().chance(0.2)) { return world_.destroyBody(any(known_.bodies)); }
+        if (random().chance(0.5)) { return world_.destroyShape(any(known_.shapes)); }
         return world_.destroyJoint(any(known_.joints));
     }
     Status changeSettings() { return world_.configure(settings()); }
@@ -301,13 +243,9 @@ private:
     }
     /// A body without mass makes the world refuse all steps: seen often enough, but not all the time.
     void removeMassless() {
-        if (random().chance(0.1)) {
-            return;
-        }
+        if (random().chance(0.1)) { return; }
         for (const BodyId id : known_.bodies) {
-            if (world_.type(id) == BodyType::dynamic && !(world_.mass(id) > 0)) {
-                (void)world_.destroyBody(id);
-            }
+            if (world_.type(id) == BodyType::dynamic && !(world_.mass(id) > 0)) { (void)world_.destroyBody(id); }
         }
         digest_ = digestOf(world_, known_);
     }
@@ -327,9 +265,7 @@ private:
     /// Old names are kept, but not all of them for ever.
     void forget() {
         const auto trim = [](auto& ids, auto alive) {
-            if (ids.size() < 80) {
-                return;
-            }
+            if (ids.size() < 80) { return; }
             std::size_t dead = 0;
             std::erase_if(ids, [&](auto id) { return !alive(id) && dead++ % 2 == 0; });
         };

@@ -52,49 +52,31 @@ public:
     }
 
     Polygon good() {
-        if (random_.chance(0.5)) {
-            return must(makeCircle({}, real(random_.range(0.1, 1))));
-        }
+        if (random_.chance(0.5)) { return must(makeCircle({}, real(random_.range(0.1, 1)))); }
         const double half = random_.range(0.1, 1);
         return must(makeBox(vec(half, random_.range(0.1, 1))));
     }
     Polygon polygon() {
-        if (random_.chance(0.5)) {
-            return good();
-        }
+        if (random_.chance(0.5)) { return good(); }
         if (random_.chance(0.5)) {
             std::vector<Vec2> points;
             const int count = random_.integer(0, 12);
-            for (int i = 0; i < count; ++i) {
-                points.push_back(vector());
-            }
+            for (int i = 0; i < count; ++i) { points.push_back(vector()); }
             const Result<Polygon> hull = convexHull(points, random_.chance(0.5) ? Real(0) : realPositive());
-            if (hull.ok()) {
-                return hull.value();
-            }
+            if (hull.ok()) { return hull.value(); }
         }
         Polygon handMade;
         handMade.count = random_.integer(-2, 11);
         handMade.radius = random_.chance(0.5) ? Real(0) : realPositive();
-        for (Vec2& vertex : handMade.vertices) {
-            vertex = vector();
-        }
-        for (Vec2& normal : handMade.normals) {
-            normal = vector();
-        }
+        for (Vec2& vertex : handMade.vertices) { vertex = vector(); }
+        for (Vec2& normal : handMade.normals) { normal = vector(); }
         return handMade;
     }
     ShapeDef surface() {
         ShapeDef def;
-        if (random_.chance(0.2)) {
-            def.density = realPositive();
-        }
-        if (random_.chance(0.2)) {
-            def.friction = realPositive();
-        }
-        if (random_.chance(0.2)) {
-            def.restitution = realPositive();
-        }
+        if (random_.chance(0.2)) { def.density = realPositive(); }
+        if (random_.chance(0.2)) { def.friction = realPositive(); }
+        if (random_.chance(0.2)) { def.restitution = realPositive(); }
         def.sensor = random_.chance(0.1);
         def.filter.group = random_.chance(0.1) ? random_.integer(-2, 2) : 0;
         return def;
@@ -107,21 +89,11 @@ public:
         settings.relaxPasses = random_.integer(-3, 3);
         settings.continuous = static_cast<ContinuousMode>(random_.integer(0, random_.chance(0.1) ? 200 : 4));
         settings.maxImpacts = random_.integer(-1, 12);
-        if (random_.chance(0.1)) {
-            settings.maxSpeed = realPositive();
-        }
-        if (random_.chance(0.1)) {
-            settings.toiTolerance = realPositive();
-        }
-        if (random_.chance(0.1)) {
-            settings.maxPenetration = realPositive();
-        }
-        if (random_.chance(0.1)) {
-            settings.maxJointError = realPositive();
-        }
-        if (random_.chance(0.1)) {
-            settings.maxLostTime = random_.range(-0.01, 0.1);
-        }
+        if (random_.chance(0.1)) { settings.maxSpeed = realPositive(); }
+        if (random_.chance(0.1)) { settings.toiTolerance = realPositive(); }
+        if (random_.chance(0.1)) { settings.maxPenetration = realPositive(); }
+        if (random_.chance(0.1)) { settings.maxJointError = realPositive(); }
+        if (random_.chance(0.1)) { settings.maxLostTime = random_.range(-0.01, 0.1); }
         settings.sleep = random_.chance(0.8);
         settings.broadphase =
             static_cast<BroadphaseKind>(random_.integer(0, random_.chance(0.1) ? 200 : kBroadphaseKindCount - 1));

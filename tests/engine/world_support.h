@@ -100,9 +100,7 @@ inline Polygon capsule(double halfLength, double radius) {
 }
 
 inline void run(World& world, int steps, double dt = kStep) {
-    for (int i = 0; i < steps; ++i) {
-        must(world.step(dt));
-    }
+    for (int i = 0; i < steps; ++i) { must(world.step(dt)); }
 }
 inline void runFor(World& world, double seconds, double dt = kStep) {
     run(world, static_cast<int>(std::lround(seconds / dt)), dt);
@@ -127,9 +125,7 @@ inline double energyOf(const World& world, std::span<const BodyId> bodies, doubl
 }
 inline DVec2 momentumOf(const World& world, std::span<const BodyId> bodies) {
     DVec2 sum;
-    for (const BodyId body : bodies) {
-        sum += world.mass(body) * velocityOf(world, body);
-    }
+    for (const BodyId body : bodies) { sum += world.mass(body) * velocityOf(world, body); }
     return sum;
 }
 /// About the origin of the world.

@@ -15,9 +15,7 @@ using Bytes = std::span<const std::uint8_t>;
 
 /// Throws when a promise is broken: libFuzzer stops there and keeps the input, a replay fails.
 inline void demand(bool kept, const char* promise) {
-    if (!kept) {
-        throw std::logic_error(promise);
-    }
+    if (!kept) { throw std::logic_error(promise); }
 }
 
 /// Takes choices and numbers from the front; zeros once the bytes are used up. Never twice among the arguments of one
@@ -28,9 +26,7 @@ public:
 
     bool isOver() const { return bytes_.empty(); }
     std::uint8_t byte() {
-        if (bytes_.empty()) {
-            return 0;
-        }
+        if (bytes_.empty()) { return 0; }
         const std::uint8_t first = bytes_.front();
         bytes_ = bytes_.subspan(1);
         return first;
@@ -42,17 +38,13 @@ public:
     /// Mostly a number that a user would write; sometimes of any size; sometimes any bits at all, NaN included.
     double number() {
         const std::uint8_t kind = byte();
-        if (kind < 224) {
-            return short16() / 256.0;
-        }
+        if (kind < 224) { return short16() / 256.0; }
         if (kind < 248) {
             const double digits = short16();
             return std::ldexp(digits, static_cast<std::int8_t>(byte()));
         }
         std::uint64_t bits = 0;
-        for (int i = 0; i < 8; ++i) {
-            bits = bits << 8U | byte();
-        }
+        for (int i = 0; i < 8; ++i) { bits = bits << 8U | byte(); }
         double any = 0;
         std::memcpy(&any, &bits, sizeof any);
         return any;

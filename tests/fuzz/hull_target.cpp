@@ -32,9 +32,7 @@ void fuzzHull(Bytes bytes) {
     const Polygon& polygon = hull.value();
     demand(validate(polygon).ok(), "a hull is a valid polygon");
     double size = 0;
-    for (const Vec2 p : points) {
-        size = std::max({size, std::fabs(toDouble(p).x), std::fabs(toDouble(p).y)});
-    }
+    for (const Vec2 p : points) { size = std::max({size, std::fabs(toDouble(p).x), std::fabs(toDouble(p).y)}); }
     for (int i = 0; i < polygon.count; ++i) {
         const auto edge = static_cast<std::size_t>(i);
         for (const Vec2 p : points) {

@@ -33,9 +33,7 @@ std::vector<std::uint8_t> contentOf(const std::filesystem::path& file) {
 void replay(const std::string& target, void (*fuzz)(Bytes)) {
     const auto files = inputsOf(target);
     ASSERT_GT(files.size(), 10u);
-    for (const auto& file : files) {
-        EXPECT_NO_THROW(fuzz(contentOf(file))) << file.filename();
-    }
+    for (const auto& file : files) { EXPECT_NO_THROW(fuzz(contentOf(file))) << file.filename(); }
 }
 
 /// A few bytes changed, dropped or doubled; in one of four a piece of another input put in.
@@ -53,9 +51,7 @@ std::vector<std::uint8_t> damaged(std::vector<std::uint8_t> bytes, const std::ve
                 bytes.insert(at, static_cast<std::uint8_t>(random.integer(0, 255)));
                 break;
             case 2:
-                if (at != bytes.end()) {
-                    *at = static_cast<std::uint8_t>(random.integer(0, 255));
-                }
+                if (at != bytes.end()) { *at = static_cast<std::uint8_t>(random.integer(0, 255)); }
                 break;
             default: {
                 const auto from = other.begin() + placeIn(other);
@@ -70,16 +66,12 @@ std::vector<std::uint8_t> damaged(std::vector<std::uint8_t> bytes, const std::ve
 /// Digits for digits: the text stays well formed and means something else. One of five is damaged as above.
 std::vector<std::uint8_t> damagedText(std::vector<std::uint8_t> text, const std::vector<std::uint8_t>& other,
                                       Random& random) {
-    if (random.chance(0.2)) {
-        return damaged(text, other, random);
-    }
+    if (random.chance(0.2)) { return damaged(text, other, random); }
     const auto isDigit = [](std::uint8_t c) { return c >= '0' && c <= '9'; };
     for (int i = random.integer(1, 4); i > 0; --i) {
         const auto from = text.begin() + random.integer(0, static_cast<int>(text.size()));
         const auto digit = std::find_if(from, text.end(), isDigit);
-        if (digit != text.end()) {
-            *digit = static_cast<std::uint8_t>(random.integer('0', '9'));
-        }
+        if (digit != text.end()) { *digit = static_cast<std::uint8_t>(random.integer('0', '9')); }
     }
     return text;
 }
@@ -90,9 +82,7 @@ using Damage = std::vector<std::uint8_t> (*)(std::vector<std::uint8_t>, const st
 void damage(const std::string& target, const std::string& extension, Damage how, void (*fuzz)(Bytes)) {
     std::vector<std::vector<std::uint8_t>> inputs;
     for (const auto& file : inputsOf(target)) {
-        if (extension.empty() || file.extension() == extension) {
-            inputs.push_back(contentOf(file));
-        }
+        if (extension.empty() || file.extension() == extension) { inputs.push_back(contentOf(file)); }
     }
     const int last = static_cast<int>(inputs.size()) - 1;
     for (std::uint64_t seed = 0; seed < SWEPT_FUZZ_ROUNDS; ++seed) {

@@ -22,15 +22,11 @@ ToiPolygon polygonFrom(FuzzInput& input) {
         p = {static_cast<Real>(x), static_cast<Real>(input.number())};
     }
     const auto radius = static_cast<Real>(input.flag() ? input.number() : 0.0);
-    if (const Result<Polygon> hull = convexHull(points, radius); hull.ok()) {
-        return asToiPolygon(hull.value());
-    }
+    if (const Result<Polygon> hull = convexHull(points, radius); hull.ok()) { return asToiPolygon(hull.value()); }
     ToiPolygon raw;  // a point, a segment, or something to be refused
     raw.count = static_cast<int>(points.size());
     raw.radius = static_cast<double>(radius);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        raw.vertices[i] = toDouble(points[i]);
-    }
+    for (std::size_t i = 0; i < points.size(); ++i) { raw.vertices[i] = toDouble(points[i]); }
     return raw;
 }
 
@@ -44,9 +40,7 @@ Sweep sweepFrom(FuzzInput& input) {
     sweep.localCenter = vectorFrom(input);
     sweep.c0 = vectorFrom(input);
     sweep.c1 = vectorFrom(input);
-    if (input.flag()) {
-        sweep.k = vectorFrom(input);
-    }
+    if (input.flag()) { sweep.k = vectorFrom(input); }
     sweep.a0 = input.number();
     sweep.a1 = sweep.a0 + std::clamp(input.number(), -kMostAngle, kMostAngle);
     return sweep;
@@ -57,9 +51,7 @@ double roundingOf(const Sweep& a, const Sweep& b, double sizes) {
     const double lengths[] = {a.c0.x, a.c0.y, a.c1.x, a.c1.y, a.k.x, a.k.y, a.localCenter.x, a.localCenter.y,
                               b.c0.x, b.c0.y, b.c1.x, b.c1.y, b.k.x, b.k.y, b.localCenter.x, b.localCenter.y};
     double largest = sizes;
-    for (const double length : lengths) {
-        largest = std::max(largest, std::fabs(length));
-    }
+    for (const double length : lengths) { largest = std::max(largest, std::fabs(length)); }
     return 64 * std::numeric_limits<double>::epsilon() * largest *
            (1 + std::fabs(a.a0) + std::fabs(b.a0) + 2 * kMostAngle);
 }
@@ -82,15 +74,9 @@ void fuzzToi(Bytes bytes) {
     const Sweep sweepA = sweepFrom(input);
     const Sweep sweepB = sweepFrom(input);
     ToiSettings settings = defaultToiSettings(a, b);
-    if (input.flag()) {
-        settings.target = input.number();
-    }
-    if (input.flag()) {
-        settings.tolerance = input.number();
-    }
-    if (input.flag()) {
-        settings.tMax = input.number();
-    }
+    if (input.flag()) { settings.target = input.number(); }
+    if (input.flag()) { settings.tolerance = input.number(); }
+    if (input.flag()) { settings.tMax = input.number(); }
     const Status status = validateToi(a, sweepA, b, sweepB, settings);
     if (!status.ok()) {
         demand(status.field[0] != '\0', "an error names what is wrong");
@@ -100,9 +86,7 @@ void fuzzToi(Bytes bytes) {
     demand(toi.state != ToiState::failed, "a valid query has an answer");
     demand(toi.fraction >= 0 && toi.fraction <= settings.tMax, "the fraction lies in the search");
     demand(std::isfinite(toi.separation) && isFinite(toi.pointA) && isFinite(toi.pointB), "answers are finite");
-    if (toi.state == ToiState::overlapped) {
-        return;
-    }
+    if (toi.state == ToiState::overlapped) { return; }
     const double rounding = roundingOf(sweepA, sweepB, sizeOf(a) + sizeOf(b));
     const auto separation = [&](double t) { return separationAt(a, sweepA, b, sweepB, t).separation; };
     if (toi.state == ToiState::hit && toi.fraction > 0) {

@@ -48,9 +48,7 @@ private:
     }
     template <class Id>
     static Status keep(const Result<Id>& id, std::vector<Id>& ids) {
-        if (id.ok()) {
-            ids.push_back(id.value());
-        }
+        if (id.ok()) { ids.push_back(id.value()); }
         return id.status();
     }
 
@@ -87,27 +85,19 @@ private:
     }
 
     Status makeBody() {
-        if (world_.bodyCount() >= kMostBodies) {
-            return Status::success();
-        }
+        if (world_.bodyCount() >= kMostBodies) { return Status::success(); }
         BodyDef def;
         def.type = static_cast<BodyType>(input_.below(4));
         def.position = place();
         def.velocity = vector();
         def.angularVelocity = real();
-        if (input_.flag()) {
-            def.mass = real();
-        }
+        if (input_.flag()) { def.mass = real(); }
         def.bullet = input_.flag();
         const Result<BodyId> id = world_.createBody(def);
-        if (!id.ok()) {
-            return id.status();
-        }
+        if (!id.ok()) { return id.status(); }
         known_.bodies.push_back(id.value());
         const Result<Polygon> disk = makeCircle({}, Real(0.5));
-        if (input_.flag()) {
-            (void)world_.addShape(id.value(), disk.value());
-        }
+        if (input_.flag()) { (void)world_.addShape(id.value(), disk.value()); }
         return id.status();
     }
     Status addShape() {
@@ -134,9 +124,7 @@ private:
     }
     Status addChain() {
         std::vector<Vec2> points(static_cast<std::size_t>(input_.below(6)));
-        for (Vec2& p : points) {
-            p = vector();
-        }
+        for (Vec2& p : points) { p = vector(); }
         const BodyId body = pick(known_.bodies);
         return keep(world_.addChain(body, points, input_.flag()), known_.shapes);
     }
@@ -226,9 +214,7 @@ private:
     Status push() {
         const BodyId body = pick(known_.bodies);
         const int how = input_.below(4);
-        if (how == 3) {
-            return world_.setAwake(body, input_.flag());
-        }
+        if (how == 3) { return world_.setAwake(body, input_.flag()); }
         const Vec2 amount = vector();
         switch (how) {
             case 0:
@@ -246,9 +232,7 @@ private:
         settings.continuous = static_cast<ContinuousMode>(input_.below(6));
         settings.broadphase = static_cast<BroadphaseKind>(input_.below(kBroadphaseKindCount + 1));
         settings.maxImpacts = input_.below(20) - 1;
-        if (input_.flag()) {
-            settings.maxSpeed = real();
-        }
+        if (input_.flag()) { settings.maxSpeed = real(); }
         return world_.configure(settings);
     }
     Status ask() {

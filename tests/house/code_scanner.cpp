@@ -27,9 +27,7 @@ public:
             } else if (c == '#' && lineStart && !keepPreprocessor) {
                 blankDirective();
             } else if (c == '#' && lineStart) {
-                while (at_ < text_.size() && text_[at_] != '\n' && !text_.substr(at_).starts_with("//")) {
-                    ++at_;
-                }
+                while (at_ < text_.size() && text_[at_] != '\n' && !text_.substr(at_).starts_with("//")) { ++at_; }
             } else if (c == '"') {
                 blankString();
             } else if (c == '\'' && !(at_ > 0 && isWordChar(text_[at_ - 1]))) {  // else a digit separator
@@ -48,16 +46,12 @@ private:
     char next() const { return at_ + 1 < text_.size() ? text_[at_ + 1] : '\0'; }
 
     void blankOne() {
-        if (text_[at_] != '\n') {
-            out_[at_] = ' ';
-        }
+        if (text_[at_] != '\n') { out_[at_] = ' '; }
         ++at_;
     }
     template <class Condition>
     void blankWhile(const Condition& condition) {
-        while (at_ < text_.size() && condition()) {
-            blankOne();
-        }
+        while (at_ < text_.size() && condition()) { blankOne(); }
     }
     void blankUntilAfter(std::string_view end, std::size_t from) {
         const std::size_t found = text_.find(end, from);
@@ -83,16 +77,10 @@ private:
     void blankLiteral(char quote) {
         ++at_;
         while (at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n') {
-            if (text_[at_] == '\\') {
-                blankOne();
-            }
-            if (at_ < text_.size()) {
-                blankOne();
-            }
+            if (text_[at_] == '\\') { blankOne(); }
+            if (at_ < text_.size()) { blankOne(); }
         }
-        if (at_ < text_.size() && text_[at_] == quote) {
-            ++at_;
-        }
+        if (at_ < text_.size() && text_[at_] == quote) { ++at_; }
     }
 
     std::string_view text_;
@@ -106,23 +94,15 @@ std::size_t afterMatching(std::string_view code, std::size_t open) {
     const char closing = opening == '(' ? ')' : opening == '{' ? '}' : '>';
     int depth = 0;
     for (std::size_t i = open; i < code.size(); ++i) {
-        if (code[i] == opening) {
-            ++depth;
-        }
-        if (code[i] == closing && --depth == 0) {
-            return i + 1;
-        }
+        if (code[i] == opening) { ++depth; }
+        if (code[i] == closing && --depth == 0) { return i + 1; }
     }
     return code.size();
 }
 
 std::string trimmed(std::string_view text) {
-    while (!text.empty() && isSpace(text.front())) {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && isSpace(text.back())) {
-        text.remove_suffix(1);
-    }
+    while (!text.empty() && isSpace(text.front())) { text.remove_prefix(1); }
+    while (!text.empty() && isSpace(text.back())) { text.remove_suffix(1); }
     return std::string(text);
 }
 
@@ -131,23 +111,15 @@ std::string bareHead(std::string_view head) {
     std::string text = trimmed(head);
     while (text.starts_with("template")) {
         const std::size_t open = text.find('<');
-        if (open == std::string::npos) {
-            break;
-        }
+        if (open == std::string::npos) { break; }
         text = trimmed(std::string_view(text).substr(afterMatching(text, open)));
     }
     std::string bare;
     int depth = 0;
     for (const char c : text) {
-        if (c == '(') {
-            ++depth;
-        }
-        if (depth == 0) {
-            bare += c;
-        }
-        if (c == ')') {
-            --depth;
-        }
+        if (c == '(') { ++depth; }
+        if (depth == 0) { bare += c; }
+        if (c == ')') { --depth; }
     }
     return bare;
 }
@@ -156,9 +128,7 @@ bool hasWord(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const bool starts = at == 0 || !isWordChar(text[at - 1]);
         const bool ends = at + word.size() >= text.size() || !isWordChar(text[at + word.size()]);
-        if (starts && ends) {
-            return true;
-        }
+        if (starts && ends) { return true; }
     }
     return false;
 }
@@ -173,16 +143,12 @@ bool opensScope(std::string_view head) {
 /// Whether a brace behind this head begins the value of a member in a constructor's list, as in `Foo() : a_{1}`.
 bool isMemberInitializer(std::string_view head) {
     const std::size_t open = head.find('(');
-    if (open == std::string_view::npos) {
-        return false;
-    }
+    if (open == std::string_view::npos) { return false; }
     const std::string_view rest = head.substr(afterMatching(head, open));
     for (std::size_t i = 0; i < rest.size(); ++i) {
         const bool single =
             rest[i] == ':' && (i + 1 >= rest.size() || rest[i + 1] != ':') && (i == 0 || rest[i - 1] != ':');
-        if (!single) {
-            continue;
-        }
+        if (!single) { continue; }
         const std::string before = trimmed(rest);
         return isWordChar(before.back()) || before.back() == '>';
     }
@@ -244,17 +210,11 @@ std::vector<Include> includesIn(std::string_view text) {
         const std::size_t end = std::min(kept.find('\n', start), kept.size());
         const std::string row = trimmed(std::string_view(kept).substr(start, end - start));
         start = end + 1;
-        if (!row.starts_with('#')) {
-            continue;
-        }
+        if (!row.starts_with('#')) { continue; }
         const std::string directive = trimmed(std::string_view(row).substr(1));
-        if (!directive.starts_with("include")) {
-            continue;
-        }
+        if (!directive.starts_with("include")) { continue; }
         const std::size_t open = directive.find_first_of("<\"");
-        if (open == std::string::npos) {
-            continue;
-        }
+        if (open == std::string::npos) { continue; }
         const bool quoted = directive[open] == '"';
         const std::size_t close = directive.find(quoted ? '"' : '>', open + 1);
         includes.push_back({directive.substr(open + 1, close - open - 1), quoted, line});

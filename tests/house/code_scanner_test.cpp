@@ -49,9 +49,7 @@ TEST(CodeScanner, FindsFunctionsAndTheirLength) {
 
 TEST(CodeScanner, MeasuresALongFunction) {
     std::string text = "int f(int a) {\n";
-    for (int i = 0; i < 99; ++i) {
-        text += "    a += 1;  // }\n";
-    }
+    for (int i = 0; i < 99; ++i) { text += "    a += 1;  // }\n"; }
     text += "}\n";
     ASSERT_EQ(functionsIn(text).size(), 1U);
     EXPECT_EQ(functionsIn(text)[0].lines(), 101);

@@ -52,9 +52,7 @@ TEST(IncludeEdges, PointOneWay) {
         const std::string from = folderOf(file.path);
         for (const Include& include : includesIn(file.text)) {
             const std::string target = resolved(file, include);
-            if (target.empty()) {
-                continue;
-            }
+            if (target.empty()) { continue; }
             const std::string to = folderOf(target);
             ++edges;
             EXPECT_TRUE(fs::is_regular_file(sourceRoot() / target))
@@ -70,9 +68,7 @@ TEST(IncludeEdges, OfTheLibraryAreRelativeOrStandard) {
     for (const std::string& folder : kLibraryFolders) {
         for (const SourceFile& file : cppFilesIn(folder)) {
             for (const Include& include : includesIn(file.text)) {
-                if (include.quoted) {
-                    continue;
-                }
+                if (include.quoted) { continue; }
                 const bool isAdapter = file.path == "engine/tbb_task_system.cpp";  // a target of its own
                 EXPECT_TRUE(isStandard(include.target) || include.target.starts_with("hwy/") ||
                             (isAdapter && include.target.starts_with("oneapi/tbb/")))
@@ -88,9 +84,7 @@ TEST(IncludeEdges, OfTheOracleAreTypesOfItsInput) {
     for (const SourceFile& file : cppFilesIn("tests/oracle")) {
         for (const Include& include : includesIn(file.text)) {
             const std::string target = resolved(file, include);
-            if (target.empty() || folderOf(target) == "tests/oracle") {
-                continue;
-            }
+            if (target.empty() || folderOf(target) == "tests/oracle") { continue; }
             ++edges;
             EXPECT_TRUE(target == "toi/time_of_impact.h" || target == "shapes/dvec2.h")
                 << file.path << " includes " << target << ": what judges the library shares no code with it";
@@ -105,9 +99,7 @@ TEST(IncludeEdges, OfTheTableFormNoCycle) {
         for (std::size_t before = 0; before != reached.size();) {
             before = reached.size();
             const std::set<std::string> last = reached;
-            for (const std::string& each : last) {
-                reached.insert(kAllowed.at(each).begin(), kAllowed.at(each).end());
-            }
+            for (const std::string& each : last) { reached.insert(kAllowed.at(each).begin(), kAllowed.at(each).end()); }
         }
         EXPECT_EQ(reached.count(folder), 0U) << folder;
     }
@@ -115,9 +107,7 @@ TEST(IncludeEdges, OfTheTableFormNoCycle) {
 
 TEST(Headers, AreGuarded) {
     for (const SourceFile& file : allCppFiles()) {
-        if (file.path.ends_with(".h")) {
-            EXPECT_TRUE(file.text.starts_with("#pragma once\n")) << file.path;
-        }
+        if (file.path.ends_with(".h")) { EXPECT_TRUE(file.text.starts_with("#pragma once\n")) << file.path; }
     }
 }
 

@@ -17,9 +17,7 @@ TEST(Sizes, OfFiles) {
     for (const SourceFile& file : files) {
         const int lines = lineCount(file.text);
         EXPECT_LE(lines, kMaxFileLines) << file.path;
-        if (lines > kTargetFileLines) {
-            std::cout << "[   NOTE   ] " << file.path << " has " << lines << " lines\n";
-        }
+        if (lines > kTargetFileLines) { std::cout << "[   NOTE   ] " << file.path << " has " << lines << " lines\n"; }
     }
     EXPECT_GT(files.size(), 50U);
 }

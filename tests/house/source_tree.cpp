@@ -21,14 +21,10 @@ std::string readText(const fs::path& path) {
 std::vector<SourceFile> cppFilesIn(const std::string& folder) {
     std::vector<SourceFile> files;
     const fs::path top = sourceRoot() / folder;
-    if (!fs::is_directory(top)) {
-        return files;
-    }
+    if (!fs::is_directory(top)) { return files; }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(top)) {
         const std::string extension = entry.path().extension().string();
-        if (!entry.is_regular_file() || (extension != ".h" && extension != ".cpp")) {
-            continue;
-        }
+        if (!entry.is_regular_file() || (extension != ".h" && extension != ".cpp")) { continue; }
         files.push_back({fs::relative(entry.path(), sourceRoot()).generic_string(), readText(entry.path())});
     }
     std::sort(files.begin(), files.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
@@ -56,9 +52,7 @@ std::vector<std::string> filesKnownToGit() {
     const std::string command = "git -C '" + root + "' -c safe.directory='" + root + "' ls-files 2>/dev/null";
     std::vector<std::string> files;
     const std::unique_ptr<std::FILE, ClosePipe> pipe(popen(command.c_str(), "r"));
-    if (pipe == nullptr) {
-        return files;
-    }
+    if (pipe == nullptr) { return files; }
     std::string output;
     char buffer[4096];
     while (const std::size_t count = std::fread(buffer, 1, sizeof(buffer), pipe.get())) {
@@ -66,9 +60,7 @@ std::vector<std::string> filesKnownToGit() {
     }
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {
-        if (fs::exists(sourceRoot() / line)) {
-            files.push_back(line);
-        }
+        if (fs::exists(sourceRoot() / line)) { files.push_back(line); }
     }
     return files;
 }
@@ -78,9 +70,7 @@ std::vector<std::string> filesKnownToGit() {
 std::vector<std::string> repositoryFiles() {
     if (fs::exists(sourceRoot() / ".git")) {
         std::vector<std::string> files = filesKnownToGit();
-        if (!files.empty()) {
-            return files;
-        }
+        if (!files.empty()) { return files; }
     }
     std::vector<std::string> files;
     for (auto at = fs::recursive_directory_iterator(sourceRoot()); at != fs::recursive_directory_iterator(); ++at) {

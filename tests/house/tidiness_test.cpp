@@ -17,15 +17,11 @@ TEST(TopLevel, HoldsWhatTheDesignNames) {
         "tools",       "tests",      "README.md", "LICENSE", "CMakeLists.txt", "CMakePresets.json",
         "CHANGELOG.md"};
     std::set<std::string> found;
-    for (const std::string& path : repositoryFiles()) {
-        found.insert(path.substr(0, path.find('/')));
-    }
+    for (const std::string& path : repositoryFiles()) { found.insert(path.substr(0, path.find('/'))); }
     for (const std::string& entry : found) {
         EXPECT_TRUE(entry.starts_with('.') || allowed.count(entry) != 0) << entry << " does not belong there";
     }
-    for (const std::string& needed : allowed) {
-        EXPECT_EQ(found.count(needed), 1U) << needed << " is missing";
-    }
+    for (const std::string& needed : allowed) { EXPECT_EQ(found.count(needed), 1U) << needed << " is missing"; }
 }
 
 TEST(Names, OfSourcesAreSnakeCase) {
@@ -43,9 +39,7 @@ TEST(Texts, NameNoPlaceOfAParticularMachine) {
                                              slash + "tmp/",  slash + "opt/",  slash + "mnt/"};
     const std::set<std::string> readable = {".h", ".cpp", ".txt", ".cmake", ".in", ".json", ".md", ".sh", ".jsonl", ""};
     for (const std::string& path : repositoryFiles()) {
-        if (readable.count(fs::path(path).extension().string()) == 0) {
-            continue;
-        }
+        if (readable.count(fs::path(path).extension().string()) == 0) { continue; }
         const std::string text = readText(sourceRoot() / path);
         for (const std::string& place : places) {
             for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + 1)) {
@@ -64,15 +58,11 @@ TEST(Pages, LinkToWhatIsThere) {
     const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)");
     int links = 0;
     for (const std::string& path : repositoryFiles()) {
-        if (!path.ends_with(".md")) {
-            continue;
-        }
+        if (!path.ends_with(".md")) { continue; }
         const std::string text = readText(sourceRoot() / path);
         for (auto at = std::sregex_iterator(text.begin(), text.end(), link); at != std::sregex_iterator(); ++at) {
             const std::string target = (*at)[1];
-            if (target.find("://") != std::string::npos) {
-                continue;
-            }
+            if (target.find("://") != std::string::npos) { continue; }
             ++links;
             EXPECT_TRUE(fs::exists(sourceRoot() / fs::path(path).parent_path() / target))
                 << path << " links to " << target;

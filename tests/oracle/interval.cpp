@@ -42,9 +42,7 @@ std::array<Interval, count> coefficients(int lowestDegree) {
 template <std::size_t count>
 Interval horner(const std::array<Interval, count>& highestFirst, Interval x) {
     Interval sum = highestFirst[0];
-    for (std::size_t i = 1; i < count; ++i) {
-        sum = sum * x + highestFirst[i];
-    }
+    for (std::size_t i = 1; i < count; ++i) { sum = sum * x + highestFirst[i]; }
     return sum;
 }
 
@@ -66,28 +64,18 @@ SinCos series(Interval r) {
 SinCos sinCos(Interval angle) {
     constexpr Interval kAll{-1, 1};
     const double middle = angle.middle();
-    if (!(angle.magnitude() < kLargestAngle)) {
-        return {kAll, kAll};
-    }
+    if (!(angle.magnitude() < kLargestAngle)) { return {kAll, kAll}; }
     const double quarters = std::nearbyint(middle * 0.6366197723675814);
     const Interval tail{nextDown(kHalfPiTail), nextUp(kHalfPiTail)};
     const double head = quarters * kHalfPiHead;
     const Interval product = std::fabs(quarters) < kExactQuarters ? Interval(head) : Interval::outward(head, head);
     const Interval r = (Interval(middle) - product) - quarters * tail;
-    if (!(r.magnitude() <= 1)) {
-        return {kAll, kAll};
-    }
+    if (!(r.magnitude() <= 1)) { return {kAll, kAll}; }
     SinCos result = series(r);
     const auto quadrant = static_cast<std::int64_t>(quarters) & 3;
-    if (quadrant == 1) {
-        result = {result.cos, -result.sin};
-    }
-    if (quadrant == 2) {
-        result = {-result.sin, -result.cos};
-    }
-    if (quadrant == 3) {
-        result = {-result.cos, result.sin};
-    }
+    if (quadrant == 1) { result = {result.cos, -result.sin}; }
+    if (quadrant == 2) { result = {-result.sin, -result.cos}; }
+    if (quadrant == 3) { result = {-result.cos, result.sin}; }
     const Interval width = Interval::around(angle.lo == angle.hi ? 0 : angle.radius());
     return {meet(result.sin + width, kAll), meet(result.cos + width, kAll)};
 }

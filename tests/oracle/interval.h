@@ -14,10 +14,8 @@ namespace swept::oracle {
 /// The next double above; infinity stays. As `std::nextafter(x, ∞)`, which is a call: neighbours of one sign are
 /// neighbours as integers.
 inline double nextUp(double x) {
-    if (!(x < std::numeric_limits<double>::infinity())) {
-        return x;
-    }                                                        // also NaN
-    const auto bits = std::bit_cast<std::int64_t>(x + 0.0);  // −0 becomes +0
+    if (!(x < std::numeric_limits<double>::infinity())) { return x; }  // also NaN
+    const auto bits = std::bit_cast<std::int64_t>(x + 0.0);            // −0 becomes +0
     return std::bit_cast<double>(bits + (bits >= 0 ? 1 : -1));
 }
 
@@ -64,9 +62,7 @@ inline Interval operator*(Interval a, Interval b) {
 /// Everything when the divisor holds 0.
 inline Interval operator/(Interval a, Interval b) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    if (b.contains(0)) {
-        return {-kInfinity, kInfinity};
-    }
+    if (b.contains(0)) { return {-kInfinity, kInfinity}; }
     const double p = a.lo / b.lo;
     const double q = a.lo / b.hi;
     const double r = a.hi / b.lo;

@@ -65,8 +65,8 @@ MovingPair::MovingPair(const ToiPolygon& a, const Sweep& sweepA, const Turning& 
       radiiInterval_(Interval(a.radius) + Interval(b.radius)) {}
 
 PlainSeparation MovingPair::guess(double fraction) const {
-    return plainSeparation(polygonA_, sweepA_, a_.turning.guess(fraction), polygonB_, sweepB_, b_.turning.guess(fraction),
-                           fraction);
+    return plainSeparation(polygonA_, sweepA_, a_.turning.guess(fraction), polygonB_, sweepB_,
+                           b_.turning.guess(fraction), fraction);
 }
 
 IntervalVec MovingPair::centersAt(Interval t) const { return start_ + t * change_ + (t * (t - 1.0)) * curvature_; }
@@ -104,9 +104,7 @@ MovingPair::Ends MovingPair::lowestProjection(const Body& body, SinCos rotation,
     const Rates rates = ratesOf(body, middle, spin, half);
     // Over many turns the circle about the centre is the better bound, and where the turning is unknown the only one.
     const double ofCircle = -(Interval(body.reach) * longest).hi;
-    if (!isFinite(rates.throughout) || !isFinite(rates.change)) {
-        return {ofCircle, ofCircle};
-    }
+    if (!isFinite(rates.throughout) || !isFinite(rates.change)) { return {ofCircle, ofCircle}; }
     const IntervalVec slope = -rates.atMiddle * leftOf(w);
     const IntervalVec bend = bendOf(rates, w, longest, half);
     Ends lowest{kInfinity, kInfinity};
@@ -118,9 +116,7 @@ MovingPair::Ends MovingPair::lowestProjection(const Body& body, SinCos rotation,
         lowest.atStart = std::min(lowest.atStart, span.below(value, gain, bendLow, -half));
         lowest.atEnd = std::min(lowest.atEnd, span.below(value, gain, bendLow, half));
     }
-    if (std::min(lowest.atStart, lowest.atEnd) < ofCircle) {
-        return {ofCircle, ofCircle};
-    }
+    if (std::min(lowest.atStart, lowest.atEnd) < ofCircle) { return {ofCircle, ofCircle}; }
     return lowest;
 }
 
@@ -169,12 +165,8 @@ double MovingPair::largestEdgeGap(double fraction) const {
     const auto countB = static_cast<std::size_t>(b_.count);
     const SinCos rotationA = rotationAt(a_, fraction);
     const SinCos rotationB = rotationAt(b_, fraction);
-    for (std::size_t i = 0; i < countA; ++i) {
-        placedA[i] = turned(rotationA, a_.vertices[i]);
-    }
-    for (std::size_t i = 0; i < countB; ++i) {
-        placedB[i] = centersAt(fraction) + turned(rotationB, b_.vertices[i]);
-    }
+    for (std::size_t i = 0; i < countA; ++i) { placedA[i] = turned(rotationA, a_.vertices[i]); }
+    for (std::size_t i = 0; i < countB; ++i) { placedB[i] = centersAt(fraction) + turned(rotationB, b_.vertices[i]); }
     double largest = -kInfinity;
     const auto tryEdges = [&largest](const auto& p, std::size_t countP, const auto& q, std::size_t countQ) {
         for (std::size_t i = 0; countP > 1 && i < countP; ++i) {
@@ -208,9 +200,7 @@ Interval MovingPair::coreSeparationAt(double fraction, const PlainSeparation& gu
     double high = upperDistance(fraction, guess);
     if (low <= 0) {
         const double byEdges = largestEdgeGap(fraction);
-        if (byEdges < 0) {
-            high = byEdges;
-        }
+        if (byEdges < 0) { high = byEdges; }
     }
     return {low, high};
 }

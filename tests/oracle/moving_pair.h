@@ -18,9 +18,9 @@ namespace swept::oracle {
 /// turns at a constant rate σ (0, or that of a body). Each vertex r of a body that turns at ω projects to f(s) = w(s)·r
 /// at m + s, where w is u as the body sees it: it turns at −ρ, ρ = ω − σ. By Taylor's theorem
 ///     f(s) ∈ f(0) + s f′(0) + ½ s² f″([−h, h]),   f″ = −ρ² w·r − ω′ (Jw)·r,   J a quarter turn,
-/// with f″ enclosed over the whole time (ω′ = 0 where bodies turn at a constant rate); the projection of the centres' difference likewise. As every f is bounded from
-/// below by a function whose graph bends downward, so is the smallest of them, and a sum of such functions is smallest
-/// at an end: s = −h or s = h.
+/// with f″ enclosed over the whole time (ω′ = 0 where bodies turn at a constant rate); the projection of the centres'
+/// difference likewise. As every f is bounded from below by a function whose graph bends downward, so is the smallest
+/// of them, and a sum of such functions is smallest at an end: s = −h or s = h.
 class MovingPair {
 public:
     MovingPair(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB);

@@ -31,12 +31,8 @@ PlainVec centersApart(const Sweep& a, const Sweep& b, double t) {
 double gapAlong(const PlainPolygon& a, const PlainPolygon& b, PlainVec axis) {
     double farthestOfA = -std::numeric_limits<double>::infinity();
     double nearestOfB = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < a.count; ++i) {
-        farthestOfA = std::max(farthestOfA, dot(axis, a.at(i)));
-    }
-    for (int i = 0; i < b.count; ++i) {
-        nearestOfB = std::min(nearestOfB, dot(axis, b.at(i)));
-    }
+    for (int i = 0; i < a.count; ++i) { farthestOfA = std::max(farthestOfA, dot(axis, a.at(i))); }
+    for (int i = 0; i < b.count; ++i) { nearestOfB = std::min(nearestOfB, dot(axis, b.at(i))); }
     return nearestOfB - farthestOfA;
 }
 
@@ -46,9 +42,7 @@ void tryEdges(const PlainPolygon& p, const PlainPolygon& a, const PlainPolygon& 
     for (int i = 0; p.count > 1 && i < p.count; ++i) {
         const PlainVec edge = p.after(i) - p.at(i);
         const double size = length(edge);
-        if (!(size > 0)) {
-            continue;
-        }
+        if (!(size > 0)) { continue; }
         const PlainVec axis = (sign / size) * PlainVec{edge.y, -edge.x};
         const double gap = gapAlong(a, b, axis);
         if (gap > best.core) {
@@ -77,9 +71,7 @@ Nearest nearest(const PlainPolygon& p, const PlainPolygon& q) {
             const double part = size > 0 ? std::clamp(dot(to, edge) / size, 0.0, 1.0) : 0;
             const PlainVec apart = to - part * edge;
             const double square = dot(apart, apart);
-            if (square < best.square) {
-                best = {square, i, j, part};
-            }
+            if (square < best.square) { best = {square, i, j, part}; }
         }
     }
     return best;
@@ -113,9 +105,7 @@ PlainSeparation plainSeparation(const ToiPolygon& a, const Sweep& sweepA, PlainV
     const PointOnEdge corner{vertex, vertex, 0};
     found.onA = vertexOfA ? corner : onEdge(closest, a.count);
     found.onB = vertexOfA ? onEdge(closest, b.count) : corner;
-    if (std::isfinite(found.core) && found.core <= 0) {
-        return found;
-    }
+    if (std::isfinite(found.core) && found.core <= 0) { return found; }
 
     // Apart (or two points): the distance is that of the closest vertex and edge.
     const double distance = std::sqrt(closest.square);

@@ -29,30 +29,22 @@ IntervalVec Turning::mixedAt(Interval fractions) const {
 }
 
 SinCos Turning::at(double fraction) const {
-    if (isSteady_) {
-        return sinCos(Interval(plainFrom_) + rate_ * Interval(fraction));
-    }
+    if (isSteady_) { return sinCos(Interval(plainFrom_) + rate_ * Interval(fraction)); }
     constexpr Interval kAll{-1, 1};
     const IntervalVec p = mixedAt(fraction);
     const Interval size = length(p);
-    if (!(size.lo > 0)) {
-        return {kAll, kAll};
-    }
+    if (!(size.lo > 0)) { return {kAll, kAll}; }
     return {meet(p.y / size, kAll), meet(p.x / size, kAll)};
 }
 
 Interval Turning::rateOver(Interval fractions) const {
-    if (isSteady_) {
-        return rate_;
-    }
+    if (isSteady_) { return rate_; }
     const IntervalVec p = mixedAt(fractions);
     return cross_ / (square(p.x) + square(p.y));
 }
 
 Interval Turning::rateChangeOver(Interval fractions) const {
-    if (isSteady_) {
-        return 0;
-    }
+    if (isSteady_) { return 0; }
     const IntervalVec p = mixedAt(fractions);
     const IntervalVec change = exactly(to_) - exactly(from_);
     return -2.0 * rateOver(fractions) * dot(p, change) / (square(p.x) + square(p.y));

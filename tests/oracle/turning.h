@@ -5,8 +5,8 @@
 
 namespace swept::oracle {
 
-/// How a body turns in the course of a sweep, in interval arithmetic: at a constant rate, as ours do, or mixed, as those
-/// of Box2D 3 do. Radians and their derivatives by the fraction.
+/// How a body turns in the course of a sweep, in interval arithmetic: at a constant rate, as ours do, or mixed, as
+/// those of Box2D 3 do. Radians and their derivatives by the fraction.
 ///
 /// Mixed: the rotations of both ends, as vectors (cosine, sine), are mixed linearly and normalised. The vector
 /// p(t) = from + t (to − from) has the angle φ with φ′ = (p × p′)/|p|² = (from × to)/|p|², and since from × to does not

@@ -32,9 +32,7 @@ struct PolygonsOf {
     }
     std::vector<Polygon> operator()(const PolygonGeometry& g) const {
         std::vector<Vec2> points;
-        for (const DVec2 point : g.points) {
-            points.push_back(toReal(point));
-        }
+        for (const DVec2 point : g.points) { points.push_back(toReal(point)); }
         return {convexHull(points, radius).value()};
     }
     std::vector<Polygon> operator()(const ChainGeometry& g) const {
@@ -47,12 +45,8 @@ struct PolygonsOf {
 };
 
 bool mayCollide(const ShapeDescription& a, const ShapeDescription& b) {
-    if (a.sensor || b.sensor) {
-        return false;
-    }
-    if (a.filter.group == b.filter.group && a.filter.group != 0) {
-        return a.filter.group > 0;
-    }
+    if (a.sensor || b.sensor) { return false; }
+    if (a.filter.group == b.filter.group && a.filter.group != 0) { return a.filter.group > 0; }
     return (a.filter.category & b.filter.mask) != 0 && (b.filter.category & a.filter.mask) != 0;
 }
 
@@ -74,9 +68,7 @@ double smallestDistance(const BodyDescription& a, const BodyDescription& b) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const ShapeDescription& shapeA : a.shapes) {
         for (const ShapeDescription& shapeB : b.shapes) {
-            if (!mayCollide(shapeA, shapeB)) {
-                continue;
-            }
+            if (!mayCollide(shapeA, shapeB)) { continue; }
             for (const Polygon& p : std::visit(PolygonsOf{shapeA.radius}, shapeA.geometry)) {
                 for (const Polygon& q : std::visit(PolygonsOf{shapeB.radius}, shapeB.geometry)) {
                     smallest = std::min(smallest, distance(p, q, bInA).distance);
@@ -97,9 +89,7 @@ TEST(BuiltinScenes, StartWithoutOverlap) {
                 const BodyDescription& a = scene.bodies[i];
                 const BodyDescription& b = scene.bodies[j];
                 const bool moves = a.type == SceneBodyType::dynamic || b.type == SceneBodyType::dynamic;
-                if (!moves || areJoined(scene, i, j)) {
-                    continue;
-                }
+                if (!moves || areJoined(scene, i, j)) { continue; }
                 const double gap = smallestDistance(a, b);
                 EXPECT_GE(gap, -1e-12) << builtin.name << ": " << bodyName(scene, i) << " and " << bodyName(scene, j);
                 touching += gap < 1e-12 ? 1 : 0;

@@ -28,9 +28,7 @@ std::string scratchFile(const std::string& name) {
 Image noise(int width, int height, std::uint64_t seed) {
     Image image = makeImage(width, height, 0, 0, 0);
     Random random(seed);
-    for (std::uint8_t& byte : image.rgb) {
-        byte = static_cast<std::uint8_t>(random.bits() & 255U);
-    }
+    for (std::uint8_t& byte : image.rgb) { byte = static_cast<std::uint8_t>(random.bits() & 255U); }
     return image;
 }
 
@@ -131,9 +129,7 @@ TEST(ImageFiles, SayWhyTheyCannotBeWritten) {
 }
 
 TEST(ImageFiles, AFullDiskIsReported) {
-    if (!std::filesystem::exists("/dev/full")) {
-        GTEST_SKIP() << "this system has no /dev/full";
-    }
+    if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "this system has no /dev/full"; }
     std::string error;
     // Through a link: what was not written completely is removed, and that must be the link.
     const std::string path = scratchFile("full.png");
@@ -146,9 +142,7 @@ TEST(ImageFiles, AFullDiskIsReported) {
 
 TEST(Images, DownsamplingRoundsTheMean) {
     std::vector<std::uint8_t> rgba(4 * 4 * 2, 0);  // 4 × 2 pixels, two of the result
-    for (std::size_t i = 0; i < 8; ++i) {
-        rgba[4 * i] = static_cast<std::uint8_t>(10 * i);
-    }
+    for (std::size_t i = 0; i < 8; ++i) { rgba[4 * i] = static_cast<std::uint8_t>(10 * i); }
     const Image image = downsample(rgba, 2, 1, 2);
     ASSERT_EQ(image.rgb.size(), 6u);
     EXPECT_EQ(image.rgb[0], 25);  // (0 + 10 + 40 + 50) / 4

@@ -73,9 +73,7 @@ TEST(NearestName, AllowsForOneThirdOfTheLetters) {
 TEST(Quotes, EscapeAndCutBetweenCharacters) {
     EXPECT_EQ(inQuotes("a\"b\\c\n"), "\"a\\\"b\\\\c\\u000a\"");
     std::string umlauts = "x";
-    for (int i = 0; i < 50; ++i) {
-        umlauts += "ä";
-    }
+    for (int i = 0; i < 50; ++i) { umlauts += "ä"; }
     EXPECT_EQ(inQuotes(umlauts).substr(58), "ä…\"");  // 59 bytes kept: the 60th is the middle of a character
 }
 

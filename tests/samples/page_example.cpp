@@ -23,9 +23,7 @@ double heightAfterTwoSeconds(const swept::SceneDescription& scene, std::string& 
     swept::RunnerOptions options;
     options.precision = swept::Precision::f64;
     const std::unique_ptr<swept::Runner> runner = swept::makeRunner(scene, options, error);
-    if (!runner) {
-        return 0;
-    }
+    if (!runner) { return 0; }
     const swept::Trace trace = swept::runTrace(*runner, 240);
     return trace.frames.back().bodies.back().position.y;
 }

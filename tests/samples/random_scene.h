@@ -18,24 +18,14 @@ public:
 
     SceneDescription make() {
         SceneDescription scene;
-        if (often()) {
-            scene.name = "scene \"" + std::to_string(random_.integer(0, 99)) + "\"\n\xc3\xa4\\/";
-        }
-        if (often()) {
-            scene.gravity = vector();
-        }
-        if (often()) {
-            scene.view = ViewDescription{vector(), positive()};
-        }
+        if (often()) { scene.name = "scene \"" + std::to_string(random_.integer(0, 99)) + "\"\n\xc3\xa4\\/"; }
+        if (often()) { scene.gravity = vector(); }
+        if (often()) { scene.view = ViewDescription{vector(), positive()}; }
         scene.settings = settings();
         const int count = random_.integer(2, 6);
-        for (int i = 0; i < count; ++i) {
-            scene.bodies.push_back(body(i));
-        }
+        for (int i = 0; i < count; ++i) { scene.bodies.push_back(body(i)); }
         const int joints = random_.integer(0, 3);
-        for (int i = 0; i < joints; ++i) {
-            scene.joints.push_back(joint(scene, i));
-        }
+        for (int i = 0; i < joints; ++i) { scene.joints.push_back(joint(scene, i)); }
         addGear(scene);
         return scene;
     }
@@ -53,24 +43,12 @@ private:
 
     SettingsDescription settings() {
         SettingsDescription s;
-        if (often()) {
-            s.dt = positive();
-        }
-        if (often()) {
-            s.profile = SceneProfile::fast;
-        }
-        if (often()) {
-            s.subSteps = random_.integer(1, 1024);
-        }
-        if (often()) {
-            s.relaxPasses = random_.integer(0, 9);
-        }
-        if (often()) {
-            s.continuous = continuous();
-        }
-        if (often()) {
-            s.maxImpacts = random_.integer(1, 1000);
-        }
+        if (often()) { s.dt = positive(); }
+        if (often()) { s.profile = SceneProfile::fast; }
+        if (often()) { s.subSteps = random_.integer(1, 1024); }
+        if (often()) { s.relaxPasses = random_.integer(0, 9); }
+        if (often()) { s.continuous = continuous(); }
+        if (often()) { s.maxImpacts = random_.integer(1, 1000); }
         s.maxSpeed = maybe(positive());
         s.sleep = often();
         if (often()) {
@@ -112,28 +90,14 @@ private:
         s.geometry = geometry(chainAllowed);
         const bool ownRadius =
             std::holds_alternative<CircleGeometry>(s.geometry) || std::holds_alternative<CapsuleGeometry>(s.geometry);
-        if (!ownRadius && often()) {
-            s.radius = positive();
-        }
-        if (often()) {
-            s.density = positive();
-        }
-        if (often()) {
-            s.friction = positive();
-        }
-        if (often()) {
-            s.restitution = random_.uniform();
-        }
+        if (!ownRadius && often()) { s.radius = positive(); }
+        if (often()) { s.density = positive(); }
+        if (often()) { s.friction = positive(); }
+        if (often()) { s.restitution = random_.uniform(); }
         s.sensor = random_.chance(0.2);
-        if (often()) {
-            s.filter.category = static_cast<std::uint32_t>(random_.bits());
-        }
-        if (often()) {
-            s.filter.mask = static_cast<std::uint32_t>(random_.bits());
-        }
-        if (often()) {
-            s.filter.group = static_cast<std::int32_t>(static_cast<std::uint32_t>(random_.bits()));
-        }
+        if (often()) { s.filter.category = static_cast<std::uint32_t>(random_.bits()); }
+        if (often()) { s.filter.mask = static_cast<std::uint32_t>(random_.bits()); }
+        if (often()) { s.filter.group = static_cast<std::int32_t>(static_cast<std::uint32_t>(random_.bits())); }
         return s;
     }
 
@@ -142,40 +106,20 @@ private:
         // The first two are a dynamic body and another one, so that joints find partners.
         b.type = index == 0 ? SceneBodyType::dynamic : static_cast<SceneBodyType>(random_.integer(0, 2));
         const bool isDynamic = b.type == SceneBodyType::dynamic;
-        if (often()) {
-            b.name = "body, no. " + std::to_string(index);
-        }
-        if (often()) {
-            b.position = vector();
-        }
-        if (often()) {
-            b.angle = number();
-        }
-        if (often()) {
-            b.fixedRotation = isDynamic;
-        }
+        if (often()) { b.name = "body, no. " + std::to_string(index); }
+        if (often()) { b.position = vector(); }
+        if (often()) { b.angle = number(); }
+        if (often()) { b.fixedRotation = isDynamic; }
         if (b.type != SceneBodyType::fixed) {
-            if (often()) {
-                b.velocity = vector();
-            }
-            if (often() && !b.fixedRotation) {
-                b.angularVelocity = number();
-            }
+            if (often()) { b.velocity = vector(); }
+            if (often() && !b.fixedRotation) { b.angularVelocity = number(); }
         }
         b.bullet = random_.chance(0.3);
-        if (often()) {
-            b.linearDamping = positive();
-        }
-        if (often()) {
-            b.angularDamping = positive();
-        }
-        if (often()) {
-            b.gravityScale = number();
-        }
+        if (often()) { b.linearDamping = positive(); }
+        if (often()) { b.angularDamping = positive(); }
+        if (often()) { b.gravityScale = number(); }
         b.awake = often();
-        if (often()) {
-            b.continuous = continuous();
-        }
+        if (often()) { b.continuous = continuous(); }
         if (isDynamic) {
             b.mass = maybe(positive());
             b.inertia = maybe(positive());
@@ -184,9 +128,7 @@ private:
             b.shapes.push_back(solid);
         }
         const int more = random_.integer(0, 3);
-        for (int i = 0; i < more; ++i) {
-            b.shapes.push_back(shape(!isDynamic));
-        }
+        for (int i = 0; i < more; ++i) { b.shapes.push_back(shape(!isDynamic)); }
         return b;
     }
 
@@ -196,13 +138,9 @@ private:
         r.lower = maybe(-positive());
         r.upper = maybe(positive());
         r.maxMotorTorque = maybe(positive());
-        if (r.maxMotorTorque) {
-            r.motorSpeed = maybe(number());
-        }
+        if (r.maxMotorTorque) { r.motorSpeed = maybe(number()); }
         r.hertz = maybe(positive());
-        if (r.hertz) {
-            r.dampingRatio = maybe(positive());
-        }
+        if (r.hertz) { r.dampingRatio = maybe(positive()); }
         return r;
     }
 
@@ -215,9 +153,7 @@ private:
         d.minLength = maybe(length * random_.uniform());
         d.maxLength = maybe(length / random_.range(0.1, 1));
         d.hertz = maybe(positive());
-        if (d.hertz) {
-            d.dampingRatio = maybe(positive());
-        }
+        if (d.hertz) { d.dampingRatio = maybe(positive()); }
         return d;
     }
 
@@ -229,13 +165,9 @@ private:
         m.lower = maybe(-positive());
         m.upper = maybe(positive());
         strength = maybe(positive());
-        if (strength) {
-            m.motorSpeed = maybe(number());
-        }
+        if (strength) { m.motorSpeed = maybe(number()); }
         m.hertz = maybe(positive());
-        if (m.hertz) {
-            m.dampingRatio = maybe(positive());
-        }
+        if (m.hertz) { m.dampingRatio = maybe(positive()); }
     }
 
     MotorDescription motor() {
@@ -258,13 +190,9 @@ private:
     MouseDescription mouse() {
         MouseDescription m;
         m.target = vector();
-        if (often()) {
-            m.anchor = vector();
-        }
+        if (often()) { m.anchor = vector(); }
         m.hertz = maybe(positive());
-        if (m.hertz) {
-            m.dampingRatio = maybe(positive());
-        }
+        if (m.hertz) { m.dampingRatio = maybe(positive()); }
         m.maxForce = maybe(positive());
         return m;
     }
@@ -291,9 +219,7 @@ private:
                 m.anchor = vector();
                 m.linearHertz = maybe(positive());
                 m.angularHertz = maybe(positive());
-                if (m.linearHertz || m.angularHertz) {
-                    m.dampingRatio = maybe(positive());
-                }
+                if (m.linearHertz || m.angularHertz) { m.dampingRatio = maybe(positive()); }
                 return m;
             }
             case 5:
@@ -309,16 +235,12 @@ private:
 
     JointDescription joint(const SceneDescription& scene, int index) {
         JointDescription j;
-        if (often()) {
-            j.name = "joint, no. " + std::to_string(index);
-        }
+        if (often()) { j.name = "joint, no. " + std::to_string(index); }
         const std::string first = nameOf(scene.bodies, 0, "body");
         const int other = random_.integer(1, static_cast<int>(scene.bodies.size()) - 1);
         j.bodyA = first;
         j.bodyB = nameOf(scene.bodies, static_cast<std::size_t>(other), "body");
-        if (often()) {
-            std::swap(j.bodyA, j.bodyB);
-        }
+        if (often()) { std::swap(j.bodyA, j.bodyB); }
         j.collideConnected = often();
         j.breakForce = maybe(positive());
         j.breakTorque = maybe(positive());
@@ -344,17 +266,13 @@ private:
                 fit.push_back(i);
             }
         }
-        if (fit.size() < 2) {
-            return;
-        }
+        if (fit.size() < 2) { return; }
         const bool moves = std::any_of(fit.begin(), fit.begin() + 2, [&](std::size_t i) {
             const auto isMoved = [&](std::size_t body) {
                 return nameOf(scene.bodies, body, "body") == scene.joints[i].bodyB;
             };
             std::size_t body = 0;
-            while (!isMoved(body)) {
-                ++body;
-            }
+            while (!isMoved(body)) { ++body; }
             return scene.bodies[body].type == SceneBodyType::dynamic;
         });
         if (moves) {

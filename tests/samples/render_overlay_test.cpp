@@ -77,16 +77,12 @@ TEST(StrokeFont, EveryPrintableLetterIsItself) {
     for (char c = ' '; c <= '~'; ++c) {
         const Image image = draw(std::string(1, c));
         EXPECT_EQ(countColor(image, rgb(0x000000)) > 0, c != ' ') << c;
-        for (const Image& other : seen) {
-            EXPECT_FALSE(image == other) << c << " looks like another letter";
-        }
+        for (const Image& other : seen) { EXPECT_FALSE(image == other) << c << " looks like another letter"; }
         seen.push_back(image);
     }
     EXPECT_GT(textWidth("mm", 20), 2 * textWidth("ii", 20));
     EXPECT_NEAR(textWidth("swept", 40), 2 * textWidth("swept", 20), 1e-9);
-    for (const char* digit : {"0", "1", "4", "9"}) {
-        EXPECT_EQ(textWidth(digit, 20), textWidth("8", 20)) << digit;
-    }
+    for (const char* digit : {"0", "1", "4", "9"}) { EXPECT_EQ(textWidth(digit, 20), textWidth("8", 20)) << digit; }
     EXPECT_EQ(textWidth("", 20), 0);
 }
 
@@ -99,9 +95,7 @@ TEST(RenderOverlay, TitleTimeAndLegendAppearWhenAskedFor) {
         const Image image = picture(scene, options);
         int ink = 0;
         for (int y = y0; y < y0 + 60; ++y) {
-            for (int x = x0; x < x0 + 200; ++x) {
-                ink += near(pixel(image, x, y), style::kText, 40) ? 1 : 0;
-            }
+            for (int x = x0; x < x0 + 200; ++x) { ink += near(pixel(image, x, y), style::kText, 40) ? 1 : 0; }
         }
         return ink;
     };
@@ -150,9 +144,7 @@ TEST(MotionTrails, LinesAndStrobesFollowTheBody) {
     };
     const std::unique_ptr<SceneRenderer> renderer = makeRenderer(scene, options);
     const Image before = renderer->draw(moved(3));
-    for (int i = 0; i <= 60; ++i) {
-        renderer->addTrail(moved(-3 + 0.1 * i));
-    }
+    for (int i = 0; i <= 60; ++i) { renderer->addTrail(moved(-3 + 0.1 * i)); }
     const Image line = renderer->draw(moved(3));
     EXPECT_EQ(pixelAt(before, {0, 0}), style::kBackground);
     EXPECT_NE(pixelAt(line, {0, 0}), style::kBackground);

@@ -88,9 +88,7 @@ template <class Wanted>
 int countPixels(const Image& image, Wanted&& wanted) {
     int count = 0;
     for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            count += wanted(pixel(image, x, y)) ? 1 : 0;
-        }
+        for (int x = 0; x < image.width; ++x) { count += wanted(pixel(image, x, y)) ? 1 : 0; }
     }
     return count;
 }

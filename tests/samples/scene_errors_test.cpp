@@ -67,9 +67,7 @@ TEST(SceneErrors, Syntax) {
 TEST(SceneErrors, DuplicateKeysOverflowAndDepth) {
     const std::string deep = std::string(65, '[') + std::string(65, ']');
     std::string deepPointer;
-    for (int i = 0; i < 64; ++i) {
-        deepPointer += "/0";
-    }
+    for (int i = 0; i < 64; ++i) { deepPointer += "/0"; }
     expectErrors({
         {R"({"bodies": [], "name": "a", "bodies": []})", "/bodies", "twice"},
         {ball(R"("angle": 0, "angle": 0)"), "/bodies/0/angle", "twice"},
@@ -192,15 +190,16 @@ TEST(SceneErrors, EveryTypeOfJoint) {
         {ofType("weld", at + R"(, "dampingRatio": 1)"), "/joints/0/dampingRatio", "no spring"},
         {ofType("motor", ""), "/joints/0", "needs \"maxForce\" or \"maxTorque\""},
         {ofType("motor", R"(, "maxTorque": 1, "linearOffset": [0, 1])"), "/joints/0/linearOffset", "maxForce"},
-        {ofType("motor", R"(, "maxTorque": 1, "angularOffset": 1, "angularVelocity": 1)"),
-         "/joints/0/angularVelocity", "one aim"},
+        {ofType("motor", R"(, "maxTorque": 1, "angularOffset": 1, "angularVelocity": 1)"), "/joints/0/angularVelocity",
+         "one aim"},
         {ofType("mouse", R"(, "target": [0, 1], "dampingRatio": 1)"), "/joints/0/dampingRatio", "no spring"},
         {ofType("mouse", R"(, "target": [0, 1], "maxForce": -1)"), "/joints/0/maxForce", "at least 0"},
         {joint(R"("type": "mouse", "bodyA": "ball", "bodyB": "floor", "target": [0, 1])"), "/joints/0/bodyB",
          "must be dynamic"},
         {ofType("gear", gear), "/joints/0/jointA", "there is no joint"},
         {ofType("gear", gear + R"(, "ratio": 0)"), "/joints/0/ratio", "must not be 0"},
-        {ofType("pulley", R"(, "groundA": [0, 5], "groundB": [1, 5], "anchorA": [0, 0], "anchorB": [1, 0], "ratio": 0)"),
+        {ofType("pulley",
+                R"(, "groundA": [0, 5], "groundB": [1, 5], "anchorA": [0, 0], "anchorB": [1, 0], "ratio": 0)"),
          "/joints/0/ratio", "greater than 0"},
         {ofType("filter", R"(, "collideConnected": true)"), "/joints/0/collideConnected", "keep its bodies"},
         {ofType("filter", R"(, "breakForce": 1)"), "/joints/0/breakForce", "bears no force"},

@@ -49,15 +49,11 @@ std::string damaged(std::string text, test::Random& random) {
                 text.insert(at, text.substr(at, static_cast<std::size_t>(random.integer(1, 30))));
                 break;
             case 3:
-                if (at < text.size()) {
-                    text[at] = static_cast<char>(random.integer(0, 255));
-                }
+                if (at < text.size()) { text[at] = static_cast<char>(random.integer(0, 255)); }
                 break;
             default: {  // a digit elsewhere in a number keeps the syntax and changes the meaning
                 const std::size_t digit = text.find_first_of("0123456789", at);
-                if (digit != std::string::npos) {
-                    text[digit] = static_cast<char>('0' + random.integer(0, 9));
-                }
+                if (digit != std::string::npos) { text[digit] = static_cast<char>('0' + random.integer(0, 9)); }
             }
         }
     }
@@ -71,9 +67,7 @@ TEST(SceneFuzz, DamagedTextGivesASceneOrAnErrorWithAPlace) {
     std::string whole;
     for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
         test::Random random(seed);
-        if (seed % 20 == 0) {
-            whole = writeScene(test::SceneMaker(seed).make());
-        }
+        if (seed % 20 == 0) { whole = writeScene(test::SceneMaker(seed).make()); }
         const std::string text = damaged(whole, random);
         const SceneResult result = readScene(text, "fuzz");
         if (result.scene) {

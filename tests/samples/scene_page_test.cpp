@@ -58,14 +58,10 @@ std::vector<std::string> blocks(const std::string& text, const std::string& lang
 /// The part of the page under a heading, up to the next heading of the same rank or a higher one.
 std::string section(const std::string& heading) {
     const std::size_t start = page().find("\n" + heading);
-    if (start == std::string::npos) {
-        return {};
-    }
+    if (start == std::string::npos) { return {}; }
     const std::size_t rank = heading.find(' ');
     std::size_t end = page().find("\n#", start + 1);
-    while (end != std::string::npos && page().find(' ', end) - end - 1 > rank) {
-        end = page().find("\n#", end + 1);
-    }
+    while (end != std::string::npos && page().find(' ', end) - end - 1 > rank) { end = page().find("\n#", end + 1); }
     return page().substr(start, end == std::string::npos ? end : end - start);
 }
 
@@ -186,9 +182,7 @@ TEST(ScenePage, ShowsScenesThatRun) {
             std::string error;
             const auto runner = makeRunner(*result.scene, {}, error);
             ASSERT_NE(runner, nullptr) << error << "\n" << text;
-            for (int i = 0; i < 30; ++i) {
-                runner->step();
-            }
+            for (int i = 0; i < 30; ++i) { runner->step(); }
             EXPECT_TRUE(runner->report().finite);
             ++shown;
         }
@@ -226,9 +220,7 @@ int bulletsThatLeft(SceneContinuous mode) {
     const Trace trace = runTrace(*runner, 180, 180);
     int left = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (scene.bodies[i].type != SceneBodyType::dynamic) {
-            continue;
-        }
+        if (scene.bodies[i].type != SceneBodyType::dynamic) { continue; }
         const DVec2 at = trace.frames.back().bodies[i].position;
         const bool isBelow = at.x > -8 && at.x < 3 && at.y > 0 && at.y < 4;
         const bool isAbove = at.x > -8 && at.x < 5 && at.y > 4 && at.y < 8.4;
@@ -253,9 +245,7 @@ TEST(ScenePage, ShowsTheHeaderOfTheStates) {
 
 std::vector<std::string> membersOf(const nlohmann::ordered_json& object) {
     std::vector<std::string> keys;
-    for (const auto& [key, value] : object.items()) {
-        keys.push_back(key);
-    }
+    for (const auto& [key, value] : object.items()) { keys.push_back(key); }
     EXPECT_FALSE(keys.empty());
     return keys;
 }
@@ -309,9 +299,7 @@ TEST(ScenePage, ListsTheBuiltInScenesAsTheyAre) {
         EXPECT_NE(text.find(row), std::string::npos) << "missing: " << row;
     }
     std::size_t rows = 0;
-    for (std::size_t at = text.find("\n| `"); at != std::string::npos; at = text.find("\n| `", at + 1)) {
-        ++rows;
-    }
+    for (std::size_t at = text.find("\n| `"); at != std::string::npos; at = text.find("\n| `", at + 1)) { ++rows; }
     EXPECT_EQ(rows, builtinScenes().size());
 }
 
@@ -335,9 +323,7 @@ TEST(ScenePage, PointsToFilesThatExist) {
         for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
             std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
             target = target.substr(0, std::max<std::size_t>(1, target.find('#')));  // without the place in the file
-            if (target.starts_with("#") || target.find("://") != std::string::npos || path == target) {
-                continue;
-            }
+            if (target.starts_with("#") || target.find("://") != std::string::npos || path == target) { continue; }
             const std::string file =
                 std::string(SWEPT_SOURCE_ROOT) + "/" + (path.find('/') == std::string::npos ? "" : folder) + target;
             EXPECT_TRUE(std::ifstream(file).good()) << path << " points to " << target;

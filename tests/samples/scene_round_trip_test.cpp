@@ -27,9 +27,7 @@ TEST(SceneRoundTrip, RandomScenes) {
     for (std::uint64_t seed = 0; seed < 600; ++seed) {
         const SceneDescription scene = test::SceneMaker(seed).make();
         expectRoundTrip(scene, "seed " + std::to_string(seed));
-        for (const JointDescription& joint : scene.joints) {
-            ++joints[joint.joint.index()];
-        }
+        for (const JointDescription& joint : scene.joints) { ++joints[joint.joint.index()]; }
         for (const BodyDescription& body : scene.bodies) {
             for (const ShapeDescription& shape : body.shapes) {
                 ++shapes;
@@ -43,9 +41,7 @@ TEST(SceneRoundTrip, RandomScenes) {
 }
 
 TEST(SceneRoundTrip, BuiltinScenes) {
-    for (const BuiltinScene& scene : builtinScenes()) {
-        expectRoundTrip(scene.make(), scene.name);
-    }
+    for (const BuiltinScene& scene : builtinScenes()) { expectRoundTrip(scene.make(), scene.name); }
 }
 
 // A changed member must not be lost: the writer leaves out only what the reader puts back.
@@ -90,9 +86,7 @@ TEST(SceneWriter, LinesAreShortEnoughToRead) {
     for (const BuiltinScene& builtin : builtinScenes()) {
         std::istringstream text(writeScene(builtin.make()));
         std::string line;
-        while (std::getline(text, line)) {
-            EXPECT_LE(line.size(), 120u) << builtin.name << ": " << line;
-        }
+        while (std::getline(text, line)) { EXPECT_LE(line.size(), 120u) << builtin.name << ": " << line; }
     }
 }
 

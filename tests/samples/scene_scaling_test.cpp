@@ -12,9 +12,10 @@
 #include "settling_scene.h"
 #include "trace_compare.h"
 
-/// Power-of-two invariance: a scene told in other units of length, mass and time gives the same run, bit for bit, up to the
-/// factors. That is the proof that no length, mass or time is built into the library. On one thread and on two, which must
-/// agree in every bit whatever underflows. Some units in every run, all of them in the long one (SWEPT_ALL_UNITS).
+/// Power-of-two invariance: a scene told in other units of length, mass and time gives the same run, bit for bit, up to
+/// the factors. That is the proof that no length, mass or time is built into the library. On one thread and on two,
+/// which must agree in every bit whatever underflows. Some units in every run, all of them in the long one
+/// (SWEPT_ALL_UNITS).
 
 namespace swept::test {
 namespace {
@@ -23,10 +24,17 @@ constexpr std::int64_t kSteps = 120;
 constexpr std::int64_t kSettlingSteps = 400;  ///< bodies fall asleep, and the piston wakes one of them
 
 #ifdef SWEPT_ALL_UNITS
-constexpr auto kFloatUnits = std::to_array<Units>({{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10},
-                                                   {0, 0, -10}, {1, 0, 0}, {7, -5, 3}, {-10, -10, 10}});
-constexpr auto kDoubleUnits = std::to_array<Units>({{100, 0, 0}, {-100, 0, 0}, {0, 100, 0}, {0, -100, 0}, {0, 0, 100},
-                                                    {0, 0, -100}, {0, 0, 1}, {57, -33, 15}, {-100, 100, -100}});
+constexpr auto kFloatUnits = std::to_array<Units>(
+    {{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10}, {0, 0, -10}, {1, 0, 0}, {7, -5, 3}, {-10, -10, 10}});
+constexpr auto kDoubleUnits = std::to_array<Units>({{100, 0, 0},
+                                                    {-100, 0, 0},
+                                                    {0, 100, 0},
+                                                    {0, -100, 0},
+                                                    {0, 0, 100},
+                                                    {0, 0, -100},
+                                                    {0, 0, 1},
+                                                    {57, -33, 15},
+                                                    {-100, 100, -100}});
 #else
 constexpr auto kFloatUnits = std::to_array<Units>({{10, 0, 0}, {7, -5, 3}, {-10, -10, 10}});
 constexpr auto kDoubleUnits = std::to_array<Units>({{0, 0, 100}, {57, -33, 15}, {-100, 100, -100}});
@@ -37,8 +45,8 @@ struct Tally {
     int underflown = 0;
 };
 
-/// Runs that differ because they lost digits to underflow prove nothing, and are counted. Most lose none that matter: of what
-/// rests the square of a velocity of 1e-20 m/s underflows, beside others that do not.
+/// Runs that differ because they lost digits to underflow prove nothing, and are counted. Most lose none that matter:
+/// of what rests the square of a velocity of 1e-20 m/s underflows, beside others that do not.
 void compareScaled(const SceneDescription& scene, const SceneRun& plain, Precision precision, const Units& units,
                    bool onTwoThreads, Tally& tally) {
     const std::int64_t steps = plain.trace.frames.back().step;
@@ -88,13 +96,9 @@ void compareAll(Precision precision, std::span<const Units> all) {
     EXPECT_GT(tally.conclusive, kFewest * tally.underflown) << "too many runs underflowed to prove anything";
 }
 
-TEST(SceneScaling, SinglePrecisionHasNoUnits) {
-    compareAll(Precision::f32, kFloatUnits);
-}
+TEST(SceneScaling, SinglePrecisionHasNoUnits) { compareAll(Precision::f32, kFloatUnits); }
 
-TEST(SceneScaling, DoublePrecisionHasNoUnits) {
-    compareAll(Precision::f64, kDoubleUnits);
-}
+TEST(SceneScaling, DoublePrecisionHasNoUnits) { compareAll(Precision::f64, kDoubleUnits); }
 
 /// What the settling scene is for really happens in it.
 TEST(SceneScaling, SettlingSceneDoesIt) {
@@ -108,8 +112,8 @@ TEST(SceneScaling, SettlingSceneDoesIt) {
     for (const char* name : {"fellAsleep", "wokeUp", "speedsLimited", "impacts", "solvedBodies", "freeBodies"}) {
         EXPECT_GT(counted(name), 0) << name;
     }
-    for (const SceneEventType type : {SceneEventType::begin, SceneEventType::hit, SceneEventType::sensorBegin,
-                                      SceneEventType::jointBreak}) {
+    for (const SceneEventType type :
+         {SceneEventType::begin, SceneEventType::hit, SceneEventType::sensorBegin, SceneEventType::jointBreak}) {
         const auto count = std::count_if(trace.events.begin(), trace.events.end(),
                                          [type](const SceneEvent& event) { return event.type == type; });
         EXPECT_GT(count, 0) << "type " << static_cast<int>(type);

@@ -112,9 +112,7 @@ std::string fieldOf(const std::string& pointer, const SceneDescription& scene,
         i = end;
     }
     const std::string parent = field.substr(0, field.rfind('/'));
-    if (units.count(parent) != 0) {
-        return parent;
-    }
+    if (units.count(parent) != 0) { return parent; }
     if (field.starts_with("/joints/*/")) {
         const JointGeometry& joint = scene.joints[std::stoul(pointer.substr(8))].joint;
         const std::string own = field + " (" + std::string(jointTypeNames()[joint.index()]) + ")";
@@ -128,22 +126,16 @@ std::map<std::string, double> numbersOf(const SceneDescription& scene) {
     std::map<std::string, double> numbers;
     const nlohmann::json flat = nlohmann::json::parse(writeScene(scene)).flatten();
     for (const auto& item : flat.items()) {
-        if (item.value().is_number()) {
-            numbers[item.key()] = item.value().get<double>();
-        }
+        if (item.value().is_number()) { numbers[item.key()] = item.value().get<double>(); }
     }
     return numbers;
 }
 
 // A hinge has an angle, a rail a length: the ratio of a gear is in metres per radian, the inverse of that, or a number.
 std::optional<Dimension> ratioOfGear(const std::string& pointer, const SceneDescription& scene) {
-    if (!pointer.starts_with("/joints/") || !pointer.ends_with("/ratio")) {
-        return std::nullopt;
-    }
+    if (!pointer.starts_with("/joints/") || !pointer.ends_with("/ratio")) { return std::nullopt; }
     const auto* gear = std::get_if<GearDescription>(&scene.joints[std::stoul(pointer.substr(8))].joint);
-    if (gear == nullptr) {
-        return std::nullopt;
-    }
+    if (gear == nullptr) { return std::nullopt; }
     int length = 0;
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         if (std::holds_alternative<PrismaticDescription>(scene.joints[i].joint)) {
@@ -178,16 +170,12 @@ TEST(SceneUnits, ScalingMultipliesEveryNumberByItsPowerOfTwo) {
             const Dimension d = ratioOfGear(pointer, scene).value_or(inTable);
             const double expected = std::ldexp(value, l * d.length + m * d.mass + t * d.time);
             const auto found = after.find(pointer);
-            if (found == after.end()) {
-                continue;
-            }  // became a default by scaling
+            if (found == after.end()) { continue; }  // became a default by scaling
             EXPECT_EQ(found->second, expected) << "seed " << seed << ": " << pointer;
             seen.insert(field);
         }
     }
-    for (const auto& row : units) {
-        EXPECT_EQ(seen.count(row.first), 1u) << row.first << " was never scaled";
-    }
+    for (const auto& row : units) { EXPECT_EQ(seen.count(row.first), 1u) << row.first << " was never scaled"; }
 }
 
 TEST(SceneUnits, ScalingIncludesTheDefaults) {

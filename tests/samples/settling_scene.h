@@ -3,8 +3,8 @@
 #include <swept/samples/scene_builder.h>
 
 /// A small scene in which every number of the format that has a unit matters within a few seconds: speed limit, TOI
-/// tolerance, damping, given mass and inertia, springs, motors, limits, breaking joints, sensors, bodies that fall asleep
-/// and are woken again.
+/// tolerance, damping, given mass and inertia, springs, motors, limits, breaking joints, sensors, bodies that fall
+/// asleep and are woken again.
 
 namespace swept::test {
 

@@ -114,8 +114,8 @@ TEST(BoxRayCast, NeverLosesARayThroughTheBox) {
 }
 
 TEST(BoxRayCast, KeepsRaysThatTouchExactlyOneCorner) {
-    // From −e·(a, b) along (a, b), exactly through the corner (k·a, k·b); the differences k·a + e·a need more than 53 bits,
-    // so the two axes round the common fraction k + e differently.
+    // From −e·(a, b) along (a, b), exactly through the corner (k·a, k·b); the differences k·a + e·a need more than 53
+    // bits, so the two axes round the common fraction k + e differently.
     Random random(4);
     for (int i = 0; i < 20'000; ++i) {
         const int a = random.integer(1, 200);

@@ -69,9 +69,7 @@ TEST(AgainstBox2d, DistancesAndNormalsAgree) {
         ASSERT_NEAR(std::max(static_cast<double>(d.distance), 0.0), static_cast<double>(out.distance), 1e-5)
             << "seed " << seed << "\n"
             << c;
-        if (out.distance < 0.01F) {
-            continue;
-        }
+        if (out.distance < 0.01F) { continue; }
         ++apart;
         const b2Vec2 gap = (1 / out.distance) * (out.pointB - out.pointA);
         ASSERT_NEAR(static_cast<double>(d.normal.x), static_cast<double>(gap.x), 1e-3) << "seed " << seed << "\n" << c;
@@ -126,9 +124,7 @@ TEST(AgainstBox2d, ManifoldsOfOverlappingPolygonsAgree) {
         }
         ASSERT_NEAR(static_cast<double>(deepest), static_cast<double>(theirDeepest), 1e-4) << "seed " << seed << "\n"
                                                                                            << c;
-        if (!isDecided) {
-            continue;
-        }
+        if (!isDecided) { continue; }
         ASSERT_EQ(ours.count, theirs.pointCount) << "seed " << seed << "\n" << c;
         two += ours.count == 2 ? 1 : 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(ours.count); ++i) {

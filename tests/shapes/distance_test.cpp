@@ -54,9 +54,7 @@ TEST_P(DistanceFamilies, AgreesWithBruteForce) {
     RecordProperty("mostIterations", mostIterations);
     EXPECT_GT(apart, kCases / 8) << "too few pairs apart";
     const bool mayOverlap = GetParam() != PairFamily::farApart && GetParam() != PairFamily::circles;
-    if (mayOverlap) {
-        EXPECT_GT(overlapping, kCases / 50) << "too few overlaps";
-    }
+    if (mayOverlap) { EXPECT_GT(overlapping, kCases / 50) << "too few overlaps"; }
 }
 
 TEST_P(DistanceFamilies, NormalSeparatesAsMuchAsTheDistance) {
@@ -68,12 +66,8 @@ TEST_P(DistanceFamilies, NormalSeparatesAsMuchAsTheDistance) {
         const Point n = exact(d.normal);
         long double highest = -std::numeric_limits<long double>::infinity();
         long double lowest = std::numeric_limits<long double>::infinity();
-        for (const Point p : a) {
-            highest = std::max(highest, dot(n, p));
-        }
-        for (const Point p : b) {
-            lowest = std::min(lowest, dot(n, p));
-        }
+        for (const Point p : a) { highest = std::max(highest, dot(n, p)); }
+        for (const Point p : b) { lowest = std::min(lowest, dot(n, p)); }
         const long double unit = kEps * scaleOf(c, exact(d.coreDistance));
         ASSERT_LE(std::fabs(lowest - highest - exact(d.coreDistance)) / unit, kErrorBound) << "seed " << seed << "\n"
                                                                                            << c;
@@ -113,9 +107,7 @@ TEST_P(DistanceFamilies, WarmStartGivesTheSameAnswer) {
     }
     const bool isOnePair = GetParam() == PairFamily::tinyAndHuge || GetParam() == PairFamily::farApart ||
                            GetParam() == PairFamily::circles;
-    if (!isOnePair) {
-        EXPECT_GT(shorter, kCases / 20) << "the cache saves nothing";
-    }
+    if (!isOnePair) { EXPECT_GT(shorter, kCases / 20) << "the cache saves nothing"; }
 }
 
 std::string familyName(const testing::TestParamInfo<PairFamily>& family) {
@@ -170,9 +162,7 @@ TEST(Distance, MirroredShapesGiveTheSameDistance) {
 }
 
 Polygon scaled(Polygon p, int k) {
-    for (Vec2& v : p.vertices) {
-        v = {std::ldexp(v.x, k), std::ldexp(v.y, k)};
-    }
+    for (Vec2& v : p.vertices) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k)}; }
     p.radius = std::ldexp(p.radius, k);
     return p;
 }
@@ -213,9 +203,7 @@ TEST(Distance, ExhaustionAgreesAndResolvesWhatRoundingStops) {
             const GjkResult gjk = runGjk(pair, nullptr);
             stalled += gjk.outcome == GjkOutcome::stalled ? 1 : 0;
             ASSERT_NE(closestFeatures(pair, nullptr).outcome, GjkOutcome::stalled);
-            if (gjk.outcome != GjkOutcome::apart) {
-                continue;
-            }
+            if (gjk.outcome != GjkOutcome::apart) { continue; }
             ++apart;
             const GjkResult all = closestByExhaustion(pair);
             ASSERT_LE(std::fabs(gjk.distance - all.distance), 4 * gjk.resolution) << "seed " << seed << "\n" << c;

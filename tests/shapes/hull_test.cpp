@@ -28,7 +28,9 @@ void shuffle(Cloud& cloud, Random& random) {
 void expectHull(const Cloud& cloud, const Polygon& hull) {
     ASSERT_TRUE(validate(hull).ok()) << hull;
     const long double tolerance = 40 * kEps * sizeOfCloud(cloud);
-    for (const Vec2 point : cloud) { ASSERT_LE(distanceToCore(hull, exact(point)), tolerance) << point << " / " << hull; }
+    for (const Vec2 point : cloud) {
+        ASSERT_LE(distanceToCore(hull, exact(point)), tolerance) << point << " / " << hull;
+    }
     for (const Vec2 vertex : hull.points()) {
         ASSERT_NE(std::find(cloud.begin(), cloud.end(), vertex), cloud.end()) << vertex << " is no input";
         const Vec2 first = hull.vertices[0];
@@ -66,11 +68,13 @@ TEST(Hull, AgreesWithBruteForceOnRandomClouds) {
         const int count = random.integer(3, 24);
         const bool grid = i % 3 == 0;  // small integers: many repeated and collinear points
         for (int k = 0; k < count; ++k) {
-            cloud.push_back(grid ? Vec2{real(random.integer(-3, 3)), real(random.integer(-3, 3))} : randomVec(random, -1, 1));
+            cloud.push_back(grid ? Vec2{real(random.integer(-3, 3)), real(random.integer(-3, 3))}
+                                 : randomVec(random, -1, 1));
         }
         const Result<Polygon> hull = convexHull(cloud);
         Cloud distinct = cloud;
-        std::sort(distinct.begin(), distinct.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+        std::sort(distinct.begin(), distinct.end(),
+                  [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
         distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
         const std::size_t vertices = bruteVertexCount(distinct);
         if (vertices > 8) {
@@ -94,8 +98,9 @@ TEST(Hull, DoesNotDependOnTheOrderOfTheInput) {
     for (int i = 0; i < 2'000; ++i) {
         Cloud cloud;
         for (int k = random.integer(3, 12); k > 0; --k) {
-            cloud.push_back(i % 2 == 0 ? randomVec(random, -1, 1)
-                                       : Vec2{real(random.integer(-2, 2) * random.sign()), real(random.integer(-2, 2))});
+            cloud.push_back(i % 2 == 0
+                                ? randomVec(random, -1, 1)
+                                : Vec2{real(random.integer(-2, 2) * random.sign()), real(random.integer(-2, 2))});
         }
         const Result<Polygon> one = convexHull(cloud);
         shuffle(cloud, random);
@@ -103,7 +108,8 @@ TEST(Hull, DoesNotDependOnTheOrderOfTheInput) {
         ASSERT_EQ(one.status().code, other.status().code) << "case " << i;
         for (std::size_t k = 0; k < 8; ++k) {
             ASSERT_EQ(one.value().vertices[k], other.value().vertices[k]) << "case " << i;
-            ASSERT_EQ(std::signbit(one.value().vertices[k].x), std::signbit(other.value().vertices[k].x)) << "case " << i;
+            ASSERT_EQ(std::signbit(one.value().vertices[k].x), std::signbit(other.value().vertices[k].x))
+                << "case " << i;
         }
     }
 }
@@ -203,7 +209,9 @@ TEST(Hull, KeepsAFinelySteppedArcRound) {
     for (int i = 0; i <= 100; ++i) {
         const Real t = real(i / 50.0 - 1);
         const Real bulge = 1 + kEpsilon * (1 - t * t);
-        for (const Vec2 p : {Vec2{t, -bulge}, Vec2{bulge, t}, Vec2{t, bulge}, Vec2{-bulge, t}}) { cushion.push_back(p); }
+        for (const Vec2 p : {Vec2{t, -bulge}, Vec2{bulge, t}, Vec2{t, bulge}, Vec2{-bulge, t}}) {
+            cushion.push_back(p);
+        }
     }
     const Result<Polygon> hull = convexHull(cushion);
     ASSERT_TRUE(hull.ok());
@@ -214,13 +222,15 @@ TEST(Hull, ThinTrianglesAreEitherValidOrRefused) {
     Random random(7);
     int accepted = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const Real thickness = std::ldexp(real(random.range(0.5, 1)), -random.integer(0, std::numeric_limits<Real>::digits + 6));
+        const Real thickness =
+            std::ldexp(real(random.range(0.5, 1)), -random.integer(0, std::numeric_limits<Real>::digits + 6));
         const double tilt = random.range(0, 7);
         Cloud cloud;
         for (int k = 0; k < 6; ++k) {
             const double x = random.range(-1, 1);
             const double y = static_cast<double>(thickness) * random.range(-1, 1);
-            cloud.push_back({real(x * std::cos(tilt) - y * std::sin(tilt)), real(x * std::sin(tilt) + y * std::cos(tilt))});
+            cloud.push_back(
+                {real(x * std::cos(tilt) - y * std::sin(tilt)), real(x * std::sin(tilt) + y * std::cos(tilt))});
         }
         const Result<Polygon> hull = convexHull(cloud);
         if (hull.ok()) {

@@ -42,9 +42,7 @@ std::vector<Slider> sliders() {
 double reachBelow(const Slider& s) {
     double lowest = 0;
     const Rotation q = rotationFromAngle(s.angle);
-    for (const Vec2 v : s.shape.points()) {
-        lowest = std::min(lowest, static_cast<double>(rotate(q, v).y));
-    }
+    for (const Vec2 v : s.shape.points()) { lowest = std::min(lowest, static_cast<double>(rotate(q, v).y)); }
     return static_cast<double>(s.shape.radius) - lowest;
 }
 
@@ -101,9 +99,7 @@ TEST(ChainManifold, NothingCatchesOnSlopes) {
                     const ChainSegment segment = chainSegment(ground, false, 0, i);
                     const Manifold m = collide(segment, s.shape, pose, real(0.01));
                     points += m.count;
-                    if (m.count == 0) {
-                        continue;
-                    }
+                    if (m.count == 0) { continue; }
                     ASSERT_LE(length(m.normal - normalOf(segment)), 2 * kEpsilon) << s.name << " at " << step;
                 }
                 ASSERT_GE(points, 1) << s.name << " at " << step;
@@ -146,9 +142,7 @@ TEST(ChainManifold, NormalsAtAConvexCornerStayBetweenTheFaces) {
                 const ChainSegment segment = chainSegment(hill, false, 0, i);
                 const Manifold m = collide(segment, s.shape, pose, real(0.001));
                 points += m.count;
-                if (m.count == 0) {
-                    continue;
-                }
+                if (m.count == 0) { continue; }
                 // Never outside the range between the normals of the neighbours.
                 const Vec2 before = segment.hasBefore ? normalOf(chainSegment(hill, false, 0, i - 1)) : Vec2{1, 0};
                 const Vec2 after =

@@ -40,9 +40,7 @@ TEST_P(ManifoldFamilies, DeepestPointIsAsDeepAsTheDistanceSays) {
             ASSERT_EQ(m.count, 0) << "seed " << seed << "\n" << c;
             continue;
         }
-        if (exact(d.distance) > exact(margin) - unit) {
-            continue;
-        }
+        if (exact(d.distance) > exact(margin) - unit) { continue; }
         ASSERT_GE(m.count, 1) << "seed " << seed << "\n" << c;
         ASSERT_NEAR(static_cast<double>(length(exact(m.normal))), 1, 4 * static_cast<double>(kEps));
         // Overlapping cores may prefer a face of A by 2⁻¹⁰ of the shorter of two faces.
@@ -93,18 +91,14 @@ TEST_P(UntiedFamilies, SwappedShapesGiveTheSamePoints) {
         const PairCase c = makePair(GetParam(), seed);
         const Distance d = distance(c.a, c.b, c.bInA);
         const long double size = scaleOf(c, exact(d.coreDistance)) + exact(c.a.radius) + exact(c.b.radius);
-        if (exact(d.coreDistance) < 0.01L * size) {
-            continue;
-        }  // overlapping: A's face is preferred by contract
+        if (exact(d.coreDistance) < 0.01L * size) { continue; }  // overlapping: A's face is preferred by contract
         const Real margin = real(static_cast<double>(size));
         const Manifold ab = collide(c.a, c.b, c.bInA, margin);
         const Manifold ba = collide(c.b, c.a, inverse(c.bInA), margin);
         const Point n = exact(rotate(c.bInA.rotation, ba.normal));
         ASSERT_LE(length(exact(ab.normal) + n), 4 * std::sqrt(kEps)) << "seed " << seed << "\n" << c;
         ASSERT_LE(std::fabs(exact(deepest(ab)) - exact(deepest(ba))), 32 * kEps * size) << "seed " << seed << "\n" << c;
-        if (ab.count != 2 || ba.count != 2) {
-            continue;
-        }
+        if (ab.count != 2 || ba.count != 2) { continue; }
         ++compared;
         for (const ManifoldPoint& p : ab.points) {
             long double nearest = std::numeric_limits<long double>::infinity();
@@ -114,9 +108,7 @@ TEST_P(UntiedFamilies, SwappedShapesGiveTheSamePoints) {
             ASSERT_LE(nearest, 8 * std::sqrt(kEps) * size) << "seed " << seed << "\n" << c;
         }
     }
-    if (GetParam() == PairFamily::generic) {
-        EXPECT_GT(compared, 500);
-    }
+    if (GetParam() == PairFamily::generic) { EXPECT_GT(compared, 500); }
 }
 
 std::string familyName(const testing::TestParamInfo<PairFamily>& family) {

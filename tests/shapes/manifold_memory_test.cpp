@@ -60,7 +60,9 @@ bool isSame(const Manifold& p, const Manifold& q) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(p.count); ++i) {
         const ManifoldPoint& a = p.points[i];
         const ManifoldPoint& b = q.points[i];
-        if (!(a.point == b.point) || std::memcmp(&a.separation, &b.separation, sizeof(Real)) != 0 || a.id != b.id) { return false; }
+        if (!(a.point == b.point) || std::memcmp(&a.separation, &b.separation, sizeof(Real)) != 0 || a.id != b.id) {
+            return false;
+        }
     }
     return p.count == 0 || p.normal == q.normal;
 }
@@ -84,7 +86,7 @@ Transform besides(Chance& chance, const Polygon& a, const Polygon& b, double siz
 
 struct Tally {
     int queries = 0;
-    int kept = 0;     ///< answered without a new search
+    int kept = 0;  ///< answered without a new search
     int touching = 0;
 };
 
@@ -100,14 +102,18 @@ void walk(Chance& chance, const Shape& a, const Polygon& b, Transform pose, doub
         const Transform before = memory.bInA;
         const Manifold kept = collide(a, b, pose, margin, memory);
         const Manifold fresh = collide(a, b, pose, margin);
-        ASSERT_TRUE(isSame(kept, fresh)) << "step " << step << ", stride " << stride << ": " << kept.count << " points, not " << fresh.count;
+        ASSERT_TRUE(isSame(kept, fresh)) << "step " << step << ", stride " << stride << ": " << kept.count
+                                         << " points, not " << fresh.count;
         ++tally.queries;
         tally.kept += knew && before == memory.bInA ? 1 : 0;
         tally.touching += fresh.count > 0 ? 1 : 0;
-        pose.translation += Vec2{static_cast<Real>(stride * chance.range(-1, 1)), static_cast<Real>(stride * chance.range(-1, 1))};
+        pose.translation +=
+            Vec2{static_cast<Real>(stride * chance.range(-1, 1)), static_cast<Real>(stride * chance.range(-1, 1))};
         angle += stride / size * chance.range(-1, 1);
         pose.rotation = rotationFromAngle(angle);
-        if (chance.below(40) == 0) { pose.translation.x += static_cast<Real>(size * chance.range(-1, 1)); }  // teleported
+        if (chance.below(40) == 0) {
+            pose.translation.x += static_cast<Real>(size * chance.range(-1, 1));
+        }  // teleported
     }
 }
 

@@ -19,9 +19,7 @@ Real deepest(const Manifold& m) {
 
 std::set<FeatureId> idsOf(const Manifold& m) {
     std::set<FeatureId> ids;
-    for (int i = 0; i < m.count; ++i) {
-        ids.insert(m.points[static_cast<std::size_t>(i)].id);
-    }
+    for (int i = 0; i < m.count; ++i) { ids.insert(m.points[static_cast<std::size_t>(i)].id); }
     return ids;
 }
 
@@ -196,7 +194,8 @@ TEST(Manifold, OnAFaceSeparationsAreHeightsAboveIt) {
             const double line = height + (static_cast<double>(point.point.x) - x) * std::tan(angle);
             ASSERT_EQ(m.normal, (Vec2{0, 1}));
             ASSERT_NEAR(static_cast<double>(point.separation), line, 8 * static_cast<double>(kEps)) << "seed " << seed;
-            ASSERT_NEAR(static_cast<double>(point.point.y), 1 + line / 2, 8 * static_cast<double>(kEps)) << "seed " << seed;
+            ASSERT_NEAR(static_cast<double>(point.point.y), 1 + line / 2, 8 * static_cast<double>(kEps))
+                << "seed " << seed;
         }
     }
     EXPECT_GT(both, 1000);
@@ -229,9 +228,7 @@ TEST(Manifold, ConcentricCirclesHaveANormal) {
 }
 
 Polygon scaled(Polygon p, int k) {
-    for (Vec2& v : p.vertices) {
-        v = {std::ldexp(v.x, k), std::ldexp(v.y, k)};
-    }
+    for (Vec2& v : p.vertices) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k)}; }
     p.radius = std::ldexp(p.radius, k);
     return p;
 }

@@ -12,7 +12,8 @@ namespace {
 
 constexpr long double kPi = std::numbers::pi_v<long double>;
 
-void expectMass(const MassProperties& got, long double mass, Point center, long double inertia, double tolerance = 1e-14) {
+void expectMass(const MassProperties& got, long double mass, Point center, long double inertia,
+                double tolerance = 1e-14) {
     EXPECT_NEAR(got.mass, static_cast<double>(mass), tolerance * static_cast<double>(mass));
     EXPECT_LE(length(exact(got.center) - center), static_cast<long double>(tolerance) * (1 + length(center)));
     EXPECT_NEAR(got.inertia, static_cast<double>(inertia), tolerance * static_cast<double>(inertia));
@@ -22,9 +23,7 @@ TEST(Mass, OfABox) {
     expectMass(massOf(makeBox({2, real(0.5)}, {3, 4}).value(), 3), 12, {3, 4}, 12 * (16.0L + 1) / 12);
 }
 
-TEST(Mass, OfACircle) {
-    expectMass(massOf(makeCircle({3, 4}, 2).value(), 5), 20 * kPi, {3, 4}, 20 * kPi * 2);
-}
+TEST(Mass, OfACircle) { expectMass(massOf(makeCircle({3, 4}, 2).value(), 5), 20 * kPi, {3, 4}, 20 * kPi * 2); }
 
 TEST(Mass, OfACapsule) {
     // A rectangle 4 × 2 and two half disks whose centroids are 4r/(3π) from their flat sides.
@@ -130,7 +129,8 @@ TEST(Mass, AgreesWithNumericalIntegration) {
         const long double inertia = second - area * dot(center, center);
         const MassProperties got = massOf(polygon, 2);
         ASSERT_NEAR(got.mass, static_cast<double>(2 * area), 1e-5 * got.mass) << "case " << i << ": " << polygon;
-        ASSERT_NEAR(got.inertia, static_cast<double>(2 * inertia), 4e-5 * got.inertia) << "case " << i << ": " << polygon;
+        ASSERT_NEAR(got.inertia, static_cast<double>(2 * inertia), 4e-5 * got.inertia)
+            << "case " << i << ": " << polygon;
         ASSERT_LE(length(exact(got.center) - (origin + center)), 1e-5L) << "case " << i << ": " << polygon;
     }
 }

@@ -41,12 +41,8 @@ inline long double distanceToSegment(Point p, Point a, Point b) {
     const Point offset = p - a;
     const long double size = dot(edge, edge);
     const long double along = dot(offset, edge);
-    if (!(along > 0)) {
-        return length(offset);
-    }
-    if (along >= size) {
-        return length(p - b);
-    }
+    if (!(along > 0)) { return length(offset); }
+    if (along >= size) { return length(p - b); }
     return std::fabs(cross(edge, offset)) / std::sqrt(size);
 }
 
@@ -66,9 +62,7 @@ inline long double faceSeparation(const std::vector<Point>& v, const std::vector
         const Point edge = v[(i + 1) % v.size()] - v[i];
         const Point normal = (1 / length(edge)) * Point{edge.y, -edge.x};
         long double lowest = std::numeric_limits<long double>::infinity();
-        for (const Point q : other) {
-            lowest = std::min(lowest, dot(normal, q - v[i]));
-        }
+        for (const Point q : other) { lowest = std::min(lowest, dot(normal, q - v[i])); }
         best = std::max(best, lowest);
     }
     return best;
@@ -78,21 +72,13 @@ inline long double faceSeparation(const std::vector<Point>& v, const std::vector
 /// edge normals. Segments and points have no inside: there, crossing is the only overlap.
 inline long double coreSeparation(const std::vector<Point>& a, const std::vector<Point>& b) {
     long double nearest = std::numeric_limits<long double>::infinity();
-    for (const Point p : a) {
-        nearest = std::min(nearest, distanceToOutline(b, p));
-    }
-    for (const Point p : b) {
-        nearest = std::min(nearest, distanceToOutline(a, p));
-    }
-    if (a.size() < 2 && b.size() < 2) {
-        return nearest;
-    }
+    for (const Point p : a) { nearest = std::min(nearest, distanceToOutline(b, p)); }
+    for (const Point p : b) { nearest = std::min(nearest, distanceToOutline(a, p)); }
+    if (a.size() < 2 && b.size() < 2) { return nearest; }
     long double sides = std::max(faceSeparation(a, b), faceSeparation(b, a));
     if (a.size() <= 2 && b.size() <= 2) {  // on one line, only the ends can separate
         for (const std::vector<Point>* v : {&a, &b}) {
-            if (v->size() < 2) {
-                continue;
-            }
+            if (v->size() < 2) { continue; }
             const Point edge = (*v)[1] - (*v)[0];
             const Point along = (1 / length(edge)) * edge;
             const auto range = [&along](const std::vector<Point>& points) {
@@ -110,9 +96,7 @@ inline long double coreSeparation(const std::vector<Point>& a, const std::vector
 
 inline long double radiusAboutOrigin(const Polygon& polygon) {
     long double most = 0;
-    for (const Point v : exactPoints(polygon)) {
-        most = std::max(most, length(v));
-    }
+    for (const Point v : exactPoints(polygon)) { most = std::max(most, length(v)); }
     return most;
 }
 
@@ -135,12 +119,8 @@ inline Polygon cook(Random& random, const ShapeRecipe& recipe) {
         const int wanted = recipe.count > 0 ? recipe.count : random.integer(1, kMaxPolygonVertices);
         const int count = attempt < 100 ? wanted : 2;
         std::vector<double> angles;
-        for (int i = 0; i < count; ++i) {
-            angles.push_back(random.range(0, 6.283));
-        }
-        if (recipe.shortEdge > 0 && count > 2) {
-            angles[1] = angles[0] + recipe.shortEdge;
-        }
+        for (int i = 0; i < count; ++i) { angles.push_back(random.range(0, 6.283)); }
+        if (recipe.shortEdge > 0 && count > 2) { angles[1] = angles[0] + recipe.shortEdge; }
         std::sort(angles.begin(), angles.end());
         const double tilt = random.range(0, 6.283);
         std::vector<Vec2> v;
@@ -156,9 +136,7 @@ inline Polygon cook(Random& random, const ShapeRecipe& recipe) {
             return point;
         }
         const Result<Polygon> made = count == 2 ? makeSegment(v[0], v[1], real(radius)) : makePolygon(v, real(radius));
-        if (made.ok()) {
-            return made.value();
-        }
+        if (made.ok()) { return made.value(); }
     }
 }
 
@@ -223,9 +201,7 @@ inline PairCase makePair(PairFamily family, std::uint64_t seed) {
         case PairFamily::tinyAndHuge:
             a.size = 1e-4;
             b.size = 1e4;
-            if (random.chance(0.5)) {
-                std::swap(a, b);
-            }
+            if (random.chance(0.5)) { std::swap(a, b); }
             reach = 2e4;
             break;
         case PairFamily::segments:
@@ -250,9 +226,7 @@ inline PairCase makePair(PairFamily family, std::uint64_t seed) {
             const double quarter = 1.5707963267948966 * random.integer(0, 3);
             const double turn = random.chance(0.5) ? 0 : random.sign() * tiny(random, 1, 16);
             c.bInA.rotation = rotationFromAngle(quarter + turn);
-            if (family == PairFamily::parallel) {
-                break;
-            }
+            if (family == PairFamily::parallel) { break; }
             c.b = c.a;
             const double shrink = random.chance(0.2) ? 0 : tiny(random, 0, 16);
             c.bInA.translation = real(shrink) * c.bInA.translation;

@@ -14,7 +14,9 @@ constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 StatusCode codeOf(const Result<Polygon>& result) { return result.status().code; }
-StatusCode polygonCode(const std::vector<Vec2>& vertices, Real radius = 0) { return codeOf(makePolygon(vertices, radius)); }
+StatusCode polygonCode(const std::vector<Vec2>& vertices, Real radius = 0) {
+    return codeOf(makePolygon(vertices, radius));
+}
 
 void expectOutwardUnitNormals(const Polygon& polygon) {
     for (int i = 0; i < polygon.count; ++i) {

@@ -80,7 +80,8 @@ TEST_F(PowerOfTwo, MakersRefuseTheSame) {
         // Bumps around the limit of convexity.
         const Real bump = kEpsilon * real(random.range(0, 12));
         const std::array<Vec2, 4> vertices = {Vec2{0, 0}, Vec2{1, -bump}, Vec2{2, 0}, Vec2{1, 1}};
-        const std::array<Vec2, 4> scaled = {scale(vertices[0]), scale(vertices[1]), scale(vertices[2]), scale(vertices[3])};
+        const std::array<Vec2, 4> scaled = {scale(vertices[0]), scale(vertices[1]), scale(vertices[2]),
+                                            scale(vertices[3])};
         const Result<Polygon> one = makePolygon(vertices);
         expectSame(one, makePolygon(scaled), scale, i);
         expectSame(convexHull(vertices), convexHull(scaled), scale, i);
@@ -133,7 +134,8 @@ TEST_F(PowerOfTwo, Mass) {
         const Scale scale = randomScale(random);
         const Polygon polygon = randomShape(random);
         const MassProperties one = massOf(polygon, 3);
-        const MassProperties other = massOf(scale(polygon), 3);  // the same density: mass grows with L², inertia with L⁴
+        const MassProperties other =
+            massOf(scale(polygon), 3);  // the same density: mass grows with L², inertia with L⁴
         ASSERT_EQ(scale(one.mass, 2), other.mass) << "case " << i << ": " << polygon;
         ASSERT_EQ(scale(one.center), other.center) << "case " << i << ": " << polygon;
         ASSERT_EQ(scale(one.inertia, 4), other.inertia) << "case " << i << ": " << polygon;

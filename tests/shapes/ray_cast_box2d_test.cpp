@@ -70,7 +70,8 @@ TEST(RayCastAgainstBox2d, PolygonsWithoutRadius) {
         }
         if (!ours.hit) { continue; }
         ++hits;
-        const double cornered = static_cast<double>(length(ours.normal - Vec2{theirs.output.normal.x, theirs.output.normal.y}));
+        const double cornered =
+            static_cast<double>(length(ours.normal - Vec2{theirs.output.normal.x, theirs.output.normal.y}));
         if (cornered > 1e-3) {  // through a vertex, where either normal is right
             ++disagreements;
             continue;

@@ -56,7 +56,8 @@ long double bisected(const Polygon& polygon, const Ray& ray, long double inside)
 
 Ray randomRay(Random& random, const Polygon& polygon) {
     const int index = random.integer(0, polygon.count - 1);
-    const Vec2 target = polygon.vertices[static_cast<std::size_t>(index)] + real(random.range(0, 1.5)) * randomVec(random, -1, 1);
+    const Vec2 target =
+        polygon.vertices[static_cast<std::size_t>(index)] + real(random.range(0, 1.5)) * randomVec(random, -1, 1);
     const Vec2 origin = target + randomVec(random, -6, 6);
     return {origin, real(random.range(0.3, 3)) * (target - origin)};
 }
@@ -94,7 +95,8 @@ TEST(RayCast, AgreesWithBisectionOnRandomShapes) {
         // A grazing ray amplifies the rounding of the shape's normal distance: judge by that distance.
         const long double slack = 8 * kEps * (10 + speed);
         const bool near = std::fabs(exact(got.fraction) - truth) * speed <= slack;
-        ASSERT_TRUE(near || std::fabs(outside(polygon, ray.at(exact(got.fraction)))) <= slack) << "case " << i << ": " << polygon;
+        ASSERT_TRUE(near || std::fabs(outside(polygon, ray.at(exact(got.fraction)))) <= slack)
+            << "case " << i << ": " << polygon;
         ASSERT_LE(length(exact(got.point) - ray.at(exact(got.fraction))), slack) << "case " << i;
         ASSERT_NEAR(static_cast<double>(length(exact(got.normal))), 1, 4 * static_cast<double>(kEps)) << "case " << i;
         ASSERT_LE(dot(exact(got.normal), exact(ray.direction)), 8 * kEps * speed) << "case " << i;
@@ -184,7 +186,8 @@ TEST(RayCast, SegmentAgreesWithTheClosedForm) {
         ASSERT_EQ(got.hit, margin > 0) << "case " << i << ": " << segment;
         if (!got.hit) { continue; }
         ++hits;
-        ASSERT_NEAR(static_cast<double>(got.fraction), static_cast<double>(t), static_cast<double>(kEps) + 1e-10) << "case " << i;
+        ASSERT_NEAR(static_cast<double>(got.fraction), static_cast<double>(t), static_cast<double>(kEps) + 1e-10)
+            << "case " << i;
         ASSERT_LT(dot(exact(got.normal), exact(ray.direction)), 0) << "case " << i;
     }
     EXPECT_GT(hits, 3'000);

@@ -95,11 +95,16 @@ inline Polygon randomShape(Random& random, double offset = 0) {
     const Vec2 q = p + randomVec(random, 0.1, 1);
     const double radius = random.range(0.01, 1);
     switch (kind) {
-        case 0: return makeCircle(p, real(radius)).value();
-        case 1: return makeCapsule(p, q, real(radius)).value();
-        case 2: return makeSegment(p, q).value();
-        case 3: return randomPolygon(random, 0, offset);
-        default: return randomPolygon(random, radius, offset);
+        case 0:
+            return makeCircle(p, real(radius)).value();
+        case 1:
+            return makeCapsule(p, q, real(radius)).value();
+        case 2:
+            return makeSegment(p, q).value();
+        case 3:
+            return randomPolygon(random, 0, offset);
+        default:
+            return randomPolygon(random, radius, offset);
     }
 }
 

@@ -112,7 +112,8 @@ TEST(ArcTangent2, TakesTheWholeRangeOfNumbers) {
             for (const double x : {width, -width}) {
                 for (const double y : {height, -height}) {
                     // A zero has no sign here: the range is (−π, π].
-                    const long double truth = std::atan2(static_cast<long double>(y + 0.0), static_cast<long double>(x));
+                    const long double truth =
+                        std::atan2(static_cast<long double>(y + 0.0), static_cast<long double>(x));
                     EXPECT_NEAR(arcTangent2(y, x), static_cast<double>(truth), 0x1p-51) << y << ' ' << x;
                 }
             }

@@ -73,13 +73,9 @@ TEST(WarmStart, FlatCornersAreNotTakenForSupports) {
             c.b.vertices[i] = toReal(DVec2{std::cos(tilt) * corners[i].x - std::sin(tilt) * corners[i].y,
                                            std::sin(tilt) * corners[i].x + std::cos(tilt) * corners[i].y});
         }
-        for (std::size_t i = 0; i < 5; ++i) {
-            c.b.normals[i] = edgeNormal(c.b.vertices[i], c.b.vertices[(i + 1) % 5]);
-        }
+        for (std::size_t i = 0; i < 5; ++i) { c.b.normals[i] = edgeNormal(c.b.vertices[i], c.b.vertices[(i + 1) % 5]); }
         const bool isValid = validate(c.b).ok();
-        if (!isValid && std::is_same_v<Real, float>) {
-            continue;
-        }  // computed in double, a dent is a dent
+        if (!isValid && std::is_same_v<Real, float>) { continue; }  // computed in double, a dent is a dent
         flat += isValid ? 0 : 1;
         // The flat side faces away from A's upper side.
         c.bInA = {randomVec(random, -0.5, 0.5), rotationFromAngle(-tilt + random.range(-1, 1) * bump)};
@@ -87,9 +83,7 @@ TEST(WarmStart, FlatCornersAreNotTakenForSupports) {
         expectNoFeaturesMislead(c, "seed " + std::to_string(seed));
         ASSERT_FALSE(HasFailure());
     }
-    if (std::is_same_v<Real, double>) {
-        EXPECT_GT(flat, 1'000);
-    }
+    if (std::is_same_v<Real, double>) { EXPECT_GT(flat, 1'000); }
 }
 
 }  // namespace

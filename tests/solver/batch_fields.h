@@ -119,9 +119,7 @@ void visitJoint(RevoluteConstraint& joint, Visit&& visit) {
 }
 template <class Visit>
 void visitJoint(DistanceConstraint& joint, Visit&& visit) {
-    for (Real* length : {&joint.length, &joint.minLength, &joint.maxLength}) {
-        visit(*length, kLength);
-    }
+    for (Real* length : {&joint.length, &joint.minLength, &joint.maxLength}) { visit(*length, kLength); }
     visitGains(joint.spring, visit);
     visitVector(joint.axis, kNumber, visit);
     for (Real* impulse : {&joint.rigidImpulse, &joint.springImpulse, &joint.lowerImpulse, &joint.upperImpulse}) {

@@ -25,9 +25,7 @@ Sample makeSample(std::uint32_t nodes, const std::vector<BlockEdge>& edges, doub
     std::uniform_real_distribution<double> uniform(-1, 1);
     Sample sample{nodes, edges, {}};
     sample.dense.assign(sample.size(), std::vector<double>(sample.size(), 0));
-    for (std::size_t i = 0; i < sample.size(); ++i) {
-        sample.dense[i][i] = 1 + 0.5 * uniform(random);
-    }
+    for (std::size_t i = 0; i < sample.size(); ++i) { sample.dense[i][i] = 1 + 0.5 * uniform(random); }
     for (const BlockEdge& edge : edges) {
         std::vector<std::pair<std::size_t, double>> row;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -35,9 +33,7 @@ Sample makeSample(std::uint32_t nodes, const std::vector<BlockEdge>& edges, doub
             row.emplace_back(3 * edge.b + k, uniform(random));
         }
         for (const auto& [i, x] : row) {
-            for (const auto& [j, y] : row) {
-                sample.dense[i][j] += stiffness * x * y;
-            }
+            for (const auto& [j, y] : row) { sample.dense[i][j] += stiffness * x * y; }
         }
     }
     return sample;
@@ -45,14 +41,10 @@ Sample makeSample(std::uint32_t nodes, const std::vector<BlockEdge>& edges, doub
 
 void fill(BlockLdlt& matrix, const Sample& sample) {
     const auto copy = [&](Block33& block, std::uint32_t row, std::uint32_t column) {
-        for (std::size_t i = 0; i < 9; ++i) {
-            block[i] = sample.dense[3 * row + i / 3][3 * column + i % 3];
-        }
+        for (std::size_t i = 0; i < 9; ++i) { block[i] = sample.dense[3 * row + i / 3][3 * column + i % 3]; }
     };
     matrix.clear();
-    for (std::uint32_t i = 0; i < sample.nodes; ++i) {
-        copy(matrix.diagonal(i), i, i);
-    }
+    for (std::uint32_t i = 0; i < sample.nodes; ++i) { copy(matrix.diagonal(i), i, i); }
     for (const BlockEdge& edge : sample.edges) {
         const BlockLdlt::OffDiagonal off = matrix.offDiagonal(edge.a, edge.b);
         copy(off.block, off.rowIsB ? edge.b : edge.a, off.rowIsB ? edge.a : edge.b);
@@ -80,9 +72,7 @@ std::vector<BlockEdge> randomEdges(std::uint32_t nodes, std::uint32_t count, std
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto a = static_cast<std::uint32_t>(random() % nodes);
         const auto b = static_cast<std::uint32_t>(random() % nodes);
-        if (a != b) {
-            edges.push_back({a, b});
-        }
+        if (a != b) { edges.push_back({a, b}); }
     }
     return edges;
 }
@@ -98,9 +88,7 @@ TEST(BlockLdlt, SolvesRandomSystems) {
         ASSERT_TRUE(matrix.analyse(nodes, sample.edges, nodes * nodes));
         fill(matrix, sample);
         std::vector<Block3> right(nodes);
-        for (Block3& block : right) {
-            block = {uniform(random), uniform(random), uniform(random)};
-        }
+        for (Block3& block : right) { block = {uniform(random), uniform(random), uniform(random)}; }
         std::vector<Block3> solution = right;
         matrix.factorise();
         matrix.solve(solution);
@@ -125,9 +113,7 @@ TEST(BlockLdlt, TreesHaveNoFill) {
 TEST(BlockLdlt, ARingHasOneBlockOfFillForEachNodeButThree) {
     constexpr std::uint32_t kNodes = 50;
     std::vector<BlockEdge> edges;
-    for (std::uint32_t i = 0; i < kNodes; ++i) {
-        edges.push_back({i, (i + 1) % kNodes});
-    }
+    for (std::uint32_t i = 0; i < kNodes; ++i) { edges.push_back({i, (i + 1) % kNodes}); }
     BlockLdlt matrix;
     ASSERT_TRUE(matrix.analyse(kNodes, edges, 10 * kNodes));
     EXPECT_EQ(matrix.blockCount(), kNodes + kNodes - 3);
@@ -136,9 +122,7 @@ TEST(BlockLdlt, ARingHasOneBlockOfFillForEachNodeButThree) {
 TEST(BlockLdlt, RefusesMoreBlocksThanAllowedAndRecovers) {
     std::vector<BlockEdge> all;
     for (std::uint32_t i = 0; i < 10; ++i) {
-        for (std::uint32_t k = 0; k < i; ++k) {
-            all.push_back({i, k});
-        }
+        for (std::uint32_t k = 0; k < i; ++k) { all.push_back({i, k}); }
     }
     BlockLdlt matrix;
     EXPECT_FALSE(matrix.analyse(10, all, 44));

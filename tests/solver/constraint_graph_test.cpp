@@ -23,12 +23,8 @@ SolverBatch randomBatch(std::uint64_t seed) {
     for (int i = 0; i < bodies; ++i) {
         const double kind = random.uniform();
         BodyInertia inertia{1, 1};
-        if (kind < 0.1) {
-            inertia = {};
-        }
-        if (kind > 0.95) {
-            inertia = {0, 1};
-        }  // turns in place
+        if (kind < 0.1) { inertia = {}; }
+        if (kind > 0.95) { inertia = {0, 1}; }  // turns in place
         batch.addBody({}, inertia, {});
     }
     // A hub takes part in many constraints, so that some families overflow.
@@ -85,9 +81,7 @@ public:
             const bool bothMove = isMovable(batch_, constraints[i].slotA) && isMovable(batch_, constraints[i].slotB);
             ASSERT_EQ(bothMove, colour < kFirstFixedColour) << "seed " << seed << ": wrong half of the colours";
             for (const BodySlot slot : {constraints[i].slotA, constraints[i].slotB}) {
-                if (!isMovable(batch_, slot)) {
-                    continue;
-                }
+                if (!isMovable(batch_, slot)) { continue; }
                 ASSERT_TRUE(taken_.insert(slot).second)
                     << "seed " << seed << ": body " << slot << " twice in " << colour;
             }
@@ -131,9 +125,7 @@ TEST(ConstraintGraph, NoColourHasAMovableBodyTwiceAndNothingIsLost) {
             use.take(after.distances, graph.range<DistanceConstraint>(colour), colour, seed);
         }
         ASSERT_TRUE(std::is_sorted(graph.activeColours().begin(), graph.activeColours().end()));
-        if (HasFatalFailure()) {
-            return;
-        }
+        if (HasFatalFailure()) { return; }
     }
     EXPECT_GT(overflows, 300);
     EXPECT_GT(colours, 30'000);
@@ -152,9 +144,7 @@ TEST(ConstraintGraph, IsTheSameWhateverItColouredBefore) {
         ASSERT_EQ(used.activeColours(), fresh.activeColours()) << "seed " << seed;
         const auto sourcesOf = [](const auto& constraints) {
             std::vector<std::uint32_t> sources;
-            for (const auto& constraint : constraints) {
-                sources.push_back(constraint.source);
-            }
+            for (const auto& constraint : constraints) { sources.push_back(constraint.source); }
             return sources;
         };
         ASSERT_EQ(sourcesOf(first.contacts), sourcesOf(second.contacts)) << "seed " << seed;

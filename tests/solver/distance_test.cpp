@@ -37,14 +37,10 @@ TEST(Distance, RopeIsSlackUntilItsLengthAndHoldsThere) {
     rope.hasLimits = true;
     rope.maxLength = 2;
     // Falls freely: semi-implicit steps of h are at g·t·(t + h)/2.
-    for (int i = 0; i < 16; ++i) {
-        scene.step();
-    }
+    for (int i = 0; i < 16; ++i) { scene.step(); }
     const double t = scene.time();
     EXPECT_NEAR(scene.bodies[1].y, -1 - 5 * t * (t + static_cast<double>(scene.h())), 1e-5);
-    for (int i = 0; i < 128; ++i) {
-        scene.step();
-    }
+    for (int i = 0; i < 128; ++i) { scene.step(); }
     EXPECT_NEAR(scene.bodies[1].y, -2, 0.002);
     EXPECT_LT(scene.largestError, 0.002);
     EXPECT_LT(length(scene.bodies[1].state.velocity), real(1e-3)) << "a rope does not throw back";
@@ -114,9 +110,7 @@ TEST(Distance, AnchorsThatCoincideKeepTheLastAxis) {
     DistanceConstraint& spring = scene.addDistance(kFixedSlot, scene.addBody(bodyAt(0, 0)), {});
     spring.length = 1;
     spring.axis = {0, 1};
-    for (int i = 0; i < 64; ++i) {
-        scene.step();
-    }
+    for (int i = 0; i < 64; ++i) { scene.step(); }
     EXPECT_NEAR(scene.bodies[1].x, 0, 1e-6);
     EXPECT_NEAR(scene.bodies[1].y, 1, 1e-3);
 }
@@ -141,9 +135,7 @@ TEST(Distance, ConservesMomentumOfFreeBodies) {
         joint.minLength = real(1.4);
         joint.maxLength = real(1.6);
         const Momentum before = momentumOf(scene);
-        for (int i = 0; i < 32; ++i) {
-            scene.step();
-        }
+        for (int i = 0; i < 32; ++i) { scene.step(); }
         const Momentum after = momentumOf(scene);
         const double rounding = 32 * 4 * 64 * static_cast<double>(kEpsilon) * 16;
         ASSERT_NEAR(after.x, before.x, rounding) << "seed " << seed;

@@ -55,9 +55,7 @@ TEST(Solver, ScalesExactlyByPowersOfTwo) {
         std::feclearexcept(FE_UNDERFLOW);
         const SolveReport first = Solver().solve(plain.batch, plain.settings);
         const SolveReport second = Solver().solve(other.batch, other.settings);
-        if (std::fetestexcept(FE_UNDERFLOW) != 0) {
-            continue;
-        }
+        if (std::fetestexcept(FE_UNDERFLOW) != 0) { continue; }
         ++compared;
         ASSERT_EQ(first.bounceRounds, second.bounceRounds) << "seed " << seed;
         ASSERT_EQ(first.speedsLimited, second.speedsLimited) << "seed " << seed;
@@ -98,9 +96,7 @@ TEST(Solver, NeverWritesTheFixedWorldNorTheSpeedOfKinematicBodies) {
         solve.settings.maxSpeed = std::numeric_limits<Real>::infinity();
         Solver().solve(solve.batch, solve.settings);
         for (std::size_t slot = 0; slot < before.size(); ++slot) {
-            if (solve.batch.inertias[slot].inverseMass > 0) {
-                continue;
-            }
+            if (solve.batch.inertias[slot].inverseMass > 0) { continue; }
             ++checked;
             ASSERT_EQ(solve.batch.states[slot].velocity, before[slot].velocity) << "seed " << seed;
             ASSERT_EQ(solve.batch.states[slot].angularVelocity, before[slot].angularVelocity) << "seed " << seed;

@@ -70,9 +70,7 @@ inline RandomBody randomBody(Form form, Random& random) {
 
 /// Arm to a corner of a bar or box that lies towards `direction` (an angle), or to the rim of a disk.
 inline Vec2 armTowards(Form form, const RandomBody& body, double direction, Random& random) {
-    if (form == Form::disk) {
-        return turned(direction, body.halfLength, 0);
-    }
+    if (form == Form::disk) { return turned(direction, body.halfLength, 0); }
     const double lean = random.range(-1.5, 1.5);  // of the body's own axis, from the normal
     const double across = lean > 0 ? -body.halfWidth : body.halfWidth;
     return turned(direction + lean, body.halfLength, across);
@@ -111,14 +109,10 @@ inline ImpactCase randomImpact(const ImpactFamily& family, std::uint64_t seed) {
         if (kind == Partner::dynamic) {
             c.inertias[slot] = {real(1 / body.mass), turns ? real(1 / body.inertia) : Real(0)};
         }
-        if (kind == Partner::still) {
-            return;
-        }
+        if (kind == Partner::still) { return; }
         c.states[slot].velocity = {real(random.range(-1, 1)), real(random.range(-1, 1))};
         const bool spins = kind == Partner::dynamic ? turns : family.spinningPartner;
-        if (spins) {
-            c.states[slot].angularVelocity = real(random.range(-1, 1) / body.halfLength);
-        }
+        if (spins) { c.states[slot].angularVelocity = real(random.range(-1, 1) / body.halfLength); }
     };
     setUp(1, a, family.partner);
     setUp(2, b, Partner::dynamic);
@@ -155,14 +149,10 @@ inline Wide kineticEnergy(const ImpactCase& c) {
     const WideVec frame = bothMove ? WideVec{} : pointVelocity(c.states[1], c.contact.points[0].anchorA);
     Wide energy = 0;
     for (std::size_t slot = 1; slot < 3; ++slot) {
-        if (!(c.inertias[slot].inverseMass > 0)) {
-            continue;
-        }
+        if (!(c.inertias[slot].inverseMass > 0)) { continue; }
         const WideVec v = wide(c.states[slot].velocity) - frame;
         energy += dot(v, v) / (2 * Wide(c.inertias[slot].inverseMass));
-        if (!(c.inertias[slot].inverseInertia > 0)) {
-            continue;
-        }
+        if (!(c.inertias[slot].inverseInertia > 0)) { continue; }
         const Wide spin = c.states[slot].angularVelocity;
         energy += spin * spin / (2 * Wide(c.inertias[slot].inverseInertia));
     }
@@ -175,14 +165,10 @@ inline Wide energyRounding(const ImpactCase& before, const ImpactCase& after) {
     for (const ImpactCase* c : {&before, &after}) {
         const Wide frame = norm(pointVelocity(c->states[1], c->contact.points[0].anchorA));
         for (std::size_t slot = 1; slot < 3; ++slot) {
-            if (!(c->inertias[slot].inverseMass > 0)) {
-                continue;
-            }
+            if (!(c->inertias[slot].inverseMass > 0)) { continue; }
             const Wide speed = norm(wide(c->states[slot].velocity)) + (c->inertias[1].inverseMass > 0 ? 0 : frame);
             scale += speed * speed / Wide(c->inertias[slot].inverseMass);
-            if (!(c->inertias[slot].inverseInertia > 0)) {
-                continue;
-            }
+            if (!(c->inertias[slot].inverseInertia > 0)) { continue; }
             const Wide spin = c->states[slot].angularVelocity;
             scale += spin * spin / Wide(c->inertias[slot].inverseInertia);
         }

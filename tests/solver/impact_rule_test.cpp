@@ -16,9 +16,7 @@ TEST(Impact, RestsBelowTheThresholdUnlessPlasticIsAskedFor) {
     for (std::uint64_t seed = 0; seed < 1'000; ++seed) {
         const ImpactCase before = randomImpact(family, seed);
         const Wide approach = approachOf(before, 0);
-        if (approach < Wide(0.01)) {
-            continue;
-        }
+        if (approach < Wide(0.01)) { continue; }
         ++checked;
         ImpactCase slow = before;
         EXPECT_FALSE(resolveImpact(slow.contact, slow.bodies(), {.restitutionThreshold = real(double(2 * approach))}));
@@ -82,9 +80,7 @@ TEST(Impact, TravelsThroughARowInEitherOrder) {
     for (const bool forward : {true, false}) {
         std::array<BodyState, kDisks + 1> states{};
         std::array<BodyInertia, kDisks + 1> inertias{};
-        for (std::size_t i = 1; i <= kDisks; ++i) {
-            inertias[i] = {Real(0.5), 1};
-        }
+        for (std::size_t i = 1; i <= kDisks; ++i) { inertias[i] = {Real(0.5), 1}; }
         states[1].velocity = {3, 0};
         std::array<ContactConstraint, kDisks - 1> contacts{};
         std::vector<ContactConstraint*> order;
@@ -101,14 +97,10 @@ TEST(Impact, TravelsThroughARowInEitherOrder) {
             prepareContact(contact, inertias);
             order.push_back(&contact);
         }
-        if (!forward) {
-            std::reverse(order.begin(), order.end());
-        }
+        if (!forward) { std::reverse(order.begin(), order.end()); }
         const int rounds = resolveImpacts(order, {states, inertias}, {}, kMaxBounceRounds);
         EXPECT_EQ(rounds, forward ? 1 : kDisks - 1);
-        for (std::size_t i = 1; i < kDisks; ++i) {
-            EXPECT_EQ(states[i].velocity, Vec2{}) << "disk " << i;
-        }
+        for (std::size_t i = 1; i < kDisks; ++i) { EXPECT_EQ(states[i].velocity, Vec2{}) << "disk " << i; }
         EXPECT_EQ(states[kDisks].velocity, (Vec2{3, 0}));
     }
 }

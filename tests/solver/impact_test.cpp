@@ -14,9 +14,7 @@ std::vector<ImpactFamily> everyFamily() {
     for (const Form form : {Form::bar, Form::box, Form::disk}) {
         for (const Partner partner : {Partner::dynamic, Partner::still, Partner::kinematic}) {
             families.push_back({.form = form, .partner = partner, .points = 1});
-            if (form == Form::disk) {
-                continue;
-            }
+            if (form == Form::disk) { continue; }
             families.push_back({.form = form, .partner = partner, .points = 2, .spinningPartner = false});
         }
     }
@@ -31,9 +29,7 @@ void forEveryImpact(Check&& check) {
         for (std::uint64_t i = 0; i < 8'000; ++i) {
             const std::uint64_t seed = (family << 32U) + i;
             check(randomImpact(f, seed), seed);
-            if (testing::Test::HasFatalFailure()) {
-                return;
-            }
+            if (testing::Test::HasFatalFailure()) { return; }
         }
         ++family;
     }
@@ -46,9 +42,7 @@ Wide largestScale(const ImpactCase& before, const ImpactCase& after, int i) {
 /// Whether the two points answer so nearly alike that one impulse stands for both; they then differ by a share of about
 /// the square root of that nearness.
 bool actsAsOnePoint(const ImpactCase& c) {
-    if (c.contact.count < 2) {
-        return false;
-    }
+    if (c.contact.count < 2) { return false; }
     Wide k[2][2] = {};
     const WideVec n = wide(c.contact.normal);
     const auto arm = [&](int i, bool ofA) {
@@ -69,9 +63,7 @@ TEST(Impact, NeverMakesEnergy) {
     int applied = 0;
     forEveryImpact([&](const ImpactCase& before, std::uint64_t seed) {
         ImpactCase after = before;
-        if (!resolveImpact(after.contact, after.bodies(), {})) {
-            return;
-        }
+        if (!resolveImpact(after.contact, after.bodies(), {})) { return; }
         ++applied;
         ASSERT_LE(kineticEnergy(after), kineticEnergy(before) + energyRounding(before, after)) << "seed " << seed;
     });
@@ -85,9 +77,7 @@ TEST(Impact, NeverMakesEnergyOverManyRounds) {
         const int rounds = resolveImpacts(contacts, after.bodies(), {.resolvePlastic = true}, 64);
         ASSERT_LE(kineticEnergy(after), kineticEnergy(before) + (1 + rounds) * energyRounding(before, after))
             << "seed " << seed;
-        if (rounds == 64) {
-            return;
-        }
+        if (rounds == 64) { return; }
         for (int i = 0; i < after.contact.count; ++i) {
             ASSERT_LE(approachOf(after, i), 16 * kEps * largestScale(before, after, i)) << "seed " << seed;
         }
@@ -96,9 +86,7 @@ TEST(Impact, NeverMakesEnergyOverManyRounds) {
 
 TEST(Impact, ConservesMomentum) {
     forEveryImpact([&](const ImpactCase& before, std::uint64_t seed) {
-        if (!(before.inertias[1].inverseMass > 0)) {
-            return;
-        }
+        if (!(before.inertias[1].inverseMass > 0)) { return; }
         ImpactCase after = before;
         resolveImpact(after.contact, after.bodies(), {});
         WideVec change;
@@ -117,9 +105,7 @@ TEST(Impact, ConservesMomentum) {
             scale += most;
             spinScale += norm(arm) * most;
             allTurn = allTurn && before.inertias[slot].inverseInertia > 0;
-            if (!(before.inertias[slot].inverseInertia > 0)) {
-                continue;
-            }
+            if (!(before.inertias[slot].inverseInertia > 0)) { continue; }
             const Wide inertia = 1 / Wide(before.inertias[slot].inverseInertia);
             const Wide first = before.states[slot].angularVelocity;
             const Wide last = after.states[slot].angularVelocity;
@@ -128,9 +114,7 @@ TEST(Impact, ConservesMomentum) {
         }
         ASSERT_LE(norm(change), 8 * kEps * scale) << "seed " << seed;
         // A body that may not turn takes angular momentum out of the pair.
-        if (allTurn) {
-            ASSERT_LE(std::fabs(spinChange), 8 * kEps * spinScale) << "seed " << seed;
-        }
+        if (allTurn) { ASSERT_LE(std::fabs(spinChange), 8 * kEps * spinScale) << "seed " << seed; }
     });
 }
 
@@ -150,13 +134,9 @@ TEST(Impact, FrictionlessPointLeavesAtRestitutionTimesItsApproach) {
     int applied = 0;
     forEveryImpact([&](ImpactCase before, std::uint64_t seed) {
         before.contact.friction = 0;
-        if (before.contact.count == 2 || before.contact.restitution == 0) {
-            return;
-        }
+        if (before.contact.count == 2 || before.contact.restitution == 0) { return; }
         ImpactCase after = before;
-        if (!resolveImpact(after.contact, after.bodies(), {})) {
-            return;
-        }
+        if (!resolveImpact(after.contact, after.bodies(), {})) { return; }
         ++applied;
         const Wide wanted = Wide(before.contact.restitution) * approachOf(before, 0);
         ASSERT_LE(apart(-approachOf(after, 0), wanted), 8 * kEps * largestScale(before, after, 0)) << "seed " << seed;
@@ -172,19 +152,13 @@ TEST(Impact, PlasticImpactLeavesNoApproach) {
     forEveryImpact([&](ImpactCase before, std::uint64_t seed) {
         before.contact.restitution = 0;
         // Face to face, friction acts after the block and may tip the bodies; that is for the next round.
-        if (before.contact.count == 2) {
-            before.contact.friction = 0;
-        }
+        if (before.contact.count == 2) { before.contact.friction = 0; }
         ImpactCase after = before;
-        if (!resolveImpact(after.contact, after.bodies(), {.resolvePlastic = true})) {
-            return;
-        }
+        if (!resolveImpact(after.contact, after.bodies(), {.resolvePlastic = true})) { return; }
         ++resolved;
         for (int i = 0; i < after.contact.count; ++i) {
             // A point that did not approach may be tipped into approaching by its neighbour.
-            if (after.contact.points[static_cast<std::size_t>(i)].bounceApproach == 0) {
-                continue;
-            }
+            if (after.contact.points[static_cast<std::size_t>(i)].bounceApproach == 0) { continue; }
             const Wide share = actsAsOnePoint(before) ? 32 * std::sqrt(kEps) : 256 * kEps;
             ASSERT_LE(approachOf(after, i), share * largestScale(before, after, i)) << "seed " << seed;
         }
@@ -196,9 +170,7 @@ TEST(Impact, FrictionStaysWithinItsCone) {
     int sliding = 0;
     forEveryImpact([&](const ImpactCase& before, std::uint64_t seed) {
         ImpactCase after = before;
-        if (!resolveImpact(after.contact, after.bodies(), {})) {
-            return;
-        }
+        if (!resolveImpact(after.contact, after.bodies(), {})) { return; }
         const WideVec n = wide(before.contact.normal);
         const WideVec t = wide(rightPerp(before.contact.normal));
         const Wide mass = 1 / Wide(before.inertias[2].inverseMass);
@@ -224,9 +196,7 @@ TEST(Impact, BlendsWhereNewtonWithFrictionWouldMakeEnergy) {
     for (std::uint64_t seed = 0; seed < 100'000; ++seed) {
         const ImpactCase before = randomImpact({.form = Form::bar, .partner = Partner::still}, seed);
         const Wide approach = approachOf(before, 0);
-        if (approach <= 16 * kEps * speedScale(before, 0)) {
-            continue;
-        }
+        if (approach <= 16 * kEps * speedScale(before, 0)) { continue; }
         const Wide e = before.contact.restitution;
         const NewtonResult newton = newtonWithFriction(before, e);
         ASSERT_TRUE(newton.found) << "seed " << seed;
@@ -263,9 +233,7 @@ TEST(Impact, PlasticPointWithFrictionMatchesTheReference) {
     for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
         ImpactCase before = randomImpact({.form = Form::bar, .partner = Partner::dynamic}, seed);
         before.contact.restitution = 0;
-        if (approachOf(before, 0) <= 16 * kEps * speedScale(before, 0)) {
-            continue;
-        }
+        if (approachOf(before, 0) <= 16 * kEps * speedScale(before, 0)) { continue; }
         const NewtonResult newton = newtonWithFriction(before, 0);
         ASSERT_TRUE(newton.found) << "seed " << seed;
         ASSERT_LE(newton.energyChange, 1e-12L * kineticEnergy(before)) << "seed " << seed;
@@ -288,9 +256,7 @@ TEST(Impact, TurningKinematicPartnerMakesNoEnergyInBodiesThatCannotTurn) {
             {.form = Form::box, .partner = Partner::kinematic, .points = 2, .fixedRotationShare = 1}, seed);
         before.contact.friction = 0;
         ImpactCase after = before;
-        if (!resolveImpact(after.contact, after.bodies(), {})) {
-            continue;
-        }
+        if (!resolveImpact(after.contact, after.bodies(), {})) { continue; }
         ++applied;
         Wide work = 0;
         Wide scale = 0;
@@ -304,7 +270,8 @@ TEST(Impact, TurningKinematicPartnerMakesNoEnergyInBodiesThatCannotTurn) {
     EXPECT_GT(applied, 8'000);
 }
 
-/// A square of touching disks that all fall towards its lowest row, which stands: each contact must pass the blow on to all.
+/// A square of touching disks that all fall towards its lowest row, which stands: each contact must pass the blow on to
+/// all.
 struct Block {
     std::vector<BodyState> states;
     std::vector<BodyInertia> inertias;
@@ -390,7 +357,8 @@ TEST(Impact, RoundsLookAtWhatMovedAlone) {
         all.push_back(&contact);
     }
     ImpactScratch scratch;
-    EXPECT_LT(reflectImpacts(all, {states, inertias}, {}, 2 * static_cast<int>(kLength), scratch), 2 * static_cast<int>(kLength));
+    EXPECT_LT(reflectImpacts(all, {states, inertias}, {}, 2 * static_cast<int>(kLength), scratch),
+              2 * static_cast<int>(kLength));
     EXPECT_EQ(states[kLength].velocity, (Vec2{1, 0})) << "the blow went through the row, from ball to ball";
     for (std::uint32_t i = 1; i < kLength; ++i) { EXPECT_EQ(states[i].velocity, (Vec2{0, 0})) << i; }
     // All of them once, and then three at a time: two neighbours of what moved, and the one between.

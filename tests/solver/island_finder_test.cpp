@@ -16,9 +16,7 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 /// Lowest member that can be reached, by spreading it along all edges until nothing changes.
 std::vector<std::uint32_t> lowestReachable(std::size_t count, const std::vector<Edge>& edges) {
     std::vector<std::uint32_t> lowest(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        lowest[i] = static_cast<std::uint32_t>(i);
-    }
+    for (std::size_t i = 0; i < count; ++i) { lowest[i] = static_cast<std::uint32_t>(i); }
     for (bool changed = true; changed;) {
         changed = false;
         for (const auto& [a, b] : edges) {
@@ -46,9 +44,7 @@ TEST(IslandFinder, RootIsTheLowestReachableMemberInAnyOrder) {
         const std::vector<std::uint32_t> wanted = lowestReachable(static_cast<std::size_t>(count), edges);
         for (int order = 0; order < 3; ++order) {
             finder.reset(static_cast<std::size_t>(count));
-            for (const auto& [a, b] : edges) {
-                finder.unite(a, b);
-            }
+            for (const auto& [a, b] : edges) { finder.unite(a, b); }
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 ASSERT_EQ(finder.find(static_cast<std::uint32_t>(i)), wanted[i])
                     << "seed " << seed << " order " << order;
@@ -57,9 +53,7 @@ TEST(IslandFinder, RootIsTheLowestReachableMemberInAnyOrder) {
                 std::swap(edges[i - 1], edges[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
             }
             for (Edge& edge : edges) {
-                if (random.chance(0.5)) {
-                    std::swap(edge.first, edge.second);
-                }
+                if (random.chance(0.5)) { std::swap(edge.first, edge.second); }
             }
         }
         islands += std::set<std::uint32_t>(wanted.begin(), wanted.end()).size();

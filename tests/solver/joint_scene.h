@@ -91,9 +91,7 @@ struct JointScene {
             largestError = std::max(largestError, static_cast<double>(error));
             distances[joint.source] = joint;
         }
-        for (std::size_t i = 1; i < bodies.size(); ++i) {
-            finishStep(bodies[i], batch.states[i]);
-        }
+        for (std::size_t i = 1; i < bodies.size(); ++i) { finishStep(bodies[i], batch.states[i]); }
         ++steps;
     }
     double time() const { return steps * static_cast<double>(settings.dt); }

@@ -50,19 +50,13 @@ inline NewtonResult newtonWithFriction(const ImpactCase& c, Wide restitution) {
     const Wide determinant = k.nn * k.tt - k.nt * k.nt;
     const Wide stickNormal = (change * k.tt + slip * k.nt) / determinant;
     const Wide stickTangent = (-slip * k.nn - change * k.nt) / determinant;
-    if (stickNormal >= 0 && std::fabs(stickTangent) <= mu * stickNormal) {
-        return resultOf(stickNormal, stickTangent);
-    }
+    if (stickNormal >= 0 && std::fabs(stickTangent) <= mu * stickNormal) { return resultOf(stickNormal, stickTangent); }
     for (const Wide side : {Wide(1), Wide(-1)}) {
         const Wide kSlide = k.nn + side * mu * k.nt;
-        if (kSlide <= 0) {
-            continue;
-        }
+        if (kSlide <= 0) { continue; }
         const Wide normal = change / kSlide;
         const Wide endSlip = slip + (k.nt + side * mu * k.tt) * normal;
-        if (side * endSlip <= 0) {
-            return resultOf(normal, side * mu * normal);
-        }
+        if (side * endSlip <= 0) { return resultOf(normal, side * mu * normal); }
     }
     return {};
 }

@@ -27,12 +27,8 @@ struct RandomSolve {
         h_ = settings.dt / static_cast<Real>(settings.subSteps);
         batch.clear();
         bodies_ = times * random_.integer(3, 12);
-        for (int i = 0; i < bodies_; ++i) {
-            addBody();
-        }
-        for (int i = times * random_.integer(1, 16); i > 0; --i) {
-            addContact();
-        }
+        for (int i = 0; i < bodies_; ++i) { addBody(); }
+        for (int i = times * random_.integer(1, 16); i > 0; --i) { addContact(); }
         for (int i = 0; i < times; ++i) {
             addJoints(batch.revolutes, [this](auto& joint) { fill(joint); });
         }
@@ -62,9 +58,7 @@ private:
         const bool kinematic = random_.chance(0.1);
         const bool turns = !random_.chance(0.1);
         BodyInertia inertia;
-        if (!kinematic) {
-            inertia = {number(0.1, 10), turns ? number(0.1, 10) : Real(0)};
-        }
+        if (!kinematic) { inertia = {number(0.1, 10), turns ? number(0.1, 10) : Real(0)}; }
         BodyDrive drive{{0, Real(-0.04)}, 0, number(0.99, 1), number(0.99, 1)};
         batch.addBody(state, inertia, kinematic ? BodyDrive{} : drive);
     }
@@ -87,9 +81,7 @@ private:
             point.tangentImpulse = number(-0.01, 0.01) * contact.friction;
         }
         if (isCrowd_ && random_.chance(0.4)) {
-            for (ContactConstraintPoint& point : contact.points) {
-                point.normalImpulse = point.tangentImpulse = 0;
-            }
+            for (ContactConstraintPoint& point : contact.points) { point.normalImpulse = point.tangentImpulse = 0; }
         }
         batch.contacts.push_back(contact);
     }

@@ -44,9 +44,7 @@ TEST(Revolute, ChainOfTenStaysTogether) {
         scene.addRevolute(last, next, {last == kFixedSlot ? 0 : 0.5, 0, -0.5, 0});
         last = next;
     }
-    for (int i = 0; i < 128; ++i) {
-        scene.step();
-    }
+    for (int i = 0; i < 128; ++i) { scene.step(); }
     EXPECT_LT(scene.bodies.back().y, -3) << "it swings";
     EXPECT_LT(scene.largestGap, 0.03);
 }
@@ -54,9 +52,7 @@ TEST(Revolute, ChainOfTenStaysTogether) {
 TEST(Revolute, ClosesAnInitialGapWithoutSpeed) {
     JointScene scene;
     scene.addRevolute(kFixedSlot, scene.addBody(bodyAt(1.1, 0, 1, 0.1)), {0, 0, -1, 0});
-    for (int i = 0; i < 64; ++i) {
-        scene.step();
-    }
+    for (int i = 0; i < 64; ++i) { scene.step(); }
     const RevoluteConstraint& joint = scene.batch.revolutes[0];
     EXPECT_LT(anchorGap(joint, scene.batch.states[0], scene.batch.states[1]), real(1e-4));
     EXPECT_LT(length(scene.bodies[1].state.velocity), real(1e-3));
@@ -104,14 +100,10 @@ TEST(Revolute, MotorReachesItsSpeedAtItsTorque) {
     joint.hasMotor = true;
     joint.motorSpeed = 4;
     joint.maxMotorImpulse = 2 * scene.h();  // 2 N·m: 4 rad/s² with 0.5 kg·m², one second to the speed
-    for (int i = 0; i < 32; ++i) {
-        scene.step();
-    }
+    for (int i = 0; i < 32; ++i) { scene.step(); }
     EXPECT_NEAR(scene.bodies[1].state.angularVelocity, 2, 1e-4);
     EXPECT_EQ(scene.revolutes[0].motorImpulse, scene.revolutes[0].maxMotorImpulse);
-    for (int i = 0; i < 64; ++i) {
-        scene.step();
-    }
+    for (int i = 0; i < 64; ++i) { scene.step(); }
     EXPECT_NEAR(scene.bodies[1].state.angularVelocity, 4, 1e-4);
     EXPECT_NEAR(scene.revolutes[0].motorImpulse, 0, 1e-4);
 }
@@ -162,9 +154,7 @@ TEST(Revolute, ConservesMomentumOfFreeBodies) {
         joint.hasSpring = random.chance(0.5);
         joint.spring = springGainsOf(6, real(0.1), scene.h());
         const Momentum before = momentumOf(scene);
-        for (int i = 0; i < 32; ++i) {
-            scene.step();
-        }
+        for (int i = 0; i < 32; ++i) { scene.step(); }
         const Momentum after = momentumOf(scene);
         const double rounding = 32 * 4 * 64 * static_cast<double>(kEpsilon) * 16;
         ASSERT_NEAR(after.x, before.x, rounding) << "seed " << seed;

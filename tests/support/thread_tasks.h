@@ -11,8 +11,8 @@
 
 namespace swept::test {
 
-/// A task system as a game might plug one in: some threads that take the next chunk of a loop as soon as they are free, so
-/// that who does what differs from run to run. The calling thread is worker 0.
+/// A task system as a game might plug one in: some threads that take the next chunk of a loop as soon as they are free,
+/// so that who does what differs from run to run. The calling thread is worker 0.
 class ThreadTasks final : public TaskSystem {
 public:
     explicit ThreadTasks(int workers) : workers_(workers) {
@@ -35,8 +35,7 @@ public:
     /// So little that even the smallest world is handed over.
     double startSeconds() const override { return 1e-12; }
 
-    void run(std::size_t count, std::size_t grain,
-             FunctionRef<void(std::size_t, std::size_t, int)> body) override {
+    void run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t, int)> body) override {
         if (count == 0) { return; }
         {
             const std::lock_guard lock(mutex_);

@@ -43,9 +43,7 @@ struct Tally {
 /// The bracket of an answer, by interval arithmetic: the separation at its lower end is at least what is said, and that
 /// is above the target.
 ::testing::AssertionResult isBracket(const ToiQuery& q, const Toi& toi) {
-    if (toi.target != q.settings.target) {
-        return ::testing::AssertionFailure() << "another target";
-    }
+    if (toi.target != q.settings.target) { return ::testing::AssertionFailure() << "another target"; }
     if (toi.state != ToiState::hit || toi.fraction <= 0) {
         return toi.fractionLower == toi.fraction && toi.separationLower == toi.separation
                    ? ::testing::AssertionSuccess()
@@ -100,9 +98,7 @@ bool isIndexOf(const ToiPolygon& polygon, int i) { return i >= 0 && i < polygon.
         }
         const double off =
             distanceToFeature(polygon, ofA ? q.sweepA : q.sweepB, toi.fraction, feature, ofA ? toi.pointA : toi.pointB);
-        if (!(off <= room)) {
-            return ::testing::AssertionFailure() << "off by " << off << (ofA ? " on a" : " on b");
-        }
+        if (!(off <= room)) { return ::testing::AssertionFailure() << "off by " << off << (ofA ? " on a" : " on b"); }
     }
     return ::testing::AssertionSuccess();
 }
@@ -136,18 +132,10 @@ TEST_P(ToiCertificate, IsKept) {
     // Enough of everything to prove something.
     EXPECT_GT(tally.hits, 0.03 * kCases);
     EXPECT_GT(tally.separated, 0.03 * kCases);
-    if (GetParam() == ToiFamily::overlap) {
-        EXPECT_GT(tally.overlapped, 0.5 * kCases);
-    }
-    if (GetParam() == ToiFamily::touch) {
-        EXPECT_GT(tally.atStart, 0.2 * kCases);
-    }
-    if (GetParam() == ToiFamily::atTarget) {
-        EXPECT_GT(tally.atStart, 0.3 * kCases);
-    }
-    if (GetParam() == ToiFamily::dip) {
-        EXPECT_GT(tally.gone, 0.3 * kCases);
-    }
+    if (GetParam() == ToiFamily::overlap) { EXPECT_GT(tally.overlapped, 0.5 * kCases); }
+    if (GetParam() == ToiFamily::touch) { EXPECT_GT(tally.atStart, 0.2 * kCases); }
+    if (GetParam() == ToiFamily::atTarget) { EXPECT_GT(tally.atStart, 0.3 * kCases); }
+    if (GetParam() == ToiFamily::dip) { EXPECT_GT(tally.gone, 0.3 * kCases); }
 }
 
 /// How much is told changes nothing in what is found.
@@ -201,9 +189,7 @@ TEST_P(ToiInContact, KeepsItsLevel) {
         overlapping += start.state == ToiState::overlapped ? 1 : 0;
     }
     EXPECT_GT(deeper, kCases / 40);
-    if (GetParam() == ToiFamily::overlap) {
-        EXPECT_GT(overlapping, kCases / 8);
-    }
+    if (GetParam() == ToiFamily::overlap) { EXPECT_GT(overlapping, kCases / 8); }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ToiInContact,

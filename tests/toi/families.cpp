@@ -41,16 +41,28 @@ struct Motion {
 
 Motion motionOf(Family family, Random& random) {
     switch (family) {
-        case Family::generic: case Family::small: case Family::large: return {};
-        case Family::bars: return {.distance = 1, .travel = 1, .turns = 1, .aspect = 0.05};
-        case Family::manyTurns: return {.distance = 1.1, .travel = 0.5, .turns = 4, .aspect = 0.3};
-        case Family::parabola: return {.travel = 2, .turns = random.chance(0.3) ? 0 : 0.3, .acceleration = 8};
-        case Family::fast: return {.distance = 100, .travel = 300, .turns = 0.3};
-        case Family::far: return {};
-        case Family::tinyAndHuge: return {.distance = 1.5, .travel = 1};
-        case Family::close: return {.distance = 2, .travel = 1};
-        case Family::sliver: return {.travel = 4, .turns = 0.5, .aspect = std::pow(10.0, random.range(-5, -1))};
-        case Family::offCenter: return {.distance = 3, .travel = 8, .turns = 0.5, .localCenter = 2};
+        case Family::generic:
+        case Family::small:
+        case Family::large:
+            return {};
+        case Family::bars:
+            return {.distance = 1, .travel = 1, .turns = 1, .aspect = 0.05};
+        case Family::manyTurns:
+            return {.distance = 1.1, .travel = 0.5, .turns = 4, .aspect = 0.3};
+        case Family::parabola:
+            return {.travel = 2, .turns = random.chance(0.3) ? 0 : 0.3, .acceleration = 8};
+        case Family::fast:
+            return {.distance = 100, .travel = 300, .turns = 0.3};
+        case Family::far:
+            return {};
+        case Family::tinyAndHuge:
+            return {.distance = 1.5, .travel = 1};
+        case Family::close:
+            return {.distance = 2, .travel = 1};
+        case Family::sliver:
+            return {.travel = 4, .turns = 0.5, .aspect = std::pow(10.0, random.range(-5, -1))};
+        case Family::offCenter:
+            return {.distance = 3, .travel = 8, .turns = 0.5, .localCenter = 2};
     }
     return {};
 }
@@ -92,18 +104,30 @@ void startAt(Query& q, double separation) {
 
 std::string_view nameOf(Family family) {
     switch (family) {
-        case Family::generic: return "generic";
-        case Family::bars: return "bars";
-        case Family::manyTurns: return "manyTurns";
-        case Family::parabola: return "parabola";
-        case Family::fast: return "fast";
-        case Family::far: return "far";
-        case Family::tinyAndHuge: return "tinyAndHuge";
-        case Family::small: return "small";
-        case Family::large: return "large";
-        case Family::close: return "close";
-        case Family::sliver: return "sliver";
-        case Family::offCenter: return "offCenter";
+        case Family::generic:
+            return "generic";
+        case Family::bars:
+            return "bars";
+        case Family::manyTurns:
+            return "manyTurns";
+        case Family::parabola:
+            return "parabola";
+        case Family::fast:
+            return "fast";
+        case Family::far:
+            return "far";
+        case Family::tinyAndHuge:
+            return "tinyAndHuge";
+        case Family::small:
+            return "small";
+        case Family::large:
+            return "large";
+        case Family::close:
+            return "close";
+        case Family::sliver:
+            return "sliver";
+        case Family::offCenter:
+            return "offCenter";
     }
     return "";
 }

@@ -65,23 +65,13 @@ TEST(FirstCrossing, OfTwoCircles) {
         const Long speed = vx * vx + vy * vy;
         const Long apart = dx * dx + dy * dy - reach * reach;
         const Long discriminant = approach * approach - speed * apart;
-        if (reach <= 0 || std::fabs(discriminant) < 1e-4L || std::fabs(apart) < 1e-6L) {
-            continue;
-        }
+        if (reach <= 0 || std::fabs(discriminant) < 1e-4L || std::fabs(apart) < 1e-6L) { continue; }
         Long time = discriminant > 0 ? (-approach - std::sqrt(discriminant)) / speed : 2;
-        if (apart <= 0) {
-            time = 0;
-        }
-        if (time < 0) {
-            time = 2;
-        }
-        if (std::fabs(time - 1) < 1e-9L) {
-            continue;
-        }
+        if (apart <= 0) { time = 0; }
+        if (time < 0) { time = 2; }
+        if (std::fabs(time - 1) < 1e-9L) { continue; }
         expectAt(cross(q, level), time, q);
-        if (HasFatalFailure()) {
-            return;
-        }
+        if (HasFatalFailure()) { return; }
         (time > 1 ? none : found) += 1;
     }
     EXPECT_GT(found, 400);
@@ -107,25 +97,17 @@ TEST(FirstCrossing, OfACircleOnAParabolaWithAHalfPlane) {
         const Long constant = static_cast<Long>(q.sweepB.c0.y) - q.b.radius - level;
         const Long slope = static_cast<Long>(q.sweepB.c1.y) - q.sweepB.c0.y - k;
         const Long discriminant = slope * slope - 4 * k * constant;
-        if (std::fabs(discriminant) < 1e-4L || std::fabs(k) < 1e-3L) {
-            continue;
-        }
+        if (std::fabs(discriminant) < 1e-4L || std::fabs(k) < 1e-3L) { continue; }
         Long time = 2;
         if (discriminant > 0) {
             const Long root = std::sqrt(discriminant);
             for (const Long t : {(-slope - root) / (2 * k), (-slope + root) / (2 * k)}) {
-                if (t > 0 && t < time) {
-                    time = t;
-                }
+                if (t > 0 && t < time) { time = t; }
             }
         }
-        if (std::fabs(time - 1) < 1e-9L) {
-            continue;
-        }
+        if (std::fabs(time - 1) < 1e-9L) { continue; }
         expectAt(cross(q, level), time, q);
-        if (HasFatalFailure()) {
-            return;
-        }
+        if (HasFatalFailure()) { return; }
         (time > 1 ? none : found) += 1;
     }
     EXPECT_GT(found, 400);
@@ -153,17 +135,13 @@ TEST(FirstCrossing, OfATurningBarWithAPin) {
         const Long pin = std::atan2(y, x);
         const Long turn = turns > 0 ? pin - touching : std::numbers::pi_v<Long> - pin - touching;
         const Long time = turn / std::fabs(turns);
-        if (std::fabs(time - 1) < 1e-9L) {
-            continue;
-        }
+        if (std::fabs(time - 1) < 1e-9L) { continue; }
         if (random.chance(0.5)) {
             std::swap(q.a, q.b);
             std::swap(q.sweepA, q.sweepB);
         }
         expectAt(cross(q, level), time, q);
-        if (HasFatalFailure()) {
-            return;
-        }
+        if (HasFatalFailure()) { return; }
         (time > 1 ? none : found) += 1;
     }
     EXPECT_GT(found, 400);
@@ -207,17 +185,15 @@ TEST(FirstCrossing, OfABarThatMixesItsRotationsWithAPin) {
         const MovingPair pair = swapped ? MovingPair(q.b, q.sweepB, still, q.a, q.sweepA, mixed)
                                         : MovingPair(q.a, q.sweepA, mixed, q.b, q.sweepB, still);
         expectAt(firstCrossing(pair, 0, 0, 1, kFine), time, q);
-        if (HasFatalFailure()) {
-            return;
-        }
+        if (HasFatalFailure()) { return; }
         (time > 1 ? none : found) += 1;
     }
     EXPECT_GT(found, 400);
     EXPECT_GT(none, 50);
 }
 
-/// Both bodies mix: where the oracle says free, dense samples of the normalised mixture stay above; where it says crossed,
-/// the sample there is below.
+/// Both bodies mix: where the oracle says free, dense samples of the normalised mixture stay above; where it says
+/// crossed, the sample there is below.
 TEST(FirstCrossing, OfMixedRotationsAgreesWithSamples) {
     int found = 0;
     int none = 0;
@@ -243,9 +219,7 @@ TEST(FirstCrossing, OfMixedRotationsAgreesWithSamples) {
         for (int i = 0; end > 0 && i < 500; ++i) {
             ASSERT_GT(pair.guessSeparation(end * i / 500), 0.01 - 1e-12) << seed << " at " << end * i / 500;
         }
-        if (isFound) {
-            ASSERT_LE(pair.guessSeparation(crossing.hi), 0.01 + 1e-12) << seed;
-        }
+        if (isFound) { ASSERT_LE(pair.guessSeparation(crossing.hi), 0.01 + 1e-12) << seed; }
         (isFound ? found : none) += 1;
     }
     EXPECT_GT(found, 80);
@@ -299,9 +273,7 @@ TEST(FirstCrossing, TheBudgetIsKept) {
 /// Compares with one row of the truth.
 void expectSame(const MeasuredCase& measured, const nlohmann::json& first, const Crossing& crossing) {
     const std::string status = first.at("status").get<std::string>();
-    if (status == "miss") {
-        ASSERT_EQ(crossing.state, CrossingState::none) << measured.id;
-    }
+    if (status == "miss") { ASSERT_EQ(crossing.state, CrossingState::none) << measured.id; }
     if (status == "overlap") {
         ASSERT_EQ(crossing.state, CrossingState::found) << measured.id;
         ASSERT_EQ(crossing.hi, 0) << measured.id;
@@ -322,13 +294,9 @@ TEST(FirstCrossing, OfTheMeasuredCases) {
             const auto& first = measured.truth.at(level);
             const double height = std::string(level) == "contact" ? 0 : measured.truth.at("target").get<double>();
             const std::string status = first.at("status").get<std::string>();
-            if (status == "graze") {
-                continue;
-            }
+            if (status == "graze") { continue; }
             expectSame(measured, first, cross(measured.query, height));
-            if (HasFatalFailure()) {
-                return;
-            }
+            if (HasFatalFailure()) { return; }
             ++scored[status];
         }
     }

@@ -28,12 +28,8 @@ struct Sample {
 Sample sample(Random& random) {
     const double x = wideDouble(random);
     double y = x;
-    if (random.chance(0.3)) {
-        y = x * (1 + random.range(0, 1e-14));
-    }
-    if (random.chance(0.3)) {
-        y = wideDouble(random);
-    }
+    if (random.chance(0.3)) { y = x * (1 + random.range(0, 1e-14)); }
+    if (random.chance(0.3)) { y = wideDouble(random); }
     const Interval interval{std::min(x, y), std::max(x, y)};
     const double ends[] = {interval.lo, interval.hi,
                            std::min(interval.hi, interval.lo + random.uniform() * (interval.hi - interval.lo))};
@@ -41,9 +37,7 @@ Sample sample(Random& random) {
 }
 
 ::testing::AssertionResult holds(Interval interval, Long value) {
-    if (interval.lo <= value && value <= interval.hi) {
-        return ::testing::AssertionSuccess();
-    }
+    if (interval.lo <= value && value <= interval.hi) { return ::testing::AssertionSuccess(); }
     return ::testing::AssertionFailure() << value << " is not in [" << interval.lo << ", " << interval.hi << ']';
 }
 
@@ -77,9 +71,7 @@ TEST(Interval, OperationsHoldTheExactResult) {
         ASSERT_TRUE(holds(a.interval / b.interval, x / y)) << i;
         ASSERT_TRUE(holds(-a.interval, -x)) << i;
         ASSERT_TRUE(holds(square(a.interval), x * x)) << i;
-        if (x >= 0) {
-            ASSERT_TRUE(holds(sqrt(a.interval), std::sqrt(x))) << i;
-        }
+        if (x >= 0) { ASSERT_TRUE(holds(sqrt(a.interval), std::sqrt(x))) << i; }
         ASSERT_TRUE(holds(join(a.interval, b.interval), x));
         ASSERT_GE(a.interval.magnitude(), a.inside);
         ASSERT_LE(std::fabs(x - a.interval.middle()), a.interval.radius());
@@ -116,9 +108,7 @@ TEST(Interval, SineAndCosineHoldThoseOfLongDouble) {
     for (int i = 0; i < kCases; ++i) {
         const double scale = random.chance(0.5) ? 10 : random.chance(0.5) ? 1e-8 : 1e5;
         double x = random.range(-scale, scale);
-        if (random.chance(0.2)) {
-            x = 1.5707963267948966 * random.integer(-1000, 1000);
-        }  // where quadrants change
+        if (random.chance(0.2)) { x = 1.5707963267948966 * random.integer(-1000, 1000); }  // where quadrants change
         const SinCos thin = sinCos(x);
         const Long s = std::sin(static_cast<Long>(x));
         const Long c = std::cos(static_cast<Long>(x));

@@ -24,15 +24,11 @@ int overAllHits(Check check) {
         for (std::uint64_t index = 0; index < kCases; ++index) {
             const ToiQuery query = makeToiCase(family, 4242, index);
             const Toi toi = askAt(query, query.settings.target);
-            if (toi.state != ToiState::hit || !(toi.fraction > 0)) {
-                continue;
-            }
+            if (toi.state != ToiState::hit || !(toi.fraction > 0)) { continue; }
             ++hits;
             SCOPED_TRACE(::testing::Message() << nameOf(family) << ' ' << index << ' ' << query);
             check(query, toi);
-            if (::testing::Test::HasFatalFailure()) {
-                return 0;
-            }
+            if (::testing::Test::HasFatalFailure()) { return 0; }
         }
     }
     return hits;
@@ -43,9 +39,7 @@ TEST(ToiJudge, HitsThatComeTooLateAreFound) {
     int missed = 0;
     overAllHits([&](const ToiQuery& query, const Toi&) {
         const double target = query.settings.target - 3 * query.settings.tolerance;
-        if (target + query.a.radius + query.b.radius < 0) {
-            return;
-        }
+        if (target + query.a.radius + query.b.radius < 0) { return; }
         const Toi toi = askAt(query, target);
         const ToiJudgement judgement = judgeToi(query, toi);
         if (toi.state == ToiState::hit) {
@@ -68,12 +62,8 @@ TEST(ToiJudge, HitsThatComeTooEarlyAreFound) {
         ASSERT_EQ(toi.state, ToiState::hit);
         const ToiJudgement judgement = judgeToi(query, toi);
         const bool early = toi.separation > query.settings.target + 1.5 * query.settings.tolerance;
-        if (early) {
-            ASSERT_EQ(judgement.verdict, ToiVerdict::early);
-        }
-        if (early) {
-            ASSERT_GE(judgement.depth, 0.25 * query.settings.tolerance);
-        }
+        if (early) { ASSERT_EQ(judgement.verdict, ToiVerdict::early); }
+        if (early) { ASSERT_GE(judgement.depth, 0.25 * query.settings.tolerance); }
         ASSERT_TRUE(early || toi.fraction == 0);
     });
     EXPECT_GT(hits, 1000);
@@ -117,9 +107,7 @@ TEST(ToiJudge, OverlapsThatAreNotSaidAreFound) {
     for (std::uint64_t index = 0; index < kCases; ++index) {
         const ToiQuery query = makeToiCase(ToiFamily::overlap, 1, index);
         Toi toi = askAt(query, query.settings.target);
-        if (toi.state != ToiState::overlapped || toi.separation > -1e-2) {
-            continue;
-        }
+        if (toi.state != ToiState::overlapped || toi.separation > -1e-2) { continue; }
         ++overlaps;
         toi.state = ToiState::hit;
         ASSERT_EQ(judgeToiEvent(query, toi).verdict, ToiVerdict::falseOverlap) << index << query;

@@ -50,7 +50,7 @@ struct Verdict {
 
 Verdict judge(const Query& q, const Toi& toi, ToiMethod by_) {
     const Toi below = by(by_, shifted(q, -2));  // a hit there lies at or below the target minus the tolerance
-    const Toi above = by(by_, shifted(q, 2));   // before a hit there, all lies at or above the target plus the tolerance
+    const Toi above = by(by_, shifted(q, 2));  // before a hit there, all lies at or above the target plus the tolerance
     const bool comesBelow = below.state == ToiState::hit;
     const bool claimsHit = toi.state == ToiState::hit;
     Verdict verdict;
@@ -166,8 +166,7 @@ TEST(ToiMethodLaws, TheOthersFailAsTheirPagesSay) {
     EXPECT_EQ(of(ToiMethod::separatingAxisRoot).early, 0);
     EXPECT_GT(of(ToiMethod::speculative).missed, 50);
     EXPECT_GT(of(ToiMethod::speculative).early, 300);
-    for (const ToiMethod exact :
-         {ToiMethod::conservativeAdvancement, ToiMethod::bruteForce, ToiMethod::certified}) {
+    for (const ToiMethod exact : {ToiMethod::conservativeAdvancement, ToiMethod::bruteForce, ToiMethod::certified}) {
         EXPECT_EQ(of(exact).missed + of(exact).late + of(exact).early, 0) << nameOf(exact);
     }
 }

@@ -58,7 +58,8 @@ Query ballThroughWall(double to) {
     return {box(0.1, 1), resting({0, 0}), circle(0.25), moving({-2, 0}, {to, 0}), settings()};
 }
 
-/// A bar of length 2 turns by half a turn, 0.3 above the ground: level at both ends, upright and 0.7 deep in the middle.
+/// A bar of length 2 turns by half a turn, 0.3 above the ground: level at both ends, upright and 0.7 deep in the
+/// middle.
 Query dippingBar() {
     return {box(5, 1), resting({0, -1}), box(1, 0.05), turning(resting({0, 0.3}), 0, kPi), settings()};
 }
@@ -102,8 +103,8 @@ TEST(ToiMethods, AgreeOnAThrownBall) {
     Query q{box(5, 1), resting({0, -1}), circle(0.1), moving({0, 0.5}, {1, 0.2}), settings()};
     q.sweepB.k = {0, 4};
     const double expected = (4.3 - std::sqrt(4.3 * 4.3 - 16 * 0.39)) / 8;
-    for (const ToiMethod method : {ToiMethod::shapeCast, ToiMethod::conservativeAdvancement, ToiMethod::bruteForce,
-                                   ToiMethod::certified}) {
+    for (const ToiMethod method :
+         {ToiMethod::shapeCast, ToiMethod::conservativeAdvancement, ToiMethod::bruteForce, ToiMethod::certified}) {
         expectImpact(q, method, expected, kTolerance / 2);
     }
     // It comes up again: the end is above the ground, and so is the chord that a ray takes.
@@ -118,8 +119,8 @@ TEST(ToiMethods, AgreeOnABarThatTurnsDown) {
     q.sweepB.a1 = -kPi / 2;
     const double reach = std::hypot(1, 0.05);
     const double expected = (std::asin((0.3 - kTarget) / reach) - std::asin(0.05 / reach)) / (kPi / 2);
-    for (const ToiMethod method :
-         {ToiMethod::conservativeAdvancement, ToiMethod::bruteForce, ToiMethod::separatingAxisRoot, ToiMethod::certified}) {
+    for (const ToiMethod method : {ToiMethod::conservativeAdvancement, ToiMethod::bruteForce,
+                                   ToiMethod::separatingAxisRoot, ToiMethod::certified}) {
         expectImpact(q, method, expected, 1.1 * kTolerance / (0.9 * kPi / 2));
     }
     EXPECT_NEAR(by(ToiMethod::bruteForce, q).fraction, expected, 1e-14);
@@ -180,7 +181,8 @@ TEST(ToiMethods, SeparatingAxisRootMissesTheDippingVertex) {
 
 TEST(ToiMethods, SeparatingAxisRootHoldsTheAxisInTheBodyWhoseEdgeIsClosest) {
     // In the bar's own frame its face stands still, whichever of the two the bar is.
-    const Query barIsB{circle(0.2), resting({0.7, -0.5}), box(1, 0.05), turning(resting({0, 0.3}), 0, -1.5), settings()};
+    const Query barIsB{circle(0.2), resting({0.7, -0.5}), box(1, 0.05), turning(resting({0, 0.3}), 0, -1.5),
+                       settings()};
     const Query barIsA{barIsB.b, barIsB.sweepB, barIsB.a, barIsB.sweepA, barIsB.settings};
     const Toi b = by(ToiMethod::separatingAxisRoot, barIsB);
     const Toi a = by(ToiMethod::separatingAxisRoot, barIsA);

@@ -45,7 +45,9 @@ TEST_P(ToiObserved, StepsLeadToTheSameAnswer) {
                 ASSERT_GT(step.separation, q.settings.target);
                 reached = step.fraction;
             }
-            if (!diary.steps.empty()) { ASSERT_EQ(diary.steps.back().next, toi.fraction) << "it ends where it went last"; }
+            if (!diary.steps.empty()) {
+                ASSERT_EQ(diary.steps.back().next, toi.fraction) << "it ends where it went last";
+            }
             ASSERT_LE(static_cast<int>(diary.steps.size()), toi.iterations + toi.rootIterations);
             watched += static_cast<int>(diary.steps.size());
         }

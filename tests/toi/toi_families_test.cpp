@@ -18,9 +18,7 @@ constexpr std::uint64_t kCases = 300;
 template <class Count>
 int countCases(ToiFamily family, Count count) {
     int counted = 0;
-    for (std::uint64_t index = 0; index < kCases; ++index) {
-        counted += count(makeToiCase(family, 5, index)) ? 1 : 0;
-    }
+    for (std::uint64_t index = 0; index < kCases; ++index) { counted += count(makeToiCase(family, 5, index)) ? 1 : 0; }
     return counted;
 }
 

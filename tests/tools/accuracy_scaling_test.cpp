@@ -17,9 +17,7 @@ void compareAll(Precision precision, const Units& units) {
     int conclusive = 0;
     int underflown = 0;
     for (const accuracy::Case& c : accuracy::allCases()) {
-        if (c.isLong) {
-            continue;
-        }
+        if (c.isLong) { continue; }
         const SceneRun plain = runOf(c.scene, precision, kSteps);
         const SceneRun other = runOf(scaled(c.scene, units.length, units.mass, units.time), precision, kSteps);
         if (plain.underflow || other.underflow) {

@@ -36,9 +36,7 @@ std::unique_ptr<Box2dRunner> start(const SceneDescription& scene) {
 }
 
 Frame frameAfter(Box2dRunner& runner, int steps) {
-    for (int i = 0; i < steps; ++i) {
-        runner.step();
-    }
+    for (int i = 0; i < steps; ++i) { runner.step(); }
     Frame frame;
     runner.read(frame, true);
     return frame;
@@ -111,9 +109,7 @@ TEST(Box2dRunner, BodiesRestOnTheirFloorWithinTheSkin) {
     for (const bool isChain : {false, true}) {
         SceneDescription scene;
         ShapeDescription ground = box(5, 0.5);
-        if (isChain) {
-            ground.geometry = ChainGeometry{{{5, 0.5}, {0, 0.5}, {-5, 0.5}}, false};
-        }
+        if (isChain) { ground.geometry = ChainGeometry{{{5, 0.5}, {0, 0.5}, {-5, 0.5}}, false}; }
         scene.bodies = {body(SceneBodyType::fixed, {0, -0.5}, ground),
                         body(SceneBodyType::dynamic, {0.3, 1}, box(0.5, 0.5))};
         const auto runner = start(scene);
@@ -121,9 +117,7 @@ TEST(Box2dRunner, BodiesRestOnTheirFloorWithinTheSkin) {
         EXPECT_NEAR(frame.bodies[1].position.y, 0.5, 0.021) << "chain: " << isChain;
         ASSERT_FALSE(frame.contacts.empty());
         double impulse = 0;
-        for (const ContactFrame& contact : frame.contacts) {
-            impulse += contact.impulse;
-        }
+        for (const ContactFrame& contact : frame.contacts) { impulse += contact.impulse; }
         EXPECT_NEAR(impulse, 9.81 / 60, 0.02) << "the weight of 1 kg over a step";
     }
 }

@@ -9,13 +9,9 @@ namespace {
 /// "(12) name" gives a number to a name, "(12)" says it again.
 std::string nameOf(const std::string& text, std::map<std::string, std::string>& names) {
     const std::size_t end = text.find(')');
-    if (text.empty() || text[0] != '(' || end == std::string::npos) {
-        return text;
-    }
+    if (text.empty() || text[0] != '(' || end == std::string::npos) { return text; }
     const std::string number = text.substr(0, end + 1);
-    if (end + 2 < text.size()) {
-        names[number] = text.substr(end + 2);
-    }
+    if (end + 2 < text.size()) { names[number] = text.substr(end + 2); }
     return names[number];
 }
 
@@ -45,9 +41,7 @@ LineCosts readCallgrind(const std::string& text) {
                 const long number = std::strtol(row.data(), &rest, 10);
                 line = static_cast<int>(row[0] == '+' || row[0] == '-' ? line + number : number);
             }
-            if (!isCall) {
-                costs[{file, line}] += std::strtoll(rest, nullptr, 10);
-            }
+            if (!isCall) { costs[{file, line}] += std::strtoll(rest, nullptr, 10); }
             isCall = false;
         }
     }

@@ -11,8 +11,8 @@ namespace {
 
 TEST(CommandBenchBroadphase, MeasuresOneSceneAndWritesIt) {
     const ScratchDirectory scratch;
-    const auto result = runSwept({"bench", "broadphase", "--count", "60", "--scenes", "uniform", "--seconds", "0", "--csv",
-                                  scratch.path("bench.csv")});
+    const auto result = runSwept({"bench", "broadphase", "--count", "60", "--scenes", "uniform", "--seconds", "0",
+                                  "--csv", scratch.path("bench.csv")});
     EXPECT_EQ(result.exitCode, 0) << result.err;
     EXPECT_NE(result.out.find("uniform: ns per renewed box"), std::string::npos) << result.out;
     EXPECT_EQ(result.out.find("other pairs!"), std::string::npos) << result.out;
@@ -39,9 +39,7 @@ TEST(CommandBenchBroadphase, RefusesWhatItCannotDo) {
         {"bench", "overlap", "--count", "0"},
         {"bench", "overlap", "--csv", "no/such/directory/bench.csv"},
     };
-    for (const std::vector<std::string>& arguments : wrong) {
-        expectRefused(arguments);
-    }
+    for (const std::vector<std::string>& arguments : wrong) { expectRefused(arguments); }
 }
 
 }  // namespace

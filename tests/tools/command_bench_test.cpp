@@ -82,9 +82,7 @@ TEST(CommandBench, HasARecordForEveryMethodAndFamily) {
         }
         EXPECT_EQ(judged, queries) << "every answer has one verdict";
         if (queries > 0) { EXPECT_GT(std::stod(record.at("ns")), 0); }
-        if (record.at("method") == "certified") {
-            EXPECT_EQ(record.at("right"), "10") << record.at("family");
-        }
+        if (record.at("method") == "certified") { EXPECT_EQ(record.at("right"), "10") << record.at("family"); }
         tunnelled += record.at("method") == "discrete" ? std::stoi(record.at("missed")) : 0;
     }
     EXPECT_GT(tunnelled, 0) << "the judge finds what is known to be wrong";
@@ -141,9 +139,7 @@ TEST(CommandBench, RefusesWhatItCannotDo) {
         {"bench", "toi", "--certify", "10", "--plots", "somewhere"},
         {"bench", "toi", "--count", "1", "--csv", "no/such/directory/bench.csv"},
     };
-    for (const std::vector<std::string>& arguments : wrong) {
-        expectRefused(arguments);
-    }
+    for (const std::vector<std::string>& arguments : wrong) { expectRefused(arguments); }
 }
 
 }  // namespace

@@ -18,9 +18,7 @@ std::vector<std::vector<std::string>> recordsOf(const std::string& csv) {
     for (std::string line; std::getline(lines, line);) {
         std::vector<std::string>& record = records.emplace_back();
         std::istringstream fields(line);
-        for (std::string field; std::getline(fields, field, ',');) {
-            record.push_back(field);
-        }
+        for (std::string field; std::getline(fields, field, ',');) { record.push_back(field); }
     }
     return records;
 }
@@ -83,9 +81,7 @@ TEST(CommandBenchWorld, RefusesWhatItCannotDo) {
         {"bench", "world", "--growth", "1000", "--size", "0.5"},
         {"bench", "world", "--csv", "no/such/directory/world.csv"},
     };
-    for (const std::vector<std::string>& arguments : wrong) {
-        expectRefused(arguments);
-    }
+    for (const std::vector<std::string>& arguments : wrong) { expectRefused(arguments); }
 }
 
 }  // namespace

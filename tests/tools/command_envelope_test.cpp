@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-
 #include "run_program.h"
 
 namespace swept {
@@ -52,9 +51,7 @@ TEST(CommandEnvelope, RefusesWhatItCannotDo) {
         {envelope({"--out", file}), "cannot be written"},
         {envelope({"--out", scratch.path("")}), "bullet.csv"},
     };
-    for (const auto& [arguments, reason] : cases) {
-        expectRefused(arguments, reason);
-    }
+    for (const auto& [arguments, reason] : cases) { expectRefused(arguments, reason); }
     EXPECT_FALSE(scratch.has("no"));
 }
 

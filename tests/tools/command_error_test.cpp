@@ -15,9 +15,7 @@ protected:
     void expectRunRefused(std::vector<std::string> arguments, const std::string& reason) {
         arguments.insert(arguments.begin(), "run");
         for (const char* const output : {"--csv", "--events", "--report"}) {
-            if (std::find(arguments.begin(), arguments.end(), output) != arguments.end()) {
-                continue;
-            }
+            if (std::find(arguments.begin(), arguments.end(), output) != arguments.end()) { continue; }
             arguments.insert(arguments.end(), {output, out_.path(output + 2)});
         }
         if (std::find(arguments.begin(), arguments.end(), "--png") == arguments.end()) {

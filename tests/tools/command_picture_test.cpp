@@ -12,14 +12,10 @@ namespace {
 
 /// Width and height from a PNG's header.
 std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes) {
-    if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") {
-        return {0, 0};
-    }
+    if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") { return {0, 0}; }
     const auto number = [&](std::size_t at) {
         std::uint32_t value = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-        }
+        for (std::size_t i = 0; i < 4; ++i) { value = value << 8 | static_cast<unsigned char>(bytes[at + i]); }
         return value;
     };
     return {number(16), number(20)};
@@ -27,9 +23,7 @@ std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes) {
 
 std::size_t filesIn(const std::string& directory) {
     std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory)) {
-        ++count;
-    }
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory)) { ++count; }
     return count;
 }
 

@@ -15,18 +15,14 @@ namespace {
 std::vector<std::string> linesOf(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
-        lines.push_back(line);
-    }
+    for (std::string line; std::getline(stream, line);) { lines.push_back(line); }
     return lines;
 }
 
 std::vector<std::string> fieldsOf(const std::string& line) {
     std::vector<std::string> fields;
     std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) {
-        fields.push_back(field);
-    }
+    for (std::string field; std::getline(stream, field, ',');) { fields.push_back(field); }
     return fields;
 }
 

@@ -33,8 +33,8 @@ TEST(CommandScenes, PrintsASceneThatReadsBack) {
 TEST(CommandHelp, NamesCommandsAndOptions) {
     const auto help = runSwept({"--help"});
     EXPECT_EQ(help.exitCode, 0);
-    for (const char* const word : {"run", "scenes", "toi", "distance", "compare", "inspect", "modes", "tune", "bench",
-                                 "--version"}) {
+    for (const char* const word :
+         {"run", "scenes", "toi", "distance", "compare", "inspect", "modes", "tune", "bench", "--version"}) {
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
     }
     EXPECT_EQ(help.out.find("__peer"), std::string::npos);

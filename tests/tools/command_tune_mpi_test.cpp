@@ -20,9 +20,7 @@ TEST(CommandTuneMpi, ManyProcessesFindWhatOneFinds) {
     std::vector<std::string> launch{"--oversubscribe", "-n", "3", SWEPT_PROGRAM};
     launch.insert(launch.end(), arguments.begin(), arguments.end());
     const ProgramResult result = runProgram("mpirun", launch);
-    if (result.exitCode == -1 || result.exitCode == 127) {
-        GTEST_SKIP() << "no mpirun";
-    }
+    if (result.exitCode == -1 || result.exitCode == 127) { GTEST_SKIP() << "no mpirun"; }
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(rowsWithoutCost(scratch.read("many/tune.csv")), rowsWithoutCost(scratch.read("one/tune.csv")));
     const std::string advice = "Recommended";

@@ -34,9 +34,7 @@ TEST_P(EnvelopeLimits, DoNotShrink) {
     std::ifstream file(SWEPT_ENVELOPE_LIMITS);
     Lines committed = linesOf(file);
     for (const Slice& slice : allSlices(Grain::coarse)) {
-        if (slice.name != GetParam()) {
-            continue;
-        }
+        if (slice.name != GetParam()) { continue; }
         const std::vector<tune::Engine> engines{tune::Engine::f32, tune::Engine::f64};
         Rows rows;
         for (const tune::Engine engine : engines) {
@@ -45,9 +43,7 @@ TEST_P(EnvelopeLimits, DoNotShrink) {
             tune::runParallel(cells.size(), 2, [&](std::size_t i) {
                 cells[i] = runCell(slice, slice.x.values[i % width], slice.y.values[i / width], engine);
             });
-            for (const Row& row : cells) {
-                rows.add(row);
-            }
+            for (const Row& row : cells) { rows.add(row); }
         }
         std::istringstream text(limitLines(slice, rows, engines));
         for (const auto& [key, line] : linesOf(text)) {

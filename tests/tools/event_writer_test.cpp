@@ -42,9 +42,7 @@ TEST(EventWriter, WritesOneValidObjectALine) {
     EventWriter writer(out, {"a \"quoted\"\nname", "b"});
     std::vector<SceneEvent> events(6, hitEvent());
     const char* const names[] = {"begin", "end", "hit", "sensorBegin", "sensorEnd", "jointBreak"};
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        events[i].type = static_cast<SceneEventType>(i);
-    }
+    for (std::size_t i = 0; i < events.size(); ++i) { events[i].type = static_cast<SceneEventType>(i); }
     events[2].impulse = std::numeric_limits<double>::infinity();
     writer.write(events);
     std::istringstream lines(out.str());

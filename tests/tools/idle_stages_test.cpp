@@ -50,7 +50,8 @@ std::vector<Stage> stages() {
         {"sensors", std::regex("engine/mode_sensors.*"), std::regex("sweepSensors"),
          std::regex("sensorS|sweepSensors")},
         {"sweeps",
-         std::regex("engine/(stage_continuous|stage_islands|island_advance|clash|flight|free_path|bullets|sweep_obstacles).*"),
+         std::regex(
+             "engine/(stage_continuous|stage_islands|island_advance|clash|flight|free_path|bullets|sweep_obstacles).*"),
          std::regex("sweepFastBodies"), std::regex("fastIslands|anyFast|anyFlung\\)")},
         {"speedLimit, speculative", std::regex("engine/mode_sp.*"), std::regex("anchorAhead|countAhead"),
          std::regex("world\\.watched")},
@@ -77,13 +78,9 @@ std::vector<SourceLine> readSource(const std::string& path) {
     std::string function;
     for (std::string text; std::getline(file, text);) {
         std::smatch match;
-        if (std::regex_search(text, match, definition)) {
-            function = match[1].matched ? match[1] : match[2];
-        }
+        if (std::regex_search(text, match, definition)) { function = match[1].matched ? match[1] : match[2]; }
         lines.push_back({text, function});
-        if (text == "}") {
-            function.clear();
-        }
+        if (text == "}") { function.clear(); }
     }
     return lines;
 }
@@ -114,9 +111,7 @@ TEST(IdleStages, CostAtMostTwentyInstructionsAStep) {
     const std::string scene = scratch.write("idle.json", idleScene());
     const LineCosts few = costsOf(scene, kSteps, scratch);
     LineCosts more = costsOf(scene, 2 * kSteps, scratch);
-    for (const auto& [line, cost] : few) {
-        more[line] -= cost;
-    }  // what is left is twenty steps, without the start
+    for (const auto& [line, cost] : few) { more[line] -= cost; }  // what is left is twenty steps, without the start
 
     const std::string root = std::string(SWEPT_SOURCE_ROOT) + '/';
     std::map<std::string, std::vector<SourceLine>> sources;
@@ -126,13 +121,9 @@ TEST(IdleStages, CostAtMostTwentyInstructionsAStep) {
     for (const auto& [line, cost] : more) {
         const std::string file = std::filesystem::path(line.first).lexically_normal().string();
         const std::string path = file.starts_with(root) ? file.substr(root.size()) : std::string();
-        if (!path.starts_with("engine/") && !path.starts_with("solver/")) {
-            continue;
-        }
+        if (!path.starts_with("engine/") && !path.starts_with("solver/")) { continue; }
         std::vector<SourceLine>& source = sources[path];
-        if (source.empty()) {
-            source = readSource(root + path);
-        }
+        if (source.empty()) { source = readSource(root + path); }
         const double instructions = static_cast<double>(cost) / kSteps;
         all += instructions;
         const SourceLine& here = source.at(static_cast<std::size_t>(line.second));
@@ -143,9 +134,7 @@ TEST(IdleStages, CostAtMostTwentyInstructionsAStep) {
             const bool belongs =
                 !isOther && (std::regex_match(path, stage.files) || std::regex_match(here.function, stage.functions) ||
                              std::regex_search(here.text, stage.lines));
-            if (!belongs || cost == 0) {
-                continue;
-            }
+            if (!belongs || cost == 0) { continue; }
             perStep[stage.name] += instructions;
             told[stage.name] += '\n' + path + ':' + std::to_string(line.second) + ": " + std::to_string(instructions) +
                                 "  " + here.text;
@@ -158,7 +147,8 @@ TEST(IdleStages, CostAtMostTwentyInstructionsAStep) {
     }
 }
 
-/// Of the engine and the solver, without the start. (The rest of the program is not the same twice: a library measures its clock.)
+/// Of the engine and the solver, without the start. (The rest of the program is not the same twice: a library measures
+/// its clock.)
 double instructionsAStep(const std::string& sceneText, const ScratchDirectory& scratch) {
     constexpr int kSteps = 20;
     const std::string scene = scratch.write("counted.json", sceneText);

@@ -29,9 +29,7 @@ int countOf(const Inspection& inspection, const std::string& kind, const std::st
 
 bool needs(const Inspection& inspection, const std::string& feature) {
     for (const Need& need : inspection.needs) {
-        if (need.feature == feature) {
-            return need.needed;
-        }
+        if (need.feature == feature) { return need.needed; }
     }
     ADD_FAILURE() << "nothing is said about " << feature;
     return false;
@@ -95,14 +93,10 @@ TEST(Inspect, FindsStepsTooLongForSmallBodies) {
 
 TEST(Inspect, FindsWhatIsFarAway) {
     SceneDescription scene = soundScene();
-    for (BodyDescription& body : scene.bodies) {
-        body.position.x += 1e13;
-    }
+    for (BodyDescription& body : scene.bodies) { body.position.x += 1e13; }
     const Inspection inspection = inspectScene(scene);
     EXPECT_EQ(countOf(inspection, "far-away", "/bodies/1"), 1);
-    for (BodyDescription& body : scene.bodies) {
-        body.position.x -= 1e13 - 1e4;
-    }
+    for (BodyDescription& body : scene.bodies) { body.position.x -= 1e13 - 1e4; }
     EXPECT_TRUE(inspectScene(scene).findings.empty());
 }
 

@@ -12,8 +12,8 @@
 
 #include "run_program.h"
 
-/// What a step costs, in instructions counted under callgrind: shows a slow-down without a stopwatch, on a busy machine too.
-/// When one is meant, or a step became cheaper, take over what this prints into data/instructions.csv.
+/// What a step costs, in instructions counted under callgrind: shows a slow-down without a stopwatch, on a busy machine
+/// too. When one is meant, or a step became cheaper, take over what this prints into data/instructions.csv.
 
 namespace swept {
 namespace {
@@ -65,8 +65,8 @@ TEST(Instructions, OfAStepDoNotGrow) {
         const std::string path = scratch.write("scene.json", writeScene(scene));
         const double start = instructionsOf(path, cost.warmSteps, scratch);
         const double now = (instructionsOf(path, cost.warmSteps + kSteps, scratch) - start) / kSteps;
-        std::cout << "[ COUNTED  ] " << cost.scene << ',' << cost.size << ',' << cost.profile << ',' << cost.warmSteps << ','
-                  << std::llround(now) << '\n';
+        std::cout << "[ COUNTED  ] " << cost.scene << ',' << cost.size << ',' << cost.profile << ',' << cost.warmSteps
+                  << ',' << std::llround(now) << '\n';
         EXPECT_GT(now, 1000) << cost.scene << " does nothing";
         EXPECT_LE(now, kMostGrowth * cost.instructions) << cost.scene << ", " << cost.profile;
     }

@@ -85,9 +85,7 @@ TEST(Measures, EnergyIsJudgedWhereItHasToStay) {
     addDynamic(scene, "ball", {0, 4}, {build::circle(0.5)}).mass = 2;
     Recording recording = stillRecording(scene, 5);
     const std::array<double, 5> energies{80, 60, 65, 50, 70};  // J; 100 J above the centre of the floor
-    for (std::size_t i = 0; i < 5; ++i) {
-        recording.samples[i].energy = energies[i];
-    }
+    for (std::size_t i = 0; i < 5; ++i) { recording.samples[i].energy = energies[i]; }
     Values values = measuredAlone(scene, recording);
     EXPECT_NEAR(values[Measure::energyGain], 0.2, 1e-12);
     EXPECT_TRUE(std::isnan(values[Measure::energyDrift])) << "it rubs";
@@ -104,9 +102,7 @@ TEST(Measures, MomentumIsWhatGravityMakesOfIt) {
     addDynamic(scene, "a", {0, 0}, {circle(0.5)}).mass = 3;
     scene.bodies[0].velocity = {4, 0};
     Recording recording = stillRecording(scene, 65);  // 1 s: m v = 12, m g t = 24
-    for (Sample& sample : recording.samples) {
-        sample.momentum = {12, -24 * sample.time};
-    }
+    for (Sample& sample : recording.samples) { sample.momentum = {12, -24 * sample.time}; }
     EXPECT_NEAR(measuredAlone(scene, recording)[Measure::momentumDrift], 0, 1e-15);
     recording.samples[30].momentum.x += 3.6;
     EXPECT_NEAR(measuredAlone(scene, recording)[Measure::momentumDrift], 0.1, 1e-12);
@@ -168,9 +164,7 @@ TEST(Measures, RestAndSwayAreJudgedByWhatStaysInTheReference) {
     addDynamic(scene, "resting", {0, 0.5}, {box({0.5, 0.5})});
     addDynamic(scene, "driving", {8, 0.5}, {box({0.5, 0.5})}).velocity = {1, 0};
     Recording truth = stillRecording(scene, 101);
-    for (Sample& sample : truth.samples) {
-        sample.bodies[2].position.x += sample.time;
-    }
+    for (Sample& sample : truth.samples) { sample.bodies[2].position.x += sample.time; }
     Recording mine = truth;
     mine.samples[20].bodies[1].position.x += 0.03;  // sways, and comes back
     mine.samples[100].bodies[1].position.y -= 0.01;
@@ -196,9 +190,7 @@ TEST(ClosedForms, FreeFlightFallsAsItShould) {
     SceneDescription scene = emptyScene();
     addDynamic(scene, "ball", {1, 2}, {circle(0.5)}).velocity = {7, 11};
     addDynamic(scene, "leaf", {100, 0}, {circle(0.5)}).linearDamping = 2;
-    for (BodyDescription& body : scene.bodies) {
-        body.shapes[0].filter.mask = 0;
-    }
+    for (BodyDescription& body : scene.bodies) { body.shapes[0].filter.mask = 0; }
     const auto form = closedFormOf(scene, 2);
     ASSERT_TRUE(form);
     EXPECT_NEAR(form->position(0, 2).x, 15, 1e-12);

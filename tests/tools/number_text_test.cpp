@@ -45,9 +45,7 @@ TEST(NumberText, ReadsBackAsTheSameDouble) {
     for (int i = 0; i < 100'000; ++i) {
         const auto bits = random.bits();
         const auto value = std::bit_cast<double>(bits);
-        if (!std::isfinite(value)) {
-            continue;
-        }
+        if (!std::isfinite(value)) { continue; }
         ++finite;
         const std::string text = textOf(value);
         ASSERT_EQ(std::bit_cast<std::uint64_t>(readBack(text)), bits)

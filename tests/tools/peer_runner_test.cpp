@@ -75,9 +75,7 @@ std::vector<Frame> run(const SceneDescription& scene, const PeerSettings& peer, 
     std::vector<Frame> frames(static_cast<std::size_t>(steps) + 1);
     if (!runner) {
         ADD_FAILURE() << nameOf(peer) << ": " << error;
-        for (Frame& frame : frames) {
-            frame.bodies.resize(scene.bodies.size());
-        }
+        for (Frame& frame : frames) { frame.bodies.resize(scene.bodies.size()); }
         return frames;
     }
     runner->read(frames[0], false);
@@ -153,9 +151,7 @@ TEST(PeerRunner, FrictionOfAPairIsThatOfItsShapes) {
     SceneDescription scene = emptyScene();
     add(scene, "slope", SceneBodyType::fixed, -1.0 * out, {100, 1}).angle = -kAngle;
     add(scene, "block", SceneBodyType::dynamic, 0.5 * out, {0.5, 0.5}).angle = -kAngle;
-    for (BodyDescription& body : scene.bodies) {
-        body.shapes[0].friction = kFriction;
-    }
+    for (BodyDescription& body : scene.bodies) { body.shapes[0].friction = kFriction; }
     const double exact = kGravity * (std::sin(kAngle) - kFriction * std::cos(kAngle));
     for (const PeerSettings& peer : peers()) {
         const BodyFrame end = run(scene, peer, 120).back().bodies[1];
@@ -171,9 +167,7 @@ TEST(PeerRunner, JointsHoldAndFiltersPass) {
     add(scene, "bar", SceneBodyType::dynamic, {1, 0}, {1, 0.1}).angle = std::numbers::pi;
     add(scene, "bob", SceneBodyType::dynamic, {2, -1}, {0.1, 0.1});
     add(scene, "tip", SceneBodyType::dynamic, {2, 0.2}, {0.1, 0.1});
-    for (BodyDescription& body : scene.bodies) {
-        body.shapes[0].filter.group = -1;
-    }
+    for (BodyDescription& body : scene.bodies) { body.shapes[0].filter.group = -1; }
     join(scene, "anchor", "bar", RevoluteDescription{});
     DistanceDescription rod;
     rod.anchorA = {2, 0};

@@ -55,8 +55,9 @@ TEST(QueryLines, AnswersTheExample) {
     const Json json = answerOf(answer);
     std::string keys;
     for (const auto& [key, value] : json.items()) { keys += key + ' '; }
-    EXPECT_EQ(keys, "id state t separation normal pointA pointB iterations target tolerance bracket separations features "
-                    "rootIterations ");
+    EXPECT_EQ(keys,
+              "id state t separation normal pointA pointB iterations target tolerance bracket separations features "
+              "rootIterations ");
     EXPECT_EQ(json["id"], 1);
     EXPECT_TRUE(json["id"].is_number_integer());
     EXPECT_EQ(json["state"], "hit");
@@ -238,10 +239,16 @@ TEST(QueryLines, NamesEachBadLineAndGoesOn) {
              for (int i = 0; i < 9; ++i) { q["a"]["vertices"].push_back({i, i * i}); }
          }),
          "line 5: /a/vertices: "},
-        {changed([](Json& q) { q["a"]["vertices"] = {{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}; }), "line 6: /a/vertices: "},
+        {changed([](Json& q) {
+             q["a"]["vertices"] = {{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}};
+         }),
+         "line 6: /a/vertices: "},
         {changed([](Json& q) { q["b"]["radius"] = -1; }), "line 7: /b/radius: "},
         {changed([](Json& q) { q["tolerance"] = -1; }), "line 8: /tolerance: "},
-        {changed([](Json& q) { q["id"] = {{"x", 1}, {"error", "none"}}, q["tMax"] = 2; }), "line 9: /tMax: "},
+        {changed([](Json& q) {
+             q["id"] = {{"x", 1}, {"error", "none"}}, q["tMax"] = 2;
+         }),
+         "line 9: /tMax: "},
         {"nonsense", "line 10, column "},
         {good, ""},
     };

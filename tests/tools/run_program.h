@@ -1,10 +1,10 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ inline void quietSuppressions() {
     setenv("LSAN_OPTIONS", (std::string(given != nullptr ? given : "") + ":print_suppressions=0").c_str(), 1);
 }
 
-/// Runs a program (looked for on the search path where it has no slash) to its end. Its streams are files, so that nothing
-/// can block.
+/// Runs a program (looked for on the search path where it has no slash) to its end. Its streams are files, so that
+/// nothing can block.
 inline ProgramResult runProgram(const std::string& program, std::vector<std::string> arguments,
                                 const std::string& input = "") {
     [[maybe_unused]] static const bool quiet = (quietSuppressions(), true);
@@ -45,9 +45,7 @@ inline ProgramResult runProgram(const std::string& program, std::vector<std::str
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
     arguments.insert(arguments.begin(), program);
     std::vector<char*> pointers;
-    for (std::string& argument : arguments) {
-        pointers.push_back(argument.data());
-    }
+    for (std::string& argument : arguments) { pointers.push_back(argument.data()); }
     pointers.push_back(nullptr);
     ProgramResult result;
     pid_t process = -1;

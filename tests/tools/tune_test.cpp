@@ -55,9 +55,7 @@ public:
             for (int round = 0; shard.has(i); ++round) {
                 ASSERT_LT(round, 20) << "no end in sight";
                 const std::vector<Config> wanted = nextOf(tracks[i], subject, space, limits, known);
-                if (wanted.empty()) {
-                    break;
-                }
+                if (wanted.empty()) { break; }
                 for (const Config& config : wanted) {
                     EXPECT_EQ(known.find(config), nullptr) << "asked for twice";
                     known.rows.push_back(run(config));
@@ -73,9 +71,7 @@ private:
 
 std::set<std::string> linesOf(const Subject& subject, const Knowledge& known) {
     std::set<std::string> lines;
-    for (const Row& row : known.rows) {
-        lines.insert(fieldsOf(subject.scene, row.config));
-    }
+    for (const Row& row : known.rows) { lines.insert(fieldsOf(subject.scene, row.config)); }
     return lines;
 }
 
@@ -273,9 +269,7 @@ Subject slidingCrate() {
 
 const Ablated& without(const Ablation& ablation, const std::string& feature) {
     for (const Ablated& one : ablation.single) {
-        if (one.features.front() == feature) {
-            return one;
-        }
+        if (one.features.front() == feature) { return one; }
     }
     ADD_FAILURE() << "no feature " << feature;
     return ablation.lean;
@@ -330,9 +324,7 @@ TEST(TuneAblation, SensorsThatTellSomethingAreNeeded) {
 TEST(TuneTeam, EveryIndexRunsOnce) {
     std::vector<std::atomic<int>> counts(100);
     runParallel(counts.size(), 4, [&](std::size_t i) { ++counts[i]; });
-    for (const auto& count : counts) {
-        EXPECT_EQ(count, 1);
-    }
+    for (const auto& count : counts) { EXPECT_EQ(count, 1); }
     EXPECT_EQ(makeTeam()->gather("rows"), "rows");
 }
 

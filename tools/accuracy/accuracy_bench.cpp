@@ -109,9 +109,7 @@ Row measure(const Case& c, const Contestant& contestant) {
         row.verdict = "not finite";
         return row;
     }
-    for (const Measure& m : c.measures) {
-        row.values.push_back({m.name, m.unit, m.of(frames)});
-    }
+    for (const Measure& m : c.measures) { row.values.push_back({m.name, m.unit, m.of(frames)}); }
     row.verdict = c.verdict ? c.verdict(frames) : "";
     return row;
 }

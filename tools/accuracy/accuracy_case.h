@@ -31,7 +31,7 @@ struct Case {
     SceneDescription scene;
     std::int64_t steps = 600;
     std::vector<Measure> measures;
-    Verdict verdict;     ///< may be empty
+    Verdict verdict;      ///< may be empty
     bool isLong = false;  ///< only on request
 };
 

@@ -16,9 +16,7 @@ template <class Get>
 std::vector<std::string> distinct(std::span<const Row> rows, const Get& get) {
     std::vector<std::string> values;
     for (const Row& row : rows) {
-        if (std::find(values.begin(), values.end(), get(row)) == values.end()) {
-            values.push_back(get(row));
-        }
+        if (std::find(values.begin(), values.end(), get(row)) == values.end()) { values.push_back(get(row)); }
     }
     return values;
 }
@@ -36,9 +34,7 @@ std::string errorText(double value) {
 }
 
 std::string cellOf(const Row& row, std::size_t measure) {
-    if (!row.verdict.empty()) {
-        return row.verdict;
-    }
+    if (!row.verdict.empty()) { return row.verdict; }
     return measure < row.values.size() ? errorText(row.values[measure].value) : "-";
 }
 
@@ -83,14 +79,10 @@ void writeGroup(std::ostream& out, std::span<const Row> rows, const std::string&
 }  // namespace
 
 void writeTables(std::ostream& out, std::span<const Row> rows) {
-    for (const std::string& group : distinct(rows, groupOf)) {
-        writeGroup(out, rows, group);
-    }
+    for (const std::string& group : distinct(rows, groupOf)) { writeGroup(out, rows, group); }
     out << "\nErrors are magnitudes, 0 is perfect; those without a unit are parts of the whole.\n";
     for (const std::string& refusal : distinct(rows, refusalOf)) {
-        if (!refusal.empty()) {
-            out << "-: " << refusal << ".\n";
-        }
+        if (!refusal.empty()) { out << "-: " << refusal << ".\n"; }
     }
 }
 
@@ -99,9 +91,7 @@ void writeTradeTables(std::ostream& out, std::span<const Row> rows) {
         bench::TextTable table({scene, "Hz", "sub-steps", "us per s", "error"});
         std::vector<const Row*> order;
         for (const Row& row : rows) {
-            if (row.scene == scene) {
-                order.push_back(&row);
-            }
+            if (row.scene == scene) { order.push_back(&row); }
         }
         std::stable_sort(order.begin(), order.end(),
                          [](const Row* a, const Row* b) { return a->microseconds < b->microseconds; });
@@ -122,9 +112,7 @@ void writeCsv(std::ostream& out, std::span<const Row> rows) {
         start += ',' + std::to_string(row.subSteps) + ',';
         appendNumber(start, row.microseconds);
         start += ',' + csvField(row.verdict) + ',';
-        if (row.values.empty()) {
-            out << start << ",,\n";
-        }
+        if (row.values.empty()) { out << start << ",,\n"; }
         for (const MeasuredValue& value : row.values) {
             std::string record = start + csvField(value.name) + ',' + csvField(value.unit) + ',';
             appendNumber(record, value.value);

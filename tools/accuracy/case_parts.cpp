@@ -89,17 +89,11 @@ Verdict stands(const SceneDescription& scene, int top, double side, double gravi
     return [starts = startsOf(scene), top, side, gravity, height](const Frames& frames) -> std::string {
         const Frame& end = frames.back();
         const double fallen = bodyAt(frames.front(), top).position.y - bodyAt(end, top).position.y;
-        if (!(fallen < 0.1 * std::max(side, std::fabs(height)))) {
-            return "collapsed";
-        }
+        if (!(fallen < 0.1 * std::max(side, std::fabs(height)))) { return "collapsed"; }
         for (const Start& start : starts) {
             const BodyFrame& body = bodyAt(end, start.body);
-            if (!(std::fabs(body.position.x - start.position.x) < side)) {
-                return "collapsed";
-            }
-            if (!(length(body.velocity) < 0.01 * std::sqrt(gravity * side))) {
-                return "moving";
-            }
+            if (!(std::fabs(body.position.x - start.position.x) < side)) { return "collapsed"; }
+            if (!(length(body.velocity) < 0.01 * std::sqrt(gravity * side))) { return "moving"; }
         }
         return "";
     };
@@ -108,9 +102,7 @@ Verdict stands(const SceneDescription& scene, int top, double side, double gravi
 Verdict staysWithin(double limit) {
     return [limit](const Frames& frames) -> std::string {
         for (const BodyFrame& body : frames.back().bodies) {
-            if (!(std::fabs(body.position.x) < limit && std::fabs(body.position.y) < limit)) {
-                return "escaped";
-            }
+            if (!(std::fabs(body.position.x) < limit && std::fabs(body.position.y) < limit)) { return "escaped"; }
         }
         return "";
     };

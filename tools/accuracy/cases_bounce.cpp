@@ -49,16 +49,14 @@ Case drop(double speed) {
     const auto lost = [period](const Frames& frames) {
         const std::vector<Apex> apexes = apexesOf(frames);
         const std::size_t bounces = apexes.size() - 1;
-        return bounces == 0 ? period
-                            : std::fabs((apexes.back().time - apexes.front().time) / static_cast<double>(bounces) -
-                                        period);
+        return bounces == 0
+                   ? period
+                   : std::fabs((apexes.back().time - apexes.front().time) / static_cast<double>(bounces) - period);
     };
     const auto height = [](const Frames& frames) {
         const std::vector<Apex> apexes = apexesOf(frames);
         double worst = apexes.size() < 2 ? 1 : 0;
-        for (const Apex& apex : apexes) {
-            worst = std::max(worst, std::fabs(apex.height / apexes.front().height - 1));
-        }
+        for (const Apex& apex : apexes) { worst = std::max(worst, std::fabs(apex.height / apexes.front().height - 1)); }
         return worst;
     };
     c.measures = {{"time of a bounce", "s", lost}, {"height", "1", height}};
@@ -97,9 +95,7 @@ std::vector<Case> bounceCases() {
 std::vector<Case> allCases() {
     std::vector<Case> cases;
     for (const auto& make : {stackCases, massCases, sizeCases, knownCases, bounceCases}) {
-        for (Case& c : make()) {
-            cases.push_back(std::move(c));
-        }
+        for (Case& c : make()) { cases.push_back(std::move(c)); }
     }
     return cases;
 }

@@ -153,9 +153,7 @@ Case pendulum(double degrees) {
     };
     const auto gap = [](const Frames& frames) {
         double worst = 0;
-        for (const Frame& frame : frames) {
-            worst = std::max(worst, std::fabs(length(bodyAt(frame, 1).position) - 1));
-        }
+        for (const Frame& frame : frames) { worst = std::max(worst, std::fabs(length(bodyAt(frame, 1).position) - 1)); }
         return worst;
     };
     c.measures = {energyDrift(c.scene, bob.mass * kGravity), {"period", "1", period}, {"joint gap", "m", gap}};
@@ -195,9 +193,7 @@ Case gas() {
     for (int i = 0; i < 100; ++i) {
         // Sums of twelve uniform numbers: as good as a normal distribution here.
         DVec2 velocity{-30, -30};
-        for (int k = 0; k < 12; ++k) {
-            velocity += DVec2{dice.range(0, 5), dice.range(0, 5)};
-        }
+        for (int k = 0; k < 12; ++k) { velocity += DVec2{dice.range(0, 5), dice.range(0, 5)}; }
         addDynamic(c.scene, "", {0.9 * (i % 10 - 4.5), 0.9 * (i / 10 - 4.5)}, {circle(0.2)}).velocity = velocity;
     }
     setSurface(c.scene, 0, 1);
@@ -220,13 +216,10 @@ Case gas() {
 Case cradle(const std::string& name, double gap) {
     Case c{"known", name, emptyScene(name, 0), 180, {}, {}, false};
     addDynamic(c.scene, "", {-1.5, 0}, {circle(0.2)}).velocity = {5, 0};
-    for (int i = 0; i < 4; ++i) {
-        addDynamic(c.scene, "", {i * (0.4 + gap), 0}, {circle(0.2)});
-    }
+    for (int i = 0; i < 4; ++i) { addDynamic(c.scene, "", {i * (0.4 + gap), 0}, {circle(0.2)}); }
     setSurface(c.scene, 0, 1);
-    c.measures = {{"last ball", "1", [](const Frames& frames) {
-                       return std::fabs(bodyAt(frames.back(), 4).velocity.x / 5 - 1);
-                   }}};
+    c.measures = {{"last ball", "1",
+                   [](const Frames& frames) { return std::fabs(bodyAt(frames.back(), 4).velocity.x / 5 - 1); }}};
     return c;
 }
 

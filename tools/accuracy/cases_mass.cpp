@@ -21,9 +21,7 @@ Case heavyTop(int below, double ratio) {
     const std::string name = "heavy-top-" + std::to_string(below) + "-R" + ratioText(ratio);
     Case c{"mass", name, emptyScene(name), 600, {}, {}, false};
     addFixed(c.scene, "ground", {0, -0.5}, {box({20, 0.5})});
-    for (int i = 0; i < below; ++i) {
-        addDynamic(c.scene, "", {0, i + 0.5}, {box({0.5, 0.5})});
-    }
+    for (int i = 0; i < below; ++i) { addDynamic(c.scene, "", {0, i + 0.5}, {box({0.5, 0.5})}); }
     addDynamic(c.scene, "top", {0, below + 0.5}, {withDensity(box({0.5, 0.5}), ratio)});
     setSurface(c.scene, 0.6, 0);
     c.measures = {sag("sag of a box", lastBody(c.scene), below), drift(c.scene, 1)};
@@ -65,9 +63,7 @@ Case chain(double ratio, bool swung) {
     addDynamic(c.scene, "ball", kChainLength * along, {circle(0.5)}).mass = ratio;
     hinge(c.scene, before, "ball", (kLink * kLinks) * along);
     // Neighbours overlap at their joints; the chain shall not collide with itself.
-    for (BodyDescription& body : c.scene.bodies) {
-        body.shapes[0].filter.group = -1;
-    }
+    for (BodyDescription& body : c.scene.bodies) { body.shapes[0].filter.group = -1; }
     c.measures = {stretch(lastBody(c.scene))};
     c.verdict = staysWithin(10 * kChainLength);
     return c;
@@ -78,16 +74,10 @@ Case chain(double ratio, bool swung) {
 std::vector<Case> massCases() {
     std::vector<Case> cases;
     for (const int below : {1, 10}) {
-        for (const double ratio : {10.0, 100.0, 1000.0, 1e4}) {
-            cases.push_back(heavyTop(below, ratio));
-        }
+        for (const double ratio : {10.0, 100.0, 1000.0, 1e4}) { cases.push_back(heavyTop(below, ratio)); }
     }
-    for (const double ratio : {10.0, 100.0, 1000.0, 1e4, 1e6}) {
-        cases.push_back(chain(ratio, false));
-    }
-    for (const double ratio : {100.0, 1000.0, 1e4}) {
-        cases.push_back(chain(ratio, true));
-    }
+    for (const double ratio : {10.0, 100.0, 1000.0, 1e4, 1e6}) { cases.push_back(chain(ratio, false)); }
+    for (const double ratio : {100.0, 1000.0, 1e4}) { cases.push_back(chain(ratio, true)); }
     return cases;
 }
 

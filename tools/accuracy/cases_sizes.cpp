@@ -31,9 +31,7 @@ Case tenBoxes(const std::string& name, double side, double gravity, double x) {
 Case flatBars() {
     Case c{"sizes", "flat-bars", emptyScene("flat-bars"), 600, {}, {}, false};
     addFixed(c.scene, "ground", {0, -0.5}, {box({20, 0.5})});
-    for (int i = 0; i < 10; ++i) {
-        addDynamic(c.scene, "", {0, 0.01 * (i + 0.5)}, {box({5, 0.005})});
-    }
+    for (int i = 0; i < 10; ++i) { addDynamic(c.scene, "", {0, 0.01 * (i + 0.5)}, {box({5, 0.005})}); }
     setSurface(c.scene, 0.6, 0);
     c.measures = {worstMove(c.scene, 0.01), jitter(c.scene)};
     c.verdict = staysWithin(100);
@@ -65,9 +63,7 @@ std::vector<Case> sizeCases() {
     for (const double x : {1e4, 1e5, 1e6, 1e7}) {
         cases.push_back(tenBoxes("stack-at-" + powerOfTen(x), 1, kGravity, x));
     }
-    for (const double x : {1e4, 1e6}) {
-        cases.push_back(flightFarOut(x));
-    }
+    for (const double x : {1e4, 1e6}) { cases.push_back(flightFarOut(x)); }
     cases.push_back(flatBars());
     return cases;
 }

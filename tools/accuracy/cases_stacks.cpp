@@ -17,9 +17,7 @@ std::string numbered(const std::string& name, int number) { return name + "-" + 
 Case stack(int count) {
     Case c{"stacks", numbered("stack", count), emptyScene(numbered("stack", count)), 600, {}, {}, false};
     addFixed(c.scene, "ground", {0, -0.5}, {box({20, 0.5})});
-    for (int i = 0; i < count; ++i) {
-        addDynamic(c.scene, "", {0, i + 0.5}, {box({0.5, 0.5})});
-    }
+    for (int i = 0; i < count; ++i) { addDynamic(c.scene, "", {0, i + 0.5}, {box({0.5, 0.5})}); }
     setSurface(c.scene, 0.6, 0);
     c.measures = {sag("sag of a box", lastBody(c.scene), count), drift(c.scene, 1), jitter(c.scene)};
     c.verdict = stands(c.scene, lastBody(c.scene), 1);

@@ -16,7 +16,9 @@ public:
         return z ^ (z >> 31);
     }
     /// Below `upper`, unless the interval is so narrow that rounding reaches it.
-    double in(double lower, double upper) { return lower + (upper - lower) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
+    double in(double lower, double upper) {
+        return lower + (upper - lower) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+    }
 
 private:
     std::uint64_t state_;

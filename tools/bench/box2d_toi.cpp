@@ -33,9 +33,7 @@ struct Question {
 };
 
 void setProxy(b2DistanceProxy& proxy, std::array<b2Vec2, 8>& vertices, const ToiPolygon& polygon) {
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        vertices[i] = toBox2d(polygon.vertices[i]);
-    }
+    for (std::size_t i = 0; i < vertices.size(); ++i) { vertices[i] = toBox2d(polygon.vertices[i]); }
     proxy.Set(vertices.data(), polygon.count, static_cast<float>(polygon.radius));
 }
 

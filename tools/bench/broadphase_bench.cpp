@@ -38,9 +38,7 @@ struct Entry {
 
 std::uint64_t hashOf(const std::vector<TracePair>& pairs) {
     std::uint64_t hash = 0;
-    for (const TracePair& pair : pairs) {
-        hash += pairHash(pair);
-    }
+    for (const TracePair& pair : pairs) { hash += pairHash(pair); }
     return hash;
 }
 
@@ -87,9 +85,7 @@ void replay(Entry& entry, const BoxTrace& trace, const TraceTruth& truth, const 
 template <class T>
 double sumFrom(const std::vector<T>& values, std::size_t first) {
     double sum = 0;
-    for (std::size_t i = first; i < values.size(); ++i) {
-        sum += static_cast<double>(values[i]);
-    }
+    for (std::size_t i = first; i < values.size(); ++i) { sum += static_cast<double>(values[i]); }
     return sum;
 }
 
@@ -147,9 +143,7 @@ class Patience {
 public:
     bool mayRun(const std::string& scene, const std::string& method, std::uint32_t count) const {
         const auto found = last_.find({scene, method});
-        if (found == last_.end()) {
-            return true;
-        }
+        if (found == last_.end()) { return true; }
         const Seen& seen = found->second;
         const double growth = std::pow(static_cast<double>(count) / seen.count, seen.exponent);
         const int steps = stepsFor(count);
@@ -188,9 +182,7 @@ std::vector<BroadphaseRow> benchTrace(const BroadphaseContestants& contestants, 
     const TraceTruth truth = truthOf(motion, trace);
     const SceneQueries queries = queriesFor(trace, kQueries, 1);
     std::vector<Entry> entries;
-    for (const auto& contestant : contestants) {
-        entries.push_back(entryFor(*contestant, trace.steps.size()));
-    }
+    for (const auto& contestant : contestants) { entries.push_back(entryFor(*contestant, trace.steps.size())); }
     for (int pass = 0; pass < kMostPasses; ++pass) {
         for (Entry& entry : entries) {
             if (!entry.isGivenUp && (pass < kFewestPasses || entry.spent < secondsPerCase)) {
@@ -200,9 +192,7 @@ std::vector<BroadphaseRow> benchTrace(const BroadphaseContestants& contestants, 
     }
     std::vector<BroadphaseRow> rows;
     for (const Entry& entry : entries) {
-        if (!entry.isGivenUp) {
-            rows.push_back(rowOf(entry, trace, truth, queries));
-        }
+        if (!entry.isGivenUp) { rows.push_back(rowOf(entry, trace, truth, queries)); }
     }
     return rows;
 }
@@ -212,9 +202,7 @@ std::vector<BroadphaseRow> benchDistributions(const BroadphaseBenchSettings& set
     std::vector<BroadphaseRow> rows;
     Patience patience;
     for (const BoxScene scene : kBoxScenes) {
-        if (!isWanted(nameOf(scene), settings.scenes)) {
-            continue;
-        }
+        if (!isWanted(nameOf(scene), settings.scenes)) { continue; }
         for (const std::uint32_t count : settings.counts) {
             progress(std::string(nameOf(scene)) + ' ' + std::to_string(count));
             const int steps = stepsFor(count);
@@ -238,9 +226,7 @@ std::vector<BroadphaseRow> benchPeerScenes(const BroadphaseBenchSettings& settin
                                            const BroadphaseProgress& progress) {
     std::vector<BroadphaseRow> rows;
     for (const PeerScene scene : kPeerScenes) {
-        if (!isWanted(nameOf(scene), settings.scenes)) {
-            continue;
-        }
+        if (!isWanted(nameOf(scene), settings.scenes)) { continue; }
         progress(nameOf(scene));
         const RecordedScene recorded = recordPeerScene(scene);
         BoxTrace trace = enlarged(recorded.motion, {.asBox2d3 = true});

@@ -16,32 +16,32 @@ inline constexpr const char* kDefaultBroadphase = "automatic";
 
 struct BroadphaseBenchSettings {
     std::vector<std::uint32_t> counts = {100, 1000, 10'000};  ///< proxies, ascending
-    std::vector<std::string> kinds;   ///< names of contestants; empty: all
-    std::vector<std::string> scenes;  ///< names of scenes; empty: all
+    std::vector<std::string> kinds;                           ///< names of contestants; empty: all
+    std::vector<std::string> scenes;                          ///< names of scenes; empty: all
     std::uint64_t seed = 1;
-    double secondsPerCase = 0.05;     ///< so long about each contestant is timed on each trace
+    double secondsPerCase = 0.05;  ///< so long about each contestant is timed on each trace
 };
 
 /// One contestant on one trace. Times are of the fastest of several passes, step by step, in nanoseconds.
 struct BroadphaseRow {
     std::string scene;
     std::string method;
-    std::uint32_t proxies = 0;   ///< most at the same time
-    double movedPerStep = 0;     ///< boxes renewed
-    double moveTime = 0;         ///< handing over, per renewed box
-    double pairTime = 0;         ///< finding pairs, per renewed box
-    double buildTime = 0;        ///< inserting all and finding their pairs, per proxy
-    double newPairs = 0;         ///< per step, filtered
-    double alivePairs = 0;       ///< pairs of overlapping boxes
-    double falseShare = 0;       ///< of these, pairs whose bounds do not overlap
-    double boxTests = 0;         ///< per renewed box; 0: not told
-    double bytes = 0;            ///< per proxy
+    std::uint32_t proxies = 0;  ///< most at the same time
+    double movedPerStep = 0;    ///< boxes renewed
+    double moveTime = 0;        ///< handing over, per renewed box
+    double pairTime = 0;        ///< finding pairs, per renewed box
+    double buildTime = 0;       ///< inserting all and finding their pairs, per proxy
+    double newPairs = 0;        ///< per step, filtered
+    double alivePairs = 0;      ///< pairs of overlapping boxes
+    double falseShare = 0;      ///< of these, pairs whose bounds do not overlap
+    double boxTests = 0;        ///< per renewed box; 0: not told
+    double bytes = 0;           ///< per proxy
     double boxQueryTime = 0;
     double rayTime = 0;
-    double boxHits = 0;          ///< per query
+    double boxHits = 0;  ///< per query
     double rayHits = 0;
     int passes = 0;
-    bool agrees = true;          ///< finds what the default finds
+    bool agrees = true;  ///< finds what the default finds
 
     double time() const { return moveTime + pairTime; }
     double stepTime() const { return time() * movedPerStep; }

@@ -47,7 +47,8 @@ void writeGrowthScript(std::ostream& out, std::span<const BroadphaseRow> rows) {
     const auto scenes = distinct(rows, kScene);
     const std::size_t methods = distinct(rows, kMethod).size();
     writeGrid(out, "broadphase-growth", scenes.size() + 1, std::min<std::size_t>(scenes.size() + 1, 4));
-    out << "set logscale xy\nset xlabel 'proxies'\nset ylabel 'ns per renewed box'\nset format x '10^{%T}'\nunset key\n";
+    out << "set logscale xy\nset xlabel 'proxies'\nset ylabel 'ns per renewed box'\nset format x '10^{%T}'\nunset "
+           "key\n";
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         out << "set title '" << scenes[i] << "'\nplot for [i=0:" << methods - 1 << "] 'broadphase-growth.dat' index (i+"
             << i * methods << ") using 1:2 with linespoints ls (i+1) lw 2 ps 1.1 title columnheader(1)\n";
@@ -55,7 +56,8 @@ void writeGrowthScript(std::ostream& out, std::span<const BroadphaseRow> rows) {
     // The key alone in the last panel.
     out << "set key center center\nunset title\nunset border\nunset tics\nunset xlabel\nunset ylabel\n"
            "unset grid\nset xrange [1:10]\nset yrange [1:10]\nplot for [i=0:"
-        << methods - 1 << "] 'broadphase-growth.dat' index i using (0.5):(0.5) with linespoints ls (i+1) lw 2 ps 1.1 "
+        << methods - 1
+        << "] 'broadphase-growth.dat' index i using (0.5):(0.5) with linespoints ls (i+1) lw 2 ps 1.1 "
            "title columnheader(1)\nunset multiplot\n";
 }
 
@@ -92,10 +94,12 @@ void writeMarginData(std::ostream& out, std::span<const MarginRow> rows) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const MarginRow& row = rows[i];
         if (row.rule.extentRatio == 0) {
-            out << (i == 0 ? "" : "\n\n") << '"' << roundedText(static_cast<double>(row.rule.stepsAhead), 3) << " steps ahead\"\n";
+            out << (i == 0 ? "" : "\n\n") << '"' << roundedText(static_cast<double>(row.rule.stepsAhead), 3)
+                << " steps ahead\"\n";
         }
         out << roundedText(100 * row.renewedShare, 6) << ' ' << roundedText(row.falsePairs, 6) << ' '
-            << roundedText(row.nsPerMoved, 6) << ' ' << roundedText(static_cast<double>(row.rule.extentRatio), 6) << '\n';
+            << roundedText(row.nsPerMoved, 6) << ' ' << roundedText(static_cast<double>(row.rule.extentRatio), 6)
+            << '\n';
     }
 }
 

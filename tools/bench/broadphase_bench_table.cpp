@@ -87,16 +87,17 @@ void writeDistribution(std::ostream& out, std::span<const BroadphaseRow> rows, s
 
 void writePeer(std::ostream& out, std::span<const BroadphaseRow> rows) {
     const BroadphaseRow& first = rows.front();
-    out << '\n' << first.scene << ": " << first.proxies << " proxies; a step: " << threeDigits(first.movedPerStep)
+    out << '\n'
+        << first.scene << ": " << first.proxies << " proxies; a step: " << threeDigits(first.movedPerStep)
         << " boxes renewed, " << threeDigits(first.newPairs) << " new pairs; " << threeDigits(first.alivePairs)
         << " alive, " << percentText(first.falseShare) << " of them false\n";
     TextTable table({"ns per renewed box", "hand over", "pairs", "both", "us a step", "Mpairs/s", "build", "bytes",
                      "box query", "ray", "tests"});
     for (const BroadphaseRow& row : rows) {
         std::vector<std::string> line = {row.method};
-        for (const double value : {row.moveTime, row.pairTime, row.time(), 1e-3 * row.stepTime(),
-                                   1e-6 * row.newPairsPerSecond(), row.buildTime, row.bytes, row.boxQueryTime,
-                                   row.rayTime, row.boxTests}) {
+        for (const double value :
+             {row.moveTime, row.pairTime, row.time(), 1e-3 * row.stepTime(), 1e-6 * row.newPairsPerSecond(),
+              row.buildTime, row.bytes, row.boxQueryTime, row.rayTime, row.boxTests}) {
             line.push_back(threeDigits(value));
         }
         if (!row.agrees) { line.push_back("other pairs!"); }
@@ -185,7 +186,8 @@ void writeRivalry(std::ostream& out, std::span<const BroadphaseRow> rows) {
 }
 
 void writeBroadphaseCsv(std::ostream& out, std::span<const BroadphaseRow> rows) {
-    out << "scene,method,proxies,renewed_per_step,hand_over_ns,pairs_ns,build_ns,new_pairs_per_step,new_pairs_per_second,"
+    out << "scene,method,proxies,renewed_per_step,hand_over_ns,pairs_ns,build_ns,new_pairs_per_step,new_pairs_per_"
+           "second,"
            "alive_pairs,false_share,box_tests,bytes,box_query_ns,box_hits,ray_ns,ray_hits,passes,agrees\n";
     for (const BroadphaseRow& row : rows) {
         std::string record = csvField(row.scene) + ',' + csvField(row.method) + ',' + std::to_string(row.proxies);

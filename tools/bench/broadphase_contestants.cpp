@@ -101,13 +101,20 @@ BroadphaseContestants everybody() {
 
 const char* nameOf(BroadphaseKind kind) {
     switch (kind) {
-        case BroadphaseKind::automatic: return "automatic";
-        case BroadphaseKind::allPairs: return "allPairs";
-        case BroadphaseKind::sortAndSweep: return "sortAndSweep";
-        case BroadphaseKind::quadtree: return "quadtree";
-        case BroadphaseKind::grid: return "grid";
-        case BroadphaseKind::bvh: return "bvh";
-        case BroadphaseKind::wideBvh: return "wideBvh";
+        case BroadphaseKind::automatic:
+            return "automatic";
+        case BroadphaseKind::allPairs:
+            return "allPairs";
+        case BroadphaseKind::sortAndSweep:
+            return "sortAndSweep";
+        case BroadphaseKind::quadtree:
+            return "quadtree";
+        case BroadphaseKind::grid:
+            return "grid";
+        case BroadphaseKind::bvh:
+            return "bvh";
+        case BroadphaseKind::wideBvh:
+            return "wideBvh";
     }
     return "";  // unreachable, but GCC cannot know
 }
@@ -119,9 +126,8 @@ std::unique_ptr<BroadphaseContestant> makeOurBroadphase(BroadphaseKind kind) {
 BroadphaseContestants allBroadphases(std::span<const std::string> names) {
     BroadphaseContestants all = everybody();
     if (!names.empty()) {
-        std::erase_if(all, [&](const auto& one) {
-            return std::find(names.begin(), names.end(), one->name()) == names.end();
-        });
+        std::erase_if(
+            all, [&](const auto& one) { return std::find(names.begin(), names.end(), one->name()) == names.end(); });
     }
     return all;
 }

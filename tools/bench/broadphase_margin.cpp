@@ -63,7 +63,8 @@ std::vector<MarginRow> benchMargins(const BroadphaseBenchSettings& settings, con
 }
 
 void writeMarginTable(std::ostream& out, std::span<const MarginRow> rows) {
-    out << "\nMargins: boxes renewed of those that moved / false pairs per true one / ns of a step per box that moved\n";
+    out << "\nMargins: boxes renewed of those that moved / false pairs per true one / ns of a step per box that "
+           "moved\n";
     std::vector<std::string> head = {"margin over extent"};
     for (const float ratio : kExtentRatios) { head.push_back(threeDigits(static_cast<double>(ratio))); }
     TextTable table(head);

@@ -6,7 +6,8 @@
 
 namespace swept::bench {
 
-/// The eight benchmark scenes of Box2D 3.3 in which pair finding takes a quarter of its step or more (worlds/bench_scene.h).
+/// The eight benchmark scenes of Box2D 3.3 in which pair finding takes a quarter of its step or more
+/// (worlds/bench_scene.h).
 enum class PeerScene : std::uint8_t { compounds, smash, spinner, tumbler, washer, jointGrid, rain, junkyard };
 inline constexpr PeerScene kPeerScenes[] = {
     PeerScene::compounds, PeerScene::smash,     PeerScene::spinner, PeerScene::tumbler,

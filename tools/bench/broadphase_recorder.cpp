@@ -13,9 +13,12 @@ constexpr double kDt = 1.0 / 60;
 
 ProxyKind kindOf(SceneBodyType type) {
     switch (type) {
-        case SceneBodyType::fixed: return ProxyKind::fixed;
-        case SceneBodyType::kinematic: return ProxyKind::kinematic;
-        case SceneBodyType::dynamic: return ProxyKind::dynamic;
+        case SceneBodyType::fixed:
+            return ProxyKind::fixed;
+        case SceneBodyType::kinematic:
+            return ProxyKind::kinematic;
+        case SceneBodyType::dynamic:
+            return ProxyKind::dynamic;
     }
     return ProxyKind::fixed;  // unreachable, but GCC cannot know
 }
@@ -123,7 +126,8 @@ private:
         traits.body = body;
         traits.filter = shape.filter;
         traits.extent = static_cast<float>(extentOf(shape.polygon));
-        traits.reach = static_cast<float>(std::max(bounds.upper.x - bounds.lower.x, bounds.upper.y - bounds.lower.y) / 2);
+        traits.reach =
+            static_cast<float>(std::max(bounds.upper.x - bounds.lower.x, bounds.upper.y - bounds.lower.y) / 2);
         return traits;
     }
 
@@ -139,14 +143,22 @@ private:
 
 const char* nameOf(PeerScene scene) {
     switch (scene) {
-        case PeerScene::compounds: return "compounds";
-        case PeerScene::smash: return "smash";
-        case PeerScene::spinner: return "spinner";
-        case PeerScene::tumbler: return "tumbler";
-        case PeerScene::washer: return "washer";
-        case PeerScene::jointGrid: return "joint-grid";
-        case PeerScene::rain: return "rain";
-        case PeerScene::junkyard: return "junkyard";
+        case PeerScene::compounds:
+            return "compounds";
+        case PeerScene::smash:
+            return "smash";
+        case PeerScene::spinner:
+            return "spinner";
+        case PeerScene::tumbler:
+            return "tumbler";
+        case PeerScene::washer:
+            return "washer";
+        case PeerScene::jointGrid:
+            return "joint-grid";
+        case PeerScene::rain:
+            return "rain";
+        case PeerScene::junkyard:
+            return "junkyard";
     }
     return "";  // unreachable, but GCC cannot know
 }

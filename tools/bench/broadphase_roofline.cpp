@@ -93,8 +93,8 @@ std::vector<RooflineRow> rooflineOf(std::span<const BroadphaseRow> rows, const M
     std::vector<RooflineRow> result;
     for (const BroadphaseRow& row : rows) {
         if (!(row.boxTests > 0)) { continue; }
-        const double bytes = row.proxies * static_cast<double>(sizeof(Aabb)) +
-                             row.newPairs * static_cast<double>(sizeof(ProxyPair));
+        const double bytes =
+            row.proxies * static_cast<double>(sizeof(Aabb)) + row.newPairs * static_cast<double>(sizeof(ProxyPair));
         result.push_back({row, 1e9 * bytes / limits.bytesPerSecond,
                           1e9 * row.boxTests * row.movedPerStep / limits.comparesPerSecond});
     }

@@ -16,7 +16,7 @@ constexpr double kSpeed = 0.1;  // metres a step, at most
 struct Mover {
     DVec2 center;
     DVec2 half;
-    DVec2 motion;     // a step
+    DVec2 motion;  // a step
     bool isFixed = false;
     int restsFor = 0;  // steps
 };
@@ -33,13 +33,17 @@ Region squareFor(double count) {
 
 Region regionOf(BoxScene scene, double count) {
     switch (scene) {
-        case BoxScene::oneAxis: return {{-count / (8 * kPerSquareMetre), -2}, {count / (8 * kPerSquareMetre), 2}};
-        case BoxScene::mixedSizes: return squareFor(4 * count);
-        case BoxScene::clustered: return squareFor(50 * count);
+        case BoxScene::oneAxis:
+            return {{-count / (8 * kPerSquareMetre), -2}, {count / (8 * kPerSquareMetre), 2}};
+        case BoxScene::mixedSizes:
+            return squareFor(4 * count);
+        case BoxScene::clustered:
+            return squareFor(50 * count);
         case BoxScene::uniform:
         case BoxScene::mostlyStatic:
         case BoxScene::mostlyResting:
-        case BoxScene::raining: return squareFor(count);
+        case BoxScene::raining:
+            return squareFor(count);
     }
     return {};  // unreachable, but GCC cannot know
 }
@@ -147,13 +151,20 @@ ProxyTraits traitsOf(std::uint32_t proxy, const Mover& mover) {
 
 const char* nameOf(BoxScene scene) {
     switch (scene) {
-        case BoxScene::uniform: return "uniform";
-        case BoxScene::clustered: return "clustered";
-        case BoxScene::oneAxis: return "oneAxis";
-        case BoxScene::mixedSizes: return "mixedSizes";
-        case BoxScene::mostlyStatic: return "mostlyStatic";
-        case BoxScene::mostlyResting: return "mostlyResting";
-        case BoxScene::raining: return "raining";
+        case BoxScene::uniform:
+            return "uniform";
+        case BoxScene::clustered:
+            return "clustered";
+        case BoxScene::oneAxis:
+            return "oneAxis";
+        case BoxScene::mixedSizes:
+            return "mixedSizes";
+        case BoxScene::mostlyStatic:
+            return "mostlyStatic";
+        case BoxScene::mostlyResting:
+            return "mostlyResting";
+        case BoxScene::raining:
+            return "raining";
     }
     return "";  // unreachable, but GCC cannot know
 }

@@ -7,9 +7,7 @@
 namespace swept::bench {
 namespace {
 
-Aabb ahead(const Aabb& box, Vec2 way) {
-    return hullOf(box, {box.lower + way, box.upper + way});
-}
+Aabb ahead(const Aabb& box, Vec2 way) { return hullOf(box, {box.lower + way, box.upper + way}); }
 
 Aabb enlarge(const TightBox& tight, const ProxyTraits& traits, const MarginRule& rule) {
     constexpr float kLargestMargin = 0.05F;
@@ -24,9 +22,8 @@ Aabb enlarge(const TightBox& tight, const ProxyTraits& traits, const MarginRule&
 
 /// Pairs alive, of which some have bounds that do not overlap.
 std::uint64_t countFalse(const std::vector<TracePair>& alive, const std::vector<Aabb>& bounds) {
-    return static_cast<std::uint64_t>(std::count_if(alive.begin(), alive.end(), [&](const TracePair& pair) {
-        return !overlaps(bounds[pair.a], bounds[pair.b]);
-    }));
+    return static_cast<std::uint64_t>(std::count_if(
+        alive.begin(), alive.end(), [&](const TracePair& pair) { return !overlaps(bounds[pair.a], bounds[pair.b]); }));
 }
 
 void follow(std::vector<Aabb>& bounds, const MotionStep& step) {
@@ -39,7 +36,9 @@ void follow(std::vector<Aabb>& bounds, const MotionStep& step) {
 
 std::uint64_t BoxTrace::timedMoves() const {
     std::uint64_t moves = 0;
-    for (std::size_t i = warmSteps; i < steps.size(); ++i) { moves += steps[i].moved.size() + steps[i].inserted.size(); }
+    for (std::size_t i = warmSteps; i < steps.size(); ++i) {
+        moves += steps[i].moved.size() + steps[i].inserted.size();
+    }
     return moves;
 }
 

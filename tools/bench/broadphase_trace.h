@@ -14,8 +14,8 @@ struct ProxyTraits {
     ProxyKind kind = ProxyKind::dynamic;
     std::uint32_t body = 0;  ///< proxies of one body do not pair
     Filter filter{};
-    float extent = 1;        ///< smallest width of the shape, metres
-    float reach = 1;         ///< half its largest width, metres
+    float extent = 1;  ///< smallest width of the shape, metres
+    float reach = 1;   ///< half its largest width, metres
 };
 
 inline bool mayPair(const ProxyTraits& a, const ProxyTraits& b) {
@@ -90,8 +90,8 @@ struct TraceTruth {
     std::vector<std::vector<TracePair>> ended;  ///< per step: overlapped before, and do no more
     std::vector<std::uint64_t> found;           ///< per step: new pairs
     std::vector<std::uint64_t> hashes;
-    double meanAlive = 0;     ///< pairs of overlapping boxes, mean over the timed steps
-    double meanFalse = 0;     ///< of these, pairs whose bounds do not overlap
+    double meanAlive = 0;  ///< pairs of overlapping boxes, mean over the timed steps
+    double meanFalse = 0;  ///< of these, pairs whose bounds do not overlap
 };
 
 /// @param motion  what the trace was made of

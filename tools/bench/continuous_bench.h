@@ -19,15 +19,15 @@ struct ContinuousBenchSettings {
 struct ModeRow {
     SceneContinuous mode = SceneContinuous::off;
     int shots = 0;
-    int missed = 0;         ///< of shots at a wall of 2 cm: behind it at the end
+    int missed = 0;  ///< of shots at a wall of 2 cm: behind it at the end
     int balls = 0;
-    int ballsMissed = 0;    ///< of those, balls alone
+    int ballsMissed = 0;  ///< of those, balls alone
     int passers = 0;
-    int ghosts = 0;         ///< of balls that pass by a post without touching it: turned aside
-    double timeLost = 0;    ///< share of the hits that a ball between two walls did not make in 10 s, 60 m/s, e = 1
-    double energyError = 0; ///< of the same ball, relative, signed
-    double nanoseconds = 0; ///< a body-step, of 200 shapes at 60 m/s in a box, e = 1
-    double escaped = 0;     ///< of those, share that is outside at the end
+    int ghosts = 0;          ///< of balls that pass by a post without touching it: turned aside
+    double timeLost = 0;     ///< share of the hits that a ball between two walls did not make in 10 s, 60 m/s, e = 1
+    double energyError = 0;  ///< of the same ball, relative, signed
+    double nanoseconds = 0;  ///< a body-step, of 200 shapes at 60 m/s in a box, e = 1
+    double escaped = 0;      ///< of those, share that is outside at the end
 };
 std::vector<ModeRow> benchModes(const ContinuousBenchSettings& settings, const std::function<void(int)>& progress);
 

@@ -111,9 +111,12 @@ std::string plotThickness(const std::string& directory, const std::vector<Thickn
         return {};
     }
     switch (runGnuplot(directory, "wall-thickness.gp")) {
-        case GnuplotState::drawn: return "plot " + directory + "/wall-thickness.png";
-        case GnuplotState::notInstalled: return "gnuplot is not installed: data and script are in " + directory;
-        case GnuplotState::refused: return "gnuplot refused the script in " + directory;
+        case GnuplotState::drawn:
+            return "plot " + directory + "/wall-thickness.png";
+        case GnuplotState::notInstalled:
+            return "gnuplot is not installed: data and script are in " + directory;
+        case GnuplotState::refused:
+            return "gnuplot refused the script in " + directory;
     }
     return {};
 }

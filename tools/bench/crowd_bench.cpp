@@ -111,9 +111,7 @@ std::vector<CrowdRow> measure(const Crowd& crowd) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i]->begin(crowd);
             const Stopwatch watch;
-            for (int step = 0; step < kSteps; ++step) {
-                all[i]->step();
-            }
+            for (int step = 0; step < kSteps; ++step) { all[i]->step(); }
             rows[i].microseconds = std::min(rows[i].microseconds, 1e6 * watch.seconds() / kSteps);
         }
     }
@@ -166,9 +164,7 @@ void writeCrowdCsv(std::ostream& out, const std::vector<CrowdRow>& rows) {
         cell("nanosecondsPerBodyStep", row.nanoseconds);
         cell("outside", row.outside);
         cell("energyError", row.energyError);
-        if (row.lost >= 0) {
-            cell("lost", row.lost);
-        }
+        if (row.lost >= 0) { cell("lost", row.lost); }
     }
 }
 

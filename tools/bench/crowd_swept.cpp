@@ -32,9 +32,7 @@ public:
         for (const CrowdBody& body : crowd.bodies) {
             ShapeDescription shape =
                 surfaceOf(body.isDisk ? build::circle(kCrowdRadius) : build::box({kCrowdRadius, kCrowdRadius}), crowd);
-            if (!crowd.bodiesMeet) {
-                shape.filter.group = -1;
-            }
+            if (!crowd.bodiesMeet) { shape.filter.group = -1; }
             BodyDescription& added = build::addDynamic(scene, "", body.place, {std::move(shape)});
             added.angle = body.angle;
             added.velocity = body.velocity;
@@ -60,9 +58,7 @@ public:
 
     double lostSeconds() const override {
         double seconds = 0;
-        for (const LostTime& entry : runner_->report().lostTime) {
-            seconds += entry.seconds;
-        }
+        for (const LostTime& entry : runner_->report().lostTime) { seconds += entry.seconds; }
         return seconds;
     }
 

@@ -19,9 +19,7 @@ double rounded(double x) {
 DVec2 rounded(DVec2 v) { return {rounded(v.x), rounded(v.y)}; }
 
 ToiPolygon rounded(ToiPolygon polygon) {
-    for (DVec2& vertex : polygon.vertices) {
-        vertex = rounded(vertex);
-    }
+    for (DVec2& vertex : polygon.vertices) { vertex = rounded(vertex); }
     polygon.radius = rounded(polygon.radius);
     return polygon;
 }
@@ -50,17 +48,13 @@ bool isInRange(const ToiPolygon& polygon) { return size(polygon) > kSmallest && 
 
 std::optional<ToiQuery> engineQuery(const ToiQuery& query, const EngineContract& contract) {
     const bool isStraight = query.sweepA.k == DVec2{} && query.sweepB.k == DVec2{};
-    if (!isStraight || !isInRange(query.a) || !isInRange(query.b)) {
-        return std::nullopt;
-    }
+    if (!isStraight || !isInRange(query.a) || !isInRange(query.b)) { return std::nullopt; }
     ToiQuery result{rounded(query.a), rounded(query.sweepA), rounded(query.b), rounded(query.sweepB), query.settings};
     const double radii = result.a.radius + result.b.radius;
     result.settings.target = std::max(contract.slop, radii - contract.slopsInside * contract.slop) - radii;
     result.settings.tolerance = kMargin * kToleranceRatio * contract.slop;
     result.settings.tMax = rounded(query.settings.tMax);
-    if (!validateToiPolygon(result.a).ok() || !validateToiPolygon(result.b).ok()) {
-        return std::nullopt;
-    }
+    if (!validateToiPolygon(result.a).ok() || !validateToiPolygon(result.b).ok()) { return std::nullopt; }
     return result;
 }
 

@@ -28,12 +28,8 @@ GnuplotState runGnuplot(const std::string& directory, const std::string& script)
         return failure == ENOENT || failure == EACCES ? GnuplotState::notInstalled : GnuplotState::refused;
     }
     int status = 0;
-    if (waitpid(process, &status, 0) != process || !WIFEXITED(status)) {
-        return GnuplotState::refused;
-    }
-    if (WEXITSTATUS(status) == kNotFound) {
-        return GnuplotState::notInstalled;
-    }
+    if (waitpid(process, &status, 0) != process || !WIFEXITED(status)) { return GnuplotState::refused; }
+    if (WEXITSTATUS(status) == kNotFound) { return GnuplotState::notInstalled; }
     return WEXITSTATUS(status) == 0 ? GnuplotState::drawn : GnuplotState::refused;
 }
 

@@ -78,9 +78,12 @@ struct Rung {
 };
 
 constexpr Rung kRungs[] = {
-    {"circle", circlesTouch, false},        {"AABB, ready", boxesTouch, false},
-    {"AABB, made anew", newBoxesTouch, false}, {"OBB", obbsTouch, false},
-    {"AABB per shape", shapeBoxesTouch, true}, {"OBB hierarchy", hierarchiesTouch, true},
+    {"circle", circlesTouch, false},
+    {"AABB, ready", boxesTouch, false},
+    {"AABB, made anew", newBoxesTouch, false},
+    {"OBB", obbsTouch, false},
+    {"AABB per shape", shapeBoxesTouch, true},
+    {"OBB hierarchy", hierarchiesTouch, true},
     {"GJK", gjkTouches, false},
 };
 

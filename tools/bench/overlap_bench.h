@@ -12,11 +12,11 @@ namespace swept::bench {
 struct OverlapRow {
     std::string family;
     std::string rung;
-    double nanoseconds = 0;   ///< a pair: the fastest of several passes
-    double passing = 0;       ///< share of the pairs that it lets through
-    double falseShare = 0;    ///< of the pairs that do not touch, those that it lets through
-    double withGjk = 0;       ///< nanoseconds a pair if GJK judges what it lets through
-    bool missesNone = true;   ///< lets every touching pair through
+    double nanoseconds = 0;  ///< a pair: the fastest of several passes
+    double passing = 0;      ///< share of the pairs that it lets through
+    double falseShare = 0;   ///< of the pairs that do not touch, those that it lets through
+    double withGjk = 0;      ///< nanoseconds a pair if GJK judges what it lets through
+    bool missesNone = true;  ///< lets every touching pair through
 };
 
 struct OverlapBenchSettings {

@@ -29,8 +29,8 @@ void writeData(std::ostream& out, std::span<const OverlapRow> rows) {
         out << '"' << family << "\"\n";
         for (const OverlapRow& row : rows) {
             if (row.family == family) {
-                out << roundedText(row.nanoseconds, 6) << ' ' << roundedText(100 * row.falseShare, 6) << " \"" << row.rung
-                    << "\"\n";
+                out << roundedText(row.nanoseconds, 6) << ' ' << roundedText(100 * row.falseShare, 6) << " \""
+                    << row.rung << "\"\n";
             }
         }
         out << "\n\n";

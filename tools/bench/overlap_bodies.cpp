@@ -19,7 +19,9 @@ Polygon roundShape(BenchRandom& random) {
     return makeBox({radius, radius * real(random.in(0.8, 1))}, {}, 0, radius / 2).value();
 }
 
-Polygon boxShape(BenchRandom& random) { return makeBox({real(random.in(0.3, 0.7)), real(random.in(0.3, 0.7))}).value(); }
+Polygon boxShape(BenchRandom& random) {
+    return makeBox({real(random.in(0.3, 0.7)), real(random.in(0.3, 0.7))}).value();
+}
 
 /// Points about a circle: triangles more often than octagons, some of them flat.
 Polygon polygonShape(BenchRandom& random) {
@@ -57,11 +59,16 @@ std::vector<Polygon> bow(BenchRandom& random) {
 
 std::vector<Polygon> shapesOf(OverlapFamily family, BenchRandom& random) {
     switch (family) {
-        case OverlapFamily::round: return {roundShape(random)};
-        case OverlapFamily::polygons: return {polygonShape(random)};
-        case OverlapFamily::boxes: return {boxShape(random)};
-        case OverlapFamily::bars: return {barShape(random)};
-        case OverlapFamily::compounds: return bow(random);
+        case OverlapFamily::round:
+            return {roundShape(random)};
+        case OverlapFamily::polygons:
+            return {polygonShape(random)};
+        case OverlapFamily::boxes:
+            return {boxShape(random)};
+        case OverlapFamily::bars:
+            return {barShape(random)};
+        case OverlapFamily::compounds:
+            return bow(random);
     }
     return {};  // unreachable, but GCC cannot know
 }
@@ -75,7 +82,8 @@ Obb obbOfAll(const std::vector<Obb>& obbs) {
         const Rotation turn = rotationFromAngle(3.141592653589793 / 2 * i / kDirections);
         Aabb bounds{{1e9F, 1e9F}, {-1e9F, -1e9F}};
         for (const Obb& obb : obbs) {
-            for (const Vec2 corner : {obb.half, Vec2{-obb.half.x, obb.half.y}, Vec2{obb.half.x, -obb.half.y}, -obb.half}) {
+            for (const Vec2 corner :
+                 {obb.half, Vec2{-obb.half.x, obb.half.y}, Vec2{obb.half.x, -obb.half.y}, -obb.half}) {
                 const Vec2 p = unrotate(turn, apply(obb.pose, corner));
                 bounds = {min(bounds.lower, p), max(bounds.upper, p)};
             }
@@ -125,11 +133,16 @@ double marginOf(const BoundedBody& body) { return static_cast<double>(extentOf(b
 
 const char* nameOf(OverlapFamily family) {
     switch (family) {
-        case OverlapFamily::round: return "round";
-        case OverlapFamily::polygons: return "polygons";
-        case OverlapFamily::boxes: return "boxes";
-        case OverlapFamily::bars: return "bars";
-        case OverlapFamily::compounds: return "compounds";
+        case OverlapFamily::round:
+            return "round";
+        case OverlapFamily::polygons:
+            return "polygons";
+        case OverlapFamily::boxes:
+            return "boxes";
+        case OverlapFamily::bars:
+            return "bars";
+        case OverlapFamily::compounds:
+            return "compounds";
     }
     return "";  // unreachable, but GCC cannot know
 }

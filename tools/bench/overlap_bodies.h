@@ -15,10 +15,10 @@ struct BoundedBody {
     std::vector<Polygon> shapes;
     std::vector<Circle> circles;  ///< of the shapes
     std::vector<Obb> obbs;
-    std::vector<Aabb> boxes;      ///< world
-    Circle circle;                ///< of all
+    std::vector<Aabb> boxes;  ///< world
+    Circle circle;            ///< of all
     Obb obb;
-    Aabb box;                     ///< world
+    Aabb box;  ///< world
     WorldTransform pose;
 };
 
@@ -28,8 +28,8 @@ struct BodyPair {
 };
 
 enum class OverlapFamily : std::uint8_t { round, polygons, boxes, bars, compounds };
-inline constexpr OverlapFamily kOverlapFamilies[] = {OverlapFamily::round, OverlapFamily::polygons, OverlapFamily::boxes,
-                                                     OverlapFamily::bars, OverlapFamily::compounds};
+inline constexpr OverlapFamily kOverlapFamilies[] = {
+    OverlapFamily::round, OverlapFamily::polygons, OverlapFamily::boxes, OverlapFamily::bars, OverlapFamily::compounds};
 const char* nameOf(OverlapFamily family);
 
 /// Pairs placed uniformly where their boxes, enlarged by an eighth of their extent, overlap.

@@ -29,7 +29,9 @@ const char* const kPlotStyle =
 std::string drawPlots(const std::string& directory, const std::vector<PlotFiles>& plots, std::string& error) {
     for (const PlotFiles& plot : plots) {
         const std::string start = directory + '/' + plot.name;
-        if (!writeFile(start + ".dat", plot.data, error) || !writeFile(start + ".gp", plot.script, error)) { return ""; }
+        if (!writeFile(start + ".dat", plot.data, error) || !writeFile(start + ".gp", plot.script, error)) {
+            return "";
+        }
     }
     std::string drawn;
     for (const PlotFiles& plot : plots) {

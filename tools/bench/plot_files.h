@@ -17,7 +17,8 @@ struct PlotFiles {
     std::function<void(std::ostream&)> script;
 };
 
-/// Writes and, with gnuplot, draws. @return what was drawn, or why not; `error` when a file could not be written or drawn
+/// Writes and, with gnuplot, draws. @return what was drawn, or why not; `error` when a file could not be written or
+/// drawn
 std::string drawPlots(const std::string& directory, const std::vector<PlotFiles>& plots, std::string& error);
 
 }  // namespace swept::bench

@@ -110,9 +110,7 @@ void measure(TimedWorld& one, TimedWorld& several, double seconds, ThreadsBenchR
         const bool oneFirst = step % 2 == 0;
         const double first = secondsOf(oneFirst ? one : several);
         const double second = secondsOf(oneFirst ? several : one);
-        if (step < 0) {
-            continue;
-        }
+        if (step < 0) { continue; }
         ones.push_back(oneFirst ? first : second);
         severals.push_back(oneFirst ? second : first);
         spent += first + second;
@@ -147,9 +145,7 @@ std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
     };
     for (const ThreadsScene& scene : threadsScenes()) {
         for (const int bodies : kSizes) {
-            if (bodies > settings.mostBodies) {
-                break;
-            }
+            if (bodies > settings.mostBodies) { break; }
             const SceneDescription description = scene.make(bodies);
             SweptWorld one(description, nullptr);
             SweptWorld several(description, tasks.get());

@@ -10,8 +10,8 @@
 namespace swept::bench {
 namespace {
 
-/// Time that this thread has had of a processor, in seconds: others on the machine take their turns, and a pass is short
-/// enough to be lost in one of theirs.
+/// Time that this thread has had of a processor, in seconds: others on the machine take their turns, and a pass is
+/// short enough to be lost in one of theirs.
 double threadSeconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -108,9 +108,7 @@ void timeInTurns(std::vector<Entry>& entries) {
 }
 
 double medianOf(std::vector<double> values) {
-    if (values.empty()) {
-        return 0;
-    }
+    if (values.empty()) { return 0; }
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
@@ -121,9 +119,7 @@ ToiBenchRow rowOf(const Entry& entry, std::string_view family) {
     row.family = family;
     row.method = entry.contestant->name();
     row.tally = judged(entry);
-    for (const Toi& answer : entry.answers) {
-        row.iterations.push_back(answer.iterations);
-    }
+    for (const Toi& answer : entry.answers) { row.iterations.push_back(answer.iterations); }
     std::sort(row.iterations.begin(), row.iterations.end());
     if (!entry.queries.empty()) {
         row.nanoseconds = 1e9 * medianOf(entry.passes) / static_cast<double>(entry.queries.size());
@@ -157,9 +153,7 @@ void ToiTally::add(const ToiTally& other) {
 }
 
 int ToiBenchRow::iterationsOf(double share) const {
-    if (iterations.empty()) {
-        return 0;
-    }
+    if (iterations.empty()) { return 0; }
     const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(iterations.size())));
     return iterations[std::max<std::size_t>(rank, 1) - 1];
 }
@@ -171,9 +165,7 @@ std::vector<ToiBenchRow> benchToi(const ToiContestants& contestants, const ToiBe
     for (const ToiFamily family : kToiFamilies) {
         const std::vector<ToiQuery> queries = queriesOf(family, settings);
         std::vector<Entry> entries;
-        for (const auto& contestant : contestants) {
-            entries.push_back(entryOf(*contestant, queries));
-        }
+        for (const auto& contestant : contestants) { entries.push_back(entryOf(*contestant, queries)); }
         timeInTurns(entries);
         for (const Entry& entry : entries) {
             rows.push_back(rowOf(entry, nameOf(family)));

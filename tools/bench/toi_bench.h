@@ -19,8 +19,8 @@ struct ToiTally {
     int early = 0;
     int falseOverlap = 0;
     int failed = 0;
-    int wrongReport = 0;  ///< a fraction outside of the sweep
-    int undecided = 0;    ///< by the oracle
+    int wrongReport = 0;     ///< a fraction outside of the sweep
+    int undecided = 0;       ///< by the oracle
     double deepestMiss = 0;  ///< below target − tolerance
     double deepestLate = 0;
     double widestGap = 0;  ///< of early hits, above target + tolerance

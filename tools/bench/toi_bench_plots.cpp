@@ -33,9 +33,7 @@ const char* const kPercentAxis =
 
 std::vector<std::string> methodsOf(std::span<const ToiBenchRow> rows) {
     std::vector<std::string> names;
-    for (const ToiBenchTotal& total : totalsOf(rows)) {
-        names.push_back(total.method);
-    }
+    for (const ToiBenchTotal& total : totalsOf(rows)) { names.push_back(total.method); }
     return names;
 }
 
@@ -80,9 +78,7 @@ std::string classText(int index) {
         text = '>';
         return text += std::to_string(end / 2);
     }
-    if (end > 2) {
-        text = std::to_string(end / 2 + 1) + '-';
-    }
+    if (end > 2) { text = std::to_string(end / 2 + 1) + '-'; }
     return text += std::to_string(end);
 }
 
@@ -90,9 +86,7 @@ std::vector<ToiBenchRow> worstCaseRows(std::span<const ToiBenchRow> rows) {
     std::vector<ToiBenchRow> found;
     for (const ToiBenchRow& row : rows) {
         // Those that take one look or two have no histogram.
-        if (row.family == nameOf(ToiFamily::caWorst) && row.iterationsOf(1) > 2) {
-            found.push_back(row);
-        }
+        if (row.family == nameOf(ToiFamily::caWorst) && row.iterationsOf(1) > 2) { found.push_back(row); }
     }
     return found;
 }
@@ -100,16 +94,15 @@ std::vector<ToiBenchRow> worstCaseRows(std::span<const ToiBenchRow> rows) {
 void writeIterationsData(std::ostream& out, std::span<const ToiBenchRow> rows) {
     const std::vector<ToiBenchRow> shown = worstCaseRows(rows);
     out << "iterations";
-    for (const ToiBenchRow& row : shown) {
-        out << " \"" << row.method << '"';
-    }
+    for (const ToiBenchRow& row : shown) { out << " \"" << row.method << '"'; }
     out << '\n';
     for (int index = 0; index < kClasses; ++index) {
         out << '"' << classText(index) << '"';
         for (const ToiBenchRow& row : shown) {
             const auto isInClass = [index](int iterations) { return classOf(iterations) == index; };
             const auto inClass = std::count_if(row.iterations.begin(), row.iterations.end(), isInClass);
-            out << ' ' << roundedText(100.0 * static_cast<double>(inClass) / static_cast<double>(row.iterations.size()));
+            out << ' '
+                << roundedText(100.0 * static_cast<double>(inClass) / static_cast<double>(row.iterations.size()));
         }
         out << '\n';
     }
@@ -189,7 +182,8 @@ std::string plotToiBench(const std::string& directory, std::span<const ToiBenchR
     for (const Plot& plot : plots) {
         const std::string start = directory + '/' + plot.name;
         if (!writeFile(start + ".dat", plot.data, error) ||
-            !writeFile(start + ".gp", [&](std::ostream& out) { plot.script(out, rows); }, error)) {
+            !writeFile(
+                start + ".gp", [&](std::ostream& out) { plot.script(out, rows); }, error)) {
             return "";
         }
     }

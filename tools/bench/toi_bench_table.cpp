@@ -76,8 +76,7 @@ void writeTotals(std::ostream& out, std::span<const ToiBenchRow> rows) {
            "        ns  /certified\n";
     for (const ToiBenchTotal& total : totalsOf(rows)) {
         const ToiTally& t = total.tally;
-        out << "  " << total.method
-            << std::string(total.method.size() < 23 ? 23 - total.method.size() : 1, ' ')
+        out << "  " << total.method << std::string(total.method.size() < 23 ? 23 - total.method.size() : 1, ' ')
             << padded(std::to_string(t.queries), 7);
         for (const int some : {t.missed, t.late, t.early, t.falseOverlap, t.failed + t.wrongReport}) {
             out << padded(percentText(some, t.queries), 10);
@@ -85,8 +84,10 @@ void writeTotals(std::ostream& out, std::span<const ToiBenchRow> rows) {
         out << padded(std::to_string(t.undecided), 9) << padded(std::to_string(total.families), 7)
             << padded(timeText(total.nanoseconds), 10) << padded(roundedText(total.ratio, 3), 12) << '\n';
     }
-    out << "\nmissed, late: depth of the worst below target - tolerance; early: gap of the worst above target + tolerance;\n"
-           "overlap: said and not true, or true and not said; undec.: the oracle could not decide. Iterations are each\n"
+    out << "\nmissed, late: depth of the worst below target - tolerance; early: gap of the worst above target + "
+           "tolerance;\n"
+           "overlap: said and not true, or true and not said; undec.: the oracle could not decide. Iterations are "
+           "each\n"
            "method's own unit. ns a query: median of passes taken in turns; over families their geometric mean.\n";
 }
 

@@ -9,9 +9,7 @@ constexpr std::size_t kMostViolations = 100;
 
 std::int64_t CertifyResult::wrong() const {
     std::int64_t all = 0;
-    for (const std::int64_t some : counts) {
-        all += some;
-    }
+    for (const std::int64_t some : counts) { all += some; }
     return all - countOf(ToiVerdict::right) - countOf(ToiVerdict::undecided);
 }
 

@@ -28,8 +28,8 @@ private:
     std::vector<ToiQuery> queries_;
 };
 
-/// The default method on exactly what an engine is asked: its numbers, its target and tolerance; and told to answer what
-/// the engine answers: the event, without normal, points or depth.
+/// The default method on exactly what an engine is asked: its numbers, its target and tolerance; and told to answer
+/// what the engine answers: the event, without normal, points or depth.
 class CertifiedAs final : public ToiContestant {
 public:
     CertifiedAs(std::unique_ptr<ToiContestant> engine, std::string name)
@@ -58,9 +58,7 @@ private:
 
 ToiContestants allToiContestants() {
     ToiContestants all;
-    for (const ToiMethodInfo& info : kToiMethods) {
-        all.push_back(std::make_unique<OurMethod>(info.method));
-    }
+    for (const ToiMethodInfo& info : kToiMethods) { all.push_back(std::make_unique<OurMethod>(info.method)); }
     all.push_back(makeBox2dToi());
     all.push_back(std::make_unique<CertifiedAs>(makeBox2dToi(), "certified as Box2D"));
 #ifdef SWEPT_BENCH_BOX2D3

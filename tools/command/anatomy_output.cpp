@@ -17,15 +17,11 @@ public:
     Scratch() {
         std::error_code ignored;
         path_ = (std::filesystem::temp_directory_path(ignored) / "swept-XXXXXX").string();
-        if (mkdtemp(path_.data()) == nullptr) {
-            path_.clear();
-        }
+        if (mkdtemp(path_.data()) == nullptr) { path_.clear(); }
     }
     ~Scratch() {
         std::error_code ignored;
-        if (!path_.empty()) {
-            std::filesystem::remove_all(path_, ignored);
-        }
+        if (!path_.empty()) { std::filesystem::remove_all(path_, ignored); }
     }
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
@@ -62,9 +58,7 @@ bool runScript(const std::string& script, std::string& error) {
 bool drawAnatomy(const ToiQuery& query, const std::string& file, std::string& error) {
     OutputFiles files;
     files.addFile("--anatomy", file);
-    if (!files.open(error)) {
-        return false;
-    }
+    if (!files.open(error)) { return false; }
     if (!runScript(anatomyScript(dissectToi(query), std::filesystem::absolute(file).string()), error)) {
         files.discard();
         return false;

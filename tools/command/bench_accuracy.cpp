@@ -30,9 +30,7 @@ constexpr std::array<Effort, 10> kEfforts{
     {{30, 8}, {30, 16}, {30, 32}, {60, 4}, {60, 8}, {60, 16}, {60, 32}, {60, 64}, {120, 16}, {240, 16}}};
 
 bool isWanted(const accuracy::Case& c, const AccuracyArguments& arguments) {
-    if (arguments.scenes.empty()) {
-        return arguments.isLong || !c.isLong;
-    }
+    if (arguments.scenes.empty()) { return arguments.isLong || !c.isLong; }
     return std::any_of(arguments.scenes.begin(), arguments.scenes.end(),
                        [&](const std::string& name) { return name == c.name || name == c.group; });
 }
@@ -41,16 +39,12 @@ bool isWanted(const accuracy::Case& c, const AccuracyArguments& arguments) {
 std::vector<accuracy::Case> casesOf(const AccuracyArguments& arguments) {
     std::vector<accuracy::Case> cases;
     for (const accuracy::Case& c : arguments.trade ? accuracy::tradeCases() : accuracy::allCases()) {
-        if (!isWanted(c, arguments)) {
-            continue;
-        }
+        if (!isWanted(c, arguments)) { continue; }
         if (!arguments.trade) {
             cases.push_back(c);
             continue;
         }
-        for (const Effort& effort : kEfforts) {
-            cases.push_back(accuracy::refined(c, effort.hertz, effort.subSteps));
-        }
+        for (const Effort& effort : kEfforts) { cases.push_back(accuracy::refined(c, effort.hertz, effort.subSteps)); }
     }
     return cases;
 }
@@ -86,9 +80,7 @@ int measureAccuracy(const AccuracyArguments& arguments) {
 std::vector<std::string> knownNames() {
     std::vector<std::string> names;
     for (const accuracy::Case& c : accuracy::allCases()) {
-        if (std::find(names.begin(), names.end(), c.group) == names.end()) {
-            names.push_back(c.group);
-        }
+        if (std::find(names.begin(), names.end(), c.group) == names.end()) { names.push_back(c.group); }
         names.push_back(c.name);
     }
     return names;

@@ -41,24 +41,16 @@ struct BroadphaseResults {
 
 /// Powers of ten from a hundred on, or just one size.
 std::vector<std::uint32_t> countsOf(const BroadphaseArguments& arguments) {
-    if (arguments.count > 0) {
-        return {arguments.count};
-    }
+    if (arguments.count > 0) { return {arguments.count}; }
     std::vector<std::uint32_t> counts;
-    for (std::uint32_t count = 100; count <= arguments.maxCount; count *= 10) {
-        counts.push_back(count);
-    }
+    for (std::uint32_t count = 100; count <= arguments.maxCount; count *= 10) { counts.push_back(count); }
     return counts;
 }
 
 std::vector<std::string> sceneNames() {
     std::vector<std::string> names;
-    for (const bench::BoxScene scene : bench::kBoxScenes) {
-        names.emplace_back(bench::nameOf(scene));
-    }
-    for (const bench::PeerScene scene : bench::kPeerScenes) {
-        names.emplace_back(bench::nameOf(scene));
-    }
+    for (const bench::BoxScene scene : bench::kBoxScenes) { names.emplace_back(bench::nameOf(scene)); }
+    for (const bench::PeerScene scene : bench::kPeerScenes) { names.emplace_back(bench::nameOf(scene)); }
     names.emplace_back("margins");
     return names;
 }
@@ -71,9 +63,7 @@ BroadphaseResults measureAll(const bench::BroadphaseBenchSettings& settings) {
     const auto update = [&](const std::string&) { progress.update(done++); };
     results.distributions = bench::benchDistributions(settings, update);
     results.peers = bench::benchPeerScenes(settings, update);
-    if (bench::isWanted("margins", settings.scenes)) {
-        results.margins = bench::benchMargins(settings, update);
-    }
+    if (bench::isWanted("margins", settings.scenes)) { results.margins = bench::benchMargins(settings, update); }
     return results;
 }
 
@@ -93,9 +83,7 @@ void writeAll(const BroadphaseResults& results) {
                      [](const auto& row) { return row.method == bench::kDefaultBroadphase; });
         bench::writeRoofline(std::cout, bench::rooflineOf(chosen, limits), limits);
     }
-    if (!results.margins.empty()) {
-        bench::writeMarginTable(std::cout, results.margins);
-    }
+    if (!results.margins.empty()) { bench::writeMarginTable(std::cout, results.margins); }
     std::cout << std::flush;
 }
 

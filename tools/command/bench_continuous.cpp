@@ -50,9 +50,7 @@ int measure(const ContinuousArguments& arguments) {
                  bench::writeModeTable(std::cout, results.modes);
                  std::cout << '\n';
                  bench::writeThicknessTable(std::cout, results.walls);
-                 if (!arguments.crowds) {
-                     return;
-                 }
+                 if (!arguments.crowds) { return; }
                  std::cout << '\n';
                  bench::writeCrowdTable(std::cout, results.crowds);
              },

@@ -30,17 +30,13 @@ struct WorldArguments {
 
 std::vector<std::string> sceneNames() {
     std::vector<std::string> names;
-    for (const worlds::SceneEntry& entry : worlds::allScenes()) {
-        names.emplace_back(entry.name);
-    }
+    for (const worlds::SceneEntry& entry : worlds::allScenes()) { names.emplace_back(entry.name); }
     return names;
 }
 
 std::vector<std::string> engineNames() {
     std::vector<std::string> names;
-    for (const worlds::Contestant& contestant : worlds::allContestants()) {
-        names.push_back(contestant.name);
-    }
+    for (const worlds::Contestant& contestant : worlds::allContestants()) { names.push_back(contestant.name); }
     return names;
 }
 
@@ -62,9 +58,7 @@ std::vector<worlds::WorldRow> measureGrowth(const WorldArguments& arguments) {
         for (int bodies = 100; bodies <= arguments.maxBodies; bodies *= 10) {
             worlds::WorldBenchSettings settings = arguments.settings;
             settings.size = bodies / published;
-            for (worlds::WorldRow& row : worlds::benchScene(entry, settings)) {
-                rows.push_back(std::move(row));
-            }
+            for (worlds::WorldRow& row : worlds::benchScene(entry, settings)) { rows.push_back(std::move(row)); }
         }
     }
     return rows;
@@ -81,19 +75,13 @@ int writeScenes(const WorldArguments& arguments) {
         files.addFile("--write", wanted.back().first);
     }
     std::string error;
-    if (!files.open(error)) {
-        return refuse(error);
-    }
-    for (const auto& [path, entry] : wanted) {
-        *files.stream(path) << writeScene(entry->make(settings.size).scene);
-    }
+    if (!files.open(error)) { return refuse(error); }
+    for (const auto& [path, entry] : wanted) { *files.stream(path) << writeScene(entry->make(settings.size).scene); }
     return files.close(error) ? kExitDone : refuse(error);
 }
 
 int measureWorld(const WorldArguments& arguments) {
-    if (!arguments.scenesTo.empty()) {
-        return writeScenes(arguments);
-    }
+    if (!arguments.scenesTo.empty()) { return writeScenes(arguments); }
     std::vector<worlds::WorldRow> rows;
     std::vector<worlds::WorldRow> growth;
     const worlds::WorldBenchSettings& settings = arguments.settings;

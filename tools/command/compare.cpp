@@ -77,9 +77,7 @@ void printRow(const Deviation& deviation, double ourEnergy, double theirEnergy, 
 class DeviationCsv {
 public:
     DeviationCsv(std::ofstream& out, const std::vector<std::string>& names) : out_(out) {
-        for (const std::string& name : names) {
-            fields_.push_back(csvField(name));
-        }
+        for (const std::string& name : names) { fields_.push_back(csvField(name)); }
         out_
             << "step,time,body,x,y,angle,box2dX,box2dY,box2dAngle,positionDeviation,angleDeviation,velocityDeviation\n";
     }
@@ -112,9 +110,7 @@ void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, s
                  Comparison& found) {
     const std::vector<std::string> names = bodyNames(loaded.scene);
     std::optional<DeviationCsv> csv;
-    if (csvFile != nullptr) {
-        csv.emplace(*csvFile, names);
-    }
+    if (csvFile != nullptr) { csv.emplace(*csvFile, names); }
     const std::int64_t stride = std::max<std::int64_t>(1, (loaded.steps + kTableRows - 1) / kTableRows);
     Progress progress("comparing " + loaded.source, loaded.steps);
     printHead();
@@ -123,22 +119,14 @@ void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, s
         theirs.read(found.theirs, true);
         const Deviation deviation = deviationOf(loaded.scene, found.ours, found.theirs);
         found.steps = step;
-        if (csv) {
-            csv->write(deviation, found.ours, found.theirs);
-        }
+        if (csv) { csv->write(deviation, found.ours, found.theirs); }
         const bool isBeyond = !(deviation.worstPosition <= found.scale);
-        if (isBeyond && found.firstBeyond < 0) {
-            found.firstBeyond = step;
-        }
+        if (isBeyond && found.firstBeyond < 0) { found.firstBeyond = step; }
         const RunReport report = ours.report();
         found.finite = report.finite;
         const bool isLast = step == loaded.steps || !found.finite;
-        if (step % stride == 0 || isLast) {
-            printRow(deviation, report.endEnergy, theirs.report().endEnergy, names);
-        }
-        if (isLast) {
-            return;
-        }
+        if (step % stride == 0 || isLast) { printRow(deviation, report.endEnergy, theirs.report().endEnergy, names); }
+        if (isLast) { return; }
         ours.step();
         theirs.step();
         progress.update(step + 1);
@@ -161,28 +149,20 @@ void printFindings(const LoadedScene& loaded, const Comparison& found, const Run
     }
     std::cout << "Deepest penetration: ours " << roundedText(ours.report().deepestPenetration, 3) << " m, Box2D "
               << roundedText(theirs.report().deepestPenetration, 3) << " m\n";
-    if (theirs.aborted()) {
-        std::cout << *theirs.aborted() << '\n';
-    }
+    if (theirs.aborted()) { std::cout << *theirs.aborted() << '\n'; }
     std::cout << "\nBox2D 2.4.1 stands in with these differences:\n";
-    for (const std::string& sentence : theirs.approximations()) {
-        std::cout << "  " << sentence << '\n';
-    }
+    for (const std::string& sentence : theirs.approximations()) { std::cout << "  " << sentence << '\n'; }
 }
 
 std::unique_ptr<SceneRenderer> makeOverlayRenderer(const LoadedScene& loaded, const CompareArguments& arguments,
                                                    std::string& error) {
     PictureSize size;
-    if (!parseSize(arguments.size, size, error) || arguments.png.empty()) {
-        return nullptr;
-    }
+    if (!parseSize(arguments.size, size, error) || arguments.png.empty()) { return nullptr; }
     RenderOptions options;
     options.width = size.width;
     options.height = size.height;
     auto renderer = SceneRenderer::create(loaded.scene, options, error);
-    if (!renderer) {
-        error = "no picture: " + error;
-    }
+    if (!renderer) { error = "no picture: " + error; }
     return renderer;
 }
 
@@ -197,47 +177,27 @@ bool openOutputs(OutputFiles& outputs, const CompareArguments& arguments, const 
 int compareScene(const CompareArguments& arguments) {
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
-    if (!loaded) {
-        return refuse(error);
-    }
-    if (arguments.scale && !(*arguments.scale > 0)) {
-        return refuse("--scale: must be greater than 0");
-    }
+    if (!loaded) { return refuse(error); }
+    if (arguments.scale && !(*arguments.scale > 0)) { return refuse("--scale: must be greater than 0"); }
     const auto renderer = makeOverlayRenderer(*loaded, arguments, error);
-    if (!error.empty()) {
-        return refuse(error);
-    }
+    if (!error.empty()) { return refuse(error); }
     const auto ours = makeRunner(loaded->scene, {loaded->precision, false, true}, error);
-    if (!ours) {
-        return refuse(loaded->source + ": " + error);
-    }
+    if (!ours) { return refuse(loaded->source + ": " + error); }
     const auto theirs = makeBox2dRunner(loaded->scene, error);
-    if (!theirs) {
-        return refuse(error);
-    }
+    if (!theirs) { return refuse(error); }
     OutputFiles outputs;
-    if (!openOutputs(outputs, arguments, *loaded, error)) {
-        return refuse(error);
-    }
+    if (!openOutputs(outputs, arguments, *loaded, error)) { return refuse(error); }
 
     Comparison found;
     found.scale = arguments.scale.value_or(visibleDeviation(loaded->scene));
     ours->read(found.ours, true);
     theirs->read(found.theirs, true);
     compareRuns(*loaded, *ours, *theirs, outputs.stream(arguments.csv), found);
-    if (!outputs.close(error)) {
-        return refuse(error);
-    }
-    if (renderer && !writeOverlay(*renderer, found, arguments.png, error)) {
-        return refuse(error);
-    }
+    if (!outputs.close(error)) { return refuse(error); }
+    if (renderer && !writeOverlay(*renderer, found, arguments.png, error)) { return refuse(error); }
     printFindings(*loaded, found, *ours, *theirs);
-    if (!arguments.csv.empty()) {
-        std::cout << "\ndeviations  " << arguments.csv << '\n';
-    }
-    if (renderer) {
-        std::cout << "overlay     " << arguments.png << '\n';
-    }
+    if (!arguments.csv.empty()) { std::cout << "\ndeviations  " << arguments.csv << '\n'; }
+    if (renderer) { std::cout << "overlay     " << arguments.png << '\n'; }
     return found.finite ? kExitDone : kExitNotFinite;
 }
 

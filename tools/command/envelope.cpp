@@ -30,9 +30,7 @@ bool readTask(const EnvelopeArguments& arguments, envelope::SurveyOptions& optio
     options.directory = arguments.out;
     options.engines = {tune::Engine::f32, tune::Engine::f64};
     for (const tune::Engine engine : {tune::Engine::box2d, tune::Engine::box2d3}) {
-        if (arguments.box2d && tune::isThere(engine)) {
-            options.engines.push_back(engine);
-        }
+        if (arguments.box2d && tune::isThere(engine)) { options.engines.push_back(engine); }
     }
     options.threads =
         arguments.threads > 0 ? arguments.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -54,18 +52,14 @@ bool writeFile(const std::filesystem::path& path, const std::string& text, std::
     std::ofstream file(path, std::ios::binary);
     file << text;
     file.close();
-    if (!file) {
-        error = path.string() + ": cannot be written";
-    }
+    if (!file) { error = path.string() + ": cannot be written"; }
     return error.empty();
 }
 
 int mapEnvelope(const EnvelopeArguments& arguments) {
     envelope::SurveyOptions options;
     std::string error;
-    if (!readTask(arguments, options, error)) {
-        return refuse(error);
-    }
+    if (!readTask(arguments, options, error)) { return refuse(error); }
     std::ostringstream summary;
     std::string limits;
     std::string drawn;
@@ -82,9 +76,7 @@ int mapEnvelope(const EnvelopeArguments& arguments) {
             limits += envelope::limitLines(slice, rows, options.engines);
             drawn += envelope::drawMap(arguments.out, slice, rows, options.engines, error) + '\n';
         }
-        if (!error.empty()) {
-            return refuse(error);
-        }
+        if (!error.empty()) { return refuse(error); }
     }
     if (!options.shard.isWhole()) {
         std::cout << "shard " << arguments.shard << " is done; when all are, the same command without --shard\n";
@@ -106,9 +98,7 @@ void addEnvelopeCommand(Command app) {
         app.command("envelope", "Maps of what the engine can do: where errors stay within their bounds");
     const auto arguments = std::make_shared<EnvelopeArguments>();
     std::vector<std::string> names;
-    for (const envelope::Slice& slice : envelope::allSlices(envelope::Grain::coarse)) {
-        names.push_back(slice.name);
-    }
+    for (const envelope::Slice& slice : envelope::allSlices(envelope::Grain::coarse)) { names.push_back(slice.name); }
     command
         .option("--out", arguments->out,
                 "Directory for rows, maps, limits and summary; rows that are there are not run again [envelope]")
@@ -118,7 +108,8 @@ void addEnvelopeCommand(Command app) {
         .oneOf(names)
         .oneValueEach();
     command.flag("--coarse", arguments->coarse, "Fewer cells, ten seconds of work");
-    command.flag("--box2d", arguments->box2d, "Box2D 2.4.1 as well, and Box2D 3 where it was found when this was built");
+    command.flag("--box2d", arguments->box2d,
+                 "Box2D 2.4.1 as well, and Box2D 3 where it was found when this was built");
     command.option("--threads", arguments->threads, "Cells at a time [all cores]").type("N").within(1, kMostThreads);
     command.option("--shard", arguments->shard, "Only the i-th of n parts of the cells, into files of their own")
         .type("i/n");

@@ -25,9 +25,7 @@ struct InspectArguments {
 const char* nameOf(Severity severity) { return severity == Severity::warning ? "warning" : "note"; }
 
 void printFindings(const std::vector<Finding>& findings) {
-    if (findings.empty()) {
-        std::cout << "Nothing in this scene lies outside the measured envelope.\n";
-    }
+    if (findings.empty()) { std::cout << "Nothing in this scene lies outside the measured envelope.\n"; }
     std::map<std::string, int> told;
     std::map<std::string, int> left;
     for (const Finding& finding : findings) {
@@ -37,9 +35,7 @@ void printFindings(const std::vector<Finding>& findings) {
         }
         std::cout << nameOf(finding.severity) << " [" << finding.kind << "] " << finding.where << '\n'
                   << "    " << finding.text << ".\n";
-        if (!finding.remedy.empty()) {
-            std::cout << "    Mend: " << finding.remedy << ".\n";
-        }
+        if (!finding.remedy.empty()) { std::cout << "    Mend: " << finding.remedy << ".\n"; }
     }
     for (const auto& [kind, count] : left) {
         std::cout << "… and " << count << " more of [" << kind << "] (--json lists all)\n";
@@ -49,9 +45,7 @@ void printFindings(const std::vector<Finding>& findings) {
 void printNeeds(const std::vector<Need>& needs) {
     std::cout << "\nWhat the scene can reach:\n";
     std::size_t widest = 0;
-    for (const Need& need : needs) {
-        widest = std::max(widest, need.feature.size());
-    }
+    for (const Need& need : needs) { widest = std::max(widest, need.feature.size()); }
     for (const Need& need : needs) {
         std::cout << "  " << need.feature << std::string(widest - need.feature.size(), ' ')
                   << (need.needed ? "  yes  " : "  no   ") << need.reason << '\n';
@@ -79,24 +73,16 @@ std::string jsonOf(const std::string& source, const Inspection& inspection) {
 int inspect(const InspectArguments& arguments) {
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
-    if (!loaded) {
-        return refuse(error);
-    }
+    if (!loaded) { return refuse(error); }
     OutputFiles outputs;
     outputs.protect(loaded->file);
     outputs.addFile("--json", arguments.json);
-    if (!outputs.open(error)) {
-        return refuse(error);
-    }
+    if (!outputs.open(error)) { return refuse(error); }
     const Inspection inspection = inspectScene(loaded->scene);
     printFindings(inspection.findings);
     printNeeds(inspection.needs);
-    if (std::ofstream* const json = outputs.stream(arguments.json)) {
-        *json << jsonOf(loaded->source, inspection);
-    }
-    if (!outputs.close(error)) {
-        return refuse(error);
-    }
+    if (std::ofstream* const json = outputs.stream(arguments.json)) { *json << jsonOf(loaded->source, inspection); }
+    if (!outputs.close(error)) { return refuse(error); }
     const bool isBad = !inspection.findings.empty() && inspection.findings.front().severity == Severity::warning;
     return arguments.strict && isBad ? kExitNotFinite : kExitDone;
 }

@@ -39,9 +39,7 @@ struct ModeRun {
 
     double counter(const char* wanted) const {
         for (const NamedNumber& number : report.counters) {
-            if (number.name == wanted) {
-                return number.value;
-            }
+            if (number.name == wanted) { return number.value; }
         }
         return 0;
     }
@@ -50,28 +48,20 @@ struct ModeRun {
 /// All bodies in one mode: what they say themselves is overruled.
 SceneDescription inMode(SceneDescription scene, SceneContinuous mode) {
     scene.settings.continuous = mode;
-    for (BodyDescription& body : scene.bodies) {
-        body.continuous.reset();
-    }
+    for (BodyDescription& body : scene.bodies) { body.continuous.reset(); }
     return scene;
 }
 
 bool runMode(const LoadedScene& loaded, SceneContinuous mode, ModeRun& run, std::string& error) {
     run.name = namesOf<SceneContinuous>()[static_cast<std::size_t>(mode)];
     const auto runner = makeRunner(inMode(loaded.scene, mode), {loaded.precision, false, true, true}, error);
-    if (!runner) {
-        return false;
-    }
+    if (!runner) { return false; }
     const auto start = std::chrono::steady_clock::now();
-    for (std::int64_t step = 0; step < loaded.steps; ++step) {
-        runner->step();
-    }
+    for (std::int64_t step = 0; step < loaded.steps; ++step) { runner->step(); }
     run.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     runner->read(run.frame, false);
     run.report = runner->report();
-    for (const LostTime& entry : run.report.lostTime) {
-        run.lostSeconds += entry.seconds;
-    }
+    for (const LostTime& entry : run.report.lostTime) { run.lostSeconds += entry.seconds; }
     return true;
 }
 
@@ -91,9 +81,7 @@ void printTable(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
 }
 
 std::string captionOf(const ModeRun& run) {
-    if (run.lostSeconds > 0) {
-        return run.name + " \u00B7 lost " + roundedText(1000 * run.lostSeconds, 3) + " ms";
-    }
+    if (run.lostSeconds > 0) { return run.name + " \u00B7 lost " + roundedText(1000 * run.lostSeconds, 3) + " ms"; }
     return run.counter("impacts") > 0 ? run.name + " \u00B7 nothing lost" : run.name;
 }
 
@@ -101,9 +89,7 @@ std::string captionOf(const ModeRun& run) {
 bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const ModesArguments& arguments,
           std::string& error) {
     PictureSize size;
-    if (!parseSize(arguments.size, size, error)) {
-        return false;
-    }
+    if (!parseSize(arguments.size, size, error)) { return false; }
     RenderOptions options;
     options.width = size.width;
     options.height = size.height;
@@ -114,9 +100,7 @@ bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const Mod
     std::vector<std::string> captions;
     for (const ModeRun& run : runs) {
         const auto renderer = SceneRenderer::create(loaded.scene, options, error);
-        if (!renderer) {
-            return false;
-        }
+        if (!renderer) { return false; }
         tiles.push_back(renderer->draw(run.frame));
         captions.push_back(captionOf(run));
     }
@@ -127,18 +111,12 @@ bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const Mod
 int compareModes(const ModesArguments& arguments) {
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
-    if (!loaded) {
-        return refuse(error);
-    }
+    if (!loaded) { return refuse(error); }
     std::vector<ModeRun> runs;
     for (const SceneContinuous mode : kModes) {
-        if (!runMode(*loaded, mode, runs.emplace_back(), error)) {
-            return refuse(loaded->source + ": " + error);
-        }
+        if (!runMode(*loaded, mode, runs.emplace_back(), error)) { return refuse(loaded->source + ": " + error); }
     }
-    if (!arguments.png.empty() && !draw(*loaded, runs, arguments, error)) {
-        return refuse(error);
-    }
+    if (!arguments.png.empty() && !draw(*loaded, runs, arguments, error)) { return refuse(error); }
     printTable(*loaded, runs);
     return kExitDone;
 }

@@ -64,9 +64,7 @@ bool Option::isGiven() const { return option_->count() > 0; }
 
 Command Command::command(const std::string& name, const std::string& help) const {
     CLI::App* const below = app_->add_subcommand(name, help);
-    if (help.empty()) {
-        below->group("");
-    }
+    if (help.empty()) { below->group(""); }
     return {below, exitCode_};
 }
 
@@ -104,9 +102,7 @@ int runProgram(const ProgramTexts& texts, const std::function<void(Command)>& ad
     const Command program(&app, &exitCode);
     program.needsCommand();
     addCommands(program);
-    if (arguments.empty()) {
-        return refuse("no command given (\"" + texts.name + " --help\" lists them)");
-    }
+    if (arguments.empty()) { return refuse("no command given (\"" + texts.name + " --help\" lists them)"); }
     const auto isFirst = [&](const CLI::App* command) { return command->get_name() == arguments[0]; };
     if (!arguments[0].starts_with('-') && std::as_const(app).get_subcommands(isFirst).empty()) {
         return refuse(arguments[0] + ": no such command (\"" + texts.name + " --help\" lists them)");
@@ -116,9 +112,7 @@ int runProgram(const ProgramTexts& texts, const std::function<void(Command)>& ad
         app.parse(arguments);
     } catch (const CLI::Success& helpOrVersion) {
         return app.exit(helpOrVersion);
-    } catch (const CLI::ParseError& mistake) {
-        return refuse(firstLine(mistake.what()));
-    }
+    } catch (const CLI::ParseError& mistake) { return refuse(firstLine(mistake.what())); }
     return exitCode;
 }
 

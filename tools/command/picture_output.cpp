@@ -51,15 +51,9 @@ public:
 
     bool create(const SceneDescription& scene, PictureSize size, std::int64_t steps, std::string& error) {
         renderer_ = SceneRenderer::create(scene, renderOptions(arguments_, size), error);
-        if (!renderer_) {
-            return false;
-        }
-        if (!arguments_.webp.empty()) {
-            webp_.emplace();
-        }
-        if (arguments_.sheet == 0) {
-            return true;
-        }
+        if (!renderer_) { return false; }
+        if (!arguments_.webp.empty()) { webp_.emplace(); }
+        if (arguments_.sheet == 0) { return true; }
         sheetSteps_ = sheetSteps(steps, arguments_.sheet);
         tileRenderer_ =
             SceneRenderer::create(scene, renderOptions(arguments_, tileSize(size, arguments_.sheet)), error);
@@ -70,13 +64,9 @@ public:
 
     bool show(const Frame& frame, std::span<const SceneEvent> events, std::string& error) override {
         for (SceneRenderer* const renderer : {renderer_.get(), tileRenderer_.get()}) {
-            if (renderer != nullptr) {
-                noteStep(*renderer, frame, events);
-            }
+            if (renderer != nullptr) { noteStep(*renderer, frame, events); }
         }
-        if (frame.step % arguments_.every == 0 && !drawFrame(frame, error)) {
-            return false;
-        }
+        if (frame.step % arguments_.every == 0 && !drawFrame(frame, error)) { return false; }
         if (std::binary_search(sheetSteps_.begin(), sheetSteps_.end(), frame.step)) {
             tiles_.push_back(tileRenderer_->draw(frame));
             captions_.push_back(timeLabel(frame.time, dt_));
@@ -86,40 +76,26 @@ public:
 
     bool finish(std::string& error) override {
         const int pause = std::max(1, static_cast<int>(std::lround(1000 * dt_ * arguments_.every)));
-        if (webp_ && !webp_->finish(arguments_.webp, lastMs_ + pause, error)) {
-            return false;
-        }
-        if (tiles_.empty()) {
-            return true;
-        }
+        if (webp_ && !webp_->finish(arguments_.webp, lastMs_ + pause, error)) { return false; }
+        if (tiles_.empty()) { return true; }
         const std::optional<Image> sheet = contactSheet(tiles_, captions_, 0, error);
         return sheet && writePng(*sheet, sheetPath(arguments_), error);
     }
 
 private:
     void noteStep(SceneRenderer& renderer, const Frame& frame, std::span<const SceneEvent> events) const {
-        if (arguments_.trails) {
-            renderer.addTrail(frame);
-        }
+        if (arguments_.trails) { renderer.addTrail(frame); }
         for (const SceneEvent& event : events) {
-            if (event.type == SceneEventType::jointBreak) {
-                renderer.removeJoints(event.a, event.b);
-            }
+            if (event.type == SceneEventType::jointBreak) { renderer.removeJoints(event.a, event.b); }
         }
     }
 
     bool drawFrame(const Frame& frame, std::string& error) {
         const bool wantsPng = !arguments_.directory.empty();
-        if (!wantsPng && !webp_) {
-            return true;
-        }
+        if (!wantsPng && !webp_) { return true; }
         const Image image = renderer_->draw(frame);
-        if (wantsPng && !writePng(image, picturePath(arguments_.directory, frame.step), error)) {
-            return false;
-        }
-        if (!webp_) {
-            return true;
-        }
+        if (wantsPng && !writePng(image, picturePath(arguments_.directory, frame.step), error)) { return false; }
+        if (!webp_) { return true; }
         // Times rise strictly even where steps are shorter than a millisecond: then the animation is in slow motion.
         lastMs_ = std::max(lastMs_ + 1, static_cast<int>(std::lround(1000 * frame.time)));
         webp_->add(image, lastMs_);  // a refused picture is reported by `finish`
@@ -139,9 +115,7 @@ private:
 
 /// What is wrong with the arguments themselves; empty when nothing is.
 std::string faultOf(const PictureArguments& arguments, double duration) {
-    if (arguments.every < 1) {
-        return "--every: must be at least 1";
-    }
+    if (arguments.every < 1) { return "--every: must be at least 1"; }
     if (arguments.sheet < 0 || arguments.sheet > kMostTiles) {
         return "--sheet: must be between 0 and " + std::to_string(kMostTiles);
     }
@@ -186,9 +160,7 @@ bool parseSize(const std::string& text, PictureSize& size, std::string& error) {
         return false;
     }
     const auto isInRange = [](int side) { return side >= kSmallestSide && side <= kLargestSide; };
-    if (isInRange(size.width) && isInRange(size.height)) {
-        return true;
-    }
+    if (isInRange(size.width) && isInRange(size.height)) { return true; }
     error = "--size " + text + ": sides must be between " + std::to_string(kSmallestSide) + " and " +
             std::to_string(kLargestSide);
     return false;
@@ -197,9 +169,7 @@ bool parseSize(const std::string& text, PictureSize& size, std::string& error) {
 std::string picturePath(const std::string& directory, std::int64_t step) {
     std::string number = std::to_string(step);
     constexpr std::size_t kDigits = 6;
-    if (number.size() < kDigits) {
-        number.insert(0, kDigits - number.size(), '0');
-    }
+    if (number.size() < kDigits) { number.insert(0, kDigits - number.size(), '0'); }
     return directory + "/frame_" + number + ".png";
 }
 
@@ -208,9 +178,7 @@ std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count) {
     for (int i = 0; i < count; ++i) {
         const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
         const auto step = static_cast<std::int64_t>(std::llround(share * static_cast<double>(steps)));
-        if (chosen.empty() || step > chosen.back()) {
-            chosen.push_back(step);
-        }
+        if (chosen.empty() || step > chosen.back()) { chosen.push_back(step); }
     }
     return chosen;
 }
@@ -221,31 +189,19 @@ void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments) {
 }
 
 void printPicturePlaces(const PictureArguments& arguments) {
-    if (!arguments.directory.empty()) {
-        std::cout << "pictures  " << arguments.directory << "/frame_*.png\n";
-    }
-    if (arguments.sheet > 0) {
-        std::cout << "sheet     " << sheetPath(arguments) << '\n';
-    }
-    if (!arguments.webp.empty()) {
-        std::cout << "animation " << arguments.webp << '\n';
-    }
+    if (!arguments.directory.empty()) { std::cout << "pictures  " << arguments.directory << "/frame_*.png\n"; }
+    if (arguments.sheet > 0) { std::cout << "sheet     " << sheetPath(arguments) << '\n'; }
+    if (!arguments.webp.empty()) { std::cout << "animation " << arguments.webp << '\n'; }
 }
 
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
                                                  std::int64_t steps, std::string& error) {
     error = faultOf(arguments, static_cast<double>(steps) * scene.settings.dt);
     PictureSize size;
-    if (!error.empty() || !parseSize(arguments.size, size, error)) {
-        return nullptr;
-    }
-    if (arguments.directory.empty() && arguments.webp.empty()) {
-        return nullptr;
-    }
+    if (!error.empty() || !parseSize(arguments.size, size, error)) { return nullptr; }
+    if (arguments.directory.empty() && arguments.webp.empty()) { return nullptr; }
     auto pictures = std::make_unique<Pictures>(arguments, scene.settings.dt);
-    if (pictures->create(scene, size, steps, error)) {
-        return pictures;
-    }
+    if (pictures->create(scene, size, steps, error)) { return pictures; }
     error = "no pictures: " + error;
     return nullptr;
 }

@@ -15,19 +15,13 @@ Progress::Progress(std::string what, std::int64_t steps)
       next_(start_ + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
-    if (shown_) {
-        std::fputs("\r\x1b[K", stderr);
-    }  // leaves an empty line for what comes next
+    if (shown_) { std::fputs("\r\x1b[K", stderr); }  // leaves an empty line for what comes next
 }
 
 void Progress::update(std::int64_t step) {
-    if (!onTerminal_) {
-        return;
-    }
+    if (!onTerminal_) { return; }
     const Clock::time_point now = Clock::now();
-    if (now < next_) {
-        return;
-    }
+    if (now < next_) { return; }
     next_ = now + std::chrono::milliseconds(200);
     shown_ = true;
     const double spent = std::chrono::duration<double>(now - start_).count();

@@ -30,29 +30,19 @@ struct GenerateArguments {
 using Answerer = std::function<LineAnswer(std::string_view)>;
 
 std::optional<Precision> precisionFrom(const std::string& name) {
-    if (name == "f32") {
-        return Precision::f32;
-    }
-    if (name == "f64") {
-        return Precision::f64;
-    }
+    if (name == "f32") { return Precision::f32; }
+    if (name == "f64") { return Precision::f64; }
     return std::nullopt;
 }
 
 /// Opens the file, or takes standard input, and hands it on.
 int withLines(const std::string& path, const std::function<int(std::istream&)>& read) {
     std::ios::sync_with_stdio(false);
-    if (path.empty() || path == "-") {
-        return read(std::cin);
-    }
+    if (path.empty() || path == "-") { return read(std::cin); }
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        return refuse(path + ": is a directory");
-    }
+    if (std::filesystem::is_directory(path, ignored)) { return refuse(path + ": is a directory"); }
     std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        return refuse(path + ": cannot be read");
-    }
+    if (!file) { return refuse(path + ": cannot be read"); }
     return read(file);
 }
 
@@ -65,18 +55,12 @@ int drawFirst(const QueryArguments& arguments) {
     return withLines(arguments.file, [&arguments](std::istream& lines) {
         std::string line;
         while (line.find_first_not_of(" \t\r") == std::string::npos) {
-            if (!std::getline(lines, line)) {
-                return refuse("--anatomy: there is no query");
-            }
+            if (!std::getline(lines, line)) { return refuse("--anatomy: there is no query"); }
         }
         ToiQuery query;
-        if (const auto error = readToiLine(line, query)) {
-            return refuse(*error);
-        }
+        if (const auto error = readToiLine(line, query)) { return refuse(*error); }
         std::string error;
-        if (!drawAnatomy(query, arguments.anatomy, error)) {
-            return refuse(error);
-        }
+        if (!drawAnatomy(query, arguments.anatomy, error)) { return refuse(error); }
         std::cout << answerToiLine(line).text << '\n';
         return kExitDone;
     });
@@ -84,9 +68,7 @@ int drawFirst(const QueryArguments& arguments) {
 
 std::string methodNames() {
     std::string names;
-    for (const ToiMethodInfo& info : kToiMethods) {
-        names += (names.empty() ? "" : ", ") + std::string(info.name);
-    }
+    for (const ToiMethodInfo& info : kToiMethods) { names += (names.empty() ? "" : ", ") + std::string(info.name); }
     return names;
 }
 
@@ -101,43 +83,29 @@ std::string methodHelp() {
 
 int answerToi(const QueryArguments& arguments) {
     const std::optional<ToiMethod> method = toiMethodFrom(arguments.method);
-    if (!method) {
-        return refuse("--method " + arguments.method + ": must be one of " + methodNames());
-    }
-    if (!precisionFrom(arguments.precision)) {
-        return refuse("--precision: must be f32 or f64");
-    }
-    if (!arguments.anatomy.empty()) {
-        return drawFirst(arguments);
-    }
+    if (!method) { return refuse("--method " + arguments.method + ": must be one of " + methodNames()); }
+    if (!precisionFrom(arguments.precision)) { return refuse("--precision: must be f32 or f64"); }
+    if (!arguments.anatomy.empty()) { return drawFirst(arguments); }
     return answerAll(arguments.file, [method](std::string_view line) { return answerToiLine(line, *method); });
 }
 
 int answerDistance(const QueryArguments& arguments) {
-    if (arguments.method != "gjk") {
-        return refuse("--method " + arguments.method + ": must be gjk");
-    }
+    if (arguments.method != "gjk") { return refuse("--method " + arguments.method + ": must be gjk"); }
     const std::optional<Precision> precision = precisionFrom(arguments.precision);
-    if (!precision) {
-        return refuse("--precision: must be f32 or f64");
-    }
+    if (!precision) { return refuse("--precision: must be f32 or f64"); }
     return answerAll(arguments.file,
                      [precision](std::string_view line) { return answerDistanceLine(line, *precision); });
 }
 
 std::string familyNames() {
     std::string names;
-    for (const ToiFamily family : kToiFamilies) {
-        names += (names.empty() ? "" : ", ") + std::string(nameOf(family));
-    }
+    for (const ToiFamily family : kToiFamilies) { names += (names.empty() ? "" : ", ") + std::string(nameOf(family)); }
     return names;
 }
 
 int generateToi(const GenerateArguments& arguments) {
     const std::optional<ToiFamily> family = toiFamilyFrom(arguments.family);
-    if (!family) {
-        return refuse("--generate " + arguments.family + ": must be one of " + familyNames());
-    }
+    if (!family) { return refuse("--generate " + arguments.family + ": must be one of " + familyNames()); }
     const std::string start = arguments.family + '-' + std::to_string(arguments.seed) + '-';
     for (int index = 0; index < arguments.count && std::cout; ++index) {
         const ToiQuery query = makeToiCase(*family, arguments.seed, static_cast<std::uint64_t>(index));
@@ -182,9 +150,7 @@ void addQueryCommands(Command app) {
                                .excludes(method);
     const auto generateArguments = std::make_shared<GenerateArguments>();
     const Option generate = addGenerateOptions(toi, *generateArguments);
-    for (const Option& answering : {file, method, precision, anatomy}) {
-        generate.excludes(answering);
-    }
+    for (const Option& answering : {file, method, precision, anatomy}) { generate.excludes(answering); }
     toi.runs([toiArguments, generateArguments, generate] {
         return generate.isGiven() ? generateToi(*generateArguments) : answerToi(*toiArguments);
     });

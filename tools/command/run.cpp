@@ -42,12 +42,8 @@ public:
         : runner_(runner), loaded_(loaded), names_(std::move(names)) {}
 
     void writeTo(OutputFiles& outputs, const RunArguments& arguments) {
-        if (std::ofstream* const file = outputs.stream(arguments.csv)) {
-            csv_.emplace(*file, names_);
-        }
-        if (std::ofstream* const file = outputs.stream(arguments.events)) {
-            events_.emplace(*file, names_);
-        }
+        if (std::ofstream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_); }
+        if (std::ofstream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
     }
 
     /// @return false, and the reason in `error`, when a picture could not be written.
@@ -56,26 +52,18 @@ public:
         const bool wantsContacts = pictures != nullptr && pictures->wantsContacts();
         for (std::int64_t step = 0;; ++step) {
             runner_.read(frame_, wantsContacts);
-            if (csv_) {
-                csv_->write(frame_);
-            }
+            if (csv_) { csv_->write(frame_); }
             outcome.steps = step;
             if (const auto body = firstNotFinite(frame_)) {
                 outcome.culprit = names_[*body];
                 return true;
             }
-            if (pictures != nullptr && !pictures->show(frame_, runner_.events(), error)) {
-                return false;
-            }
-            if (step == loaded_.steps) {
-                return true;
-            }
+            if (pictures != nullptr && !pictures->show(frame_, runner_.events(), error)) { return false; }
+            if (step == loaded_.steps) { return true; }
             const auto start = std::chrono::steady_clock::now();
             runner_.step();
             outcome.wallSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            if (events_) {
-                events_->write(runner_.events());
-            }
+            if (events_) { events_->write(runner_.events()); }
             progress.update(step + 1);
         }
     }
@@ -124,25 +112,17 @@ void printSummary(const LoadedScene& loaded, const RunOutcome& outcome, const Ru
         std::cout << ", largest joint error " << roundedText(report.largestJointError, 3) << " m";
     }
     double lost = 0;
-    for (const LostTime& entry : report.lostTime) {
-        lost += entry.seconds;
-    }
-    if (lost > 0) {
-        std::cout << ", lost time " << roundedText(lost, 3) << " s";
-    }
+    for (const LostTime& entry : report.lostTime) { lost += entry.seconds; }
+    if (lost > 0) { std::cout << ", lost time " << roundedText(lost, 3) << " s"; }
     std::cout << '\n';
 }
 
 void printPlace(const char* what, const std::string& path) {
-    if (!path.empty()) {
-        std::cout << what << path << '\n';
-    }
+    if (!path.empty()) { std::cout << what << path << '\n'; }
 }
 
 void warnOfBudget(const char* name, const std::optional<double>& limit, double value) {
-    if (!limit || value <= *limit) {
-        return;
-    }
+    if (!limit || value <= *limit) { return; }
     std::cerr << "swept: warning: " << roundedText(value, 3) << " is above the scene's budget " << name << " = "
               << roundedText(*limit) << '\n';
 }
@@ -156,9 +136,7 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
         *file << reportText(loaded.scene, report, {"swept2d " + versionText(), precision, outcome.steps});
     }
     std::string error;
-    if (!outputs.close(error)) {
-        return refuse(error);
-    }
+    if (!outputs.close(error)) { return refuse(error); }
     printSummary(loaded, outcome, report);
     printPlace("states    ", arguments.csv);
     printPlace("events    ", arguments.events);
@@ -166,9 +144,7 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPicturePlaces(arguments.pictures);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration);
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError);
-    if (!outcome.culprit) {
-        return kExitDone;
-    }
+    if (!outcome.culprit) { return kExitDone; }
     std::cerr << "swept: " << loaded.source << ": the state of body \"" << *outcome.culprit
               << "\" is not finite after step " << outcome.steps << '\n';
     return kExitNotFinite;
@@ -177,13 +153,9 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
 int runScene(const RunArguments& arguments) {
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
-    if (!loaded) {
-        return refuse(error);
-    }
+    if (!loaded) { return refuse(error); }
     const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, loaded->steps, error);
-    if (!error.empty()) {
-        return refuse(error);
-    }
+    if (!error.empty()) { return refuse(error); }
     const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
     const auto tasks = makeTaskSystem(arguments.threads);
     if (arguments.threads > 1 && !tasks) {
@@ -191,20 +163,14 @@ int runScene(const RunArguments& arguments) {
     }
     const RunnerOptions options{loaded->precision, needsEvents, true, arguments.pictures.sweeps, tasks.get()};
     const auto runner = makeRunner(loaded->scene, options, error);
-    if (!runner) {
-        return refuse(loaded->source + ": " + error);
-    }
+    if (!runner) { return refuse(loaded->source + ": " + error); }
     OutputFiles outputs = placesOf(arguments, *loaded);
-    if (!outputs.open(error)) {
-        return refuse(error);
-    }
+    if (!outputs.open(error)) { return refuse(error); }
     ObservedRun run(*runner, *loaded, bodyNames(loaded->scene));
     run.writeTo(outputs, arguments);
     RunOutcome outcome;
     const bool complete = run.run(pictures.get(), outcome, error);
-    if (!complete || (pictures && !pictures->finish(error))) {
-        return refuse(error);
-    }
+    if (!complete || (pictures && !pictures->finish(error))) { return refuse(error); }
     return finishRun(arguments, *loaded, *runner, outcome, outputs);
 }
 

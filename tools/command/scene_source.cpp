@@ -118,18 +118,14 @@ std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::strin
         return std::nullopt;
     }
     const auto overrides = splitOverrides(arguments.overrides, error);
-    if (!overrides) {
-        return std::nullopt;
-    }
+    if (!overrides) { return std::nullopt; }
     SceneResult result = readSource(arguments, *overrides);
     if (!result.scene) {
         error = result.error.reason.empty() ? unknownScene(arguments.scene) : result.error.text();
         return std::nullopt;
     }
     const auto steps = stepsOf(arguments, result.scene->settings.dt, error);
-    if (!steps) {
-        return std::nullopt;
-    }
+    if (!steps) { return std::nullopt; }
     std::error_code ignored;
     const bool isFile =
         std::filesystem::exists(arguments.scene, ignored) && !std::filesystem::is_directory(arguments.scene, ignored);
@@ -139,9 +135,7 @@ std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::strin
 
 std::vector<std::string> bodyNames(const SceneDescription& scene) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        names.push_back(bodyName(scene, i));
-    }
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) { names.push_back(bodyName(scene, i)); }
     return names;
 }
 
@@ -166,9 +160,7 @@ std::vector<std::string> expandOverrides(const std::vector<std::string>& argumen
         const bool looksLikeOverride = argument.size() > 1 && argument.front() == '/' &&
                                        argument.find('=') != std::string::npos &&
                                        !std::filesystem::exists(argument, ignored);
-        if (afterValue && looksLikeOverride) {
-            expanded.emplace_back("--set");
-        }
+        if (afterValue && looksLikeOverride) { expanded.emplace_back("--set"); }
         const bool isValue = !expanded.empty() && expanded.back() == "--set";
         expanded.push_back(argument);
         afterValue = isValue;

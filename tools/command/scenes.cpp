@@ -15,9 +15,7 @@ namespace {
 
 void listScenes() {
     std::size_t widest = 0;
-    for (const BuiltinScene& scene : builtinScenes()) {
-        widest = std::max(widest, std::string(scene.name).size());
-    }
+    for (const BuiltinScene& scene : builtinScenes()) { widest = std::max(widest, std::string(scene.name).size()); }
     for (const BuiltinScene& scene : builtinScenes()) {
         std::string name = scene.name;
         name.resize(widest, ' ');
@@ -28,9 +26,7 @@ void listScenes() {
 int printScene(const std::string& name) {
     if (const BuiltinScene* const scene = findBuiltinScene(name)) {
         std::string json = writeScene(scene->make());
-        if (json.empty() || json.back() != '\n') {
-            json += '\n';
-        }
+        if (json.empty() || json.back() != '\n') { json += '\n'; }
         std::cout << json;
         return kExitDone;
     }
@@ -47,9 +43,7 @@ void addScenesCommand(Command app) {
     const Option json =
         command.option("--json", *name, "Print this scene as JSON, to start a scene file from").type("NAME");
     command.runs([name, json] {
-        if (json.isGiven()) {
-            return printScene(*name);
-        }
+        if (json.isGiven()) { return printScene(*name); }
         listScenes();
         return kExitDone;
     });

@@ -23,7 +23,6 @@
 namespace swept {
 namespace {
 
-
 struct TuneArguments {
     SceneArguments scene;
     std::vector<std::string> limits;
@@ -51,12 +50,8 @@ struct Task {
 
 bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task, std::string& error) {
     const auto loaded = loadScene(arguments.scene, error);
-    if (!loaded || !tune::parseLimits(arguments.limits, task.options.limits, error)) {
-        return false;
-    }
-    if (!arguments.shard.empty() && !tune::parseShard(arguments.shard, task.options.shard, error)) {
-        return false;
-    }
+    if (!loaded || !tune::parseLimits(arguments.limits, task.options.limits, error)) { return false; }
+    if (!arguments.shard.empty() && !tune::parseShard(arguments.shard, task.options.shard, error)) { return false; }
     if (!arguments.shard.empty() && (arguments.gather || team.size() > 1)) {
         error = "--shard: is a part of the work; --gather and mpirun do all of it";
         return false;
@@ -102,9 +97,7 @@ bool writeFile(const std::string& path, const std::string& text, std::string& er
     std::ofstream file(path, std::ios::binary);
     file << text;
     file.close();
-    if (!file) {
-        error = path + ": cannot be written";
-    }
+    if (!file) { error = path + ": cannot be written"; }
     return error.empty();
 }
 
@@ -114,9 +107,7 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
     std::cout << '\n';
     tune::writeTable(std::cout, subject, task.options.limits, known, verdict);
     const std::string plotted = tune::plotRows(task.directory, subject, task.options.limits, known, verdict, error);
-    if (!error.empty()) {
-        return kExitBadInput;
-    }
+    if (!error.empty()) { return kExitBadInput; }
     std::cout << '\n';
     if (verdict.recommended < 0) {
         std::cout << "None of " << known.rows.size() << " settings keeps these errors.";
@@ -135,9 +126,7 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
     }
     std::cout << '\n';
     const std::string tuned = writeScene(tune::withConfig(subject.scene, row.config));
-    if (!writeFile(task.directory + "/tuned.json", tuned, error)) {
-        return kExitBadInput;
-    }
+    if (!writeFile(task.directory + "/tuned.json", tuned, error)) { return kExitBadInput; }
     std::cout << "scene  " << task.directory << "/tuned.json"
               << (row.config.engine == tune::Engine::f64 ? " (with --precision f64)" : "") << "\nrows   "
               << task.directory << "/tune.csv (" << known.rows.size() << ")\n"
@@ -148,13 +137,9 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
 /// Rows of other files become part of this one's.
 void keepInStore(const tune::Subject& subject, const tune::Knowledge& there, const tune::Knowledge& known,
                  tune::Store& store) {
-    if (!there.hasReference) {
-        store.append(tune::csvLineOfReference(subject, known));
-    }
+    if (!there.hasReference) { store.append(tune::csvLineOfReference(subject, known)); }
     for (const tune::Row& row : known.rows) {
-        if (there.find(row.config) == nullptr) {
-            store.append(tune::csvLine(subject, row));
-        }
+        if (there.find(row.config) == nullptr) { store.append(tune::csvLine(subject, row)); }
     }
 }
 
@@ -208,9 +193,7 @@ int tuneScene(const TuneArguments& arguments) {
     const auto refuseOnce = [isFirst](const std::string& text) { return isFirst ? refuse(text) : kExitBadInput; };
     Task task;
     std::string error;
-    if (!readTask(arguments, *team, task, error)) {
-        return refuseOnce(error);
-    }
+    if (!readTask(arguments, *team, task, error)) { return refuseOnce(error); }
     const tune::Subject& subject = task.options.subject;
     tune::Store store(task.directory, task.options.shard);
     tune::Knowledge there;
@@ -234,20 +217,14 @@ int tuneScene(const TuneArguments& arguments) {
     if (isFirst) {
         bar.clear();
         printHead(task, known);
-        if (arguments.ablate) {
-            return ablateScene(task, reference, bar);
-        }
+        if (arguments.ablate) { return ablateScene(task, reference, bar); }
         keepInStore(subject, there, known, store);
     }
     tune::tune(task.options, reference, *team, isFirst ? &store : nullptr, known,
                [&bar](std::size_t done, std::size_t all) { bar.show("runs", done, all); });
     bar.clear();
-    if (!isFirst) {
-        return kExitDone;
-    }
-    if (!store.good()) {
-        return refuse(store.path() + ": could not be written to the end");
-    }
+    if (!isFirst) { return kExitDone; }
+    if (!store.good()) { return refuse(store.path() + ": could not be written to the end"); }
     if (!task.options.shard.isWhole()) {
         std::cout << "shard " << arguments.shard << " is done: " << known.rows.size() << " rows in " << store.path()
                   << "; when all are, the same command with --gather instead of --shard\n";

@@ -97,9 +97,7 @@ const char* endOf(const Slice& slice, double limit) {
 std::string drawMap(const std::string& directory, const Slice& slice, const Rows& rows,
                     const std::vector<tune::Engine>& engines, std::string& error) {
     const auto data = [&](std::ostream& out) {
-        for (const tune::Engine engine : engines) {
-            writePanel(out, slice, rows, engine);
-        }
+        for (const tune::Engine engine : engines) { writePanel(out, slice, rows, engine); }
     };
     const auto script = [&](std::ostream& out) { writeScript(out, slice, engines); };
     return bench::drawPlots(directory, {{slice.name, data, script}}, error);

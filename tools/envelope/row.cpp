@@ -17,9 +17,7 @@ constexpr const char* kColumns = "x,y,engine,value,bound,inside,verdict";
 std::array<std::string, kFields> fieldsOf(const std::string& line) {
     std::array<std::string, kFields> fields;
     std::istringstream stream(line);
-    for (std::string& field : fields) {
-        std::getline(stream, field, ',');
-    }
+    for (std::string& field : fields) { std::getline(stream, field, ','); }
     return fields;
 }
 
@@ -75,9 +73,7 @@ const Row* Rows::find(double x, double y, tune::Engine engine) const {
 }
 
 void Rows::add(const Row& row) {
-    if (find(row.x, row.y, row.engine) == nullptr) {
-        rows_.push_back(row);
-    }
+    if (find(row.x, row.y, row.engine) == nullptr) { rows_.push_back(row); }
 }
 
 bool Rows::parse(const Slice& slice, const std::string& text, const std::string& file, std::string& error) {
@@ -107,9 +103,7 @@ std::optional<double> limitOf(const Slice& slice, const Rows& rows, double y, tu
     std::optional<double> limit;
     for (const double x : slice.x.values) {
         const Row* const row = rows.find(x, y, engine);
-        if (row == nullptr || !row->isInside(slice)) {
-            break;
-        }
+        if (row == nullptr || !row->isInside(slice)) { break; }
         limit = x;
     }
     return limit;

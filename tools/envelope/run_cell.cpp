@@ -33,9 +33,7 @@ bool isFinite(const Frame& frame) {
 /// @return the largest error of the run; `verdict` when it has none
 double runTrial(const Trial& trial, tune::Engine engine, std::string& verdict) {
     const std::unique_ptr<Runner> runner = makeRunnerOf(trial.scene, engine, verdict);
-    if (!runner) {
-        return 0;
-    }
+    if (!runner) { return 0; }
     const auto* const child = dynamic_cast<const PeerRunner*>(runner.get());
     double worst = 0;
     bool arrived = !trial.hasArrived;

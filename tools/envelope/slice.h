@@ -51,7 +51,8 @@ enum class Grain : std::uint8_t {
 
 /// Boxes under a heavy one: g·dt²/size × ratio of masses. Error: the farthest that a box ever was from its start.
 Slice stackSlice(Grain grain);
-/// A wall of boxes that each stand on two: g·dt²/size × sub-steps. Error: the farthest that a box ever was from its start.
+/// A wall of boxes that each stand on two: g·dt²/size × sub-steps. Error: the farthest that a box ever was from its
+/// start.
 Slice wallSlice(Grain grain);
 /// A load on a chain let go level: ratio of masses × links. Error: the largest gap of a joint.
 Slice chainSlice(Grain grain);

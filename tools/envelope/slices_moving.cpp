@@ -61,9 +61,7 @@ std::vector<Trial> chainTrials(double massRatio, double linkCount) {
     addDynamic(scene, "load", {reach, 0}, {circle(kBall)}).mass = massRatio;
     hinge(scene, before, "load", {kLink * links, 0});
     // Neighbours overlap at their joints; the chain shall not collide with itself.
-    for (BodyDescription& body : scene.bodies) {
-        body.shapes[0].filter.group = -1;
-    }
+    for (BodyDescription& body : scene.bodies) { body.shapes[0].filter.group = -1; }
     trial.error = largestGap;
     return {trial};
 }
@@ -104,9 +102,7 @@ Trial bulletTrial(double speedNumber, double aspect, const Flight& flight) {
     bullet.velocity = {way / kBulletStep, 0};
     bullet.angularVelocity = flight.spin / kBulletStep;
     bullet.bullet = true;
-    for (BodyDescription& body : scene.bodies) {
-        body.shapes[0].friction = 0;
-    }
+    for (BodyDescription& body : scene.bodies) { body.shapes[0].friction = 0; }
     trial.error = [reachOf](const Frame& frame) {
         const BodyFrame& now = frame.bodies[1];
         return std::max(0.0, now.position.x + reachOf(now.angle)) / kWidth;
@@ -120,9 +116,7 @@ Trial bulletTrial(double speedNumber, double aspect, const Flight& flight) {
 
 std::vector<Trial> bulletTrials(double speedNumber, double aspect) {
     std::vector<Trial> trials;
-    for (const Flight& flight : kFlights) {
-        trials.push_back(bulletTrial(speedNumber, aspect, flight));
-    }
+    for (const Flight& flight : kFlights) { trials.push_back(bulletTrial(speedNumber, aspect, flight)); }
     return trials;
 }
 
@@ -131,9 +125,7 @@ std::vector<Trial> bulletTrials(double speedNumber, double aspect) {
 Slice chainSlice(Grain grain) {
     const bool full = grain == Grain::full;
     std::vector<double> links{1, 2, 4, 8, 16, 20, 32};  // 20: among the hardest
-    if (full) {
-        links.push_back(64);
-    }
+    if (full) { links.push_back(64); }
     return {"chain",
             "a load of mass R on a chain of links of mass 1, let go level (60 Hz, links of 0.5 m)",
             "largest gap of a joint, over the length of a link",

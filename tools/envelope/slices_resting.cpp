@@ -90,9 +90,7 @@ std::vector<Trial> wallTrials(double gravityNumber, double subSteps) {
             addDynamic(trial.scene, "", {left + (i + (isShifted ? 1 : 0.5)) * kSide, y}, {box({half, half})});
         }
         for (const double end : {left + half / 2, -left - half / 2}) {
-            if (isShifted) {
-                addDynamic(trial.scene, "", {end, y}, {box({half / 2, half})});
-            }
+            if (isShifted) { addDynamic(trial.scene, "", {end, y}, {box({half / 2, half})}); }
         }
     }
     trial.error = farthestMove(trial.scene, kSide);

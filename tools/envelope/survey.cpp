@@ -37,13 +37,9 @@ fs::path pathOf(const Slice& slice, const SurveyOptions& options) {
 bool readKnown(const Slice& slice, const SurveyOptions& options, Rows& own, Rows& all, std::string& error) {
     std::error_code ignored;
     const fs::path path = pathOf(slice, options);
-    if (fs::exists(path, ignored) && !readRows(slice, path, own, error)) {
-        return false;
-    }
+    if (fs::exists(path, ignored) && !readRows(slice, path, own, error)) { return false; }
     all = own;
-    if (!options.shard.isWhole()) {
-        return true;
-    }
+    if (!options.shard.isWhole()) { return true; }
     std::vector<fs::path> parts;
     for (const fs::directory_entry& entry : fs::directory_iterator(options.directory, ignored)) {
         const std::string name = entry.path().filename().string();
@@ -74,9 +70,7 @@ bool openRows(const Slice& slice, const SurveyOptions& options, std::ofstream& f
     }
     errno = 0;
     file.open(path, std::ios::binary | std::ios::app);
-    if (text.empty()) {
-        file << csvHeader(slice) << std::flush;
-    }
+    if (text.empty()) { file << csvHeader(slice) << std::flush; }
     if (!file) {
         error = path.string() + ": cannot be written: " + std::strerror(errno);
         return false;
@@ -90,9 +84,7 @@ std::vector<Row> wantedOf(const Slice& slice, const SurveyOptions& options) {
     for (const tune::Engine engine : options.engines) {
         for (const double y : slice.y.values) {
             for (const double x : slice.x.values) {
-                if (options.shard.has(number++)) {
-                    wanted.push_back({x, y, engine, 0, ""});
-                }
+                if (options.shard.has(number++)) { wanted.push_back({x, y, engine, 0, ""}); }
             }
         }
     }
@@ -105,9 +97,7 @@ bool survey(const Slice& slice, const SurveyOptions& options, Rows& rows,
             const std::function<void(std::size_t done, std::size_t all)>& watch, std::string& error) {
     Rows own;
     std::ofstream file;
-    if (!readKnown(slice, options, own, rows, error) || !openRows(slice, options, file, error)) {
-        return false;
-    }
+    if (!readKnown(slice, options, own, rows, error) || !openRows(slice, options, file, error)) { return false; }
     std::vector<Row> missing;
     for (const Row& cell : wantedOf(slice, options)) {
         const Row* const known = rows.find(cell.x, cell.y, cell.engine);
@@ -126,9 +116,7 @@ bool survey(const Slice& slice, const SurveyOptions& options, Rows& rows,
         rows.add(row);
         watch(++done, missing.size());
     });
-    if (!file.flush()) {
-        error = pathOf(slice, options).string() + ": could not be written to the end";
-    }
+    if (!file.flush()) { error = pathOf(slice, options).string() + ": could not be written to the end"; }
     return error.empty();
 }
 

@@ -18,8 +18,8 @@ void checkJoints(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Which features the scene can reach.
 std::vector<Need> needsOf(const PlacedScene& placed);
 
-/// Fastest that some point of a body can get on its own: its start and the fall to the lowest thing of the scene, without
-/// what others hand on to it. m/s.
+/// Fastest that some point of a body can get on its own: its start and the fall to the lowest thing of the scene,
+/// without what others hand on to it. m/s.
 double reachableSpeed(const PlacedScene& placed, const PlacedBody& body);
 
 /// The mode that holds for a body.

@@ -19,13 +19,9 @@ double sizeOf(const PlacedBody& body) { return 2 * body.reach; }
 
 void checkUnits(const PlacedScene& placed, const PlacedBody& body, std::vector<Finding>& findings) {
     const double gravity = gravityOf(placed, body);
-    if (gravity == 0) {
-        return;
-    }
+    if (gravity == 0) { return; }
     const double fall = std::sqrt(2 * sizeOf(body) / gravity);
-    if (fall >= envelope::kShortestFall && fall <= envelope::kLongestFall) {
-        return;
-    }
+    if (fall >= envelope::kShortestFall && fall <= envelope::kLongestFall) { return; }
     const std::string guess = fall > envelope::kLongestFall ? "; are these pixels?" : "; are these millimetres?";
     findings.push_back({Severity::warning, "units", pointerOf(body),
                         body.name + " is " + metres(sizeOf(body)) + " large and takes " + seconds(fall) +
@@ -37,26 +33,20 @@ void checkUnits(const PlacedScene& placed, const PlacedBody& body, std::vector<F
 void checkStepAgainstSize(const PlacedScene& placed, const PlacedBody& body, std::vector<Finding>& findings) {
     const double gravity = gravityOf(placed, body);
     const double dt = placed.scene->settings.dt;
-    if (gravity == 0 || body.extent == 0) {
-        return;
-    }
+    if (gravity == 0 || body.extent == 0) { return; }
     const double natural = std::sqrt(body.extent / gravity);
-    if (natural >= envelope::kStepsPerNaturalTime * dt) {
-        return;
-    }
+    if (natural >= envelope::kStepsPerNaturalTime * dt) { return; }
     const double needed = natural / envelope::kStepsPerNaturalTime;
     findings.push_back({Severity::warning, "step-too-long", pointerOf(body),
                         body.name + " is " + metres(body.extent) + " thin; under this gravity it falls that far in " +
                             seconds(std::sqrt(2.0) * natural) + ", a step is " + seconds(dt) +
                             ": stacks of such bodies sink in or topple",
-                        "--set /settings/dt=" + roundedText(needed, 2) + " (" +
-                            roundedText(std::ceil(1 / needed), 4) + " Hz), or larger bodies"});
+                        "--set /settings/dt=" + roundedText(needed, 2) + " (" + roundedText(std::ceil(1 / needed), 4) +
+                            " Hz), or larger bodies"});
 }
 
 void checkPlace(const PlacedBody& body, std::vector<Finding>& findings) {
-    if (body.extent == 0) {
-        return;
-    }
+    if (body.extent == 0) { return; }
     const double far = std::max(std::fabs(body.center.x), std::fabs(body.center.y)) + body.reach;
     const double step = far * std::numeric_limits<double>::epsilon();
     if (step > envelope::kToleranceRatio * body.extent) {
@@ -77,9 +67,7 @@ void checkPlace(const PlacedBody& body, std::vector<Finding>& findings) {
 
 void checkVertices(const PlacedScene& placed, const PlacedPiece& piece, std::vector<Finding>& findings) {
     const Polygon& polygon = piece.polygon;
-    if (polygon.count < 3) {
-        return;
-    }
+    if (polygon.count < 3) { return; }
     double shortest = std::numeric_limits<double>::infinity();
     double longest = 0;
     for (int i = 0; i < polygon.count; ++i) {
@@ -89,9 +77,7 @@ void checkVertices(const PlacedScene& placed, const PlacedPiece& piece, std::vec
         shortest = std::min(shortest, edge);
         longest = std::max(longest, edge);
     }
-    if (shortest >= envelope::kVertexDistance * longest) {
-        return;
-    }
+    if (shortest >= envelope::kVertexDistance * longest) { return; }
     findings.push_back({Severity::warning, "short-edge", pointerOf(piece),
                         placed.bodies[static_cast<std::size_t>(piece.body)].name + " has an edge of " +
                             metres(shortest) + " beside one of " + metres(longest) +
@@ -103,19 +89,15 @@ void checkAspect(const PlacedScene& placed, const PlacedPiece& piece, std::vecto
     const PlacedBody& body = placed.bodies[static_cast<std::size_t>(piece.body)];
     const double length = 2 * boundingCircle(piece.polygon).radius;
     const double width = piece.extent;
-    if (!body.isDynamic() || piece.polygon.count < 2 || length <= envelope::kAspectRatio * width) {
-        return;
-    }
+    if (!body.isDynamic() || piece.polygon.count < 2 || length <= envelope::kAspectRatio * width) { return; }
     findings.push_back({Severity::warning, "slender", pointerOf(piece),
-                        body.name + " is " + metres(length) + " long and " + metres(width) + " wide, 1 : " +
-                            roundedText(length / width, 3),
+                        body.name + " is " + metres(length) + " long and " + metres(width) +
+                            " wide, 1 : " + roundedText(length / width, 3),
                         "a larger radius, or several shorter bodies with joints"});
 }
 
 void checkSpeed(const PlacedScene& placed, const PlacedBody& body, std::vector<Finding>& findings) {
-    if (!body.isDynamic() || body.extent == 0 || modeOf(placed, body) != SceneContinuous::off) {
-        return;
-    }
+    if (!body.isDynamic() || body.extent == 0 || modeOf(placed, body) != SceneContinuous::off) { return; }
     const double travel = reachableSpeed(placed, body) * placed.scene->settings.dt;
     double thinnest = std::numeric_limits<double>::infinity();
     std::string wall;
@@ -128,12 +110,11 @@ void checkSpeed(const PlacedScene& placed, const PlacedBody& body, std::vector<F
             wall = other.name;
         }
     }
-    if (wall.empty() || travel <= 0.5 * (body.extent + thinnest)) {
-        return;
-    }
+    if (wall.empty() || travel <= 0.5 * (body.extent + thinnest)) { return; }
     findings.push_back({Severity::warning, "tunnelling", pointerOf(body),
                         body.name + " may move " + metres(travel) +
-                            " in a step, and nothing sweeps it (continuous: off); it is " + metres(body.extent) + " thin, " + wall + " " + metres(thinnest),
+                            " in a step, and nothing sweeps it (continuous: off); it is " + metres(body.extent) +
+                            " thin, " + wall + " " + metres(thinnest),
                         "\"continuous\": \"subStep\", or walls thicker than " + metres(2 * travel - body.extent)});
 }
 
@@ -165,9 +146,7 @@ SceneContinuous modeOf(const PlacedScene& placed, const PlacedBody& body) {
 
 double reachableSpeed(const PlacedScene& placed, const PlacedBody& body) {
     const double gravity = gravityOf(placed, body);
-    if (gravity == 0) {
-        return body.speed;
-    }
+    if (gravity == 0) { return body.speed; }
     // The depth of the fall: along gravity, from the body to the far end of the scene.
     const double sign = body.description->gravityScale < 0 ? -1 : 1;
     const DVec2 down = (sign / length(placed.scene->gravity)) * placed.scene->gravity;
@@ -176,8 +155,8 @@ double reachableSpeed(const PlacedScene& placed, const PlacedBody& body) {
         if (other.hasBounds && other.index != body.index) {
             const DVec2 lower = toDouble(other.bounds.lower);
             const DVec2 upper = toDouble(other.bounds.upper);
-            const double farthest = std::max(down.x * lower.x, down.x * upper.x) +
-                                    std::max(down.y * lower.y, down.y * upper.y);
+            const double farthest =
+                std::max(down.x * lower.x, down.x * upper.x) + std::max(down.y * lower.y, down.y * upper.y);
             depth = std::max(depth, farthest - dot(down, body.center));
         }
     }

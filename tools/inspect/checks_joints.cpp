@@ -30,9 +30,7 @@ Ends endsOf(const PlacedScene& placed, const JointDescription& joint) {
 }
 
 void checkEnds(const PlacedScene& placed, std::size_t i, const Ends& ends, std::vector<Finding>& findings) {
-    if (ends.a->isDynamic() || ends.b->isDynamic()) {
-        return;
-    }
+    if (ends.a->isDynamic() || ends.b->isDynamic()) { return; }
     findings.push_back({Severity::note, "joint-idle", pointerOf(i),
                         jointName(*placed.scene, i) + " joins " + ends.a->name + " and " + ends.b->name +
                             ", neither of them dynamic: it moves nothing",
@@ -58,9 +56,7 @@ void checkLength(const PlacedScene& placed, std::size_t i, const Ends& ends, con
     const double initial = length(rod.anchorB - rod.anchorA);
     const LengthRange range = rangeOf(rod);
     const double missing = std::max(range.least - initial, initial - range.most);
-    if (missing <= kLengthSlack * std::max(initial, range.least)) {
-        return;
-    }
+    if (missing <= kLengthSlack * std::max(initial, range.least)) { return; }
     const bool isHopeless = !ends.a->isDynamic() && !ends.b->isDynamic();
     findings.push_back(
         {Severity::warning, isHopeless ? "joint-impossible" : "joint-violated", pointerOf(i),
@@ -75,9 +71,7 @@ template <class LimitedJoint>
 void checkLimits(const PlacedScene& placed, std::size_t i, const LimitedJoint& joint, const char* unit,
                  std::vector<Finding>& findings) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    if (joint.lower.value_or(0) <= 0 && joint.upper.value_or(0) >= 0) {
-        return;
-    }
+    if (joint.lower.value_or(0) <= 0 && joint.upper.value_or(0) >= 0) { return; }
     findings.push_back({Severity::warning, "joint-violated", pointerOf(i),
                         jointName(*placed.scene, i) + " starts at 0 " + unit + ", outside its limits " +
                             roundedText(joint.lower.value_or(-kInfinity)) + " … " +
@@ -96,18 +90,14 @@ void checkStrength(const PlacedScene& placed, std::size_t i, const Ends& ends, s
     const auto* const mouse = std::get_if<MouseDescription>(&joint.joint);
     const std::optional<double> most = mouse != nullptr ? mouse->maxForce : joint.breakForce;
     const bool isHanging = mouse != nullptr ? ends.b->isDynamic() : ends.a->isDynamic() != ends.b->isDynamic();
-    if (!most || !isHanging) {
-        return;
-    }
+    if (!most || !isHanging) { return; }
     const PlacedBody& body = ends.b->isDynamic() ? *ends.b : *ends.a;
     const double weight = weightOf(placed, body);
     const auto holds = [&](const JointDescription& other) {
         return other.bodyA == body.name || other.bodyB == body.name;
     };
     const auto& joints = placed.scene->joints;
-    if (weight <= *most || std::count_if(joints.begin(), joints.end(), holds) > 1) {
-        return;
-    }
+    if (weight <= *most || std::count_if(joints.begin(), joints.end(), holds) > 1) { return; }
     findings.push_back(
         {Severity::note, "joint-weak", pointerOf(i),
          jointName(*placed.scene, i) + (mouse != nullptr ? " pulls with " : " breaks at ") + roundedText(*most, 3) +
@@ -127,9 +117,7 @@ void checkRodPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
     for (std::size_t i = 0; i < placed.scene->joints.size(); ++i) {
         const auto* rod = std::get_if<DistanceDescription>(&placed.scene->joints[i].joint);
         const Ends ends = endsOf(placed, placed.scene->joints[i]);
-        if (rod == nullptr || ends.a->isDynamic() == ends.b->isDynamic()) {
-            continue;
-        }
+        if (rod == nullptr || ends.a->isDynamic() == ends.b->isDynamic()) { continue; }
         const LengthRange range = rangeOf(*rod);
         if (range.least == range.most) {
             const bool bMoves = ends.b->isDynamic();
@@ -139,9 +127,7 @@ void checkRodPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
     }
     for (std::size_t i = 0; i < rods.size(); ++i) {
         for (std::size_t k = i + 1; k < rods.size(); ++k) {
-            if (rods[i].body != rods[k].body) {
-                continue;
-            }
+            if (rods[i].body != rods[k].body) { continue; }
             const double frame = length(rods[k].fixedAnchor - rods[i].fixedAnchor);
             const double coupler = length(rods[k].bodyAnchor - rods[i].bodyAnchor);
             const double sum = frame + coupler + rods[i].length + rods[k].length;
@@ -165,9 +151,7 @@ public:
     explicit Assemblies(std::size_t bodies) : parent_(bodies) { std::iota(parent_.begin(), parent_.end(), 0); }
 
     int rootOf(int i) {
-        while (parent_[static_cast<std::size_t>(i)] != i) {
-            i = parent_[static_cast<std::size_t>(i)];
-        }
+        while (parent_[static_cast<std::size_t>(i)] != i) { i = parent_[static_cast<std::size_t>(i)]; }
         return i;
     }
     void join(int a, int b) {
@@ -184,15 +168,11 @@ void checkMasses(const PlacedScene& placed, std::vector<Finding>& findings) {
     Assemblies assemblies(placed.bodies.size());
     for (const JointDescription& joint : placed.scene->joints) {
         const Ends ends = endsOf(placed, joint);
-        if (ends.a->isDynamic() && ends.b->isDynamic()) {
-            assemblies.join(ends.a->index, ends.b->index);
-        }
+        if (ends.a->isDynamic() && ends.b->isDynamic()) { assemblies.join(ends.a->index, ends.b->index); }
     }
     for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
         const int root = static_cast<int>(i);
-        if (assemblies.rootOf(root) != root) {
-            continue;
-        }
+        if (assemblies.rootOf(root) != root) { continue; }
         const PlacedBody* heavy = nullptr;
         const PlacedBody* light = nullptr;
         for (const PlacedBody& body : placed.bodies) {
@@ -201,9 +181,7 @@ void checkMasses(const PlacedScene& placed, std::vector<Finding>& findings) {
                 light = light == nullptr || body.mass < light->mass ? &body : light;
             }
         }
-        if (heavy == nullptr || heavy->mass <= envelope::kJointMassRatio * light->mass) {
-            continue;
-        }
+        if (heavy == nullptr || heavy->mass <= envelope::kJointMassRatio * light->mass) { continue; }
         findings.push_back({Severity::warning, "mass-ratio", pointerOf(*heavy),
                             heavy->name + " (" + roundedText(heavy->mass, 3) + " kg) hangs together with " +
                                 light->name + " (" + roundedText(light->mass, 3) + " kg), " +

@@ -22,9 +22,7 @@ void checkOverlap(const PlacedScene& placed, const NearPair& pair, std::vector<F
     const PlacedPiece& b = placed.pieces[static_cast<std::size_t>(pair.pieceB)];
     const double extent = std::min(a.extent, b.extent);
     const double depth = -pair.separation;
-    if (depth <= envelope::kStartOverlap * extent) {
-        return;
-    }
+    if (depth <= envelope::kStartOverlap * extent) { return; }
     // A quarter of the extent a step is the fastest push out of an overlap.
     const double speed = std::min(depth, extent / 4) / placed.scene->settings.dt;
     findings.push_back({Severity::warning, "overlap", pointerOf(b),
@@ -38,17 +36,13 @@ void checkMasses(const PlacedScene& placed, const NearPair& pair, std::vector<Fi
     const PlacedPiece& b = placed.pieces[static_cast<std::size_t>(pair.pieceB)];
     const PlacedBody& bodyA = bodyOf(placed, a);
     const PlacedBody& bodyB = bodyOf(placed, b);
-    if (bodyA.mass == 0 || bodyB.mass == 0 || pair.separation > kTouchRatio * std::min(a.extent, b.extent)) {
-        return;
-    }
+    if (bodyA.mass == 0 || bodyB.mass == 0 || pair.separation > kTouchRatio * std::min(a.extent, b.extent)) { return; }
     const PlacedBody& heavy = bodyA.mass > bodyB.mass ? bodyA : bodyB;
     const PlacedBody& light = bodyA.mass > bodyB.mass ? bodyB : bodyA;
     const double ratio = heavy.mass / light.mass;
     const DVec2 apart = heavy.center - light.center;
     const bool isOnTop = dot(apart, placed.scene->gravity) < 0;
-    if (ratio <= envelope::kContactMassRatio || !isOnTop) {
-        return;
-    }
+    if (ratio <= envelope::kContactMassRatio || !isOnTop) { return; }
     findings.push_back({Severity::warning, "mass-ratio", pointerOf(heavy),
                         heavy.name + " (" + roundedText(heavy.mass, 3) + " kg) rests on " + light.name + " (" +
                             roundedText(light.mass, 3) + " kg), " + roundedText(ratio, 3) +
@@ -63,14 +57,10 @@ void checkGround(const PlacedScene& placed, const NearPair& pair, std::vector<Fi
     const PlacedPiece& b = placed.pieces[static_cast<std::size_t>(pair.pieceB)];
     const PlacedPiece& ground = bodyOf(placed, a).isDynamic() ? b : a;
     const PlacedPiece& mover = bodyOf(placed, a).isDynamic() ? a : b;
-    if (bodyOf(placed, ground).isDynamic()) {
-        return;
-    }
+    if (bodyOf(placed, ground).isDynamic()) { return; }
     const double reach = radiusAbout(ground.polygon, Vec2{0, 0});
     const double rounding = reach * static_cast<double>(std::numeric_limits<float>::epsilon());
-    if (rounding <= envelope::kToleranceRatio * mover.extent) {
-        return;
-    }
+    if (rounding <= envelope::kToleranceRatio * mover.extent) { return; }
     findings.push_back({Severity::warning, "huge-ground", pointerOf(ground),
                         bodyOf(placed, ground).name + " reaches " + metres(reach) + " from its body's origin; under " +
                             bodyOf(placed, mover).name + " (" + metres(mover.extent) +
@@ -83,9 +73,7 @@ void checkGround(const PlacedScene& placed, const NearPair& pair, std::vector<Fi
 void checkPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
     double largest = 0;
     for (const PlacedPiece& piece : placed.pieces) {
-        if (bodyOf(placed, piece).isDynamic()) {
-            largest = std::max(largest, piece.extent);
-        }
+        if (bodyOf(placed, piece).isDynamic()) { largest = std::max(largest, piece.extent); }
     }
     for (const NearPair& pair : nearPairs(placed, kTouchRatio * largest)) {
         checkOverlap(placed, pair, findings);

@@ -24,7 +24,8 @@ const PlacedBody* bodyWithShape(const PlacedScene& placed, const Condition& hold
 }
 
 bool hasObstacles(const PlacedScene& placed) {
-    return placed.pieces.size() > 1 && bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor; });
+    return placed.pieces.size() > 1 &&
+           bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor; });
 }
 
 Need continuousNeed(const PlacedScene& placed) {
@@ -41,9 +42,7 @@ Need continuousNeed(const PlacedScene& placed) {
         }
     }
     const bool needed = hasObstacles(placed) && worstRatio > envelope::kFastRatio;
-    if (worst == nullptr) {
-        return {"continuous collision", false, "nothing moves by itself"};
-    }
+    if (worst == nullptr) { return {"continuous collision", false, "nothing moves by itself"}; }
     return {"continuous collision", needed,
             worst->name + " may move " + roundedText(worstRatio, 2) + " of its width in a step (swept from " +
                 roundedText(envelope::kFastRatio) + " on)"};
@@ -95,9 +94,10 @@ Need sleepNeed(const PlacedScene& placed) {
                                      [](const PlacedBody& body) { return body.isDynamic(); });
     const bool canRest = length(placed.scene->gravity) > 0 && hasObstacles(placed);
     const bool pays = canRest && count > 1;
-    return {"sleep", pays,
-            pays ? std::to_string(count) + " dynamic bodies may come to rest"
-                 : (canRest ? "one body costs nothing worth sparing" : "without gravity or ground little comes to rest")};
+    return {
+        "sleep", pays,
+        pays ? std::to_string(count) + " dynamic bodies may come to rest"
+             : (canRest ? "one body costs nothing worth sparing" : "without gravity or ground little comes to rest")};
 }
 
 Need precisionNeed(const PlacedScene& placed) {
@@ -109,9 +109,7 @@ Need precisionNeed(const PlacedScene& placed) {
         const double rounding = reach * static_cast<double>(std::numeric_limits<float>::epsilon());
         double thinnest = std::numeric_limits<double>::infinity();
         for (const PlacedBody& body : placed.bodies) {
-            if (body.isDynamic() && body.extent > 0) {
-                thinnest = std::min(thinnest, body.extent);
-            }
+            if (body.isDynamic() && body.extent > 0) { thinnest = std::min(thinnest, body.extent); }
         }
         const double ratio = rounding / (envelope::kToleranceRatio * thinnest);
         if (ratio > std::max(worst, 1.0)) {
@@ -126,9 +124,9 @@ Need precisionNeed(const PlacedScene& placed) {
 }  // namespace
 
 std::vector<Need> needsOf(const PlacedScene& placed) {
-    return {continuousNeed(placed), bulletNeed(placed), restitutionNeed(placed), frictionNeed(placed),
-            rotationNeed(placed),   jointNeed(placed),  sensorNeed(placed),      sleepNeed(placed),
-            precisionNeed(placed)};
+    return {continuousNeed(placed), bulletNeed(placed),   restitutionNeed(placed),
+            frictionNeed(placed),   rotationNeed(placed), jointNeed(placed),
+            sensorNeed(placed),     sleepNeed(placed),    precisionNeed(placed)};
 }
 
 }  // namespace swept

@@ -56,16 +56,12 @@ void weigh(PlacedBody& body, std::span<const PlacedPiece> pieces) {
         const double scaled = sum.mass > 0 ? sum.inertia * (body.mass / sum.mass) : 0;
         body.inertia = body.description->inertia.value_or(scaled);
     }
-    for (const PlacedPiece& piece : pieces) {
-        body.reach = std::max(body.reach, radiusAbout(piece.polygon, center));
-    }
+    for (const PlacedPiece& piece : pieces) { body.reach = std::max(body.reach, radiusAbout(piece.polygon, center)); }
     body.speed = length(body.description->velocity) + std::fabs(body.description->angularVelocity) * body.reach;
 }
 
 bool filtersCollide(const FilterDescription& a, const FilterDescription& b) {
-    if (a.group != 0 && a.group == b.group) {
-        return a.group > 0;
-    }
+    if (a.group != 0 && a.group == b.group) { return a.group > 0; }
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
@@ -73,9 +69,7 @@ bool filtersCollide(const FilterDescription& a, const FilterDescription& b) {
 std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
     std::set<std::pair<int, int>> pairs;
     std::unordered_map<std::string, int> byName;
-    for (const PlacedBody& body : placed.bodies) {
-        byName.emplace(body.name, body.index);
-    }
+    for (const PlacedBody& body : placed.bodies) { byName.emplace(body.name, body.index); }
     for (const JointDescription& joint : placed.scene->joints) {
         if (!joint.collideConnected) {
             const int a = byName.at(joint.bodyA);
@@ -104,9 +98,7 @@ bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPie
 }
 
 bool isBehindChain(const PlacedScene& placed, const PlacedPiece& edge, const PlacedPiece& other) {
-    if (edge.segment < 0) {
-        return false;
-    }
+    if (edge.segment < 0) { return false; }
     const WorldTransform& pose = placed.bodies[static_cast<std::size_t>(edge.body)].pose;
     const DVec2 p = apply(pose, edge.polygon.vertices[0]);
     const DVec2 q = apply(pose, edge.polygon.vertices[1]);
@@ -136,9 +128,7 @@ PlacedScene place(const SceneDescription& scene) {
 std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin) {
     // Swept along x: few scenes are stacked so that this degenerates, and an inspection may take a second.
     std::vector<int> order(placed.pieces.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = static_cast<int>(i);
-    }
+    for (std::size_t i = 0; i < order.size(); ++i) { order[i] = static_cast<int>(i); }
     const auto pieceAt = [&](int i) -> const PlacedPiece& { return placed.pieces[static_cast<std::size_t>(i)]; };
     std::sort(order.begin(), order.end(), [&](int i, int k) {
         const double a = pieceAt(i).bounds.lower.x;
@@ -160,9 +150,7 @@ std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin) {
                 continue;
             }
             const double separation = separationOf(placed, a, b);
-            if (separation <= margin) {
-                found.push_back({std::min(i, k), std::max(i, k), separation});
-            }
+            if (separation <= margin) { found.push_back({std::min(i, k), std::max(i, k), separation}); }
         }
         open.push_back(i);
     }

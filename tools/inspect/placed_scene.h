@@ -12,9 +12,9 @@ namespace swept {
 struct PlacedPiece {
     int body = 0;
     int shape = 0;
-    int segment = -1;  ///< of a chain; −1 for other shapes
-    Polygon polygon;   ///< frame of the body
-    Aabb bounds;       ///< world, rounded outward
+    int segment = -1;   ///< of a chain; −1 for other shapes
+    Polygon polygon;    ///< frame of the body
+    Aabb bounds;        ///< world, rounded outward
     double extent = 0;  ///< smallest non-zero width, metres
 };
 
@@ -24,13 +24,13 @@ struct PlacedBody {
     std::string name;
     const BodyDescription* description = nullptr;
     WorldTransform pose;
-    DVec2 center;          ///< of mass, world; of the bounds for what has no mass
-    double mass = 0;       ///< kg; 0 for what is not dynamic
-    double inertia = 0;    ///< kg·m² about the centre; 0 for what is not dynamic
-    double extent = 0;     ///< of its smallest piece that is no sensor; 0 without one
-    double reach = 0;      ///< farthest point from `center`, metres
-    double speed = 0;      ///< largest of any of its points at the start, m/s
-    Aabb bounds;           ///< world; of all pieces
+    DVec2 center;        ///< of mass, world; of the bounds for what has no mass
+    double mass = 0;     ///< kg; 0 for what is not dynamic
+    double inertia = 0;  ///< kg·m² about the centre; 0 for what is not dynamic
+    double extent = 0;   ///< of its smallest piece that is no sensor; 0 without one
+    double reach = 0;    ///< farthest point from `center`, metres
+    double speed = 0;    ///< largest of any of its points at the start, m/s
+    Aabb bounds;         ///< world; of all pieces
     bool hasBounds = false;
 
     bool isDynamic() const { return description->type == SceneBodyType::dynamic; }
@@ -55,8 +55,8 @@ struct NearPair {
 };
 std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin);
 
-/// Whether two pieces may touch: of different bodies, one of them dynamic, no sensors, by their filters. What joints and
-/// chains keep apart is for others.
+/// Whether two pieces may touch: of different bodies, one of them dynamic, no sensors, by their filters. What joints
+/// and chains keep apart is for others.
 bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b);
 
 /// Whether `edge` is of a chain, and the other piece's body on its solid side, where it is ignored.

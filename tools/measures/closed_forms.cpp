@@ -13,9 +13,7 @@ namespace {
 bool anythingCollides(const PlacedScene& placed) {
     for (std::size_t i = 0; i < placed.pieces.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            if (mayCollide(placed, placed.pieces[i], placed.pieces[k])) {
-                return true;
-            }
+            if (mayCollide(placed, placed.pieces[i], placed.pieces[k])) { return true; }
         }
     }
     return false;
@@ -25,9 +23,7 @@ int onlyDynamicBody(const PlacedScene& placed) {
     int found = -1;
     for (const PlacedBody& body : placed.bodies) {
         if (body.isDynamic()) {
-            if (found >= 0) {
-                return -1;
-            }
+            if (found >= 0) { return -1; }
             found = body.index;
         } else if (body.description->type == SceneBodyType::kinematic) {
             return -1;
@@ -38,9 +34,7 @@ int onlyDynamicBody(const PlacedScene& placed) {
 
 /// Exact solution of x″ = a − c·x′ after a time.
 DVec2 wayOf(DVec2 velocity, DVec2 acceleration, double damping, double time) {
-    if (damping == 0) {
-        return time * velocity + (0.5 * time * time) * acceleration;
-    }
+    if (damping == 0) { return time * velocity + (0.5 * time * time) * acceleration; }
     const double phi1 = -std::expm1(-damping * time) / damping;
     return phi1 * velocity + ((time - phi1) / damping) * acceleration;
 }
@@ -50,9 +44,7 @@ std::optional<ClosedForm> freeFlight(const SceneDescription& scene, const Placed
     const auto turns = [&](const PlacedBody& body) {  // the origin of such a body circles about its centre
         return body.isDynamic() && body.description->angularVelocity != 0 && !(body.center == body.pose.position);
     };
-    if (!isFree || std::any_of(placed.bodies.begin(), placed.bodies.end(), turns)) {
-        return std::nullopt;
-    }
+    if (!isFree || std::any_of(placed.bodies.begin(), placed.bodies.end(), turns)) { return std::nullopt; }
     return ClosedForm{"free flight", [bodies = scene.bodies, gravity = scene.gravity](int index, double time) {
                           const BodyDescription& body = bodies[static_cast<std::size_t>(index)];
                           switch (body.type) {
@@ -81,9 +73,7 @@ struct Bounces {
 
     double heightAt(double time) const {
         double impact = (speed + std::sqrt(speed * speed + 2 * gravity * height)) / gravity;
-        if (time < impact) {
-            return height + (speed - 0.5 * gravity * time) * time;
-        }
+        if (time < impact) { return height + (speed - 0.5 * gravity * time) * time; }
         double rise = restitution * (gravity * impact - speed);
         for (double flight = 2 * rise / gravity; flight > shortest; rise *= restitution, flight = 2 * rise / gravity) {
             if (time < impact + flight) {
@@ -114,9 +104,7 @@ std::optional<ClosedForm> bouncingBall(const SceneDescription& scene, const Plac
     }
     const double side = std::fabs(body.position.x - ground.position.x - box->center.x);
     const double level = ground.position.y + box->center.y + box->half.y + ground.shapes[0].radius + circle->radius;
-    if (!(side < box->half.x) || !(body.position.y >= level)) {
-        return std::nullopt;
-    }
+    if (!(side < box->half.x) || !(body.position.y >= level)) { return std::nullopt; }
     const Bounces bounces{body.position.y - level, body.velocity.y, gravity,
                           std::max(body.shapes[0].restitution, ground.shapes[0].restitution),
                           kShortestBounce * scene.settings.dt};
@@ -162,9 +150,7 @@ std::optional<ClosedForm> pendulum(const SceneDescription& scene, const PlacedSc
     const int bob = onlyDynamicBody(placed);
     const auto* const hinge =
         scene.joints.size() == 1 ? std::get_if<RevoluteDescription>(&scene.joints[0].joint) : nullptr;
-    if (bob < 0 || hinge == nullptr) {
-        return std::nullopt;
-    }
+    if (bob < 0 || hinge == nullptr) { return std::nullopt; }
     const JointDescription& joint = scene.joints[0];
     const PlacedBody& placedBob = placed.bodies[static_cast<std::size_t>(bob)];
     const BodyDescription& body = scene.bodies[static_cast<std::size_t>(bob)];
@@ -191,9 +177,7 @@ std::optional<ClosedForm> pendulum(const SceneDescription& scene, const PlacedSc
     const auto path = std::make_shared<const Swing>(swing(start, rate, stiffness, duration));
     return ClosedForm{"pendulum", [=, bodies = scene.bodies, anchor = hinge->anchor](int index, double time) {
                           const DVec2 at = bodies[static_cast<std::size_t>(index)].position;
-                          if (index != bob) {
-                              return at;
-                          }
+                          if (index != bob) { return at; }
                           const double turn = path->angleAt(time) - start;
                           const DVec2 from = at - anchor;
                           return anchor + DVec2{std::cos(turn) * from.x - std::sin(turn) * from.y,
@@ -205,12 +189,8 @@ std::optional<ClosedForm> pendulum(const SceneDescription& scene, const PlacedSc
 
 std::optional<ClosedForm> closedFormOf(const SceneDescription& scene, double duration) {
     const PlacedScene placed = place(scene);
-    if (auto form = freeFlight(scene, placed)) {
-        return form;
-    }
-    if (auto form = bouncingBall(scene, placed)) {
-        return form;
-    }
+    if (auto form = freeFlight(scene, placed)) { return form; }
+    if (auto form = bouncingBall(scene, placed)) { return form; }
     return pendulum(scene, placed, duration);
 }
 

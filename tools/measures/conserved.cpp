@@ -20,15 +20,11 @@ bool isActive(const JointDescription& joint) {
         [](const auto& part) {
             using Part = std::decay_t<decltype(part)>;
             bool active = std::is_same_v<Part, MotorDescription> || std::is_same_v<Part, MouseDescription>;
-            if constexpr (requires { part.hertz; }) {
-                active = active || part.hertz.has_value();
-            }
+            if constexpr (requires { part.hertz; }) { active = active || part.hertz.has_value(); }
             if constexpr (requires { part.linearHertz; }) {
                 active = active || part.linearHertz.has_value() || part.angularHertz.has_value();
             }
-            if constexpr (requires { part.motorSpeed; }) {
-                active = active || part.motorSpeed.has_value();
-            }
+            if constexpr (requires { part.motorSpeed; }) { active = active || part.motorSpeed.has_value(); }
             return active;
         },
         joint.joint);
@@ -51,9 +47,7 @@ bool isEnergyLostInContacts(const PlacedScene& placed) {
             const ShapeDescription& a = shapeOf(placed, placed.pieces[i]);
             const ShapeDescription& b = shapeOf(placed, placed.pieces[k]);
             const bool isLossless = std::max(a.restitution, b.restitution) >= 1 && a.friction * b.friction == 0;
-            if (!isLossless && mayCollide(placed, placed.pieces[i], placed.pieces[k])) {
-                return true;
-            }
+            if (!isLossless && mayCollide(placed, placed.pieces[i], placed.pieces[k])) { return true; }
         }
     }
     return false;
@@ -89,9 +83,7 @@ double energyScale(const SceneDescription& scene, const PlacedScene& placed) {
 void measureEnergy(const SceneDescription& scene, const PlacedScene& placed, const Recording& recording,
                    Values& values) {
     const double scale = energyScale(scene, placed);
-    if (isEnergyBroughtIn(scene, placed) || !(scale > 0)) {
-        return;
-    }
+    if (isEnergyBroughtIn(scene, placed) || !(scale > 0)) { return; }
     double least = recording.samples.front().energy;
     double gain = 0;
     double drift = 0;
@@ -101,9 +93,7 @@ void measureEnergy(const SceneDescription& scene, const PlacedScene& placed, con
         drift = std::max(drift, std::fabs(sample.energy - recording.samples.front().energy));
     }
     values[Measure::energyGain] = gain / scale;
-    if (!anyBody(placed, isDamped) && !isEnergyLostInContacts(placed)) {
-        values[Measure::energyDrift] = drift / scale;
-    }
+    if (!anyBody(placed, isDamped) && !isEnergyLostInContacts(placed)) { values[Measure::energyDrift] = drift / scale; }
 }
 
 void measureMomentum(const SceneDescription& scene, const PlacedScene& placed, const Recording& recording,
@@ -117,9 +107,7 @@ void measureMomentum(const SceneDescription& scene, const PlacedScene& placed, c
         scale += body.mass * length(body.description->velocity);
     }
     scale += length(force) * recording.duration();
-    if (isOpen || !(scale > 0)) {
-        return;
-    }
+    if (isOpen || !(scale > 0)) { return; }
     double drift = 0;
     for (const Sample& sample : recording.samples) {
         drift = std::max(drift, length(sample.momentum - recording.samples.front().momentum - sample.time * force));

@@ -41,9 +41,7 @@ Flight flightOf(const PosedScene& posed, int body, const BodyFrame& frame, doubl
     Flight flight;
     flight.velocity = frame.velocity;
     flight.time = time;
-    if (where.isDynamic()) {
-        flight.acceleration = where.description->gravityScale * placed.scene->gravity;
-    }
+    if (where.isDynamic()) { flight.acceleration = where.description->gravityScale * placed.scene->gravity; }
     flight.sweep.localCenter = posed.localCenter(body);
     flight.sweep.c0 = where.center;
     flight.sweep.c1 = where.center + time * frame.velocity + (0.5 * time * time) * flight.acceleration;
@@ -124,20 +122,12 @@ private:
         const double time = next.time - sample.time;
         for (const PlacedBody& body : posed_.placed().bodies) {
             const bool isFree = body.isDynamic() && !isTied_[static_cast<std::size_t>(body.index)];
-            if (!isFree) {
-                continue;
-            }
-            if (const auto impact = firstImpact(body, sample, time)) {
-                impacts.emplace_back(body.index, *impact);
-            }
+            if (!isFree) { continue; }
+            if (const auto impact = firstImpact(body, sample, time)) { impacts.emplace_back(body.index, *impact); }
         }
-        if (impacts.empty()) {
-            return;
-        }
+        if (impacts.empty()) { return; }
         posed_.pose(next);
-        for (const auto& [body, impact] : impacts) {
-            hits.push_back(judged(body, impact, sample, next));
-        }
+        for (const auto& [body, impact] : impacts) { hits.push_back(judged(body, impact, sample, next)); }
     }
 
     /// Nothing when the flight meets nothing, or is none: something touches the body already.
@@ -151,20 +141,14 @@ private:
             const BodyFrame& frame = sample.bodies[static_cast<std::size_t>(other.index)];
             const Flight otherFlight = flightOf(posed_, other.index, frame, time);
             const bool moves = other.description->type == SceneBodyType::kinematic;
-            if (!overlaps(reach, moves ? reachOf(otherFlight, other.reach) : obstacle->bounds)) {
-                continue;
-            }
+            if (!overlaps(reach, moves ? reachOf(otherFlight, other.reach) : obstacle->bounds)) { continue; }
             for (const PlacedPiece* const piece : movers_[static_cast<std::size_t>(body.index)]) {
-                if (!mayCollide(placed, *piece, *obstacle) || isBehindChain(placed, *obstacle, *piece)) {
-                    continue;
-                }
+                if (!mayCollide(placed, *piece, *obstacle) || isBehindChain(placed, *obstacle, *piece)) { continue; }
                 if (separationOf(placed, *piece, *obstacle) <= kTouch * std::min(piece->extent, obstacle->extent)) {
                     return std::nullopt;
                 }
                 const auto impact = impactOf(*piece, flight, *obstacle, otherFlight);
-                if (impact && (!first || impact->toi.fraction < first->toi.fraction)) {
-                    first = impact;
-                }
+                if (impact && (!first || impact->toi.fraction < first->toi.fraction)) { first = impact; }
             }
         }
         return first;
@@ -176,9 +160,7 @@ private:
         const ToiPolygon a = asToiPolygon(piece.polygon);
         const ToiPolygon b = asToiPolygon(obstacle.polygon);
         const Toi toi = timeOfImpact(a, flight.sweep, b, otherFlight.sweep, defaultToiSettings(a, b));
-        if (toi.state != ToiState::hit) {
-            return std::nullopt;
-        }
+        if (toi.state != ToiState::hit) { return std::nullopt; }
         const DVec2 relative = flight.velocityAt(toi.fraction) - otherFlight.velocity;
         const double approach = dot(relative, toi.normal);
         const double gained = length(flight.acceleration) * flight.time;
@@ -204,9 +186,7 @@ private:
         const double depth = dot(mover.center - witness, impact.toi.normal);
         const bool passed = depth > 0.5 * reachAlong(placed, *impact.obstacle, witness, impact.toi.normal);
         ForeseenHit hit{body, impact.obstacle->body, sample.time + impact.toi.fraction * time, wait, false, false};
-        if (!impact.matters) {
-            return hit;
-        }
+        if (!impact.matters) { return hit; }
         hit.missed = (!responded && separation > kTouch * extent) || (passed && separation <= 0);
         hit.late = !hit.missed && !responded;
         return hit;

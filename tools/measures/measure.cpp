@@ -32,9 +32,7 @@ constexpr std::array<MeasureInfo, kMeasureCount> kMeasures{{
 
 std::array<std::string_view, kMeasureCount> names() {
     std::array<std::string_view, kMeasureCount> result;
-    for (std::size_t i = 0; i < kMeasureCount; ++i) {
-        result[i] = kMeasures[i].name;
-    }
+    for (std::size_t i = 0; i < kMeasureCount; ++i) { result[i] = kMeasures[i].name; }
     return result;
 }
 
@@ -46,9 +44,7 @@ const MeasureInfo& infoOf(Measure measure) { return kMeasures[static_cast<std::s
 
 std::optional<Measure> measureNamed(std::string_view name) {
     for (std::size_t i = 0; i < kMeasureCount; ++i) {
-        if (kMeasures[i].name == name) {
-            return static_cast<Measure>(i);
-        }
+        if (kMeasures[i].name == name) { return static_cast<Measure>(i); }
     }
     return std::nullopt;
 }

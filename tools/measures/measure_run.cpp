@@ -29,9 +29,7 @@ void measureOverlap(const SceneDescription& scene, const Recording& recording, V
 double longestLoss(const RunReport& report) {
     std::map<int, double> lost;
     double longest = 0;
-    for (const LostTime& entry : report.lostTime) {
-        longest = std::max(longest, lost[entry.body] += entry.seconds);
-    }
+    for (const LostTime& entry : report.lostTime) { longest = std::max(longest, lost[entry.body] += entry.seconds); }
     return longest;
 }
 
@@ -55,9 +53,7 @@ std::vector<Meeting> meetings(const Recording& recording, const Recording& truth
     std::vector<Meeting> result;
     std::size_t k = 0;
     for (const Sample& sample : recording.samples) {
-        while (k < truth.samples.size() && truth.samples[k].tick < sample.tick) {
-            ++k;
-        }
+        while (k < truth.samples.size() && truth.samples[k].tick < sample.tick) { ++k; }
         if (k < truth.samples.size() && truth.samples[k].tick == sample.tick) {
             result.push_back({&sample, &truth.samples[k]});
         }
@@ -68,9 +64,7 @@ std::vector<Meeting> meetings(const Recording& recording, const Recording& truth
 std::vector<std::size_t> dynamicBodies(const SceneDescription& scene) {
     std::vector<std::size_t> bodies;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (scene.bodies[i].type == SceneBodyType::dynamic) {
-            bodies.push_back(i);
-        }
+        if (scene.bodies[i].type == SceneBodyType::dynamic) { bodies.push_back(i); }
     }
     return bodies;
 }
@@ -114,9 +108,7 @@ void measureRest(const SceneDescription& scene, const std::vector<Meeting>& at, 
 
 std::map<int, double> firstHits(const SceneDescription& scene, const Recording& recording) {
     std::map<int, double> first;
-    for (const ForeseenHit& hit : foreseenHits(scene, recording)) {
-        first.try_emplace(hit.body, hit.time);
-    }
+    for (const ForeseenHit& hit : foreseenHits(scene, recording)) { first.try_emplace(hit.body, hit.time); }
     return first;
 }
 
@@ -141,9 +133,7 @@ double eventTimeError(const SceneDescription& scene, const Recording& recording,
 Values measuredAlone(const SceneDescription& scene, const Recording& recording) {
     Values values;
     measureOverlap(scene, recording, values);
-    if (!scene.joints.empty()) {
-        values[Measure::jointError] = recording.report.largestJointError;
-    }
+    if (!scene.joints.empty()) { values[Measure::jointError] = recording.report.largestJointError; }
     measureConserved(scene, recording, values);
     measureHits(scene, recording, values);
     if (!recording.report.counters.empty() && recording.report.counters.front().name != "brokenJoints") {
@@ -162,29 +152,19 @@ Values measuredAgainst(const SceneDescription& scene, const Recording& recording
             values[Measure::position] = std::fmax(values[Measure::position], away);
         }
     }
-    if (at.size() > 1) {
-        measureRest(scene, at, values);
-    }
-    if (!truthHasPositionsOnly) {
-        values[Measure::eventTime] = eventTimeError(scene, recording, truth);
-    }
+    if (at.size() > 1) { measureRest(scene, at, values); }
+    if (!truthHasPositionsOnly) { values[Measure::eventTime] = eventTimeError(scene, recording, truth); }
     return values;
 }
 
 Values measured(const SceneDescription& scene, const Recording& recording, const Reference& reference) {
-    if (!recording.isComplete()) {
-        return {};
-    }
+    if (!recording.isComplete()) { return {}; }
     Values values = measuredAlone(scene, recording);
-    if (!reference.recording.isComplete()) {
-        return values;
-    }
+    if (!reference.recording.isComplete()) { return values; }
     const Values against = measuredAgainst(scene, recording, reference.recording, reference.isClosedForm);
     for (const MeasureInfo& info : allMeasures()) {
         const Measure measure = *measureNamed(info.name);
-        if (info.needsReference) {
-            values[measure] = against[measure];
-        }
+        if (info.needsReference) { values[measure] = against[measure]; }
     }
     return values;
 }

@@ -27,9 +27,7 @@ void PosedScene::pose(const Sample& sample) {
 
 double PosedScene::deepestOverlap() const {
     double deepest = 0;
-    for (const NearPair& pair : nearPairs(placed_, 0)) {
-        deepest = std::max(deepest, -pair.separation);
-    }
+    for (const NearPair& pair : nearPairs(placed_, 0)) { deepest = std::max(deepest, -pair.separation); }
     return deepest;
 }
 

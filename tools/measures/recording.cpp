@@ -25,9 +25,7 @@ Recording record(Runner& runner, const Pace& pace) {
     takeSample(runner, pace, 0, recording);
     const auto* const child = dynamic_cast<const Box2dRunner*>(&runner);
     for (std::int64_t tick = pace.ticksPerStep; tick <= pace.ticks; tick += pace.ticksPerStep) {
-        for (int i = 0; i < pace.stepsPerTick; ++i) {
-            runner.step();
-        }
+        for (int i = 0; i < pace.stepsPerTick; ++i) { runner.step(); }
         if (child != nullptr && child->aborted()) {
             recording.verdict = "aborted";
             break;

@@ -51,31 +51,21 @@ Recording refinedRun(SceneDescription scene, std::int64_t ticks, int halvings) {
 
 Reference makeReference(const SceneDescription& scene, std::int64_t ticks, const RefinementWatcher& watch) {
     const double duration = static_cast<double>(ticks) * scene.settings.dt;
-    if (const auto form = closedFormOf(scene, duration)) {
-        return fromClosedForm(scene, *form, ticks);
-    }
+    if (const auto form = closedFormOf(scene, duration)) { return fromClosedForm(scene, *form, ticks); }
     const double settled = kSettled * smallestExtent(scene);
     Reference reference;
     Recording coarser = refinedRun(scene, ticks, 0);
     for (int halvings = 1; halvings <= kMostHalvings; ++halvings) {
-        if (watch) {
-            watch(halvings, kMostHalvings);
-        }
+        if (watch) { watch(halvings, kMostHalvings); }
         reference.recording = refinedRun(scene, ticks, halvings);
         reference.dt = scene.settings.dt / (1 << halvings);
-        if (!coarser.isComplete() || !reference.recording.isComplete()) {
-            break;
-        }
+        if (!coarser.isComplete() || !reference.recording.isComplete()) { break; }
         reference.uncertainty = measuredAgainst(scene, coarser, reference.recording);
-        if (reference.uncertainty[Measure::position] <= settled || halvings == kMostHalvings) {
-            break;
-        }
+        if (reference.uncertainty[Measure::position] <= settled || halvings == kMostHalvings) { break; }
         coarser = std::move(reference.recording);
     }
     double missed = 0;
-    for (const ForeseenHit& hit : foreseenHits(scene, reference.recording)) {
-        missed += hit.missed ? 1 : 0;
-    }
+    for (const ForeseenHit& hit : foreseenHits(scene, reference.recording)) { missed += hit.missed ? 1 : 0; }
     reference.uncertainty[Measure::missedHits] = missed;
     reference.source = "f64, steps of " + roundedText(1e3 * reference.dt, 3) + " ms";
     return reference;

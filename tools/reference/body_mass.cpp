@@ -27,9 +27,7 @@ struct PolygonOf {
     }
     Result<Polygon> operator()(const PolygonGeometry& polygon) const {
         std::vector<Vec2> points;
-        for (const DVec2 point : polygon.points) {
-            points.push_back(toReal(point));
-        }
+        for (const DVec2 point : polygon.points) { points.push_back(toReal(point)); }
         return convexHull(points, radius);
     }
     Result<Polygon> operator()(const ChainGeometry&) const { return Status{StatusCode::wrongBodyType, "chain"}; }
@@ -41,22 +39,16 @@ BodyMass massOfBody(const BodyDescription& body) {
     std::vector<MassProperties> parts;
     for (const ShapeDescription& shape : body.shapes) {
         const Result<Polygon> polygon = std::visit(PolygonOf{static_cast<Real>(shape.radius)}, shape.geometry);
-        if (polygon.ok()) {
-            parts.push_back(massOf(polygon.value(), static_cast<Real>(shape.density)));
-        }
+        if (polygon.ok()) { parts.push_back(massOf(polygon.value(), static_cast<Real>(shape.density))); }
     }
     const MassProperties whole = combine(parts);
     BodyMass mass{whole.mass, whole.center, whole.inertia};
     if (body.mass) {
         // The same distribution of mass, heavier or lighter.
-        if (whole.mass > 0) {
-            mass.inertia *= *body.mass / whole.mass;
-        }
+        if (whole.mass > 0) { mass.inertia *= *body.mass / whole.mass; }
         mass.mass = *body.mass;
     }
-    if (body.inertia) {
-        mass.inertia = *body.inertia;
-    }
+    if (body.inertia) { mass.inertia = *body.inertia; }
     return mass;
 }
 

@@ -65,22 +65,16 @@ struct ShapeMaker {
     }
     void operator()(const PolygonGeometry& geometry) const {
         std::array<b2Vec2, B2_MAX_POLYGON_VERTICES> points{};
-        for (std::size_t i = 0; i < geometry.points.size(); ++i) {
-            points[i] = toPeer(geometry.points[i]);
-        }
+        for (std::size_t i = 0; i < geometry.points.size(); ++i) { points[i] = toPeer(geometry.points[i]); }
         const b2Hull hull = b2ComputeHull(points.data(), static_cast<int>(geometry.points.size()));
-        if (hull.count == 0) {
-            refuse("no hull of a polygon");
-        }
+        if (hull.count == 0) { refuse("no hull of a polygon"); }
         const b2Polygon polygon = b2MakePolygon(&hull, static_cast<float>(radius));
         b2CreatePolygonShape(body, &definition, &polygon);
     }
     /// A loop; solid on the left of its direction like ours.
     void operator()(const ChainGeometry& geometry) const {
         std::vector<b2Vec2> points;
-        for (const DVec2 point : geometry.points) {
-            points.push_back(toPeer(point));
-        }
+        for (const DVec2 point : geometry.points) { points.push_back(toPeer(point)); }
         b2ChainDef chain = b2DefaultChainDef();
         chain.points = points.data();
         chain.count = static_cast<int>(points.size());
@@ -203,12 +197,8 @@ public:
         definition.enableContinuous = scene.settings.continuous != SceneContinuous::off;
         definition.contactHertz = settings.isStiff != 0 ? kStiffHertz : definition.contactHertz;
         world_ = b2CreateWorld(&definition);
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            addBody(i);
-        }
-        for (std::size_t i = 0; i < ends_.size(); ++i) {
-            addJoint(i);
-        }
+        for (std::size_t i = 0; i < bodies_.size(); ++i) { addBody(i); }
+        for (std::size_t i = 0; i < ends_.size(); ++i) { addJoint(i); }
     }
     ~Box2d3World() override { b2DestroyWorld(world_); }
     Box2d3World(const Box2d3World&) = delete;
@@ -221,12 +211,8 @@ public:
         }
     }
     void add(std::span<const std::uint32_t> bodies) override {
-        for (const std::uint32_t body : bodies) {
-            addBody(body);
-        }
-        for (const std::size_t joint : jointsOn(ends_, bodies)) {
-            addJoint(joint);
-        }
+        for (const std::uint32_t body : bodies) { addBody(body); }
+        for (const std::size_t joint : jointsOn(ends_, bodies)) { addJoint(joint); }
     }
     void setVelocity(std::uint32_t body, DVec2 velocity) override {
         b2Body_SetLinearVelocity(bodies_[body], toPeer(velocity));
@@ -250,9 +236,7 @@ public:
 private:
     void advance() override { b2World_Step(world_, static_cast<float>(scene().settings.dt), settings_.subSteps); }
     void afterStep() override {
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            angles_[i] = isThere(i) ? unwrapped(i) : 0;
-        }
+        for (std::size_t i = 0; i < bodies_.size(); ++i) { angles_[i] = isThere(i) ? unwrapped(i) : 0; }
     }
     bool isThere(std::size_t body) const override { return B2_IS_NON_NULL(bodies_[body]); }
 
@@ -263,9 +247,7 @@ private:
         for (const ShapeDescription& shape : description.shapes) {
             std::visit(ShapeMaker{body, definitionOf(shape), shape.radius}, shape.geometry);
         }
-        if (description.type == SceneBodyType::dynamic) {
-            setMass(body, description);
-        }
+        if (description.type == SceneBodyType::dynamic) { setMass(body, description); }
         bodies_[i] = body;
         angles_[i] = description.angle;
     }
@@ -286,9 +268,7 @@ private:
 
     /// The engine's own mass, but for what the description says otherwise.
     static void setMass(b2BodyId body, const BodyDescription& description) {
-        if (!description.mass && !description.inertia) {
-            return;
-        }
+        if (!description.mass && !description.inertia) { return; }
         b2MassData data = b2Body_GetMassData(body);
         if (description.mass) {
             data.rotationalInertia *= data.mass > 0 ? static_cast<float>(*description.mass) / data.mass : 0;

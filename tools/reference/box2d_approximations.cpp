@@ -72,15 +72,11 @@ void addWaysOfTheEngine(std::vector<std::string>& sentences) {
 
 void addWaysWithBodies(const SceneDescription& scene, std::vector<std::string>& sentences) {
     const auto hasOwnMode = [](const BodyDescription& body) { return body.continuous.has_value(); };
-    if (anyBody(scene, hasOwnMode)) {
-        sentences.push_back("The continuous mode of single bodies is ignored.");
-    }
+    if (anyBody(scene, hasOwnMode)) { sentences.push_back("The continuous mode of single bodies is ignored."); }
     if (isOfUnsupportedMode(scene.settings.continuous)) {
         sentences.push_back("The world's continuous mode is replaced by Box2D's own continuous collision.");
     }
-    if (scene.settings.maxSpeed) {
-        sentences.push_back("The setting maxSpeed is ignored.");
-    }
+    if (scene.settings.maxSpeed) { sentences.push_back("The setting maxSpeed is ignored."); }
     if (anyBody(scene, [](const BodyDescription& body) { return !body.awake; })) {
         sentences.push_back("A body that starts asleep starts without velocity.");
     }
@@ -95,27 +91,19 @@ void addWaysWithShapes(const SceneDescription& scene, std::vector<std::string>& 
             "Rounded polygons and chains are polygons with a thicker skin: against other polygons their corners are "
             "sharp, and a radius below 1 cm counts as 1 cm.");
     }
-    if (anyShape(scene, isSegment)) {
-        sentences.push_back("Segments do not collide with segments or chains.");
-    }
+    if (anyShape(scene, isSegment)) { sentences.push_back("Segments do not collide with segments or chains."); }
     if (anyShape(scene, [](const ShapeDescription& shape) { return shape.sensor; })) {
         sentences.push_back("Sensors of static and kinematic bodies detect dynamic bodies only.");
     }
 }
 
 void addWaysWithJoints(const SceneDescription& scene, std::vector<std::string>& sentences) {
-    if (!scene.joints.empty()) {
-        sentences.push_back("Joints are kept by iteration, and limits by a position pass.");
-    }
-    if (hasSpringOnRevolute(scene)) {
-        sentences.push_back("Springs of revolute joints are left out.");
-    }
+    if (!scene.joints.empty()) { sentences.push_back("Joints are kept by iteration, and limits by a position pass."); }
+    if (hasSpringOnRevolute(scene)) { sentences.push_back("Springs of revolute joints are left out."); }
     if (hasSpringOnPrismatic(scene)) {
         sentences.push_back("Springs of prismatic joints, and linear ones of welds, are left out.");
     }
-    if (hasAny<PulleyDescription>(scene)) {
-        sentences.push_back("The rope of a pulley pushes, too.");
-    }
+    if (hasAny<PulleyDescription>(scene)) { sentences.push_back("The rope of a pulley pushes, too."); }
     if (hasAny<MotorDescription>(scene)) {
         sentences.push_back("Motors drive to a pose only, by 0.3 of the way in a step; the velocities are ignored.");
     }

@@ -11,7 +11,8 @@ namespace {
 
 // Hertz of a mouse joint that is to be rigid.
 constexpr float kStiffMouse = 20;
-// Stands for "no limit": beyond any angle or translation that a run reaches (radians, metres), or torque that a float times dt can hold.
+// Stands for "no limit": beyond any angle or translation that a run reaches (radians, metres), or torque that a float
+// times dt can hold.
 constexpr float kAnyAngle = 1e6f;
 constexpr float kAnyTorque = 1e30f;
 
@@ -43,9 +44,7 @@ struct JointMaker {
         b2DistanceJointDef definition;
         definition.Initialize(bodyA, bodyB, toBox2d(distance.anchorA), toBox2d(distance.anchorB));
         definition.collideConnected = collideConnected;
-        if (distance.length) {
-            definition.length = static_cast<float>(*distance.length);
-        }
+        if (distance.length) { definition.length = static_cast<float>(*distance.length); }
         const bool isSpring = distance.hertz.has_value();
         const bool isLimited = distance.minLength.has_value() || distance.maxLength.has_value();
         if (isSpring) {
@@ -100,9 +99,7 @@ struct JointMaker {
         b2MotorJointDef definition;
         definition.Initialize(bodyA, bodyB);
         definition.collideConnected = collideConnected;
-        if (motor.linearOffset) {
-            definition.linearOffset = toBox2d(*motor.linearOffset);
-        }
+        if (motor.linearOffset) { definition.linearOffset = toBox2d(*motor.linearOffset); }
         definition.angularOffset += orElse(motor.angularOffset, 0);
         definition.maxForce = orElse(motor.maxForce, 0);
         definition.maxTorque = orElse(motor.maxTorque, 0);
@@ -169,25 +166,20 @@ private:
 };
 
 /// Whether the joint holds its two anchors together.
-bool isPin(const b2Joint& joint) {
-    return joint.GetType() == e_revoluteJoint || joint.GetType() == e_weldJoint;
-}
+bool isPin(const b2Joint& joint) { return joint.GetType() == e_revoluteJoint || joint.GetType() == e_weldJoint; }
 
 }  // namespace
 
 b2Joint* addJoint(b2World& world, const JointDescription& joint, const std::map<std::string, b2Body*>& bodies,
                   const std::map<std::string, b2Joint*>& joints) {
-    return std::visit(
-        JointMaker{world, bodies.at(joint.bodyA), bodies.at(joint.bodyB), joint.collideConnected, joints},
-        joint.joint);
+    return std::visit(JointMaker{world, bodies.at(joint.bodyA), bodies.at(joint.bodyB), joint.collideConnected, joints},
+                      joint.joint);
 }
 
 double jointErrorOf(b2Joint& joint) {
     const double apart = length(fromBox2d(joint.GetAnchorB()) - fromBox2d(joint.GetAnchorA()));
     const auto* const distance = dynamic_cast<const b2DistanceJoint*>(&joint);
-    if (distance == nullptr) {
-        return isPin(joint) ? apart : 0;
-    }
+    if (distance == nullptr) { return isPin(joint) ? apart : 0; }
     return std::max({0.0, static_cast<double>(distance->GetMinLength()) - apart,
                      apart - static_cast<double>(distance->GetMaxLength())});
 }

@@ -35,9 +35,7 @@ public:
 
     void operator()(const PolygonGeometry& geometry) const {
         std::vector<b2Vec2> points;
-        for (const DVec2 point : geometry.points) {
-            points.push_back(toBox2d(point));
-        }
+        for (const DVec2 point : geometry.points) { points.push_back(toBox2d(point)); }
         b2PolygonShape polygon;
         polygon.Set(points.data(), static_cast<int32>(points.size()));
         addPolygon(polygon, shape_.radius);
@@ -46,9 +44,7 @@ public:
     // Both engines collide on the right-hand side of the chain's direction.
     void operator()(const ChainGeometry& geometry) const {
         std::vector<b2Vec2> points;
-        for (const DVec2 point : geometry.points) {
-            points.push_back(toBox2d(point));
-        }
+        for (const DVec2 point : geometry.points) { points.push_back(toBox2d(point)); }
         const auto count = static_cast<int32>(points.size());
         b2ChainShape chain;
         if (geometry.loop) {
@@ -119,12 +115,8 @@ void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFi
 bool Box2dFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     const FilterDescription& a = noteOf(*fixtureA).shape->filter;
     const FilterDescription& b = noteOf(*fixtureB).shape->filter;
-    if (noteOf(*fixtureA).isSensor && noteOf(*fixtureB).isSensor) {
-        return false;
-    }
-    if (a.group != 0 && a.group == b.group) {
-        return a.group > 0;
-    }
+    if (noteOf(*fixtureA).isSensor && noteOf(*fixtureB).isSensor) { return false; }
+    if (a.group != 0 && a.group == b.group) { return a.group > 0; }
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 

@@ -88,9 +88,7 @@ void Box2dWorld::Parts::addBody(std::size_t index) {
     const BodyDescription& description = scene.bodies[index];
     const b2BodyDef definition = definitionOf(description, scene.settings);
     b2Body* const body = world.CreateBody(&definition);
-    for (const ShapeDescription& shape : description.shapes) {
-        addFixtures(*body, shape, notes);
-    }
+    for (const ShapeDescription& shape : description.shapes) { addFixtures(*body, shape, notes); }
     if (description.type == SceneBodyType::dynamic) {
         masses[index] = massOfBody(description);
         setMass(*body, masses[index]);
@@ -105,9 +103,7 @@ void Box2dWorld::Parts::addBody(std::size_t index) {
 
 void Box2dWorld::Parts::addJoints(std::span<const std::size_t> wanted) {
     std::map<std::string, b2Body*> byName;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        byName[bodyName(scene, i)] = bodies[i];
-    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) { byName[bodyName(scene, i)] = bodies[i]; }
     std::map<std::string, b2Joint*> jointByName;
     for (const bool gears : {false, true}) {  // gears come last: they name other joints
         for (const std::size_t i : wanted) {
@@ -147,9 +143,7 @@ void Box2dWorld::Parts::destroyGearsOn(std::size_t joint) {
 
 void Box2dWorld::Parts::breakJoints() {
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (joints[i] == nullptr || !breaks(*joints[i], scene.joints[i], scene.settings.dt)) {
-            continue;
-        }
+        if (joints[i] == nullptr || !breaks(*joints[i], scene.joints[i], scene.settings.dt)) { continue; }
         destroyGearsOn(i);
         world.DestroyJoint(joints[i]);
         joints[i] = nullptr;
@@ -162,9 +156,7 @@ void Box2dWorld::Parts::readContacts(PeerSample& sample) const {
         b2Fixture* const a = const_cast<b2Contact*>(contact)->GetFixtureA();
         b2Fixture* const b = const_cast<b2Contact*>(contact)->GetFixtureB();
         const b2Manifold* const manifold = contact->GetManifold();
-        if (!contact->IsTouching() || a->IsSensor() || b->IsSensor()) {
-            continue;
-        }
+        if (!contact->IsTouching() || a->IsSensor() || b->IsSensor()) { continue; }
         b2WorldManifold placed;  // with the true radii: Box2D's skin is no penetration
         placed.Initialize(manifold, a->GetBody()->GetTransform(), trueRadius(*a), b->GetBody()->GetTransform(),
                           trueRadius(*b));
@@ -183,9 +175,7 @@ Box2dWorld::Box2dWorld(const SceneDescription& scene, const Box2dIterations& ite
     parts_->world.SetContactFilter(&parts_->filter);
     parts_->world.SetAllowSleeping(scene.settings.sleep);
     parts_->world.SetContinuousPhysics(scene.settings.continuous != SceneContinuous::off);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        parts_->addBody(i);
-    }
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) { parts_->addBody(i); }
     std::vector<std::size_t> joints(scene.joints.size());
     std::iota(joints.begin(), joints.end(), std::size_t{0});
     parts_->addJoints(joints);
@@ -201,15 +191,11 @@ void Box2dWorld::advance() {
 void Box2dWorld::afterStep() { parts_->breakJoints(); }
 
 void Box2dWorld::remove(std::span<const std::uint32_t> bodies) {
-    for (const std::uint32_t body : bodies) {
-        parts_->removeBody(body);
-    }
+    for (const std::uint32_t body : bodies) { parts_->removeBody(body); }
 }
 
 void Box2dWorld::add(std::span<const std::uint32_t> bodies) {
-    for (const std::uint32_t body : bodies) {
-        parts_->addBody(body);
-    }
+    for (const std::uint32_t body : bodies) { parts_->addBody(body); }
     parts_->addJoints(jointsOn(parts_->ends, bodies));
 }
 
@@ -236,9 +222,7 @@ void Box2dWorld::readRest(PeerSample& sample) const {
     sample.brokenJoints = parts_->brokenJoints;
     parts_->readContacts(sample);
     for (b2Joint* const joint : parts_->joints) {
-        if (joint != nullptr) {
-            sample.jointError = std::max(sample.jointError, jointErrorOf(*joint));
-        }
+        if (joint != nullptr) { sample.jointError = std::max(sample.jointError, jointErrorOf(*joint)); }
     }
 }
 

@@ -11,12 +11,8 @@ bool readAll(void* target, std::size_t size) {
     auto* bytes = static_cast<char*>(target);
     while (size > 0) {
         const ssize_t count = read(STDIN_FILENO, bytes, size);
-        if (count < 0 && errno == EINTR) {
-            continue;
-        }
-        if (count <= 0) {
-            return false;
-        }
+        if (count < 0 && errno == EINTR) { continue; }
+        if (count <= 0) { return false; }
         bytes += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -27,12 +23,8 @@ bool writeAll(const void* source, std::size_t size) {
     const auto* bytes = static_cast<const char*>(source);
     while (size > 0) {
         const ssize_t count = write(STDOUT_FILENO, bytes, size);
-        if (count < 0 && errno == EINTR) {
-            continue;
-        }
-        if (count <= 0) {
-            return false;
-        }
+        if (count < 0 && errno == EINTR) { continue; }
+        if (count <= 0) { return false; }
         bytes += count;
         size -= static_cast<std::size_t>(count);
     }

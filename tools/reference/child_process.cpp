@@ -19,9 +19,7 @@ namespace swept {
 namespace {
 
 void closeIfOpen(int& descriptor) {
-    if (descriptor >= 0) {
-        close(descriptor);
-    }
+    if (descriptor >= 0) { close(descriptor); }
     descriptor = -1;
 }
 
@@ -33,13 +31,9 @@ std::string textOf(int descriptor) {
     for (ssize_t count = 0; (count = read(descriptor, buffer.data(), buffer.size())) > 0;) {
         text.append(buffer.data(), static_cast<std::size_t>(count));
     }
-    while (!text.empty() && text.back() == '\n') {
-        text.pop_back();
-    }
+    while (!text.empty() && text.back() == '\n') { text.pop_back(); }
     for (char& character : text) {
-        if (character == '\n') {
-            character = ' ';
-        }
+        if (character == '\n') { character = ' '; }
     }
     return text;
 }
@@ -68,18 +62,14 @@ bool ChildProcess::start(const std::string& executable, const std::string& argum
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    if (messages_ >= 0) {
-        posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO);
-    }
+    if (messages_ >= 0) { posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO); }
     std::string name = "swept";
     std::string command = argument;
     std::array<char*, 3> arguments{name.data(), command.data(), nullptr};
     const int failure = posix_spawn(&process_, executable.c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
-    if (failure == 0) {
-        return true;
-    }
+    if (failure == 0) { return true; }
     process_ = -1;
     error = "cannot start " + executable + ": " + std::strerror(failure);
     return false;
@@ -89,9 +79,7 @@ bool ChildProcess::waitFor(short direction, double patience) {
     pollfd watched{socket_, direction, 0};
     const int milliseconds = static_cast<int>(patience * 1000);
     int ready = 0;
-    do {
-        ready = poll(&watched, 1, milliseconds);
-    } while (ready < 0 && errno == EINTR);
+    do { ready = poll(&watched, 1, milliseconds); } while (ready < 0 && errno == EINTR);
     timedOut_ = timedOut_ || ready == 0;
     return ready > 0;
 }
@@ -99,16 +87,10 @@ bool ChildProcess::waitFor(short direction, double patience) {
 bool ChildProcess::send(const void* bytes, std::size_t size, double patience) {
     const auto* rest = static_cast<const char*>(bytes);
     while (size > 0) {
-        if (socket_ < 0 || !waitFor(POLLOUT, patience)) {
-            return false;
-        }
+        if (socket_ < 0 || !waitFor(POLLOUT, patience)) { return false; }
         const ssize_t count = ::send(socket_, rest, size, MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
-            continue;
-        }
-        if (count <= 0) {
-            return false;
-        }
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) { continue; }
+        if (count <= 0) { return false; }
         rest += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -118,16 +100,10 @@ bool ChildProcess::send(const void* bytes, std::size_t size, double patience) {
 bool ChildProcess::receive(void* bytes, std::size_t size, double patience) {
     auto* rest = static_cast<char*>(bytes);
     while (size > 0) {
-        if (socket_ < 0 || !waitFor(POLLIN, patience)) {
-            return false;
-        }
+        if (socket_ < 0 || !waitFor(POLLIN, patience)) { return false; }
         const ssize_t count = recv(socket_, rest, size, MSG_DONTWAIT);
-        if (count < 0 && (errno == EINTR || errno == EAGAIN)) {
-            continue;
-        }
-        if (count <= 0) {
-            return false;
-        }
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) { continue; }
+        if (count <= 0) { return false; }
         rest += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -141,11 +117,8 @@ std::string ChildProcess::finish() {
         // A child that broke the talk off is already dying of its own signal; only a silent one has to be stopped.
         int status = 0;
         const bool mayBeStuck = timedOut_;
-        if (mayBeStuck) {
-            kill(process_, SIGKILL);
-        }
-        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-        }
+        if (mayBeStuck) { kill(process_, SIGKILL); }
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {}
         if (mayBeStuck) {
             ending = "gave no answer in time";
         } else if (WIFSIGNALED(status)) {

@@ -58,9 +58,7 @@ private:
     }
     void addPolygon(const std::vector<DVec2>& points) const {
         std::vector<cpVect> corners;
-        for (const DVec2 point : points) {
-            corners.push_back(toPeer(point));
-        }
+        for (const DVec2 point : points) { corners.push_back(toPeer(point)); }
         made.push_back(
             cpPolyShapeNew(body, static_cast<int>(corners.size()), corners.data(), cpTransformIdentity, radius));
     }
@@ -93,9 +91,7 @@ struct JointMaker {
             return;
         }
         made.push_back(cpPinJointNew(a, b, anchorA, anchorB));
-        if (distance.length) {
-            cpPinJointSetDist(made.back(), *distance.length);
-        }
+        if (distance.length) { cpPinJointSetDist(made.back(), *distance.length); }
     }
     void operator()(const WeldDescription& weld) const {
         made.push_back(cpPivotJointNew(a, b, toPeer(weld.anchor)));
@@ -112,9 +108,7 @@ cpBody* makeBody(const BodyDescription& description, const BodyMass& mass) {
     cpBody* const body = description.type == SceneBodyType::fixed       ? cpBodyNewStatic()
                          : description.type == SceneBodyType::kinematic ? cpBodyNewKinematic()
                                                                         : cpBodyNew(mass.mass, mass.inertia);
-    if (description.type == SceneBodyType::dynamic) {
-        cpBodySetCenterOfGravity(body, toPeer(mass.center));
-    }
+    if (description.type == SceneBodyType::dynamic) { cpBodySetCenterOfGravity(body, toPeer(mass.center)); }
     cpBodySetAngle(body, description.angle);
     cpBodySetPosition(body, toPeer(description.position));
     return body;
@@ -140,24 +134,14 @@ public:
           ends_(jointEndsOf(scene)) {
         cpSpaceSetGravity(space_, toPeer(scene.gravity));
         cpSpaceSetIterations(space_, settings.solverPasses);
-        if (scene.settings.sleep) {
-            cpSpaceSetSleepTimeThreshold(space_, kSecondsToSleep);
-        }
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            addBody(i);
-        }
-        for (std::size_t i = 0; i < joints_.size(); ++i) {
-            addJoint(i);
-        }
+        if (scene.settings.sleep) { cpSpaceSetSleepTimeThreshold(space_, kSecondsToSleep); }
+        for (std::size_t i = 0; i < bodies_.size(); ++i) { addBody(i); }
+        for (std::size_t i = 0; i < joints_.size(); ++i) { addJoint(i); }
     }
     ~ChipmunkWorld() override {
-        for (std::size_t i = 0; i < joints_.size(); ++i) {
-            removeJoint(i);
-        }
+        for (std::size_t i = 0; i < joints_.size(); ++i) { removeJoint(i); }
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            if (bodies_[i] != nullptr) {
-                removeBody(i);
-            }
+            if (bodies_[i] != nullptr) { removeBody(i); }
         }
         cpSpaceFree(space_);
     }
@@ -165,20 +149,12 @@ public:
     ChipmunkWorld& operator=(const ChipmunkWorld&) = delete;
 
     void remove(std::span<const std::uint32_t> bodies) override {
-        for (const std::size_t joint : jointsOn(ends_, bodies)) {
-            removeJoint(joint);
-        }
-        for (const std::uint32_t body : bodies) {
-            removeBody(body);
-        }
+        for (const std::size_t joint : jointsOn(ends_, bodies)) { removeJoint(joint); }
+        for (const std::uint32_t body : bodies) { removeBody(body); }
     }
     void add(std::span<const std::uint32_t> bodies) override {
-        for (const std::uint32_t body : bodies) {
-            addBody(body);
-        }
-        for (const std::size_t joint : jointsOn(ends_, bodies)) {
-            addJoint(joint);
-        }
+        for (const std::uint32_t body : bodies) { addBody(body); }
+        for (const std::size_t joint : jointsOn(ends_, bodies)) { addJoint(joint); }
     }
     void setVelocity(std::uint32_t body, DVec2 velocity) override {
         cpBodySetVelocity(bodies_[body], toPeer(velocity));

@@ -26,9 +26,7 @@ std::vector<std::size_t> jointsOn(std::span<const JointEnds> ends, std::span<con
     const auto isOneOf = [&](std::uint32_t body) { return std::binary_search(sorted.begin(), sorted.end(), body); };
     std::vector<std::size_t> joints;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (isOneOf(ends[i].a) || isOneOf(ends[i].b)) {
-            joints.push_back(i);
-        }
+        if (isOneOf(ends[i].a) || isOneOf(ends[i].b)) { joints.push_back(i); }
     }
     return joints;
 }

@@ -22,25 +22,15 @@ bool answer(const PeerWorld& world, std::vector<double>& numbers) {
 int runPeerChild() {
     forbidDumps();
     std::uint64_t size = 0;
-    if (!readAll(&size, sizeof size)) {
-        return 2;
-    }
+    if (!readAll(&size, sizeof size)) { return 2; }
     std::string json(size, '\0');
-    if (!readAll(json.data(), json.size())) {
-        return 2;
-    }
+    if (!readAll(json.data(), json.size())) { return 2; }
     const SceneResult result = readScene(json, "scene");
-    if (!result.scene) {
-        return 2;
-    }
+    if (!result.scene) { return 2; }
     PeerSettings settings;
-    if (!readAll(&settings, sizeof settings)) {
-        return 2;
-    }
+    if (!readAll(&settings, sizeof settings)) { return 2; }
     const std::unique_ptr<PeerWorld> world = makePeerWorld(*result.scene, settings);
-    if (!world) {
-        return 2;
-    }
+    if (!world) { return 2; }
     std::vector<double> numbers;
     bool goesOn = answer(*world, numbers);
     for (char command = 0; goesOn && readAll(&command, 1);) {

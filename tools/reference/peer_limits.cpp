@@ -27,23 +27,15 @@ std::string lackOfShape(PeerEngine engine, const ShapeDescription& shape) {
 
 std::string lackOfBody(PeerEngine engine, const BodyDescription& body) {
     for (const ShapeDescription& shape : body.shapes) {
-        if (std::string lack = lackOfShape(engine, shape); !lack.empty()) {
-            return lack;
-        }
+        if (std::string lack = lackOfShape(engine, shape); !lack.empty()) { return lack; }
     }
-    if (engine != PeerEngine::chipmunk) {
-        return "";
-    }
-    if (body.linearDamping != 0 || body.angularDamping != 0) {
-        return "damping of single bodies";
-    }
+    if (engine != PeerEngine::chipmunk) { return ""; }
+    if (body.linearDamping != 0 || body.angularDamping != 0) { return "damping of single bodies"; }
     return body.gravityScale == 1 ? "" : "gravity of single bodies";
 }
 
 std::string lackOfJoint(PeerEngine engine, const JointDescription& joint) {
-    if (joint.breakForce || joint.breakTorque) {
-        return "joints that break";
-    }
+    if (joint.breakForce || joint.breakTorque) { return "joints that break"; }
     const auto* const revolute = std::get_if<RevoluteDescription>(&joint.joint);
     const auto* const distance = std::get_if<DistanceDescription>(&joint.joint);
     const auto* const weld = std::get_if<WeldDescription>(&joint.joint);
@@ -88,39 +80,27 @@ const char* peerName(PeerEngine engine) {
 
 bool hasPeer(PeerEngine engine) {
 #ifdef SWEPT_PEER_BOX2D3
-    if (engine == PeerEngine::box2d3) {
-        return true;
-    }
+    if (engine == PeerEngine::box2d3) { return true; }
 #endif
 #ifdef SWEPT_PEER_CHIPMUNK
-    if (engine == PeerEngine::chipmunk) {
-        return true;
-    }
+    if (engine == PeerEngine::chipmunk) { return true; }
 #endif
     return engine == PeerEngine::box2d2;
 }
 
 std::string peerLacks(PeerEngine engine, const SceneDescription& scene) {
-    if (engine == PeerEngine::box2d2) {
-        return "";
-    }
+    if (engine == PeerEngine::box2d2) { return ""; }
     for (const BodyDescription& body : scene.bodies) {
-        if (std::string lack = lackOfBody(engine, body); !lack.empty()) {
-            return lack;
-        }
+        if (std::string lack = lackOfBody(engine, body); !lack.empty()) { return lack; }
     }
     for (const JointDescription& joint : scene.joints) {
-        if (std::string lack = lackOfJoint(engine, joint); !lack.empty()) {
-            return lack;
-        }
+        if (std::string lack = lackOfJoint(engine, joint); !lack.empty()) { return lack; }
     }
     return hasPeer(engine) ? "" : "place in this build";
 }
 
 std::vector<std::string> peerApproximations(PeerEngine engine, const SceneDescription& scene) {
-    if (engine == PeerEngine::box2d2) {
-        return box2dApproximations(scene);
-    }
+    if (engine == PeerEngine::box2d2) { return box2dApproximations(scene); }
     return engine == PeerEngine::box2d3 ? kBox2d3Ways : kChipmunkWays;
 }
 

@@ -38,17 +38,13 @@ public:
 
     bool start(const SceneDescription& scene, const PeerSettings& settings, const std::string& executable,
                std::string& error) {
-        if (!child_.start(executable, kPeerChildCommand, error)) {
-            return false;
-        }
+        if (!child_.start(executable, kPeerChildCommand, error)) { return false; }
         const std::string json = writeScene(scene);
         const std::uint64_t size = json.size();
         const bool sent = child_.send(&size, sizeof size, kPatience) &&
                           child_.send(json.data(), json.size(), kPatience) &&
                           child_.send(&settings, sizeof settings, kPatience);
-        if (!sent || !receiveSample()) {
-            noteEnd("while the world was built");
-        }
+        if (!sent || !receiveSample()) { noteEnd("while the world was built"); }
         report_.startEnergy = report_.endEnergy;
         report_.startMomentum = report_.endMomentum;
         report_.startAngularMomentum = report_.endAngularMomentum;
@@ -56,14 +52,10 @@ public:
     }
 
     void step() override {
-        if (aborted_) {
-            return;
-        }
+        if (aborted_) { return; }
         const std::int64_t next = sample_.frame.step + 1;
         const char go = 's';
-        if (!child_.send(&go, 1, kPatience) || !receiveSample()) {
-            noteEnd("at step " + std::to_string(next));
-        }
+        if (!child_.send(&go, 1, kPatience) || !receiveSample()) { noteEnd("at step " + std::to_string(next)); }
     }
 
     void read(Frame& frame, bool withContacts) const override {
@@ -72,9 +64,7 @@ public:
         frame.bodies = sample_.frame.bodies;
         frame.impacts.clear();
         frame.contacts.clear();
-        if (withContacts) {
-            frame.contacts = sample_.frame.contacts;
-        }
+        if (withContacts) { frame.contacts = sample_.frame.contacts; }
     }
 
     const std::vector<SceneEvent>& events() const override { return noEvents_; }
@@ -86,17 +76,11 @@ public:
 private:
     bool receiveSample() {
         std::uint64_t count = 0;
-        if (!child_.receive(&count, sizeof count, kPatience)) {
-            return false;
-        }
+        if (!child_.receive(&count, sizeof count, kPatience)) { return false; }
         numbers_.resize(count);
-        if (!child_.receive(numbers_.data(), count * sizeof(double), kPatience)) {
-            return false;
-        }
+        if (!child_.receive(numbers_.data(), count * sizeof(double), kPatience)) { return false; }
         std::optional<PeerSample> sample = decodeSample(numbers_);
-        if (!sample) {
-            return false;
-        }
+        if (!sample) { return false; }
         sample_ = std::move(*sample);
         addToReport();
         return true;
@@ -119,9 +103,7 @@ private:
     /// "aborted (why)" and "at step 3" make "aborted at step 3 (why)".
     static std::string withMoment(const std::string& ending, const std::string& when) {
         const std::size_t reason = ending.find(" (");
-        if (reason == std::string::npos) {
-            return ending + ' ' + when;
-        }
+        if (reason == std::string::npos) { return ending + ' ' + when; }
         return ending.substr(0, reason) + ' ' + when + ending.substr(reason);
     }
 
@@ -145,9 +127,7 @@ std::unique_ptr<PeerRunner> makePeerRunner(const SceneDescription& scene, const 
         return nullptr;
     }
     auto runner = std::make_unique<ChildRunner>(scene, settings);
-    if (!runner->start(scene, settings, executable, error)) {
-        return nullptr;
-    }
+    if (!runner->start(scene, settings, executable, error)) { return nullptr; }
     return runner;
 }
 

@@ -42,14 +42,10 @@ void encodeSample(const PeerSample& sample, std::vector<double>& numbers) {
 }
 
 std::optional<PeerSample> decodeSample(std::span<const double> numbers) {
-    if (numbers.size() < kHeadNumbers) {
-        return std::nullopt;
-    }
+    if (numbers.size() < kHeadNumbers) { return std::nullopt; }
     const auto bodies = static_cast<std::size_t>(numbers[2]);
     const auto contacts = static_cast<std::size_t>(numbers[3]);
-    if (numbers.size() != kHeadNumbers + bodies * kBodyNumbers + contacts * kContactNumbers) {
-        return std::nullopt;
-    }
+    if (numbers.size() != kHeadNumbers + bodies * kBodyNumbers + contacts * kContactNumbers) { return std::nullopt; }
     PeerSample sample;
     sample.frame.step = static_cast<std::int64_t>(numbers[0]);
     sample.frame.time = numbers[1];

@@ -29,9 +29,7 @@ bool anySensorEvent(const Subject& subject) {
         const auto isOfSensor = [](const SceneEvent& event) {
             return event.type == SceneEventType::sensorBegin || event.type == SceneEventType::sensorEnd;
         };
-        if (std::any_of(runner->events().begin(), runner->events().end(), isOfSensor)) {
-            return true;
-        }
+        if (std::any_of(runner->events().begin(), runner->events().end(), isOfSensor)) { return true; }
     }
     return false;
 }
@@ -61,14 +59,10 @@ public:
             isModel = isModel || feature.isModel;
             feature.remove(scene, config);
         }
-        if (!result.isPresent) {
-            return result;
-        }
+        if (!result.isPresent) { return result; }
         Run run = runScene(scene, subject_, config, reference_);
         result.row = std::move(run.row);
-        if (!result.row.verdict.empty()) {
-            return result;
-        }
+        if (!result.row.verdict.empty()) { return result; }
         result.change = std::fmax(
             0, measures::measuredAgainst(subject_.scene, run.recording, whole_.recording)[measures::Measure::position]);
         const bool isSeen = isModel && result.change > visible_;
@@ -90,16 +84,12 @@ private:
 std::vector<std::string> candidates(const Ablation& ablation) {
     std::vector<const Ablated*> dispensable;
     for (const Ablated& one : ablation.single) {
-        if (one.isPresent && !one.isNeeded && one.row.work <= ablation.whole.work) {
-            dispensable.push_back(&one);
-        }
+        if (one.isPresent && !one.isNeeded && one.row.work <= ablation.whole.work) { dispensable.push_back(&one); }
     }
     std::stable_sort(dispensable.begin(), dispensable.end(),
                      [](const Ablated* a, const Ablated* b) { return a->row.work < b->row.work; });
     std::vector<std::string> names;
-    for (const Ablated* const one : dispensable) {
-        names.push_back(one->features.front());
-    }
+    for (const Ablated* const one : dispensable) { names.push_back(one->features.front()); }
     return names;
 }
 
@@ -136,9 +126,7 @@ Ablation ablate(const Subject& subject, const std::vector<Limit>& limits, const 
 SceneDescription leanScene(const Subject& subject, const Ablation& ablation) {
     SceneDescription scene = subject.scene;
     Config config = ownConfig(scene);
-    for (const std::string& name : ablation.lean.features) {
-        featureNamed(name).remove(scene, config);
-    }
+    for (const std::string& name : ablation.lean.features) { featureNamed(name).remove(scene, config); }
     return withConfig(std::move(scene), config);
 }
 

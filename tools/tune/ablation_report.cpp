@@ -15,9 +15,7 @@ std::string percent(double part) {
 }
 
 std::string judgement(const Ablated& one) {
-    if (!one.isPresent) {
-        return "not there";
-    }
+    if (!one.isPresent) { return "not there"; }
     return one.isNeeded ? "needed" : "can go";
 }
 
@@ -52,9 +50,7 @@ void writeAblation(std::ostream& out, const std::vector<Limit>& limits, const Ab
     std::vector<std::string> first = cellsOf("(nothing)", nothing, ablation, limits);
     first[1] = "";
     table.add(first);
-    for (const Ablated& one : ablation.single) {
-        table.add(cellsOf(one.features.front(), one, ablation, limits));
-    }
+    for (const Ablated& one : ablation.single) { table.add(cellsOf(one.features.front(), one, ablation, limits)); }
     std::vector<std::string> last = cellsOf("all that can go", ablation.lean, ablation, limits);
     last[1] = ablation.lean.features.empty() ? "nothing" : "";
     table.add(last);
@@ -66,9 +62,7 @@ void writeAblation(std::ostream& out, const std::vector<Limit>& limits, const Ab
 
 void writeAblationCsv(std::ostream& out, const Ablation& ablation) {
     std::string text = "without,judgement,changeMetres,costPerSecond,work,verdict";
-    for (const measures::MeasureInfo& info : measures::allMeasures()) {
-        text += std::string(",") + info.name;
-    }
+    for (const measures::MeasureInfo& info : measures::allMeasures()) { text += std::string(",") + info.name; }
     text += '\n';
     const auto write = [&](const std::string& name, const std::string& judged, const Ablated& one) {
         text += csvField(name) + ',' + judged + ',';
@@ -81,22 +75,16 @@ void writeAblationCsv(std::ostream& out, const Ablation& ablation) {
         for (std::size_t i = 0; i < measures::kMeasureCount; ++i) {
             const double error = one.row.errors[static_cast<measures::Measure>(i)];
             text += ',';
-            if (!std::isnan(error)) {
-                appendNumber(text, error);
-            }
+            if (!std::isnan(error)) { appendNumber(text, error); }
         }
         text += '\n';
     };
     Ablated nothing;
     nothing.row = ablation.whole;
     write("nothing", "", nothing);
-    for (const Ablated& one : ablation.single) {
-        write(one.features.front(), judgement(one), one);
-    }
+    for (const Ablated& one : ablation.single) { write(one.features.front(), judgement(one), one); }
     std::string together;
-    for (const std::string& name : ablation.lean.features) {
-        together += (together.empty() ? "" : " + ") + name;
-    }
+    for (const std::string& name : ablation.lean.features) { together += (together.empty() ? "" : " + ") + name; }
     write(together.empty() ? "nothing can go" : together, "leanest", ablation.lean);
     out << text;
 }

@@ -83,9 +83,7 @@ std::string fieldsOf(const SceneDescription& scene, const Config& config) {
     text += ',' + std::to_string(config.subSteps) + ',' + std::to_string(config.relaxPasses) + ',';
     text += namesOf<SceneContinuous>()[static_cast<std::size_t>(config.continuous)];
     text += ',';
-    if (config.toiTolerance) {
-        appendNumber(text, *config.toiTolerance);
-    }
+    if (config.toiTolerance) { appendNumber(text, *config.toiTolerance); }
     text += ',';
     text += namesOf<SceneBroadphase>()[static_cast<std::size_t>(config.broadphase)];
     return text;

@@ -22,9 +22,7 @@ bool anyDynamicBody(const SceneDescription& scene, const Condition& holds) {
 template <class Change>
 void eachShape(SceneDescription& scene, const Change& change) {
     for (BodyDescription& body : scene.bodies) {
-        for (ShapeDescription& shape : body.shapes) {
-            change(shape);
-        }
+        for (ShapeDescription& shape : body.shapes) { change(shape); }
     }
 }
 
@@ -39,18 +37,14 @@ constexpr std::array<Feature, 10> kFeatures{{
      },
      [](SceneDescription& scene, Config& config) {
          config.continuous = SceneContinuous::off;
-         for (BodyDescription& body : scene.bodies) {
-             body.continuous.reset();
-         }
+         for (BodyDescription& body : scene.bodies) { body.continuous.reset(); }
      }},
     {"bullets", false,
      [](const SceneDescription& scene, const Config&) {
          return anyDynamicBody(scene, [](const BodyDescription& body) { return body.bullet; });
      },
      [](SceneDescription& scene, Config&) {
-         for (BodyDescription& body : scene.bodies) {
-             body.bullet = false;
-         }
+         for (BodyDescription& body : scene.bodies) { body.bullet = false; }
      }},
     {"more than 4 sub-steps", false,
      [](const SceneDescription&, const Config& config) { return config.subSteps > kFastSubSteps; },

@@ -22,9 +22,7 @@ measures::Values glance(const Subject& subject) {
     RunnerOptions options;
     options.measure = true;
     const auto runner = makeRunner(subject.scene, options, ignored);
-    if (!runner) {
-        return {};
-    }
+    if (!runner) { return {}; }
     return measures::measuredAlone(subject.scene, measures::record(*runner, {subject.scene.settings.dt, 2, 1, 1}));
 }
 
@@ -69,18 +67,14 @@ void addImplied(std::vector<Limit>& limits, const Subject& subject, const Knowle
     const Limit time{Measure::lostTime, kLostPart * duration, true};
     for (const Limit& implied : {hits, time}) {
         const auto isGiven = [&](const Limit& limit) { return limit.measure == implied.measure; };
-        if (std::none_of(limits.begin(), limits.end(), isGiven)) {
-            limits.push_back(implied);
-        }
+        if (std::none_of(limits.begin(), limits.end(), isGiven)) { limits.push_back(implied); }
     }
 }
 
 std::string whyMeaningless(const Subject& subject, const std::vector<Limit>& limits, const Knowledge& known) {
     const measures::Values seen = glance(subject);
     for (const Limit& limit : limits) {
-        if (limit.implied) {
-            continue;
-        }
+        if (limit.implied) { continue; }
         const measures::MeasureInfo& info = measures::infoOf(limit.measure);
         const double uncertainty = known.uncertainty[limit.measure];
         const double shown = info.needsReference ? uncertainty : seen[limit.measure];
@@ -99,19 +93,13 @@ std::string whyMeaningless(const Subject& subject, const std::vector<Limit>& lim
 
 double strain(const Row& row, const std::vector<Limit>& limits, const measures::Values& uncertainty) {
     constexpr double kFailed = std::numeric_limits<double>::infinity();
-    if (!row.verdict.empty()) {
-        return kFailed;
-    }
+    if (!row.verdict.empty()) { return kFailed; }
     double worst = 0;
     for (const Limit& limit : limits) {
         const bool compares = measures::infoOf(limit.measure).needsReference;
         const double error = row.errors[limit.measure] + (compares ? uncertainty[limit.measure] : 0);
-        if (std::isnan(error) && limit.implied) {
-            continue;
-        }
-        if (std::isnan(error)) {
-            return kFailed;
-        }
+        if (std::isnan(error) && limit.implied) { continue; }
+        if (std::isnan(error)) { return kFailed; }
         const double part = limit.value > 0 ? error / limit.value : 1 + error;
         worst = std::max(worst, error == 0 ? 0 : part);
     }

@@ -30,9 +30,7 @@ public:
     double floor() const { return floor_; }
     bool isDrawn(const Row& row) const { return std::isfinite(raw(row)) && row.cost > 0; }
     std::string label() const {
-        if (!isOneMeasure_) {
-            return "error, as a part of what is accepted";
-        }
+        if (!isOneMeasure_) { return "error, as a part of what is accepted"; }
         const measures::MeasureInfo& info = measures::infoOf(limits_[0].measure);
         return std::string(info.name) + (std::string(info.unit) == "1" ? "" : std::string(", ") + info.unit);
     }
@@ -70,9 +68,7 @@ struct Block {
 void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, const std::vector<Block>& blocks) {
     // In gnuplot a quote within a quoted text is doubled.
     std::string title;
-    for (const char c : subject.scene.name) {
-        title += c == '\'' ? std::string("''") : std::string(1, c);
-    }
+    for (const char c : subject.scene.name) { title += c == '\'' ? std::string("''") : std::string(1, c); }
     out << bench::kPlotStyle << "set logscale xy\nset format y '10^{%T}'\nset key outside right top vertical\n"
         << "set title '" << title << ": what accuracy costs' noenhanced\n"
         << "set xlabel 'processor time, ms per simulated second'\nset ylabel '" << axis.label()
@@ -107,15 +103,11 @@ std::string plotRows(const std::string& directory, const Subject& subject, const
     constexpr std::size_t kFront = 0;
     constexpr std::size_t kFirstEngine = 1;
     const std::size_t nowAt = blocks.size() - 2;
-    for (const std::size_t i : verdict.front) {
-        blocks[kFront].rows.push_back(&known.rows[i]);
-    }
+    for (const std::size_t i : verdict.front) { blocks[kFront].rows.push_back(&known.rows[i]); }
     const Config own = ownConfig(subject.scene);
     for (const Row& row : known.rows) {
         blocks[kFirstEngine + static_cast<std::size_t>(row.config.engine)].rows.push_back(&row);
-        if (row.config == own) {
-            blocks[nowAt].rows.push_back(&row);
-        }
+        if (row.config == own) { blocks[nowAt].rows.push_back(&row); }
     }
     if (verdict.recommended >= 0) {
         blocks.back().rows.push_back(&known.rows[static_cast<std::size_t>(verdict.recommended)]);
@@ -126,9 +118,7 @@ std::string plotRows(const std::string& directory, const Subject& subject, const
     });
     const auto data = [&](std::ostream& out) {
         out << "# a block each: ms of processor time per simulated second, error\n";
-        for (const Block& block : blocks) {
-            writeBlock(out, block.name, block.rows, axis);
-        }
+        for (const Block& block : blocks) { writeBlock(out, block.name, block.rows, axis); }
     };
     const auto script = [&](std::ostream& out) { writeScript(out, subject, axis, blocks); };
     return bench::drawPlots(directory, {{"tune", data, script}}, error);

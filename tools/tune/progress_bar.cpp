@@ -13,9 +13,7 @@ ProgressBar::ProgressBar(std::string title, bool mayTalk)
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::show(const std::string& what, std::size_t done, std::size_t all) {
-    if (!talks_ || all == 0) {
-        return;
-    }
+    if (!talks_ || all == 0) { return; }
     constexpr std::size_t kWidth = 30;
     const std::size_t filled = kWidth * done / all;
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '-');
@@ -25,9 +23,7 @@ void ProgressBar::show(const std::string& what, std::size_t done, std::size_t al
 }
 
 void ProgressBar::clear() {
-    if (shown_) {
-        std::fputs("\r\x1b[K", stderr);
-    }
+    if (shown_) { std::fputs("\r\x1b[K", stderr); }
     shown_ = false;
 }
 

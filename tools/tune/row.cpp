@@ -57,9 +57,7 @@ bool parseOptional(const std::string& text, double& number) {
 bool parseEngine(const std::string& text, Engine& engine) {
     for (int i = 0; i < kEngineCount; ++i) {
         engine = static_cast<Engine>(i);
-        if (text == nameOf(engine)) {
-            return true;
-        }
+        if (text == nameOf(engine)) { return true; }
     }
     return false;
 }
@@ -83,9 +81,7 @@ bool parseRow(const std::vector<std::string>& fields, Row& row) {
                     parseName(fields[6], config.continuous) && parseOptional(fields[7], tolerance) &&
                     parseName(fields[8], config.broadphase) && parseNumber(fields[10], row.cost) &&
                     parseNumber(fields[11], row.work) && parseValues(fields, row.errors);
-    if (!fields[7].empty()) {
-        config.toiTolerance = tolerance;
-    }
+    if (!fields[7].empty()) { config.toiTolerance = tolerance; }
     row.verdict = fields[9];
     return ok;
 }
@@ -95,9 +91,7 @@ std::string valuesText(const measures::Values& values) {
     for (std::size_t i = 0; i < measures::kMeasureCount; ++i) {
         const double value = values[static_cast<measures::Measure>(i)];
         text += ',';
-        if (value == value) {
-            appendNumber(text, value);
-        }
+        if (value == value) { appendNumber(text, value); }
     }
     return text;
 }
@@ -123,9 +117,7 @@ const Row* Knowledge::find(const Config& config) const {
 
 void Knowledge::add(const Knowledge& more) {
     for (const Row& row : more.rows) {
-        if (find(row.config) == nullptr) {
-            rows.push_back(row);
-        }
+        if (find(row.config) == nullptr) { rows.push_back(row); }
     }
     if (more.hasReference && !hasReference) {
         hasReference = true;
@@ -136,9 +128,7 @@ void Knowledge::add(const Knowledge& more) {
 
 std::string csvHeader() {
     std::string text = std::string("scene,") + kConfigColumns + ",verdict,costPerSecond,work";
-    for (const measures::MeasureInfo& info : measures::allMeasures()) {
-        text += std::string(",") + info.name;
-    }
+    for (const measures::MeasureInfo& info : measures::allMeasures()) { text += std::string(",") + info.name; }
     return text + '\n';
 }
 

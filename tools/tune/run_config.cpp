@@ -17,9 +17,7 @@ constexpr double kTimedSeconds = 4;
 std::unique_ptr<Runner> makeRunnerOf(const SceneDescription& given, const Config& config, bool measure,
                                      std::string& error) {
     const SceneDescription scene = withConfig(given, config);
-    if (!isOurs(config.engine)) {
-        return makePeerRunner(scene, peerSettingsOf(config.engine, config.subSteps), error);
-    }
+    if (!isOurs(config.engine)) { return makePeerRunner(scene, peerSettingsOf(config.engine, config.subSteps), error); }
     RunnerOptions options;
     options.precision = config.engine == Engine::f64 ? Precision::f64 : Precision::f32;
     options.measure = measure;
@@ -29,9 +27,7 @@ std::unique_ptr<Runner> makeRunnerOf(const SceneDescription& given, const Config
 /// Processor time of all steps, s.
 double timeOf(Runner& runner, std::int64_t steps) {
     const bench::Stopwatch watch;
-    for (std::int64_t i = 0; i < steps; ++i) {
-        runner.step();
-    }
+    for (std::int64_t i = 0; i < steps; ++i) { runner.step(); }
     return watch.seconds();
 }
 
@@ -42,9 +38,7 @@ double secondsOf(const SceneDescription& scene, const Config& config, std::int64
     for (int i = 0; i < kTimedRuns && spent < kTimedSeconds; ++i) {
         std::string error;
         const auto runner = makeRunnerOf(scene, config, false, error);
-        if (!runner) {
-            return 0;
-        }
+        if (!runner) { return 0; }
         const double seconds = timeOf(*runner, steps);
         best = i == 0 ? seconds : std::min(best, seconds);
         spent += seconds;
@@ -60,9 +54,7 @@ double secondsOfChild(const Runner& runner) {
 
 double counted(const RunReport& report, const char* name) {
     for (const NamedNumber& counter : report.counters) {
-        if (counter.name == name) {
-            return counter.value;
-        }
+        if (counter.name == name) { return counter.value; }
     }
     return 0;
 }
@@ -98,13 +90,10 @@ Run runScene(const SceneDescription& scene, const Subject& subject, const Config
     const measures::Pace pace = paceOf(subject.scene, config, subject.ticks);
     run.recording = measures::record(*runner, pace);
     row.verdict = run.recording.verdict;
-    if (!run.recording.isComplete()) {
-        return run;
-    }
+    if (!run.recording.isComplete()) { return run; }
     row.errors = measures::measured(subject.scene, run.recording, reference);
     row.work = workOf(run.recording.report, config, run.recording.duration());
-    const double seconds =
-        isOurs(config.engine) ? secondsOf(scene, config, pace.steps()) : secondsOfChild(*runner);
+    const double seconds = isOurs(config.engine) ? secondsOf(scene, config, pace.steps()) : secondsOfChild(*runner);
     row.cost = seconds / run.recording.duration();
     return run;
 }

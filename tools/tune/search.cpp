@@ -46,18 +46,12 @@ public:
             want(start_, wanted);  // what the scene has now
         }
         Config base = start_;
-        if (!bisect(base, wanted) || start_.engine == Engine::f64) {
-            return wanted;
-        }
+        if (!bisect(base, wanted) || start_.engine == Engine::f64) { return wanted; }
         const std::vector<std::vector<Config>> changes = changesOf(base, space);
         for (const std::vector<Config>& change : changes) {
-            for (const Config& config : change) {
-                want(config, wanted);
-            }
+            for (const Config& config : change) { want(config, wanted); }
         }
-        if (wanted.empty()) {
-            want(together(base, changes), wanted);
-        }
+        if (wanted.empty()) { want(together(base, changes), wanted); }
         return wanted;
     }
 
@@ -98,9 +92,7 @@ private:
             }
             (found.holds ? highest : lowest) = found.holds ? middle : middle + 1;
         }
-        if (highest == kSubSteps.size()) {
-            return false;
-        }
+        if (highest == kSubSteps.size()) { return false; }
         base.subSteps = kSubSteps[highest];
         return true;
     }
@@ -130,19 +122,11 @@ private:
             double least = knownOf(base).work;
             for (const Config& config : change) {
                 const Known found = knownOf(config);
-                if (!found.holds || found.work >= least) {
-                    continue;
-                }
+                if (!found.holds || found.work >= least) { continue; }
                 least = found.work;
-                if (config.relaxPasses != base.relaxPasses) {
-                    best.relaxPasses = config.relaxPasses;
-                }
-                if (config.continuous != base.continuous) {
-                    best.continuous = config.continuous;
-                }
-                if (config.toiTolerance != base.toiTolerance) {
-                    best.toiTolerance = config.toiTolerance;
-                }
+                if (config.relaxPasses != base.relaxPasses) { best.relaxPasses = config.relaxPasses; }
+                if (config.continuous != base.continuous) { best.continuous = config.continuous; }
+                if (config.toiTolerance != base.toiTolerance) { best.toiTolerance = config.toiTolerance; }
             }
         }
         return best;
@@ -159,9 +143,7 @@ SearchSpace searchSpaceOf(const SceneDescription& scene) {
     SearchSpace space;
     for (const SceneBroadphase kind :
          {SceneBroadphase::allPairs, SceneBroadphase::sortAndSweep, SceneBroadphase::grid, SceneBroadphase::wideBvh}) {
-        if (kind != scene.settings.broadphase) {
-            space.broadphases.push_back(kind);
-        }
+        if (kind != scene.settings.broadphase) { space.broadphases.push_back(kind); }
     }
     const Inspection inspection = inspectScene(scene);
     const bool isFast = std::any_of(inspection.needs.begin(), inspection.needs.end(), [](const Need& need) {
@@ -170,15 +152,11 @@ SearchSpace searchSpaceOf(const SceneDescription& scene) {
     for (const SceneContinuous mode : {SceneContinuous::off, SceneContinuous::speedLimit, SceneContinuous::speculative,
                                        SceneContinuous::stop, SceneContinuous::subStep}) {
         const bool matters = isFast || mode == SceneContinuous::off;
-        if (matters && mode != scene.settings.continuous) {
-            space.modes.push_back(mode);
-        }
+        if (matters && mode != scene.settings.continuous) { space.modes.push_back(mode); }
     }
     const double extent = measures::smallestExtent(scene);
     for (const double multiple : kTolerances) {
-        if (isFast) {
-            space.toiTolerances.push_back(multiple * kToleranceByExtent * extent);
-        }
+        if (isFast) { space.toiTolerances.push_back(multiple * kToleranceByExtent * extent); }
     }
     return space;
 }
@@ -187,9 +165,7 @@ std::vector<Track> allTracks() {
     std::vector<Track> tracks;
     for (const Engine engine : {Engine::f32, Engine::box2d, Engine::box2d3, Engine::f64}) {
         for (const int power : kSteps) {
-            if (isThere(engine)) {
-                tracks.push_back({engine, power});
-            }
+            if (isThere(engine)) { tracks.push_back({engine, power}); }
         }
     }
     return tracks;
@@ -205,20 +181,16 @@ std::vector<Config> lastOf(const Subject& subject, const SearchSpace& space, con
     const Row* best = nullptr;
     const SceneBroadphase own = subject.scene.settings.broadphase;
     for (const Row& row : known.rows) {
-        const bool counts = isOurs(row.config.engine) && row.config.broadphase == own &&
-                            holds(strain(row, limits, known.uncertainty));
-        if (counts && (best == nullptr || row.work < best->work)) {
-            best = &row;
-        }
+        const bool counts =
+            isOurs(row.config.engine) && row.config.broadphase == own && holds(strain(row, limits, known.uncertainty));
+        if (counts && (best == nullptr || row.work < best->work)) { best = &row; }
     }
     std::vector<Config> wanted;
     for (const SceneBroadphase kind : space.broadphases) {
         if (best != nullptr) {
             Config config = best->config;
             config.broadphase = kind;
-            if (known.find(config) == nullptr) {
-                wanted.push_back(config);
-            }
+            if (known.find(config) == nullptr) { wanted.push_back(config); }
         }
     }
     return wanted;

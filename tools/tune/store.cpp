@@ -54,18 +54,14 @@ Store::Store(std::string directory, const Shard& shard) : directory_(std::move(d
 bool Store::read(const Subject& subject, bool gather, Knowledge& known, std::string& error) {
     std::vector<fs::path> files;
     std::error_code ignored;
-    if (fs::exists(path_, ignored)) {
-        files.emplace_back(path_);
-    }
+    if (fs::exists(path_, ignored)) { files.emplace_back(path_); }
     if (gather) {
         if (!fs::is_directory(directory_, ignored)) {
             error = "--gather: " + directory_ + ": no such directory (--out names it)";
             return false;
         }
         for (const fs::directory_entry& entry : fs::directory_iterator(directory_)) {
-            if (isOfShard(entry.path().filename().string())) {
-                files.push_back(entry.path());
-            }
+            if (isOfShard(entry.path().filename().string())) { files.push_back(entry.path()); }
         }
         std::sort(files.begin(), files.end());
         if (files.empty()) {
@@ -75,13 +71,9 @@ bool Store::read(const Subject& subject, bool gather, Knowledge& known, std::str
     }
     for (const fs::path& file : files) {
         std::string text;
-        if (!readText(file, text, error)) {
-            return false;
-        }
+        if (!readText(file, text, error)) { return false; }
         // A run that was interrupted before its first line left nothing to be read.
-        if (!text.empty() && !parseCsv(text, file.string(), subject, known, error)) {
-            return false;
-        }
+        if (!text.empty() && !parseCsv(text, file.string(), subject, known, error)) { return false; }
     }
     return true;
 }
@@ -101,9 +93,7 @@ bool Store::open(std::string& error) {
         error = "--out " + directory_ + ": cannot be written: " + std::strerror(errno);
         return false;
     }
-    if (text.empty()) {
-        append(csvHeader());
-    }
+    if (text.empty()) { append(csvHeader()); }
     return true;
 }
 

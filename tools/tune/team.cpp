@@ -28,9 +28,7 @@ public:
 /// Whether a launcher of MPI programs started this process: a plain start need not wait for MPI to set itself up.
 bool isLaunched() {
     for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"}) {
-        if (std::getenv(name) != nullptr) {
-            return true;
-        }
+        if (std::getenv(name) != nullptr) { return true; }
     }
     return false;
 }
@@ -86,9 +84,7 @@ bool builtWithMpi() {
 
 std::unique_ptr<Team> makeTeam() {
 #ifdef SWEPT_MPI
-    if (isLaunched()) {
-        return std::make_unique<MpiTeam>();
-    }
+    if (isLaunched()) { return std::make_unique<MpiTeam>(); }
 #endif
     return std::make_unique<Alone>();
 }
@@ -96,15 +92,11 @@ std::unique_ptr<Team> makeTeam() {
 void runParallel(std::size_t count, int threads, const std::function<void(std::size_t)>& run) {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            run(i);
-        }
+        for (std::size_t i = next++; i < count; i = next++) { run(i); }
     };
     std::vector<std::jthread> others;
     const auto wanted = std::min(static_cast<std::size_t>(std::max(threads, 1)), count);
-    for (std::size_t i = 1; i < wanted; ++i) {
-        others.emplace_back(work);
-    }
+    for (std::size_t i = 1; i < wanted; ++i) { others.emplace_back(work); }
     work();
 }
 

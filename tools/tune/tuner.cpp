@@ -13,18 +13,12 @@ std::vector<Config> wantedOf(const TuneOptions& options, const SearchSpace& spac
     std::vector<Config> wanted;
     const std::vector<Track> tracks = allTracks();
     for (std::size_t i = 0; i < tracks.size(); ++i) {
-        if (!options.shard.has(i)) {
-            continue;
-        }
+        if (!options.shard.has(i)) { continue; }
         for (const Config& config : nextOf(tracks[i], options.subject, space, options.limits, known)) {
-            if (std::find(wanted.begin(), wanted.end(), config) == wanted.end()) {
-                wanted.push_back(config);
-            }
+            if (std::find(wanted.begin(), wanted.end(), config) == wanted.end()) { wanted.push_back(config); }
         }
     }
-    if (wanted.empty() && options.shard.isWhole()) {
-        wanted = lastOf(options.subject, space, options.limits, known);
-    }
+    if (wanted.empty() && options.shard.isWhole()) { wanted = lastOf(options.subject, space, options.limits, known); }
     return wanted;
 }
 
@@ -35,25 +29,19 @@ std::string runShare(const std::vector<Config>& share, const TuneOptions& option
     std::mutex mutex;
     runParallel(share.size(), options.threads, [&](std::size_t i) {
         lines[i] = csvLine(options.subject, runConfig(options.subject, share[i], reference));
-        if (store != nullptr) {
-            store->append(lines[i]);
-        }
+        if (store != nullptr) { store->append(lines[i]); }
         const std::lock_guard lock(mutex);
         oneDone();
     });
     std::string all;
-    for (const std::string& line : lines) {
-        all += line;
-    }
+    for (const std::string& line : lines) { all += line; }
     return all;
 }
 
 }  // namespace
 
 const measures::Reference& LazyReference::get(const measures::RefinementWatcher& watch) {
-    if (!reference_) {
-        reference_ = measures::makeReference(subject_.scene, subject_.ticks, watch);
-    }
+    if (!reference_) { reference_ = measures::makeReference(subject_.scene, subject_.ticks, watch); }
     return *reference_;
 }
 
@@ -72,13 +60,9 @@ void tune(const TuneOptions& options, LazyReference& reference, Team& team, Stor
     std::size_t done = 0;
     for (;;) {
         const std::vector<Config> wanted = wantedOf(options, space, known);
-        if (wanted.empty()) {
-            return;
-        }
+        if (wanted.empty()) { return; }
         std::vector<Config> share;
-        for (std::size_t i = rank; i < wanted.size(); i += size) {
-            share.push_back(wanted[i]);
-        }
+        for (std::size_t i = rank; i < wanted.size(); i += size) { share.push_back(wanted[i]); }
         const std::size_t expected = done + wanted.size();
         std::size_t mine = 0;
         const auto oneDone = [&] { watch(std::min(done + size * ++mine, expected), expected); };

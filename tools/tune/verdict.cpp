@@ -83,9 +83,7 @@ Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<
     const auto cheaper = [&](std::size_t a, std::size_t b) {
         const Row& rowA = known.rows[a];
         const Row& rowB = known.rows[b];
-        if (rowA.verdict.empty() != rowB.verdict.empty()) {
-            return rowA.verdict.empty();
-        }
+        if (rowA.verdict.empty() != rowB.verdict.empty()) { return rowA.verdict.empty(); }
         return rowA.cost < rowB.cost;
     };
     std::stable_sort(verdict.order.begin(), verdict.order.end(), cheaper);
@@ -94,9 +92,7 @@ Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<
     for (const std::size_t i : verdict.order) {
         const Row& row = known.rows[i];
         const double part = strainOf(i);
-        if (!isOurs(row) || std::isinf(part)) {
-            continue;
-        }
+        if (!isOurs(row) || std::isinf(part)) { continue; }
         if (part < least) {
             least = part;
             verdict.front.push_back(i);
@@ -104,9 +100,7 @@ Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<
                 verdict.nearest = static_cast<int>(i);
             }
         }
-        if (!holds(part)) {
-            continue;
-        }
+        if (!holds(part)) { continue; }
         if (verdict.recommended < 0) {
             verdict.recommended = static_cast<int>(i);
             cheapest = row.cost;
@@ -141,7 +135,8 @@ void writeTable(std::ostream& out, const Subject& subject, const std::vector<Lim
     }
     table.write(out);
     out << "> recommended  = as the scene is now  * on the front: nothing of ours is both cheaper and nearer\n"
-        << "ms per s: processor time of the steps of a simulated second; sub-steps of Box2D 2.4.1 are velocity iterations\n";
+        << "ms per s: processor time of the steps of a simulated second; sub-steps of Box2D 2.4.1 are velocity "
+           "iterations\n";
 }
 
 std::string settingsText(const Subject& subject, const Config& config) {
@@ -152,9 +147,7 @@ std::string settingsText(const Subject& subject, const Config& config) {
     text += plural(config.subSteps, "sub-step") + " with " + plural(config.relaxPasses, "relaxation pass");
     text += ", continuous ";
     text += namesOf<SceneContinuous>()[static_cast<std::size_t>(config.continuous)];
-    if (config.toiTolerance) {
-        text += ", tolerance " + roundedText(*config.toiTolerance, 2) + " m";
-    }
+    if (config.toiTolerance) { text += ", tolerance " + roundedText(*config.toiTolerance, 2) + " m"; }
     text += ", broadphase ";
     text += namesOf<SceneBroadphase>()[static_cast<std::size_t>(config.broadphase)];
     return text;

@@ -40,9 +40,7 @@ void QualityGauge::addOverlaps(const PeerSample& sample, const std::vector<bool>
     measures::Sample posed;
     posed.bodies = sample.frame.bodies;
     for (std::size_t i = 0; i < posed.bodies.size(); ++i) {
-        if (!isPresent[i]) {
-            posed.bodies[i].position = {kFarAway + kApart * static_cast<double>(i), 0};
-        }
+        if (!isPresent[i]) { posed.bodies[i].position = {kFarAway + kApart * static_cast<double>(i), 0}; }
     }
     posed_.pose(posed);
     for (const NearPair& pair : nearPairs(posed_.placed(), 0)) {
@@ -56,9 +54,7 @@ void QualityGauge::addGaps(const PeerSample& sample, const std::vector<bool>& is
     for (std::size_t i = 0; i < ends_.size(); ++i) {
         const auto [a, b] = ends_[i];
         const auto* const hinge = std::get_if<RevoluteDescription>(&scene_.joints[i].joint);
-        if (hinge == nullptr || !isPresent[a] || !isPresent[b]) {
-            continue;
-        }
+        if (hinge == nullptr || !isPresent[a] || !isPresent[b]) { continue; }
         const DVec2 onA = movedWith(scene_.bodies[a], sample.frame.bodies[a], hinge->anchor);
         const DVec2 onB = movedWith(scene_.bodies[b], sample.frame.bodies[b], hinge->anchor);
         quality_.jointError = std::max(quality_.jointError, length(onB - onA));

@@ -65,9 +65,7 @@ void addRagdoll(SceneDescription& scene, DVec2 place, int group) {
         const Bone& bone = kBones[i];
         build::addDynamic(scene, "", place + DVec2{0, bone.height}, shapesOf(bone, group)).linearDamping = bone.damping;
         names[i] = build::lastBody(scene);
-        if (bone.parent == kNone) {
-            continue;
-        }
+        if (bone.parent == kNone) { continue; }
         RevoluteDescription& hinge =
             build::hinge(scene, names[static_cast<std::size_t>(bone.parent)], names[i], place + DVec2{0, bone.hinge});
         hinge.lower = bone.lower * std::numbers::pi;
@@ -94,12 +92,8 @@ BenchScene makeJointGrid(double size) {
         for (int i = 0; i < side; ++i) {
             BodyDescription& body =
                 build::addDynamic(bench.scene, nameAt(k, i), {static_cast<double>(k), static_cast<double>(-i)}, {knot});
-            if (isFixed(k, i)) {
-                body.type = SceneBodyType::fixed;
-            }
-            if (i > 0) {
-                build::hinge(bench.scene, nameAt(k, i - 1), nameAt(k, i), {k + 0.0, 0.5 - i});
-            }
+            if (isFixed(k, i)) { body.type = SceneBodyType::fixed; }
+            if (i > 0) { build::hinge(bench.scene, nameAt(k, i - 1), nameAt(k, i), {k + 0.0, 0.5 - i}); }
             if (k > 0 && !(isFixed(k - 1, i) && isFixed(k, i))) {  // which would hold nothing
                 build::hinge(bench.scene, nameAt(k - 1, i), nameAt(k, i), {k - 0.5, -i + 0.0});
             }
@@ -134,28 +128,18 @@ BenchScene makeRain(double size) {
             }
         }
     }
-    for (std::uint32_t body = 1; body < bench.scene.bodies.size(); ++body) {
-        bench.absent.push_back(body);
-    }
+    for (std::uint32_t body = 1; body < bench.scene.bodies.size(); ++body) { bench.absent.push_back(body); }
     bench.script = [columns, cycle = std::max(columns, kColumns)](std::int64_t step) {
         constexpr auto kBodies =
             static_cast<std::uint32_t>(kRows * kGroupSize) * static_cast<std::uint32_t>(kBones.size());
         SceneChange change;
-        if (step % kDelay != 0) {
-            return change;
-        }
+        if (step % kDelay != 0) { return change; }
         const std::int64_t turn = step / kDelay;
         const std::int64_t column = turn % cycle;
-        if (column >= columns) {
-            return change;
-        }
+        if (column >= columns) { return change; }
         const auto first = 1 + static_cast<std::uint32_t>(column) * kBodies;
-        for (std::uint32_t body = first; body < first + kBodies; ++body) {
-            change.added.push_back(body);
-        }
-        if (turn != column) {
-            change.removed = change.added;
-        }
+        for (std::uint32_t body = first; body < first + kBodies; ++body) { change.added.push_back(body); }
+        if (turn != column) { change.removed = change.added; }
         return change;
     };
     return bench;

@@ -18,9 +18,7 @@ DVec2 onCircle(double radius, double angle) { return {radius * std::cos(angle), 
 /// A floor of tiles a metre wide, −half … half, and walls of `high` more.
 void addTub(SceneDescription& scene, int half, int high) {
     std::vector<ShapeDescription> tiles;
-    for (int i = -half; i <= half; ++i) {
-        tiles.push_back(box({0.55, 0.5}, {static_cast<double>(i), 0}));
-    }
+    for (int i = -half; i <= half; ++i) { tiles.push_back(box({0.55, 0.5}, {static_cast<double>(i), 0})); }
     for (const int side : {-half, half}) {
         for (int i = 1; i <= high; ++i) {
             tiles.push_back(box({0.5, 0.55}, {static_cast<double>(side), static_cast<double>(i)}));
@@ -51,9 +49,7 @@ std::vector<ShapeDescription> washerDrum() {
     for (int i = 0; i < 36; ++i) {
         const double from = i * kPart;
         shapes.push_back(block(16, 18, from - 0.1 * kPart, from + 1.1 * kPart));
-        if (i % 9 == 0) {
-            shapes.push_back(block(14, 16, from, from + kPart));
-        }
+        if (i % 9 == 0) { shapes.push_back(block(14, 16, from, from + kPart)); }
     }
     return shapes;
 }
@@ -86,9 +82,7 @@ BenchScene makeJunkyard(double size) {
     // Five points of a Fibonacci ring, as they follow each other around it.
     const double golden = kPi * (std::sqrt(5.0) - 1);
     std::vector<DVec2> points;
-    for (int i = 0; i < 5; ++i) {
-        points.push_back(onCircle(kRadius, golden * i));
-    }
+    for (int i = 0; i < 5; ++i) { points.push_back(onCircle(kRadius, golden * i)); }
     const ShapeDescription junk = build::polygon(points);
     double side = -0.1;
     for (int i = 0; i < kColumns; ++i) {
@@ -143,9 +137,7 @@ BenchScene makeSpinner(double size) {
         shape.restitution = 0.1;
         build::addDynamic(bench.scene, "", at, {std::move(shape)});
         at.x += 0.5;
-        if (at.x >= 23) {
-            at = {-23, at.y + 0.5};
-        }
+        if (at.x >= 23) { at = {-23, at.y + 0.5}; }
     }
     return bench;
 }

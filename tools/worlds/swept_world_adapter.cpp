@@ -14,9 +14,7 @@ public:
         : PeerWorld(scene), built_(std::move(built)), ends_(jointEndsOf(scene)) {}
 
     void remove(std::span<const std::uint32_t> bodies) override {
-        for (const std::uint32_t body : bodies) {
-            (void)built_.world.destroyBody(built_.bodies[body]);
-        }
+        for (const std::uint32_t body : bodies) { (void)built_.world.destroyBody(built_.bodies[body]); }
     }
     void add(std::span<const std::uint32_t> bodies) override {
         std::string error;  // what could be made once can be made again
@@ -70,9 +68,7 @@ private:
 
 std::unique_ptr<PeerWorld> makeSweptPeer(const SceneDescription& scene, std::string& error) {
     SceneWorld built;
-    if (!buildWorld(scene, built, error)) {
-        return nullptr;
-    }
+    if (!buildWorld(scene, built, error)) { return nullptr; }
     WorldSettings settings = built.world.settings();
     settings.measureStageTimes = true;
     (void)built.world.configure(settings);

@@ -46,18 +46,14 @@ public:
     Runner(WorldRow& row, const WorldRequest& request, const WorldBenchSettings& settings, int warmSteps,
            int timedSteps)
         : row_(row), settings_(settings), warmSteps_(warmSteps), stepsLeft_(warmSteps + timedSteps) {
-        if (!child_.start(request, settings.executable, row_.refusal)) {
-            stop("-");
-        }
+        if (!child_.start(request, settings.executable, row_.refusal)) { stop("-"); }
     }
 
     bool goesOn() const { return stepsLeft_ > 0; }
 
     /// @param isFirst  of the repeats: measures too
     void takeTurn(bool isFirst) {
-        if (isFirst && times_.empty()) {
-            measure(&row_.startEnergy);
-        }
+        if (isFirst && times_.empty()) { measure(&row_.startEnergy); }
         // The turn ends where the timing begins.
         const auto done = static_cast<int>(times_.size());
         const int most = done < warmSteps_ ? std::min(turn_, warmSteps_ - done) : turn_;
@@ -72,12 +68,8 @@ public:
         used_ += used;
         turn_ =
             static_cast<int>(std::clamp(kTurnSeconds * steps / std::max(used, kTurnSeconds / kTurn), 1.0, 1.0 * kTurn));
-        if (isFirst && done + steps >= warmSteps_) {
-            measure(nullptr);
-        }
-        if (used_ > settings_.seconds && stepsLeft_ > 0) {
-            stop("stopped");
-        }
+        if (isFirst && done + steps >= warmSteps_) { measure(nullptr); }
+        if (used_ > settings_.seconds && stepsLeft_ > 0) { stop("stopped"); }
     }
 
     /// @param repeats  what each timed step took before; the first run says how many there are, so that a repeat which
@@ -90,9 +82,7 @@ public:
             repeats.resize(timed.size());
             row_.memory = row_.verdict.empty() ? child_.memory() : 0;
         }
-        for (std::size_t i = 0; i < std::min(timed.size(), repeats.size()); ++i) {
-            repeats[i].push_back(timed[i]);
-        }
+        for (std::size_t i = 0; i < std::min(timed.size(), repeats.size()); ++i) { repeats[i].push_back(timed[i]); }
     }
 
 private:
@@ -149,9 +139,7 @@ void runOnce(const BenchScene& bench, const std::vector<Contestant>& contestants
         }
     }
     for (std::size_t i = 0; i < runners.size(); ++i) {
-        if (runners[i]) {
-            runners[i]->finish(isFirst, repeats[i]);
-        }
+        if (runners[i]) { runners[i]->finish(isFirst, repeats[i]); }
     }
 }
 
@@ -162,13 +150,9 @@ std::vector<Contestant> allContestants() {
                                         ours("accurate f32", Precision::f32, SceneProfile::accurate),
                                         ours("fast f64", Precision::f64, SceneProfile::fast),
                                         ours("accurate f64", Precision::f64, SceneProfile::accurate)};
-    if (hasPeer(PeerEngine::box2d3)) {
-        contestants.push_back(peer(kRival, PeerEngine::box2d3));
-    }
+    if (hasPeer(PeerEngine::box2d3)) { contestants.push_back(peer(kRival, PeerEngine::box2d3)); }
     contestants.push_back(peer("Box2D 2.4.1", PeerEngine::box2d2));
-    if (hasPeer(PeerEngine::chipmunk)) {
-        contestants.push_back(peer("Chipmunk 7", PeerEngine::chipmunk));
-    }
+    if (hasPeer(PeerEngine::chipmunk)) { contestants.push_back(peer("Chipmunk 7", PeerEngine::chipmunk)); }
     return contestants;
 }
 
@@ -195,9 +179,7 @@ PeerStages WorldRow::stages() const {
 StepTime timeOfRepeats(std::vector<StepTime> repeats, Repeats counts) {
     std::sort(repeats.begin(), repeats.end(),
               [](const StepTime& a, const StepTime& b) { return a.seconds < b.seconds; });
-    if (counts == Repeats::fastest) {
-        return repeats.front();
-    }
+    if (counts == Repeats::fastest) { return repeats.front(); }
     const StepTime& low = repeats[(repeats.size() - 1) / 2];
     const StepTime& high = repeats[repeats.size() / 2];
     const auto middle = [&](double PeerStages::*stage) { return (low.stages.*stage + high.stages.*stage) / 2; };
@@ -243,9 +225,7 @@ std::vector<WorldRow> benchWorlds(const WorldBenchSettings& settings,
     std::vector<WorldRow> rows;
     for (const SceneEntry& entry : allScenes()) {
         if (isWanted(entry.name, settings.scenes)) {
-            for (WorldRow& row : benchScene(entry, settings)) {
-                rows.push_back(std::move(row));
-            }
+            for (WorldRow& row : benchScene(entry, settings)) { rows.push_back(std::move(row)); }
             progress(rows);
         }
     }

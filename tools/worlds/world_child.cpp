@@ -73,9 +73,7 @@ public:
     void weigh(std::vector<double>& numbers) const { numbers = {0, 0, 0, world_->sample().energy}; }
 
     void measure(std::vector<double>& numbers) {
-        if (!gauge_) {
-            gauge_.emplace(bench_);
-        }
+        if (!gauge_) { gauge_.emplace(bench_); }
         gauge_->add(world_->sample(), isPresent_);
         const Quality quality = gauge_->result();
         numbers = {quality.deepest, quality.mean, quality.jointError, quality.energy};
@@ -90,28 +88,18 @@ private:
 
     void take(const std::vector<std::uint32_t>& bodies) {
         world_->remove(bodies);
-        for (const std::uint32_t body : bodies) {
-            isPresent_[body] = false;
-        }
+        for (const std::uint32_t body : bodies) { isPresent_[body] = false; }
     }
 
     void change() {
-        if (!bench_.script) {
-            return;
-        }
+        if (!bench_.script) { return; }
         const SceneChange change = bench_.script(steps_);
-        if (!change.removed.empty()) {
-            take(change.removed);
-        }
+        if (!change.removed.empty()) { take(change.removed); }
         if (!change.added.empty()) {
             world_->add(change.added);
-            for (const std::uint32_t body : change.added) {
-                isPresent_[body] = true;
-            }
+            for (const std::uint32_t body : change.added) { isPresent_[body] = true; }
         }
-        for (const SceneChange::Push& push : change.pushed) {
-            world_->setVelocity(push.body, push.velocity);
-        }
+        for (const SceneChange::Push& push : change.pushed) { world_->setVelocity(push.body, push.velocity); }
     }
 
     BenchScene bench_;
@@ -133,9 +121,7 @@ bool WorldChild::start(const WorldRequest& request, const std::string& executabl
             return false;
         }
     }
-    if (!child_.start(executable, kWorldChildCommand, error)) {
-        return false;
-    }
+    if (!child_.start(executable, kWorldChildCommand, error)) { return false; }
     char isThere = 0;
     if (!child_.send(&request, sizeof request, kPatience) || !child_.receive(&isThere, 1, kPatience)) {
         error = child_.finish();
@@ -156,9 +142,7 @@ bool WorldChild::ask(char command, std::int32_t steps, std::vector<double>& numb
 
 bool WorldChild::run(int steps, std::vector<StepTime>& times) {
     std::vector<double> numbers;
-    if (!ask(kRun, steps, numbers)) {
-        return false;
-    }
+    if (!ask(kRun, steps, numbers)) { return false; }
     for (std::size_t i = 0; i + kStepNumbers <= numbers.size(); i += kStepNumbers) {
         const double* const n = &numbers[i];
         times.push_back({n[0], {n[1], n[2], n[3], n[4], n[5], n[6]}});
@@ -168,9 +152,7 @@ bool WorldChild::run(int steps, std::vector<StepTime>& times) {
 
 bool WorldChild::measure(Quality& quality, bool gathers) {
     std::vector<double> numbers;
-    if (!ask(gathers ? kMeasure : kWeigh, 0, numbers)) {
-        return false;
-    }
+    if (!ask(gathers ? kMeasure : kWeigh, 0, numbers)) { return false; }
     quality = {numbers[0], numbers[1], numbers[2], numbers[3]};
     return true;
 }
@@ -183,18 +165,12 @@ double WorldChild::memory() {
 int runWorldChild() {
     forbidDumps();
     WorldRequest request;
-    if (!readAll(&request, sizeof request)) {
-        return 2;
-    }
+    if (!readAll(&request, sizeof request)) { return 2; }
     const SceneEntry* const entry = sceneNamed(request.scene.data());
-    if (entry == nullptr) {
-        return 2;
-    }
+    if (entry == nullptr) { return 2; }
     ScriptedRun run(entry->make(request.size), request);
     const char isThere = 1;
-    if (!run.isThere() || !writeAll(&isThere, 1)) {
-        return 2;
-    }
+    if (!run.isThere() || !writeAll(&isThere, 1)) { return 2; }
     std::vector<double> numbers;
     for (Order order; readAll(&order, sizeof order);) {
         numbers.clear();
@@ -212,9 +188,7 @@ int runWorldChild() {
                 numbers = {run.memory()};
                 break;
         }
-        if (!answer(numbers)) {
-            return 2;
-        }
+        if (!answer(numbers)) { return 2; }
     }
     return 0;
 }

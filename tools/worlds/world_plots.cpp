@@ -11,9 +11,7 @@ namespace {
 std::vector<std::string> contestantsOf(const std::vector<WorldRow>& rows) {
     std::vector<std::string> names;
     for (const WorldRow& row : rows) {
-        if (std::find(names.begin(), names.end(), row.contestant) == names.end()) {
-            names.push_back(row.contestant);
-        }
+        if (std::find(names.begin(), names.end(), row.contestant) == names.end()) { names.push_back(row.contestant); }
     }
     return names;
 }
@@ -22,9 +20,7 @@ std::vector<std::string> contestantsOf(const std::vector<WorldRow>& rows) {
 void writeTimeData(std::ostream& out, const std::vector<WorldRow>& rows) {
     const auto names = contestantsOf(rows);
     out << "scene";
-    for (const std::string& name : names) {
-        out << " \"" << name << '"';
-    }
+    for (const std::string& name : names) { out << " \"" << name << '"'; }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         out << (i % names.size() == 0 ? "\n" + rows[i].scene : "") << ' '
             << (rows[i].times.empty() ? "?" : roundedText(1e3 * rows[i].perStep(), 6));

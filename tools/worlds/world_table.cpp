@@ -20,9 +20,7 @@ template <class Get>
 std::vector<std::string> distinct(const std::vector<WorldRow>& rows, const Get& get) {
     std::vector<std::string> values;
     for (const WorldRow& row : rows) {
-        if (std::find(values.begin(), values.end(), get(row)) == values.end()) {
-            values.push_back(get(row));
-        }
+        if (std::find(values.begin(), values.end(), get(row)) == values.end()) { values.push_back(get(row)); }
     }
     return values;
 }
@@ -51,9 +49,7 @@ std::string errorText(double value) {
 
 /// Of what was stopped, with a star; of what was not timed, why.
 std::string timeText(const WorldRow& row) {
-    if (row.times.empty()) {
-        return row.verdict.empty() ? "-" : row.verdict;
-    }
+    if (row.times.empty()) { return row.verdict.empty() ? "-" : row.verdict; }
     return bench::threeDigits(kMilli * row.perStep()) + (row.verdict.empty() ? "" : "*");
 }
 
@@ -63,9 +59,7 @@ void writeTimes(std::ostream& out, const std::vector<WorldRow>& rows) {
     bench::TextTable table(with({"scene", "bodies"}, contestants));
     for (const std::string& scene : distinct(rows, sceneOf)) {
         std::vector<std::string> line{scene, std::to_string(find(rows, scene, contestants.front())->bodies)};
-        for (const std::string& contestant : contestants) {
-            line.push_back(timeText(*find(rows, scene, contestant)));
-        }
+        for (const std::string& contestant : contestants) { line.push_back(timeText(*find(rows, scene, contestant))); }
         table.add(line);
     }
     table.write(out);
@@ -76,9 +70,7 @@ std::string meanRatio(const std::vector<WorldRow>& rows, const std::string& cont
     double sum = 0;
     int count = 0;
     for (const WorldRow& row : rows) {
-        if (row.contestant != contestant || (publishedOnly && !row.isPublished)) {
-            continue;
-        }
+        if (row.contestant != contestant || (publishedOnly && !row.isPublished)) { continue; }
         const double ratio = ratioOf(row, *find(rows, row.scene, kRival));
         if (ratio > 0) {
             sum += std::log(ratio);
@@ -90,9 +82,7 @@ std::string meanRatio(const std::vector<WorldRow>& rows, const std::string& cont
 
 void writeRatios(std::ostream& out, const std::vector<WorldRow>& rows) {
     auto contestants = distinct(rows, contestantOf);
-    if (std::erase(contestants, kRival) == 0 || contestants.empty()) {
-        return;
-    }
+    if (std::erase(contestants, kRival) == 0 || contestants.empty()) { return; }
     out << "\nTime over that of " << kRival << " (below 1: faster)\n";
     bench::TextTable table(with({"scene"}, contestants));
     for (const std::string& scene : distinct(rows, sceneOf)) {
@@ -122,9 +112,7 @@ void writeStages(std::ostream& out, const std::vector<WorldRow>& rows) {
     out << "\nStages, milliseconds a step\n";
     bench::TextTable table({"scene", "engine", "pairs", "collide", "islands", "solve", "continuous", "finish", "sum"});
     for (const WorldRow& row : rows) {
-        if (!(sumOf(row.stages()) > 0)) {
-            continue;
-        }
+        if (!(sumOf(row.stages()) > 0)) { continue; }
         std::vector<std::string> line{row.scene, row.contestant};
         const PeerStages s = row.stages();
         for (const double stage : {s.pairs, s.collide, s.islands, s.solve, s.continuous, s.finish, sumOf(s)}) {
@@ -140,9 +128,7 @@ void writeQuality(std::ostream& out, const std::vector<WorldRow>& rows) {
     bench::TextTable table(
         {"scene", "engine", "deepest, m", "mean overlap, m", "joint gap, m", "energy", "memory, MB"});
     for (const WorldRow& row : rows) {
-        if (!row.quality) {
-            continue;
-        }
+        if (!row.quality) { continue; }
         const double energy =
             row.startEnergy != 0 ? (row.quality->energy - row.startEnergy) / std::fabs(row.startEnergy) : 0;
         table.add({row.scene, row.contestant, errorText(row.quality->deepest), errorText(row.quality->mean),
@@ -164,9 +150,7 @@ void writeRefusals(std::ostream& out, const std::vector<WorldRow>& rows) {
 }  // namespace
 
 void writeWorldTables(std::ostream& out, const std::vector<WorldRow>& rows) {
-    if (rows.empty()) {
-        return;
-    }
+    if (rows.empty()) { return; }
     writeTimes(out, rows);
     writeRatios(out, rows);
     writeStages(out, rows);
@@ -175,18 +159,14 @@ void writeWorldTables(std::ostream& out, const std::vector<WorldRow>& rows) {
 }
 
 void writeGrowthTable(std::ostream& out, const std::vector<WorldRow>& rows) {
-    if (rows.empty()) {
-        return;
-    }
+    if (rows.empty()) { return; }
     const auto contestants = distinct(rows, contestantOf);
     out << "\nGrowth: microseconds a step and body\n";
     bench::TextTable table(with({"scene", "bodies"}, contestants));
     for (const std::string& scene : distinct(rows, sceneOf)) {
         std::set<std::size_t> sizes;
         for (const WorldRow& row : rows) {
-            if (row.scene == scene) {
-                sizes.insert(row.bodies);
-            }
+            if (row.scene == scene) { sizes.insert(row.bodies); }
         }
         for (const std::size_t bodies : sizes) {
             std::vector<std::string> line{scene, std::to_string(bodies)};

@@ -18,10 +18,13 @@ constexpr std::size_t kDynamicTree = 2;
 /// Sensors have no tree of their own there; no trace of ours has any.
 std::size_t treeOf(ProxyKind kind) {
     switch (kind) {
-        case ProxyKind::fixed: return kStaticTree;
-        case ProxyKind::kinematic: return kKinematicTree;
+        case ProxyKind::fixed:
+            return kStaticTree;
+        case ProxyKind::kinematic:
+            return kKinematicTree;
         case ProxyKind::dynamic:
-        case ProxyKind::sensor: return kDynamicTree;
+        case ProxyKind::sensor:
+            return kDynamicTree;
     }
     return kDynamicTree;  // unreachable, but GCC cannot know
 }

@@ -69,9 +69,7 @@ public:
 
 private:
     void end() {
-        if (alive_) {
-            b2DestroyWorld(world_);
-        }
+        if (alive_) { b2DestroyWorld(world_); }
         alive_ = false;
         bodies_.clear();
     }

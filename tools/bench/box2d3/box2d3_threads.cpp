@@ -79,9 +79,7 @@ public:
             bodyDef.position = toBox2d(body.position);
             bodyDef.linearVelocity = toBox2d(body.velocity);
             const b2BodyId id = b2CreateBody(world_, &bodyDef);
-            for (const ShapeDescription& shape : body.shapes) {
-                addShape(id, shape);
-            }
+            for (const ShapeDescription& shape : body.shapes) { addShape(id, shape); }
         }
     }
     Box2d3World(const Box2d3World&) = delete;
@@ -101,9 +99,7 @@ private:
 
 std::unique_ptr<TimedWorld> makeBox2d3Threads(const SceneDescription& scene, int threads) {
 #ifndef SWEPT_BENCH_TBB
-    if (threads > 1) {
-        return nullptr;
-    }
+    if (threads > 1) { return nullptr; }
 #endif
     return std::make_unique<Box2d3World>(scene, threads);
 }

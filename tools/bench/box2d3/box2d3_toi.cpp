@@ -15,9 +15,7 @@ constexpr double kMostTurn = 3.14;  // half a turn has no shorter way round
 
 b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
-b2Rot rotationOf(double angle) {
-    return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
-}
+b2Rot rotationOf(double angle) { return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}; }
 
 b2Sweep toBox2d(const Sweep& sweep) {
     return {toBox2d(sweep.localCenter), toBox2d(sweep.c0), toBox2d(sweep.c1), rotationOf(sweep.a0),
@@ -53,9 +51,7 @@ public:
 
     std::optional<ToiQuery> understood(const ToiQuery& query) const override {
         const auto turns = [](const Sweep& sweep) { return std::fabs(sweep.a1 - sweep.a0); };
-        if (turns(query.sweepA) > kMostTurn || turns(query.sweepB) > kMostTurn) {
-            return std::nullopt;
-        }
+        if (turns(query.sweepA) > kMostTurn || turns(query.sweepB) > kMostTurn) { return std::nullopt; }
         ToiQuery centered = query;
         for (Sweep* const sweep : {&centered.sweepA, &centered.sweepB}) {
             sweep->c0 = sweep->c0 - query.sweepB.c0;

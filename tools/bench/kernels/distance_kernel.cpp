@@ -24,18 +24,14 @@ public:
 
     double coldPass() override {
         double sum = 0;
-        for (const Query& q : queries_) {
-            sum += static_cast<double>(distance(q.a, q.b, q.poses[0]).distance);
-        }
+        for (const Query& q : queries_) { sum += static_cast<double>(distance(q.a, q.b, q.poses[0]).distance); }
         return sum;
     }
 
     double warmPass() override {
         pose_ = 1 - pose_;
         double sum = 0;
-        for (Query& q : queries_) {
-            sum += static_cast<double>(distance(q.a, q.b, q.poses[pose_], &q.cache).distance);
-        }
+        for (Query& q : queries_) { sum += static_cast<double>(distance(q.a, q.b, q.poses[pose_], &q.cache).distance); }
         return sum;
     }
 

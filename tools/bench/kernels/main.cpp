@@ -70,14 +70,10 @@ bool registerDistances(const Contestants& contestants, std::vector<std::vector<P
 
 int run(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-        return 2;
-    }
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) { return 2; }
     const Contestants contestants = makeContestants();
     std::vector<std::vector<PairCase>> pairs;
-    if (!registerDistances(contestants, pairs)) {
-        return 1;
-    }
+    if (!registerDistances(contestants, pairs)) { return 1; }
     registerShapeKernelsF32();
     registerShapeKernelsF64();
     registerSolverKernelsF32();

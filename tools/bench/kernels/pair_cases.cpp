@@ -161,9 +161,7 @@ std::vector<PairCase> makePairs(PairKind kind, int count) {
         const DVec2 move = size * DVec2{random.range(-0.01, 0.01), random.range(-0.01, 0.01)};
         pair.poses[0] = poseOf(place, angle);
         pair.poses[1] = poseOf(place + move, angle + random.range(-0.02, 0.02));
-        if (areApart(pair)) {
-            pairs.push_back(pair);
-        }
+        if (areApart(pair)) { pairs.push_back(pair); }
     }
     return pairs;
 }

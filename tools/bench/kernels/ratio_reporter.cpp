@@ -10,9 +10,7 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
     const std::string prefix = "distance/";
     for (const Run& run : runs) {
         const std::string& name = run.run_name.function_name;
-        if (run.aggregate_name != "median" || name.rfind(prefix, 0) != 0) {
-            continue;
-        }
+        if (run.aggregate_name != "median" || name.rfind(prefix, 0) != 0) { continue; }
         const std::size_t last = name.rfind('/');
         medians_[name.substr(prefix.size(), last - prefix.size())][name.substr(last + 1)] =
             1e9 * run.counters.at("per_query").value;

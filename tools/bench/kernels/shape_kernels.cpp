@@ -50,9 +50,7 @@ void registerKernel(const std::string& name, Queries queries, Answer answer) {
     const auto shared = std::make_shared<const Queries>(std::move(queries));
     benchmark::RegisterBenchmark((name + '/' + kPrecision).c_str(), [shared, answer](benchmark::State& state) {
         for ([[maybe_unused]] auto _ : state) {
-            for (const auto& query : *shared) {
-                benchmark::DoNotOptimize(answer(query));
-            }
+            for (const auto& query : *shared) { benchmark::DoNotOptimize(answer(query)); }
         }
         state.counters["per_query"] =
             benchmark::Counter(static_cast<double>(shared->size()),
@@ -68,9 +66,7 @@ void registerShapeKernels() {
     for (const PairKind kind : {PairKind::mixed, PairKind::boxes, PairKind::octagons}) {
         const std::string name(nameOf(kind));
         std::vector<Query> near = queriesOf(kind);
-        for (Query& q : near) {
-            q.margin = length(q.bInA.translation);
-        }
+        for (Query& q : near) { q.margin = length(q.bInA.translation); }
         registerKernel("penetration/" + name, queriesOf(kind), depth);
         registerKernel("collide/overlapping/" + name, overlapping(queriesOf(kind)), manifold);
         registerKernel("collide/within_margin/" + name, near, manifold);

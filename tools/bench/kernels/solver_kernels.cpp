@@ -44,9 +44,7 @@ struct Wall {
 
     explicit Wall(int side) {
         batch.clear();
-        for (int i = 0; i < side * side; ++i) {
-            batch.addBody({}, {Real(1), Real(6)}, {});
-        }
+        for (int i = 0; i < side * side; ++i) { batch.addBody({}, {Real(1), Real(6)}, {}); }
         BenchRandom random(1);
         for (int row = 1; row < side; ++row) {
             for (int column = 0; column + 1 < side; ++column) {
@@ -79,9 +77,7 @@ struct Wall {
 
     template <class Visit>
     void forColours(const Visit& visit) {
-        for (const int colour : graph.activeColours()) {
-            visit(colour, RangeCut(0, contacts.countOf(colour)));
-        }
+        for (const int colour : graph.activeColours()) { visit(colour, RangeCut(0, contacts.countOf(colour))); }
     }
 };
 
@@ -106,9 +102,7 @@ void registerPass(const char* name, int side, double flops, const Pass& pass) {
 SWEPT_WIDEST void multiplyAndAdd(std::array<Real, 64>& sums, int rounds) {
     std::array<Real, 64> local = sums;
     for (int round = 0; round < rounds; ++round) {
-        for (Real& sum : local) {
-            sum = sum * Real(0.999) + Real(0.001);
-        }
+        for (Real& sum : local) { sum = sum * Real(0.999) + Real(0.001); }
     }
     sums = local;
 }
@@ -127,18 +121,14 @@ void measurePeak(benchmark::State& state) {
 SWEPT_WIDEST Real sumOf(const Real* values, std::size_t count) {
     std::array<Real, 64> sums{};
     for (std::size_t i = 0; i < count; i += sums.size()) {
-        for (std::size_t lane = 0; lane < sums.size(); ++lane) {
-            sums[lane] += values[i + lane];
-        }
+        for (std::size_t lane = 0; lane < sums.size(); ++lane) { sums[lane] += values[i + lane]; }
     }
     return std::accumulate(sums.begin(), sums.end(), Real(0));
 }
 
 void measureReading(benchmark::State& state) {
     const std::vector<Real> values(static_cast<std::size_t>(state.range(0)) / sizeof(Real), 1);
-    for ([[maybe_unused]] auto _ : state) {
-        benchmark::DoNotOptimize(sumOf(values.data(), values.size()));
-    }
+    for ([[maybe_unused]] auto _ : state) { benchmark::DoNotOptimize(sumOf(values.data(), values.size())); }
     state.counters["bytes"] =
         benchmark::Counter(static_cast<double>(state.range(0)), benchmark::Counter::kIsIterationInvariantRate);
 }

@@ -15,9 +15,7 @@ constexpr int kQueries = 1000;
 
 void runMethod(benchmark::State& state, ToiMethod method) {
     std::vector<ToiQuery> queries;
-    for (std::uint64_t i = 0; i < kQueries; ++i) {
-        queries.push_back(makeToiCase(ToiFamily::generic, 1, i));
-    }
+    for (std::uint64_t i = 0; i < kQueries; ++i) { queries.push_back(makeToiCase(ToiFamily::generic, 1, i)); }
     for ([[maybe_unused]] auto _ : state) {
         for (const ToiQuery& q : queries) {
             benchmark::DoNotOptimize(timeOfImpactBy(method, q.a, q.sweepA, q.b, q.sweepB, q.settings));
