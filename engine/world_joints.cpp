@@ -177,10 +177,12 @@ Result<JointId> World::createJoint(const PulleyJointDef& def) {
                                       checkNumber(def.anchorB, "anchorB"), checkRatio(def.ratio)});
     if (!status.ok()) { return status; }
     if (def.ratio < 0) { return Status{StatusCode::negative, "ratio"}; }
+    const double rope =
+        length(def.anchorA - def.groundA) + static_cast<double>(def.ratio) * length(def.anchorB - def.groundB);
+    if (!isInRange(rope)) { return Status{StatusCode::outOfRange, "ratio"}; }
     const JointPart<PulleyJointDef, PulleyConstraint> part{def, {}};
     Joint joint = jointOf(world, def.base, part, {def.anchorA, def.anchorB, {}});
-    joint.length = static_cast<Real>(length(def.anchorA - def.groundA) +
-                                     static_cast<double>(def.ratio) * length(def.anchorB - def.groundB));
+    joint.length = static_cast<Real>(rope);
     return insert(world, std::move(joint));
 }
 
