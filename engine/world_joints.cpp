@@ -159,6 +159,8 @@ Result<JointId> World::createJoint(const GearJointDef& def) {
     filled.base.bodyB = second.base.bodyB;
     const Status base = checkBase(world, filled.base);
     if (!base.ok()) { return base; }
+    const double constant = coordinateOf(world, first) + static_cast<double>(def.ratio) * coordinateOf(world, second);
+    if (!isInRange(constant)) { return Status{StatusCode::outOfRange, "ratio"}; }
     const JointPart<GearJointDef, GearConstraint> part{filled, {}};
     Joint gear = jointOf(world, filled.base, part,
                          {apply(world.motions[first.bodyB].pose, first.localAnchorB),
@@ -166,7 +168,7 @@ Result<JointId> World::createJoint(const GearJointDef& def) {
                           {}});
     addBody(gear, first.bodyA);
     addBody(gear, second.bodyA);
-    gear.gearConstant = coordinateOf(world, first) + static_cast<double>(def.ratio) * coordinateOf(world, second);
+    gear.gearConstant = constant;
     return insert(world, std::move(gear));
 }
 
