@@ -121,7 +121,7 @@ void predict(WorldState& world, BulletPair& pair, FlightScratch& scratch) {
             if (a.def.sensor || b.def.sensor || !mayTouch(world, a, b) || !(limit > 0)) { continue; }
             FlightObstacle shapes{.own = own, .other = other};
             shapes.level = targetOf(world, shapes);
-            shapes.lift = (kSagSlops * static_cast<double>(slopOf(world, shapes))) * toDouble(pair.carrier);
+            shapes.lift = rideSag(world, shapes, std::max(first.impacts, second.impacts)) * toDouble(pair.carrier);
             const FirstImpact impact = firstImpactWith(world, path, otherPath, shapes, limit, scratch);
             if (!impact.hit) { continue; }
             limit = impact.fraction;

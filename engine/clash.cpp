@@ -44,8 +44,12 @@ bool listPairs(Clash& clash, std::span<const std::uint32_t> members, std::span<c
             if (contact.isSolid() && grounded < members.size()) { clash.work.isNearGround[grounded] = 1; }
             continue;
         }
-        if (!(contact.restitution > 0)) { return false; }
         ClashPair pair{.contact = index, .first = first, .second = second};
+        pair.isRide = !(contact.restitution > 0);
+        const bool isBullets =
+            clash.world.bodies[contact.bodyA].def.bullet || clash.world.bodies[contact.bodyB].def.bullet;
+        if (pair.isRide && !isBullets) { return false; }
+        clash.work.anyRides = clash.work.anyRides || pair.isRide;
         pair.shapes = {.own = contact.shapeB, .other = contact.shapeA};
         clash.work.pairs.push_back(pair);
     }
@@ -58,6 +62,8 @@ bool begin(Clash& clash, std::span<const std::uint32_t> members, std::span<const
     if (!std::all_of(members.begin(), members.end(), flies)) { return false; }
     ClashScratch& work = clash.work;
     work.pairs.clear();
+    work.anyRides = false;
+    work.impacts = 0;
     work.isNearGround.assign(members.size(), 0);
     if (!listPairs(clash, members, contacts)) { return false; }
     work.flights.clear();
@@ -115,6 +121,10 @@ void aim(const Clash& clash, ClashPair& pair) {
     if (!pair.isMet) { return; }
     const auto deepest = static_cast<double>(pair.deepest);
     const double up = deepest < 0 ? target - deepest : 0;
+    if (pair.isRide) {
+        pair.shapes.lift = (up + rideSag(world, pair.shapes, clash.work.impacts)) * toDouble(pair.normal);
+        return;
+    }
     pair.shapes.lift = up * toDouble(pair.normal);
     pair.shapes.level = levelInContact(world, pair.shapes, deepest + up);
 }
@@ -146,15 +156,31 @@ void advanceAll(Clash& clash, double fraction) {
     for (ClashPair& pair : clash.work.pairs) { pair.isMet = false; }
 }
 
+bool isExhausted(const Clash& clash) {
+    const ClashScratch& work = clash.work;
+    if (!work.anyRides) {
+        const int most = kImpactsPerMember * static_cast<int>(work.flights.size());
+        return work.impacts > std::min(most, clash.world.settings.maxImpacts);
+    }
+    return std::all_of(work.flights.begin(), work.flights.end(),
+                       [&](const Flight& flight) { return isExhausted(flight, work.impacts, LostTimeReason::budget); });
+}
+
+/// The solver would have turning faces stand still for the rest of the step, and a bullet would get through: all stay
+/// where they are.
+bool giveUp(Clash& clash) {
+    if (!clash.work.anyRides) { return false; }
+    for (const Flight& flight : clash.work.flights) { enterLedger(flight, LostTimeReason::budget); }
+    return true;
+}
+
 /// @return whether the step was used up within the budget of impacts
 bool flyThrough(Clash& clash) {
     ClashScratch& work = clash.work;
-    const int most =
-        std::min(kImpactsPerMember * static_cast<int>(work.flights.size()), clash.world.settings.maxImpacts);
     resolvePairs(clash, true);
     if (!allLeave(clash)) { return false; }
     resolveGround(clash);
-    for (int impacts = 0; impacts <= most; ++impacts) {
+    for (; !isExhausted(clash); ++work.impacts) {
         const NextImpact next = nextImpactOf(clash);
         advanceAll(clash, next.hit ? next.fraction : 1);
         if (!next.hit) { return true; }
@@ -167,7 +193,7 @@ bool flyThrough(Clash& clash) {
         }
         for (const Flight& flight : work.flights) { notePose(flight); }
     }
-    return false;
+    return giveUp(clash);
 }
 
 void store(Clash& clash) {

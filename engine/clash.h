@@ -16,6 +16,7 @@ struct ClashPair {
     std::uint32_t second = 0;
     FlightObstacle shapes{};
     std::array<Real, 2> impulse{};  ///< normal, so far, N·s
+    bool isRide = false;            ///< a bullet's, and plastic
     bool isMet = false;             ///< now
     Vec2 normal{};                  ///< of the contact that is met, from first to second, world
     Real deepest = 0;               ///< separation there, metres
@@ -28,11 +29,15 @@ struct ClashScratch {
     std::vector<std::uint8_t> isNearGround;  ///< by flight: something static or kinematic is beside its path
     std::vector<ClashPair> pairs;
     std::vector<ContactConstraint> constraints;
+    bool anyRides = false;
+    int impacts = 0;  ///< so far
 };
 
 /// A few bodies that bounce off each other in flight: nothing carries or joins them, so each flies on its own parabola
 /// from impact to impact, and what meets at one moment is reflected together. Exact where sub-steps approximate, and
-/// cheaper. Touches only the state of the bodies, of the contacts, and the scratch, so clashes may go in any order.
+/// cheaper. What meets a bullet without restitution is among them: where the two ride on each other, they take turns at
+/// sinking in a little and being set apart, so that a bullet on something that whirls stays on its side. Touches only
+/// the state of the bodies, of the contacts, and the scratch, so clashes may go in any order.
 /// @param members   slots of dynamic bodies, all of the island
 /// @param contacts  indices of the contacts of the island
 /// @return false: this is no such island, or something comes to rest in it, so it is for the solver. Nothing was

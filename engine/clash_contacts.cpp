@@ -15,6 +15,11 @@ constexpr int kMaxImpactRounds = 64;
 /// What overlaps from the start leaves by itself when it would be out within so many steps; else the solver pushes.
 constexpr Real kStepsToLeave = 4;
 
+/// How deep an overlap may be of this step, or of the one before.
+Real deepestOwn(const Clash& clash, const ClashPair& pair) {
+    return (pair.isRide ? kSlackRatio : kShallowRatio) * clash.world.contacts[pair.contact].extent;
+}
+
 /// Sets apart what sank below its target, the lighter one farther. Deep overlaps are from before, and stay as they are.
 void setApart(Clash& clash, ClashPair& pair) {
     Flight& first = clash.work.flights[pair.first];
@@ -23,7 +28,7 @@ void setApart(Clash& clash, ClashPair& pair) {
     const double target = targetOf(world, pair.shapes);
     const double gap = target - static_cast<double>(pair.deepest);
     const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
-    if (!(gap > noise) || pair.deepest < -kShallowRatio * world.contacts[pair.contact].extent) { return; }
+    if (!(gap > noise) || pair.deepest < -deepestOwn(clash, pair)) { return; }
     pair.deepest = static_cast<Real>(target);
     const auto inverseFirst = static_cast<double>(first.body().inverseMass);
     const auto inverseSecond = static_cast<double>(second.body().inverseMass);
@@ -144,16 +149,16 @@ void resolvePairs(Clash& clash, bool isStart) {
 
 bool allLeave(const Clash& clash) {
     for (const ContactConstraint& constraint : clash.work.constraints) {
-        const Contact& contact = clash.world.contacts[clash.work.pairs[constraint.source].contact];
-        const BodyMotion& a = clash.work.flights[clash.work.pairs[constraint.source].first].motion;
-        const BodyMotion& b = clash.work.flights[clash.work.pairs[constraint.source].second].motion;
+        const ClashPair& pair = clash.work.pairs[constraint.source];
+        const BodyMotion& a = clash.work.flights[pair.first].motion;
+        const BodyMotion& b = clash.work.flights[pair.second].motion;
         for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
             const ContactConstraintPoint& point = constraint.points[k];
             const Real depth = -(point.baseSeparation + dot(point.anchorB - point.anchorA, constraint.normal));
             const Vec2 velocity = b.velocity + cross(b.angularVelocity, point.anchorB) - a.velocity -
                                   cross(a.angularVelocity, point.anchorA);
             const Real way = static_cast<Real>(clash.dt) * dot(velocity, constraint.normal);
-            if (depth > kShallowRatio * contact.extent && !(kStepsToLeave * way > depth)) { return false; }
+            if (depth > deepestOwn(clash, pair) && !(kStepsToLeave * way > depth)) { return false; }
         }
     }
     return true;

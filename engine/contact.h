@@ -40,6 +40,8 @@ struct Contact {
     // memory.
     Real extentA = 0;
     Real extentB = 0;
+    Real radiusA = 0;
+    Real radiusB = 0;
     bool dynamicA = false;  ///< the body is
     bool dynamicB = false;
     bool sensor = false;

@@ -17,6 +17,7 @@ bool isAhead(const WorldState& world, const Contact& contact) {
 }
 
 void anchorAtCores(ContactConstraint& constraint, Real radiusA, Real radiusB) {
+    constraint.radiusA = constraint.radiusB = 0;  // no arm is longer than to the core
     for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {
         ContactConstraintPoint& point = constraint.points[i];
         const Real half = point.baseSeparation / 2;

@@ -34,6 +34,8 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.extent = std::min(a.extent, b.extent);
     contact.extentA = a.extent;
     contact.extentB = b.extent;
+    contact.radiusA = a.polygon.radius;
+    contact.radiusB = b.polygon.radius;
     contact.dynamicA = world.bodies[a.body].isDynamic();
     contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;

@@ -203,6 +203,11 @@ Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
     return kTargetRatio * std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
 }
 
+double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts) {
+    const auto slop = static_cast<double>(slopOf(world, obstacle));
+    return slop * std::min(std::ldexp(kSagSlops, impacts / kImpactsPerDoubling), kMostSagSlops);
+}
+
 Aabb boxOfPath(const Shape& own, const Sweep& sweep) {
     return boxAround(sweep, static_cast<double>(own.radius + kTargetRatio * own.extent));
 }

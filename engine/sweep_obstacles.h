@@ -44,6 +44,15 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
 inline constexpr Real kChatterSlops = Real(1) / 8;
 /// How far a body sags between two impacts of what carries it, in slops.
 inline constexpr double kSagSlops = 0.5;
+/// What a bullet rides on: see `rideSag`.
+inline constexpr double kMostSagSlops = 64;
+inline constexpr int kImpactsPerDoubling = 4;
+
+/// How far a bullet and what it rides on may sink into each other between two impacts, metres. Ever farther in one
+/// step, up to a sixteenth of the extent: something that whirls then gets on by three radians in 64 impacts, however
+/// fast.
+/// @param impacts  that there were in this step
+double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts);
 
 /// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of
 /// the slop.

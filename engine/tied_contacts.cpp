@@ -77,6 +77,8 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     constraint.slotA = link.slotA;
     constraint.slotB = link.slotB;
     constraint.softness = softness_;
+    constraint.radiusA = contact.radiusA;
+    constraint.radiusB = contact.radiusB;
     constraint.source = link.source;
     for (std::size_t k = 0; k < link.points; ++k) {
         constraint.points[k].normalImpulse = scale_ * contact.normalImpulse[k];
@@ -119,6 +121,8 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
               .normal = normal,
               .friction = contact.friction,
               .maxPushSpeed = kPushRatio * contact.extent / dt_,
+              .radiusA = contact.radiusA,
+              .radiusB = contact.radiusB,
               .softness = softness_},
              batch.inertias[link.slotA], batch.inertias[link.slotB]);
 }
@@ -140,8 +144,7 @@ void TiedContacts::anchorAhead() {
     for (ContactConstraint& constraint : world_.batch.contacts) {
         Contact& contact = group_.contacts[constraint.source];
         if (!isAhead(world_, contact)) { continue; }
-        anchorAtCores(constraint, world_.shapes[contact.shapeA].polygon.radius,
-                      world_.shapes[contact.shapeB].polygon.radius);
+        anchorAtCores(constraint, contact.radiusA, contact.radiusB);
         contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
     }
 }

@@ -163,7 +163,10 @@ Real currentSeparation(const ContactConstraint& contact, const ContactConstraint
                        const BodyState& b) {
     const Vec2 moved = b.deltaPosition - a.deltaPosition;
     const Vec2 arms = rotate(b.deltaRotation, point.anchorB) - rotate(a.deltaRotation, point.anchorA);
-    return dot(moved + arms, contact.normal) + point.baseSeparation;
+    // The arms take the last stretch along the normal, of the length of a radius, with them as they turn. What is round
+    // stays as high above its core as it was: or a ball that rolls would sink by r·(1 − cos) of its turn in every step.
+    const Real low = contact.radiusA * (1 - a.deltaRotation.c) + contact.radiusB * (1 - b.deltaRotation.c);
+    return dot(moved + arms, contact.normal) + point.baseSeparation - low;
 }
 
 void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,

@@ -37,6 +37,9 @@ struct ContactConstraint {
     Real restitution = 0;
     bool isHeld = false;    ///< a direct solve takes care of overlaps and gaps: what presses just does not move
     Real maxPushSpeed = 0;  ///< fastest push out of an overlap, m/s
+    /// Of the rounded parts that touch, metres: those have no points that turn away from the contact as the body turns.
+    Real radiusA = 0;
+    Real radiusB = 0;
     /// Relaxation leaves faster approaches to the bounce of the next sub-step, m/s; infinity: the contact never
     /// bounces.
     Real bounceSpeed = std::numeric_limits<Real>::infinity();

@@ -14,6 +14,8 @@ struct ContactHead {
     Vec2 normal{};
     Real friction = 0;
     Real maxPushSpeed = 0;
+    Real radiusA = 0;
+    Real radiusB = 0;
     Real bounceSpeed = std::numeric_limits<Real>::infinity();
     Softness softness{};
 };
@@ -31,6 +33,8 @@ inline void fillHead(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.normalY[lane] = head.normal.y;
     block.friction[lane] = head.friction;
     block.maxPushSpeed[lane] = head.maxPushSpeed;
+    block.radiusA[lane] = head.radiusA;
+    block.radiusB[lane] = head.radiusB;
     block.bounceSpeed[lane] = head.bounceSpeed;
     block.biasRate[lane] = head.softness.biasRate;
     block.massScale[lane] = head.softness.massScale;
@@ -66,6 +70,8 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
               .normal = contact.normal,
               .friction = contact.friction,
               .maxPushSpeed = contact.maxPushSpeed,
+              .radiusA = contact.radiusA,
+              .radiusB = contact.radiusB,
               .bounceSpeed = contact.bounceSpeed,
               .softness = contact.softness},
              a, b);

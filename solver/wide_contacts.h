@@ -44,6 +44,8 @@ struct alignas(32) WideContact {
     LaneArray normalY;
     LaneArray friction;
     LaneArray maxPushSpeed;
+    LaneArray radiusA;
+    LaneArray radiusB;
     LaneArray bounceSpeed;
     LaneArray biasRate;
     LaneArray massScale;

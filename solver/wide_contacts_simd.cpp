@@ -85,6 +85,9 @@ private:
         const Quad b = gather(bodies_.states, block_.slotB.data() + begin_, kMotion);
         const Lanes movedX = hn::Sub(b.x, a.x);
         const Lanes movedY = hn::Sub(b.y, a.y);
+        const Lanes unit = hn::Set(Tag(), Real(1));
+        const Lanes low =
+            hn::Add(hn::Mul(at(block_.radiusA), hn::Sub(unit, a.z)), hn::Mul(at(block_.radiusB), hn::Sub(unit, b.z)));
         for (WideContactPoint& point : block_.points) {
             const Lanes anchorAX = at(point.anchorAX);
             const Lanes anchorAY = at(point.anchorAY);
@@ -96,7 +99,7 @@ private:
                                        hn::Add(hn::Mul(a.w, anchorAX), hn::Mul(a.z, anchorAY)));
             const Lanes along =
                 hn::Add(hn::Mul(hn::Add(movedX, armX), normalX_), hn::Mul(hn::Add(movedY, armY), normalY_));
-            put(hn::Add(along, at(point.baseSeparation)), point.separation, begin_);
+            put(hn::Sub(hn::Add(along, at(point.baseSeparation)), low), point.separation, begin_);
         }
     }
 

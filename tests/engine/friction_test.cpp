@@ -62,6 +62,28 @@ TEST(Friction, DiskRollsDownAnIncline) {
     expectAtMost("slip", std::abs(spinOf(incline.world, incline.body) * 0.5 / incline.downhillSpeed() - 1), 0.01);
 }
 
+/// However fast it turns, it rolls on its rim, and the ground is level. (Held by a point that turned with it, it sank
+/// by radius·(1 − cos) of its turn in every step: 4 mm at 20 rad/s.)
+TEST(Friction, WhatIsRoundRollsLevel) {
+    constexpr double kRadius = 0.5;
+    for (const double spin : {2.0, 10.0, 20.0, 40.0}) {
+        World world = makeWorld();
+        addStatic(world, segment(-10, 0, 100, 0), material(1));
+        const BodyId disk =
+            addBody(world, dynamicAt({0, kRadius}, vec(spin * kRadius, 0), -spin), circle(kRadius), material(1));
+        run(world, 10);
+        const double speed = velocityOf(world, disk).x;
+        double farthest = 0;
+        for (int i = 0; i < 110; ++i) {
+            must(world.step(kStep));
+            farthest = std::max(farthest, std::abs(world.position(disk).y - kRadius));
+        }
+        const std::string name = std::to_string(spin) + " rad/s: ";
+        expectAtMost(name + "height", farthest, 2.5e-5);  // 0.018 mm of it is the give of a contact under its weight
+        expectAtMost(name + "speed lost", std::abs(velocityOf(world, disk).x / speed - 1), 1e-6);
+    }
+}
+
 TEST(Friction, SpinningDiskRunsOff) {
     World world = makeWorld();
     addStatic(world, box(50, 1), material(0.3), {0, -1});

@@ -73,6 +73,8 @@ void visitContacts(SolverBatch& batch, Visit&& visit) {
     for (ContactConstraint& contact : batch.contacts) {
         visitVector(contact.normal, kNumber, visit);
         visit(contact.maxPushSpeed, kSpeed);
+        visit(contact.radiusA, kLength);
+        visit(contact.radiusB, kLength);
         visit(contact.sharedResponse, kPerMass);
         visitSoftness(contact.softness, visit);
         for (ContactConstraintPoint& point : contact.points) {

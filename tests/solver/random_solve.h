@@ -83,6 +83,8 @@ private:
         if (isCrowd_ && random_.chance(0.4)) {
             for (ContactConstraintPoint& point : contact.points) { point.normalImpulse = point.tangentImpulse = 0; }
         }
+        if (random_.chance(0.5)) { contact.radiusA = number(0, 1); }
+        if (random_.chance(0.5)) { contact.radiusB = number(0, 1); }
         batch.contacts.push_back(contact);
     }
     template <class Joint, class Fill>
