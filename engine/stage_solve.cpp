@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "energy_guard.h"
 #include "joint_builder.h"
 #include "modes.h"
 #include "profile.h"
@@ -63,10 +64,6 @@ BodyDrive driveOf(const WorldState& world, const Body& body, Real h) {
             .angularDecay = static_cast<Real>(angular.decay)};
 }
 
-bool isMember(const Body& body, const TiedGroup& group) {
-    return body.role == group.role && body.effort == group.effort;
-}
-
 /// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic
 /// one takes part with its velocity and its pose at the start of the step.
 void addBodies(WorldState& world, const TiedGroup& group, Real h) {
@@ -104,7 +101,8 @@ SolveReport solveWithJoints(WorldState& world, std::span<const std::uint32_t> jo
 }
 
 /// Slots end here: no other solve must take them for its own.
-void readBodies(WorldState& world, const TiedGroup& group) {
+void readBodies(WorldState& world, const TiedGroup& group, Real time) {
+    const bool isWatched = openAccounts(world, group);
     for (const std::uint32_t slot : group.bodies) {
         const BodySlot place = std::exchange(world.solverSlots[slot], kFixedSlot);
         if (!isMovable(world.batch.inertias[place])) { continue; }
@@ -112,12 +110,14 @@ void readBodies(WorldState& world, const TiedGroup& group) {
         const BodyState& state = world.batch.states[place];
         BodyMotion& motion = world.motions[slot];
         if (isFlung(body, state)) { body.flung = world.anyFlung = true; }
+        if (isWatched) { book(world, slot, state, time); }
         motion.center += toDouble(state.deltaPosition);
         motion.angle += static_cast<double>(state.deltaAngle);
         motion.velocity = state.velocity;
         motion.angularVelocity = state.angularVelocity;
         updatePose(world, slot);
     }
+    if (isWatched) { settleAccounts(world, group); }
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
                                                : world.solver.solve(world.batch, settings, *world.loops);
     if (!areLinked) { contacts.readConstraints(); }
-    readBodies(world, group);
+    readBodies(world, group, time);
     StepCounters& counters = world.counters;
     counters.subSteps += static_cast<std::uint64_t>(part.subSteps);
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));

@@ -16,6 +16,10 @@ struct TiedGroup {
     std::span<const std::uint32_t> joints;  ///< slots
 };
 
+inline bool isMember(const Body& body, const TiedGroup& group) {
+    return body.role == group.role && body.effort == group.effort;
+}
+
 /// Moves the bodies of a group through a part of the step: the sub-stepped solve. Impulses, totals and hits go into the
 /// contacts and events. Contacts of which neither body has the role are skipped.
 void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part);

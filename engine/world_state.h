@@ -13,6 +13,7 @@
 #include "contact.h"
 #include "crew.h"
 #include "effort_budget.h"
+#include "energy_account.h"
 #include "fast_islands.h"
 #include "flight.h"
 #include "joint.h"
@@ -117,15 +118,19 @@ struct WorldState {
     SolverBatch batch;
     Solver solver;
     IslandFinder islands;
-    std::vector<Effort> efforts;               ///< classes of the present step
-    std::vector<IslandLoad> islandLoads;       ///< by root, of this step
-    IslandFinder jointChains;                  ///< bodies that joints tie, contacts aside (effort.cpp)
-    std::vector<std::uint32_t> chainLengths;   ///< their joints, by root
-    std::vector<Vec2> islandPulls;             ///< by slot: what is left of pulls and impulses of a step (settled.cpp)
-    std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
-    std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
-    std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
-    std::vector<std::uint8_t> outgrew;         ///< by place in `awake`: a box no longer holds its shape
+    std::vector<EnergyAccount> energyAccounts;  ///< by root: of the last solve that it was part of
+    std::vector<std::uint32_t> energyRoots;     ///< of the present solve
+    std::vector<IslandMotion> islandMotions;    ///< of the present solve
+    std::uint64_t energySolve = 0;              ///< number of the present solve
+    std::vector<Effort> efforts;                ///< classes of the present step
+    std::vector<IslandLoad> islandLoads;        ///< by root, of this step
+    IslandFinder jointChains;                   ///< bodies that joints tie, contacts aside (effort.cpp)
+    std::vector<std::uint32_t> chainLengths;    ///< their joints, by root
+    std::vector<Vec2> islandPulls;              ///< by slot: what is left of pulls and impulses of a step (settled.cpp)
+    std::vector<IslandErrors> islandErrors;     ///< by root, of this step; only with a budget
+    std::vector<std::uint8_t> islandRestless;   ///< by root: some member may not sleep yet
+    std::vector<std::uint32_t> islandRing;      ///< by root: last member of the sleeping ring
+    std::vector<std::uint8_t> outgrew;          ///< by place in `awake`: a box no longer holds its shape
     std::vector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     bool watched = false;       ///< this step: some body has such a mode (modes.h)

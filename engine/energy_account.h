@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../shapes/vec2.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What a solve did to an island, J.
+struct EnergyAccount {
+    std::uint64_t solve = 0;  ///< that it is about
+    double kinetic = 0;       ///< at the end
+    double gained = 0;        ///< of kinetic energy, since the start
+    double work = 0;          ///< of gravity and forces
+    double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
+    bool isDriven = false;
+    bool isGrounded = false;             ///< presses on something static
+    std::uint32_t motion = 0xFFFFFFFFU;  ///< of the island, an index; none
+};
+
+/// An island that gained, as one rigid body.
+struct IslandMotion {
+    std::uint32_t root = 0;
+    double mass = 0;
+    DVec2 center{};  ///< of mass, relative to that of the root
+    DVec2 velocity{};
+    double inertia = 0;
+    double spin = 0;
+    double share = 1;  ///< what is left of the motion relative to it
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,167 @@
+#include "energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Rounding of velocities, as a part of the kinetic energy.
+constexpr double kRounding = 8 * static_cast<double>(kEpsilon);
+/// What rests trembles by its contacts' give: this part of the energy that it would gain in free fall is no gain.
+constexpr double kTremble = 1.0 / 1024;
+
+double excessOf(const EnergyAccount& account) { return account.gained - std::max(account.work, 0.0); }
+
+bool hasGained(const EnergyAccount& account) {
+    return excessOf(account) > kRounding * account.kinetic + kTremble * account.fall;
+}
+
+double squared(double x) { return x * x; }
+double squared(DVec2 v) { return dot(v, v); }
+
+EnergyAccount& accountOf(WorldState& world, std::uint32_t slot) {
+    return world.energyAccounts[world.islands.find(slot)];
+}
+
+/// Of the members of the group, those whose island gained.
+template <class Visit>
+void forEachGainer(WorldState& world, const TiedGroup& group, const Visit& visit) {
+    for (const std::uint32_t slot : group.bodies) {
+        const Body& body = world.bodies[slot];
+        if (!body.isDynamic() || !isMember(body, group)) { continue; }
+        EnergyAccount& account = accountOf(world, slot);
+        if (account.solve == world.energySolve && !account.isDriven && hasGained(account)) { visit(slot, account); }
+    }
+}
+
+void noteContact(WorldState& world, const Contact& contact) {
+    if (contact.sensor || contact.manifold.count == 0 || contact.dynamicA == contact.dynamicB) { return; }
+    const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
+    EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
+    account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
+    account.isGrounded = account.isGrounded || contact.pressed;
+}
+
+/// What else has a part in the motion of the islands.
+void noteOthers(WorldState& world, const TiedGroup& group) {
+    if (group.role == BodyRole::solved) {
+        for (const TouchingPair& pair : world.touching) {
+            if (!pair.areDynamic()) { noteContact(world, world.contacts[pair.contact]); }
+        }
+    } else {
+        for (const Contact& contact : group.contacts) { noteContact(world, contact); }
+    }
+    for (const std::uint32_t joint : group.joints) {
+        for (const std::uint32_t slot : world.joints[joint].allBodies()) {
+            if (world.bodies[slot].isDynamic()) { accountOf(world, slot).isDriven = true; }
+        }
+    }
+}
+
+double inertiaOf(const Body& body) { return body.inverseInertia > 0 ? body.inertia : 0; }
+
+DVec2 armOf(const WorldState& world, const EnergyAccount& account, std::uint32_t slot) {
+    const IslandMotion& island = world.islandMotions[account.motion];
+    return world.motions[slot].center - world.motions[island.root].center - island.center;
+}
+
+/// Of islands on the ground that is at rest; of others their centres of mass, and how these move and they turn.
+void findIslandMotions(WorldState& world, const TiedGroup& group) {
+    std::vector<IslandMotion>& islands = world.islandMotions;
+    islands.clear();
+    forEachGainer(world, group, [&](std::uint32_t slot, EnergyAccount& account) {
+        const std::uint32_t root = world.islands.find(slot);
+        if (account.motion == kNoIndex) {
+            account.motion = static_cast<std::uint32_t>(islands.size());
+            islands.push_back({.root = root});
+        }
+        IslandMotion& island = islands[account.motion];
+        const double mass = world.bodies[slot].mass;
+        island.mass += mass;
+        island.center += mass * (world.motions[slot].center - world.motions[root].center);
+        island.velocity += mass * toDouble(world.motions[slot].velocity);
+    });
+    for (IslandMotion& island : islands) {
+        island.center = (1 / island.mass) * island.center;
+        island.velocity = (1 / island.mass) * island.velocity;
+    }
+    forEachGainer(world, group, [&](std::uint32_t slot, const EnergyAccount& account) {
+        IslandMotion& island = islands[account.motion];
+        const Body& body = world.bodies[slot];
+        const DVec2 arm = armOf(world, account, slot);
+        island.inertia += body.mass * dot(arm, arm) + inertiaOf(body);
+        island.spin += body.mass * cross(arm, toDouble(world.motions[slot].velocity) - island.velocity) +
+                       inertiaOf(body) * static_cast<double>(world.motions[slot].angularVelocity);
+    });
+    for (IslandMotion& island : islands) { island.spin = island.inertia > 0 ? island.spin / island.inertia : 0; }
+}
+
+/// What is left of the motion relative to that of the island takes back what was gained.
+void findShares(WorldState& world) {
+    for (IslandMotion& island : world.islandMotions) {
+        const EnergyAccount& account = world.energyAccounts[island.root];
+        if (account.isGrounded) { island.velocity = {}, island.spin = 0; }
+        const double rigid =
+            0.5 * (island.mass * dot(island.velocity, island.velocity) + island.inertia * island.spin * island.spin);
+        const double relative = account.kinetic - rigid;
+        island.share = relative > excessOf(account) ? std::sqrt(1 - excessOf(account) / relative) : 0;
+    }
+}
+
+}  // namespace
+
+bool openAccounts(WorldState& world, const TiedGroup& group) {
+    if (group.effort.isSettled) { return false; }
+    ++world.energySolve;
+    world.energyRoots.clear();
+    world.energyAccounts.resize(world.bodies.slotCount());
+    return true;
+}
+
+void book(WorldState& world, std::uint32_t slot, const BodyState& state, Real time) {
+    const std::uint32_t root = world.islands.find(slot);
+    EnergyAccount& account = world.energyAccounts[root];
+    if (account.solve != world.energySolve) {
+        account = {.solve = world.energySolve};
+        world.energyRoots.push_back(root);
+    }
+    const Body& body = world.bodies[slot];
+    const BodyMotion& before = world.motions[slot];
+    if (body.inverseMass > 0) {
+        const double half = 0.5 / static_cast<double>(body.inverseMass);
+        const DVec2 pull = toDouble(accelerationOf(world, body));
+        const double after = squared(toDouble(state.velocity));  // squares of slow speeds underflow in `Real`
+        account.kinetic += half * after;
+        account.gained += half * (after - squared(toDouble(before.velocity)));
+        account.work += 2 * half * dot(pull, toDouble(state.deltaPosition));
+        account.fall += half * dot(pull, pull) * squared(static_cast<double>(time));
+    }
+    if (body.inverseInertia > 0) {
+        const double half = 0.5 / static_cast<double>(body.inverseInertia);
+        const double after = squared(static_cast<double>(state.angularVelocity));
+        account.kinetic += half * after;
+        account.gained += half * (after - squared(static_cast<double>(before.angularVelocity)));
+        account.work += static_cast<double>(body.torque) * static_cast<double>(state.deltaAngle);
+    }
+}
+
+void settleAccounts(WorldState& world, const TiedGroup& group) {
+    const auto gained = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
+    if (std::none_of(world.energyRoots.begin(), world.energyRoots.end(), gained)) { return; }
+    noteOthers(world, group);
+    findIslandMotions(world, group);
+    findShares(world);
+    forEachGainer(world, group, [&](std::uint32_t slot, const EnergyAccount& account) {
+        const IslandMotion& island = world.islandMotions[account.motion];
+        BodyMotion& motion = world.motions[slot];
+        const DVec2 arm = armOf(world, account, slot);
+        const DVec2 rigid = island.velocity + island.spin * DVec2{-arm.y, arm.x};
+        motion.velocity = toReal(rigid + island.share * (toDouble(motion.velocity) - rigid));
+        if (!(world.bodies[slot].inverseInertia > 0)) { return; }
+        const auto spin = static_cast<double>(motion.angularVelocity);
+        motion.angularVelocity = static_cast<Real>(island.spin + island.share * (spin - island.spin));
+    });
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

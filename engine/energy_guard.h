@@ -1,0 +1,22 @@
+#pragma once
+
+#include "tied_group.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Contacts make no energy. A pass of the contact solver starts from impulses of the sub-step before, pushes out of
+/// overlaps, and takes the speed of both out again, one contact after the other: in a pile that something just struck,
+/// a little of it is left behind. So what the kinetic energy of an island of contacts gained in a solve is held against
+/// the work that gravity and forces did, and what is beyond that is taken from the motion of its members relative to
+/// each other, or to the ground that they press on. Islands with joints (springs, motors) and what touches kinematic
+/// bodies are left alone: those may do work.
+
+/// Begins a solve. @return whether it is watched at all: what is settled, or has nothing but joints, is not
+bool openAccounts(WorldState& world, const TiedGroup& group);
+/// Books a member of the group, before its motion is overwritten with what the solver made of it.
+/// @param time  that was solved for, s
+void book(WorldState& world, std::uint32_t slot, const BodyState& state, Real time);
+/// Takes back what islands gained. @pre all members were booked, and have their new motions
+void settleAccounts(WorldState& world, const TiedGroup& group);
+
+}  // namespace swept::inline SWEPT_PRECISION
