@@ -11,8 +11,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Every impact looks at all pairs of the clash anew: more bodies are cheaper in the solver.
-constexpr std::size_t kMostMembers = 8;
 /// Impacts per member. What takes more chatters, and is coming to rest.
 constexpr int kImpactsPerMember = 4;
 
@@ -57,7 +55,7 @@ bool listPairs(Clash& clash, std::span<const std::uint32_t> members, std::span<c
 }
 
 bool begin(Clash& clash, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts) {
-    if (members.size() < 2 || members.size() > kMostMembers) { return false; }
+    if (members.size() < 2 || members.size() > kMostClashing) { return false; }
     const auto flies = [&](std::uint32_t slot) { return mayFly(clash.world, clash.world.bodies[slot]); };
     if (!std::all_of(members.begin(), members.end(), flies)) { return false; }
     ClashScratch& work = clash.work;

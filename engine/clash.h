@@ -33,13 +33,16 @@ struct ClashScratch {
     int impacts = 0;  ///< so far
 };
 
+/// Every impact looks at all pairs of the clash anew: more bodies are cheaper in the solver.
+inline constexpr std::size_t kMostClashing = 8;
+
 /// A few bodies that bounce off each other in flight: nothing carries or joins them, so each flies on its own parabola
 /// from impact to impact, and what meets at one moment is reflected together. Exact where sub-steps approximate, and
 /// cheaper. What meets a bullet without restitution is among them: where the two ride on each other, they take turns at
 /// sinking in a little and being set apart, so that a bullet on something that whirls stays on its side. Touches only
 /// the state of the bodies, of the contacts, and the scratch, so clashes may go in any order.
 /// @param members   slots of dynamic bodies, all of the island
-/// @param contacts  indices of the contacts of the island
+/// @param contacts  indices of the contacts of the island: of all pairs of members that may meet, and of ground
 /// @return false: this is no such island, or something comes to rest in it, so it is for the solver. Nothing was
 /// changed.
 bool clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,

@@ -280,6 +280,7 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
             .bodyB = contact.bodyB,
             .dynamicA = contact.dynamicA,
             .dynamicB = contact.dynamicB,
+            .bounces = contact.restitution > 0,
             .points = static_cast<std::uint8_t>(contact.manifold.count)};
 }
 

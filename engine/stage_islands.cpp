@@ -64,15 +64,27 @@ void listBodies(WorldState& world) {
     fast.bodies.sort(fast.isDone.size());
 }
 
+/// What bounces off another one in flight, or is a bullet that rides on it, may meet any other member of its island
+/// then, in whatever direction that was.
+void promoteClashing(WorldState& world) {
+    if (world.bouncyShapes == 0 && world.bullets == 0) { return; }
+    const FastIslands& fast = world.fastIslands;
+    promoteCandidatesOf(world, [&fast](const ContactPair& pair) {
+        const std::uint32_t number = fast.numbers[pair.bodyA];
+        return number != kNoIndex && number == fast.numbers[pair.bodyB] &&
+               fast.bodies.of(number).size() <= kMostClashing;
+    });
+}
+
 void listContactsAndJoints(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.contacts.clear();
     fast.joints.clear();
-    for (std::uint32_t i = 0; i < world.contacts.size(); ++i) {
-        const Contact& contact = world.contacts[i];
-        const std::uint32_t ofA = fast.numbers[contact.bodyA];
-        const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[contact.bodyB];
-        if (!contact.sensor && number != kNoIndex) { fast.contacts.add(number, i); }
+    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {  // contacts are large, and most are of other islands
+        const ContactProbe& probe = world.probes[i];
+        const std::uint32_t ofA = fast.numbers[probe.bodyA];
+        const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[probe.bodyB];
+        if (number != kNoIndex && !world.contacts[i].sensor) { fast.contacts.add(number, i); }
     }
     for (const std::uint32_t i : world.activeJoints) {
         for (const std::uint32_t slot : world.joints[i].allBodies()) {
@@ -118,6 +130,7 @@ void findFastIslands(WorldState& world) {
     numberIslands(world);
     if (world.fastIslands.any) {
         listBodies(world);
+        promoteClashing(world);
         listContactsAndJoints(world);
     }
 }

@@ -58,11 +58,11 @@ void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
     probe.proxyB = world.shapes[contact.shapeB].proxy;
 }
 
-/// Nobody asks about such a pair before it is near: what bounces is looked for farther away (clash.h), and so is what
-/// kinematic bodies may meet.
+/// Nobody asks about such a pair before it is near: what kinematic bodies may meet is looked for farther away, and
+/// those that bounce off each other in flight ask for theirs (clash.h).
 bool mayWait(const WorldState& world, const Shape& a, const Shape& b) {
-    return world.bouncyShapes == 0 && !world.watched && !a.def.sensor && !b.def.sensor &&
-           world.bodies[a.body].isDynamic() && world.bodies[b.body].isDynamic();
+    return !world.watched && !a.def.sensor && !b.def.sensor && world.bodies[a.body].isDynamic() &&
+           world.bodies[b.body].isDynamic();
 }
 
 /// @return false when the two may not touch, or are known already
@@ -99,7 +99,6 @@ void findPairs(WorldState& world) {
 
 void promoteCandidates(WorldState& world) {
     const std::span<const Aabb> boxes = world.broadphase->boxes();
-    const bool allGo = world.bouncyShapes > 0 || world.watched;
     std::size_t kept = 0;
     for (const ContactPair& pair : world.candidates) {
         const bool isAsleep = world.glances[pair.bodyA].motion < 0 && world.glances[pair.bodyB].motion < 0;
@@ -107,12 +106,25 @@ void promoteCandidates(WorldState& world) {
             dropPair(world, pair);
             continue;
         }
-        if (allGo || (!isAsleep && overlap(world.neededBoxes, pair))) {
+        if (world.watched || (!isAsleep && overlap(world.neededBoxes, pair))) {
             makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
                         world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
             continue;
         }
         world.candidates[kept++] = pair;
+    }
+    world.candidates.resize(kept);
+}
+
+void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant) {
+    std::size_t kept = 0;
+    for (const ContactPair& pair : world.candidates) {
+        if (isMeant(pair)) {
+            makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
+                        world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
+        } else {
+            world.candidates[kept++] = pair;
+        }
     }
     world.candidates.resize(kept);
 }

@@ -23,6 +23,11 @@ bool limitSpeed(Vec2& velocity, Real maxSpeed) {
     return true;
 }
 
+/// Contacts with restitution of a group that bounce together; among more of them each bounces in its turn: to find out
+/// who bounces together takes as long as all else, and what of it is left undone is lost. (Of 400 elastic disks that
+/// jostle each other 18 % of their energy was left after a second that way, and is 67 % in turn.)
+constexpr std::size_t kMostReflected = 256;
+
 /// Free bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
 
@@ -149,10 +154,12 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const Real scale =
         group.role == BodyRole::solved ? static_cast<Real>(usual) / static_cast<Real>(part.subSteps) : Real(1);
     TiedContacts contacts(world, group, part, h, scale);
-    const bool bounces = world.bouncyShapes > 0;
-    const bool areLinked = !bounces && !world.watched && scope == DirectScope::none;
+    const std::size_t bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
+    const bool mayLink = !world.watched && scope == DirectScope::none;
+    const bool inTurn = mayLink && bouncing > kMostReflected;
+    const bool areLinked = mayLink && (bouncing == 0 || inTurn);
     if (areLinked) {
-        contacts.link();
+        contacts.link(inTurn);
     } else {
         contacts.addConstraints();
     }
@@ -162,7 +169,8 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .restitutionThreshold = threshold,
                                   .maxSpeed = world.settings.maxSpeed,
                                   .joints = !group.joints.empty(),
-                                  .bounces = bounces,
+                                  .bounces = bouncing > 0 && !inTurn,
+                                  .bouncesInTurn = inTurn,
                                   .coarseImpacts = world.settings.profile == Profile::fast,
                                   .direct = scope,
                                   .settled = group.effort.isSettled};

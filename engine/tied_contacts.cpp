@@ -1,6 +1,7 @@
 #include "tied_contacts.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "../solver/contact_lanes.h"
 #include "effort_budget.h"
@@ -45,18 +46,18 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       hitThreshold_(length(world.settings.gravity) * dt_),
       softness_(softnessFor(world, group, dt_, h)) {}
 
-/// Of all contacts with points of which the group moves a body, in their order.
+/// Of all contacts with points of which the group moves a body, in their order, and whether they bounce.
 template <class Visit>
 void TiedContacts::forEachLink(Visit&& visit) const {
     const std::vector<BodyInertia>& inertias = world_.batch.inertias;
-    const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB) {
+    const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, bool bounces) {
         link.slotA = world_.solverSlots[bodyA];
         link.slotB = world_.solverSlots[bodyB];
-        if (isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB])) { visit(link); }
+        if (isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB])) { visit(link, bounces); }
     };
     if (group_.role == BodyRole::solved) {
         for (const TouchingPair& pair : world_.touching) {
-            visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB);
+            visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB, pair.bounces);
         }
         return;
     }
@@ -64,7 +65,7 @@ void TiedContacts::forEachLink(Visit&& visit) const {
         const Contact& contact = group_.contacts[i];
         if (contact.isSolid()) {
             visitIfTied({.source = i, .points = static_cast<std::uint8_t>(contact.manifold.count)}, contact.bodyA,
-                        contact.bodyB);
+                        contact.bodyB, contact.restitution > 0);
         }
     }
 }
@@ -80,6 +81,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     constraint.radiusA = contact.radiusA;
     constraint.radiusB = contact.radiusB;
     constraint.source = link.source;
+    constraint.bounceSpeed = bounceSpeedOf(contact);
     for (std::size_t k = 0; k < link.points; ++k) {
         constraint.points[k].normalImpulse = scale_ * contact.normalImpulse[k];
         constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
@@ -123,19 +125,32 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
               .maxPushSpeed = kPushRatio * contact.extent / dt_,
               .radiusA = contact.radiusA,
               .radiusB = contact.radiusB,
+              .bounceSpeed = bounceSpeedOf(contact),
+              .restitution = contact.restitution,
               .softness = softness_},
              batch.inertias[link.slotA], batch.inertias[link.slotB]);
 }
 
-void TiedContacts::link() {
+Real TiedContacts::bounceSpeedOf(const Contact& contact) const {
+    return contact.restitution > 0 ? bounceSpeed_ : std::numeric_limits<Real>::infinity();
+}
+
+std::size_t TiedContacts::countBouncing() const {
+    std::size_t count = 0;
+    forEachLink([&count](const ContactLink&, bool bounces) { count += bounces ? 1 : 0; });
+    return count;
+}
+
+void TiedContacts::link(bool bounce) {
     SolverBatch& batch = world_.batch;
-    forEachLink([&batch](const ContactLink& link) { batch.links.push_back(link); });
+    if (bounce) { bounceSpeed_ = hitThreshold_; }
+    forEachLink([&batch](const ContactLink& link, bool) { batch.links.push_back(link); });
     batch.store = this;
 }
 
 void TiedContacts::addConstraints() {
     SolverBatch& batch = world_.batch;
-    forEachLink([&](const ContactLink& link) { batch.contacts.push_back(constraintFor(link)); });
+    forEachLink([&](const ContactLink& link, bool) { batch.contacts.push_back(constraintFor(link)); });
     if (world_.watched) { anchorAhead(); }
 }
 

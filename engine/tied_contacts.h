@@ -16,8 +16,11 @@ public:
 
     /// Gives the batch links to contacts that it takes from here when it is solved; or makes constraints of them at
     /// once.
-    void link();
+    /// @param bounce  whether they bounce in turn (`SolverSettings::bouncesInTurn`)
+    void link(bool bounce);
     void addConstraints();
+    /// How many have restitution.
+    std::size_t countBouncing() const;
     /// What has more to be said about it than a link can tell has its constraint in the batch.
     void readConstraints();
     std::size_t count() const;
@@ -46,13 +49,15 @@ private:
     void takeOutcome(Contact& contact, std::size_t points, const Outcome& outcome);
     void noteHit(const Contact& contact, const Outcome& outcome);
     void anchorAhead();
+    Real bounceSpeedOf(const Contact& contact) const;
 
     WorldState& world_;
     const TiedGroup& group_;
     const StepPart& part_;
     Real scale_;
     Real dt_;
-    Real hitThreshold_;  ///< approach speed of what only rests, m/s
+    Real hitThreshold_;                                         ///< approach speed of what only rests, m/s
+    Real bounceSpeed_ = std::numeric_limits<Real>::infinity();  ///< of links with restitution, m/s
     Softness softness_;
 };
 

@@ -12,6 +12,7 @@ struct TouchingPair {
     std::uint32_t bodyB = 0;
     bool dynamicA = false;  ///< the body is
     bool dynamicB = false;
+    bool bounces = false;  ///< has restitution
     std::uint8_t points = 0;
 
     bool areDynamic() const { return dynamicA && dynamicB; }

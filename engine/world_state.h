@@ -164,6 +164,8 @@ void removeApartContacts(WorldState& world);
 void dropPair(WorldState& world, const ContactPair& pair);
 /// Candidates that came near become contacts; those whose boxes came apart are gone.
 void promoteCandidates(WorldState& world);
+/// Those that are meant become contacts, without points until the next step looks at them.
+void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant);
 /// Manifold at the present poses; points that were there before keep their impulses.
 void refreshManifold(const WorldState& world, Contact& contact, Real margin);
 

@@ -172,6 +172,18 @@ void ContactBlocks::warmStart(SolverBatch& batch, int colour, RangeCut cut) {
     warmStartContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies);
 }
 
+void ContactBlocks::bounce(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass) {
+    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
+    const SolverBodies bodies{batch.states, batch.inertias};
+    if (const auto blocks = cut.next(two_.blocks, ranges.two); !blocks.empty()) {
+        kernels_->bounceTwo(blocks, bodies, pass);
+    }
+    if (const auto blocks = cut.next(one_.blocks, ranges.one); !blocks.empty()) {
+        kernels_->bounceOne(blocks, bodies, pass);
+    }
+    bounceContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies, pass);
+}
+
 void ContactBlocks::solve(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass) {
     const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
     const SolverBodies bodies{batch.states, batch.inertias};

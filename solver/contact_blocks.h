@@ -24,6 +24,7 @@ public:
     std::size_t countOf(int colour) const;
     /// @param cut  of the parts of the colour
     void warmStart(SolverBatch& batch, int colour, RangeCut cut);
+    void bounce(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
     void solve(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
     /// Ends a sub-step for contacts with restitution, whose totals are in the batch; the others had theirs by the last
     /// pass.

@@ -119,6 +119,49 @@ void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia
     }
 }
 
+/// By how much the relative velocity of a point along the normal has to change; 0 where it does not bounce.
+Real bounceAt(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairState& pair, Real h) {
+    const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
+    const bool meets = closing > contact.bounceSpeed && point.separation <= h * closing;
+    return meets ? (1 + contact.restitution) * closing : Real(0);
+}
+
+/// Of the points, both at once unless one of them would pull.
+std::array<Real, 2> bounceImpulses(const ContactConstraint& contact, const PairState& pair, Real h) {
+    const ContactConstraintPoint& one = contact.points[0];
+    const Real ofOne = bounceAt(contact, one, pair, h);
+    const Real aloneOne = one.normalMass * ofOne;
+    if (contact.count < 2) { return {aloneOne, 0}; }
+    const ContactConstraintPoint& two = contact.points[1];
+    const Real ofTwo = bounceAt(contact, two, pair, h);
+    const Real aloneTwo = two.normalMass * ofTwo;
+    const Real shared = ofOne > 0 && ofTwo > 0 ? contact.sharedResponse : Real(0);
+    const Real oneByTwo = shared * one.normalMass;
+    const Real twoByOne = shared * two.normalMass;
+    const Real rest = 1 - oneByTwo * twoByOne;
+    const Real leftOfOne = aloneOne - oneByTwo * aloneTwo;
+    const Real leftOfTwo = aloneTwo - twoByOne * aloneOne;
+    if (rest > kTwoPointsRatio && !(leftOfOne < 0) && !(leftOfTwo < 0)) { return {leftOfOne / rest, leftOfTwo / rest}; }
+    return leftOfOne > 0 ? std::array<Real, 2>{aloneOne, 0} : std::array<Real, 2>{0, aloneTwo};
+}
+
+void bounce(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
+            const std::array<Real, 2>& impulses) {
+    const auto count = static_cast<std::size_t>(contact.count);
+    for (std::size_t i = 0; i < count; ++i) {
+        ContactConstraintPoint& point = contact.points[i];
+        applyPair(pair, inertiaA, inertiaB, point, impulses[i] * contact.normal);
+        point.totalNormalImpulse += impulses[i];
+    }
+    const Vec2 tangent = rightPerp(contact.normal);
+    for (std::size_t i = 0; i < count; ++i) {
+        const ContactConstraintPoint& point = contact.points[i];
+        const Real slip = dot(relativeVelocity(pair, point), tangent);
+        const Real limit = contact.friction * impulses[i];
+        applyPair(pair, inertiaA, inertiaB, point, std::clamp(-(point.tangentMass * slip), -limit, limit) * tangent);
+    }
+}
+
 void findSeparations(ContactConstraint& contact, const PairState& pair) {
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
@@ -180,6 +223,19 @@ void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const st
             applyPair(pair, bodies.inertias[contact.slotA], bodies.inertias[contact.slotB], point,
                       point.normalImpulse * contact.normal + point.tangentImpulse * tangent);
         }
+        storePair(bodies, contact.slotA, pair.a, contact.slotB, pair.b);
+    }
+}
+
+void bounceContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
+                    const SolverBodies& bodies, const ContactPass& pass) {
+    for (const std::uint32_t place : places) {
+        ContactConstraint& contact = contacts[place];
+        PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
+        if (pass.hasMoved) { findSeparations(contact, pair); }
+        const std::array<Real, 2> impulses = bounceImpulses(contact, pair, pass.h);
+        if (!(impulses[0] > 0) && !(impulses[1] > 0)) { continue; }
+        bounce(contact, pair, bodies.inertias[contact.slotA], bodies.inertias[contact.slotB], impulses);
         storePair(bodies, contact.slotA, pair.a, contact.slotB, pair.b);
     }
 }

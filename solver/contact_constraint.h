@@ -72,6 +72,12 @@ struct ContactPass {
 /// @param places  in `contacts`, of those that are meant
 void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
                        const SolverBodies& bodies);
+/// Newton's impact law, once and in turn: a contact of which points meet within the sub-step faster than its
+/// `bounceSpeed` leaves with its restitution, both points at once, and friction within the cone of these impulses. None
+/// of that makes energy, whatever the order. What still approaches when all had their turn is plastic: the pass with
+/// bias stops it.
+void bounceContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
+                    const SolverBodies& bodies, const ContactPass& pass);
 void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
                    const SolverBodies& bodies, const ContactPass& pass);
 

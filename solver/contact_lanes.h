@@ -10,13 +10,13 @@ namespace swept::inline SWEPT_PRECISION {
 struct ContactHead {
     BodySlot slotA = kFixedSlot;
     BodySlot slotB = kFixedSlot;
-    bool bounces = false;
     Vec2 normal{};
     Real friction = 0;
     Real maxPushSpeed = 0;
     Real radiusA = 0;
     Real radiusB = 0;
     Real bounceSpeed = std::numeric_limits<Real>::infinity();
+    Real restitution = 0;
     Softness softness{};
 };
 
@@ -28,7 +28,7 @@ inline void fillHead(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.slotB[lane] = head.slotB;
     block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
     block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
-    block.anyBounces = block.anyBounces || head.bounces;
+    block.anyBounces = block.anyBounces || head.restitution > 0;
     block.normalX[lane] = head.normal.x;
     block.normalY[lane] = head.normal.y;
     block.friction[lane] = head.friction;
@@ -36,6 +36,7 @@ inline void fillHead(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.radiusA[lane] = head.radiusA;
     block.radiusB[lane] = head.radiusB;
     block.bounceSpeed[lane] = head.bounceSpeed;
+    block.restitution[lane] = head.restitution;
     block.biasRate[lane] = head.softness.biasRate;
     block.massScale[lane] = head.softness.massScale;
     block.impulseScale[lane] = head.softness.impulseScale;
@@ -66,13 +67,13 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
     fillHead(block, lane,
              {.slotA = contact.slotA,
               .slotB = contact.slotB,
-              .bounces = contact.restitution > 0,
               .normal = contact.normal,
               .friction = contact.friction,
               .maxPushSpeed = contact.maxPushSpeed,
               .radiusA = contact.radiusA,
               .radiusB = contact.radiusB,
               .bounceSpeed = contact.bounceSpeed,
+              .restitution = contact.restitution,
               .softness = contact.softness},
              a, b);
     block.sharedResponse[lane] = contact.sharedResponse;

@@ -23,6 +23,8 @@ constexpr std::size_t kBodyGrain = 128;
 constexpr std::size_t kFewestPerColour = 96;
 /// Over what is settled: they take out the rounding of impulses.
 constexpr int kSettledPasses = 1;
+/// Of contacts that bounce in turn.
+constexpr int kTurns = 4;
 
 template <class Constraint>
 ColourRange rangeOf(const std::vector<Constraint>&, const ConstraintGraph& graph, int colour) {
@@ -295,6 +297,15 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
     addUpImpulses(batch.contacts);
 }
 
+void Solver::bounceInTurn(SolverBatch& batch, const ContactPass& pass) {
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const ContactPass ofTurn{.h = pass.h, .hasMoved = pass.hasMoved && turn == 0};
+        for (const int colour : graph_.activeColours()) {
+            forColour<false>(batch, colour, [&](RangeCut cut) { contacts_.bounce(batch, colour, cut, ofTurn); });
+        }
+    }
+}
+
 template <bool kJoints, bool kBounces>
 void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
@@ -306,6 +317,10 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
                                     .horizon = h,
                                     .isCoarse = settings.coarseImpacts};
             report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
+        }
+        if (settings.bouncesInTurn) {
+            bounceInTurn(batch, {.h = h, .hasMoved = subStep == 0 || settings.relaxPasses == 0});
+            report.bounceRounds += kTurns;
         }
         if (settings.settled) {
             holdSettled(batch, settings, report);

@@ -22,6 +22,9 @@ struct SolverSettings {
     Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s
     bool joints = true;                                     ///< false: the batch holds none, and they cost nothing
     bool bounces = true;                                    ///< false: no contact there has restitution, likewise
+    /// Instead, and only of a batch with links: each contact bounces in its turn
+    /// (`bounceContacts`). Its `bounceSpeed` is set.
+    bool bouncesInTurn = false;
     bool coarseImpacts = false;  ///< bounces in large piles are gone through a few times only, see `ImpactRule`
     bool wide = true;            ///< contacts in blocks where kernels are there; false: one by one, with the same bits
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
@@ -85,6 +88,7 @@ private:
     void warmStart(SolverBatch& batch, bool hasMoved);
     template <bool kJoints>
     void solveColours(SolverBatch& batch, const ContactPass& pass);
+    void bounceInTurn(SolverBatch& batch, const ContactPass& pass);
     template <bool kJoints, bool kBounces>
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 

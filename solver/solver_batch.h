@@ -27,7 +27,7 @@ struct SolverBatch {
     std::vector<BodyDrive> drives;
     std::vector<ContactConstraint> contacts;
     /// Instead of `contacts`, which the solver then fills with what stands in no block: contacts of a store. Only where
-    /// nothing bounces and nothing is solved all at once.
+    /// nothing bounces, or in its turn, and nothing is solved all at once.
     std::vector<ContactLink> links;
     ContactStore* store = nullptr;  ///< null: there are no links
     std::vector<RevoluteConstraint> revolutes;

@@ -56,10 +56,11 @@ struct alignas(32) WideContact {
     LaneArray inverseInertiaB;
     LaneArray sharedResponse;  ///< of two points
     LaneArray begins;          ///< likewise; 1 or 0
+    LaneArray restitution;
     std::array<WideContactPoint, kPoints> points;
 };
 
-/// Kernels over blocks of one colour: what `warmStartContacts` and `solveContacts` do, to the bit.
+/// Kernels over blocks of one colour: what `warmStartContacts`, `bounceContacts` and `solveContacts` do, to the bit.
 struct ContactKernels {
     const char* name;  ///< of the instruction set
     /// Masses, and separations less the distance of the anchors: `prepareContact`.
@@ -67,6 +68,8 @@ struct ContactKernels {
     void (*prepareTwo)(std::span<WideContact<2>> blocks);
     void (*warmStartOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies);
     void (*warmStartTwo)(std::span<WideContact<2>> blocks, const SolverBodies& bodies);
+    void (*bounceOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies, const ContactPass& pass);
+    void (*bounceTwo)(std::span<WideContact<2>> blocks, const SolverBodies& bodies, const ContactPass& pass);
     void (*solveOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies, const ContactPass& pass);
     void (*solveTwo)(std::span<WideContact<2>> blocks, const SolverBodies& bodies, const ContactPass& pass);
 };

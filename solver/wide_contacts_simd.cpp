@@ -52,6 +52,40 @@ public:
         scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
+    /// `bounceContacts`.
+    HWY_INLINE void bounce(const ContactPass& pass) {
+        if (pass.hasMoved) { findSeparations(); }
+        const Lanes h = hn::Set(Tag(), pass.h);
+        std::array<Lanes, kPoints> impulses;
+        if constexpr (kPoints == 2) {
+            findBounces(h, impulses[0], impulses[1]);
+        } else {
+            impulses[0] = hn::Mul(at(block_.points[0].normalMass), bounceAt(block_.points[0], h));
+        }
+        const Lanes zero = hn::Zero(Tag());
+        LaneMask any = hn::Gt(impulses[0], zero);
+        if constexpr (kPoints == 2) { any = hn::Or(any, hn::Gt(impulses[1], zero)); }
+        if (hn::AllFalse(Tag(), any)) { return; }
+        const Quad a = a_;
+        const Quad b = b_;
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            WideContactPoint& point = block_.points[i];
+            applyNormal(point, impulses[i]);
+            const Lanes before = at(point.totalNormalImpulse);
+            put(hn::IfThenElse(any, hn::Add(before, impulses[i]), before), point.totalNormalImpulse, begin_);
+        }
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            const WideContactPoint& point = block_.points[i];
+            const Lanes limit = hn::Mul(at(block_.friction), impulses[i]);
+            const Lanes friction = clampedTo(limit, hn::Neg(hn::Mul(at(point.tangentMass), slipAt(point))));
+            apply(point, hn::Mul(friction, normalY_), hn::Neg(hn::Mul(friction, normalX_)));
+        }
+        // What did not bounce keeps its bits: to add nothing to −0 makes 0 of it.
+        a_ = chosen(any, a_, a);
+        b_ = chosen(any, b_, b);
+        scatterPair(block_, begin_, bodies_, a_, b_);
+    }
+
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
         if (pass.hasMoved) { findSeparations(); }
@@ -210,8 +244,50 @@ private:
         setNormal(two, hn::IfThenElse(press, totalTwo, hn::IfThenZeroElse(isOne, mostTwo)));
     }
 
+    HWY_INLINE static Quad chosen(LaneMask mask, const Quad& yes, const Quad& no) {
+        return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z),
+                hn::IfThenElse(mask, yes.w, no.w)};
+    }
+
+    HWY_INLINE Lanes bounceAt(const WideContactPoint& point, Lanes h) const {
+        const Lanes closing =
+            hn::Neg(hn::Add(hn::Mul(relativeX(point), normalX_), hn::Mul(relativeY(point), normalY_)));
+        const LaneMask meets =
+            hn::And(hn::Gt(closing, at(block_.bounceSpeed)), hn::Le(at(point.separation), hn::Mul(h, closing)));
+        const Lanes one = hn::Set(Tag(), Real(1));
+        return hn::IfThenElseZero(meets, hn::Mul(hn::Add(one, at(block_.restitution)), closing));
+    }
+
+    /// `bounceImpulses` of two points.
+    HWY_INLINE void findBounces(Lanes h, Lanes& impulseOne, Lanes& impulseTwo) const {
+        const Tag tag;
+        const Lanes zero = hn::Zero(tag);
+        const Lanes massOne = at(block_.points[0].normalMass);
+        const Lanes massTwo = at(block_.points[kPoints - 1].normalMass);
+        const Lanes ofOne = bounceAt(block_.points[0], h);
+        const Lanes ofTwo = bounceAt(block_.points[kPoints - 1], h);
+        const Lanes aloneOne = hn::Mul(massOne, ofOne);
+        const Lanes aloneTwo = hn::Mul(massTwo, ofTwo);
+        const LaneMask both = hn::And(hn::Gt(ofOne, zero), hn::Gt(ofTwo, zero));
+        const Lanes shared = hn::IfThenElseZero(both, at(block_.sharedResponse));
+        const Lanes oneByTwo = hn::Mul(shared, massOne);
+        const Lanes twoByOne = hn::Mul(shared, massTwo);
+        const Lanes rest = hn::Sub(hn::Set(tag, Real(1)), hn::Mul(oneByTwo, twoByOne));
+        const Lanes leftOfOne = hn::Sub(aloneOne, hn::Mul(oneByTwo, aloneTwo));
+        const Lanes leftOfTwo = hn::Sub(aloneTwo, hn::Mul(twoByOne, aloneOne));
+        const LaneMask pulls = hn::Or(hn::Lt(leftOfOne, zero), hn::Lt(leftOfTwo, zero));
+        const LaneMask press = hn::AndNot(pulls, hn::Gt(rest, hn::Set(tag, kTwoPointsRatio)));
+        const LaneMask isOne = hn::Gt(leftOfOne, zero);
+        impulseOne = hn::IfThenElse(press, hn::Div(leftOfOne, rest), hn::IfThenElseZero(isOne, aloneOne));
+        impulseTwo = hn::IfThenElse(press, hn::Div(leftOfTwo, rest), hn::IfThenZeroElse(isOne, aloneTwo));
+    }
+
+    HWY_INLINE Lanes slipAt(const WideContactPoint& point) const {
+        return hn::Sub(hn::Mul(relativeX(point), normalY_), hn::Mul(relativeY(point), normalX_));
+    }
+
     HWY_INLINE void solveFriction(WideContactPoint& point) {
-        const Lanes slip = hn::Sub(hn::Mul(relativeX(point), normalY_), hn::Mul(relativeY(point), normalX_));
+        const Lanes slip = slipAt(point);
         const Lanes before = at(point.tangentImpulse);
         const Lanes limit = hn::Mul(at(block_.friction), at(point.normalImpulse));
         const Lanes total = clampedTo(limit, hn::Sub(before, hn::Mul(at(point.tangentMass), slip)));
@@ -305,6 +381,13 @@ void warmStart(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodi
 }
 
 template <std::size_t kPoints>
+void bounce(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, const ContactPass& pass) {
+    for (WideContact<kPoints>& block : blocks) {
+        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) { ContactGroup<kPoints>(block, i, bodies).bounce(pass); }
+    }
+}
+
+template <std::size_t kPoints>
 void solve(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, const ContactPass& pass) {
     for (WideContact<kPoints>& block : blocks) {
         for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
@@ -319,8 +402,15 @@ void solve(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, 
 }
 
 const ContactKernels* kernelsForContacts() {
-    static const ContactKernels kKernels = {
-        hwy::TargetName(HWY_TARGET), prepare<1>, prepare<2>, warmStart<1>, warmStart<2>, solve<1>, solve<2>};
+    static const ContactKernels kKernels = {hwy::TargetName(HWY_TARGET),
+                                            prepare<1>,
+                                            prepare<2>,
+                                            warmStart<1>,
+                                            warmStart<2>,
+                                            bounce<1>,
+                                            bounce<2>,
+                                            solve<1>,
+                                            solve<2>};
     return &kKernels;
 }
 

@@ -1,3 +1,6 @@
+#include <array>
+
+#include "../support/random.h"
 #include "world_support.h"
 
 /// Bounces of flying bodies: their times and heights, and the ledger of lost time.
@@ -225,6 +228,56 @@ TEST(Bounce, StopEntersTheLostTime) {
         EXPECT_GT(scene.lost, 0.01) << name << "nothing was lost, so nothing was tested";
         expectAtMost(name + "overlap", scene.overlap, 0);
     }
+}
+
+/// Four hundred balls that jostle each other in a box, without gravity, in profile `fast`.
+struct Crowd {
+    World world;
+    std::vector<BodyId> balls;
+
+    explicit Crowd(double restitution) {
+        WorldSettings settings = awakeSettings(0);
+        settings.profile = Profile::fast;
+        world = makeWorld(settings);
+        constexpr int kSide = 20;
+        constexpr double kPlace = 0.205;
+        const ShapeDef stuff = material(0, restitution);
+        const double half = 0.5 * kSide * kPlace;
+        for (const double sign : {-1., 1.}) {
+            addStatic(world, box(half + 2, 1), stuff, {0, sign * (half + 1)});
+            addStatic(world, box(1, half + 2), stuff, {sign * (half + 1), 0});
+        }
+        Random random(1);
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const DVec2 at{kPlace * (i % kSide + 0.5) - half, kPlace * (i / kSide + 0.5) - half};
+            const Vec2 velocity = vec(random.range(-1, 1), random.range(-1, 1));
+            balls.push_back(addBody(world, dynamicAt(at, velocity), circle(0.1), stuff));
+        }
+    }
+    double energy() const { return energyOf(world, balls, 0); }
+};
+
+/// Crowds are too large to find out who bounces together: contacts bounce in turn. That makes no energy, and keeps what
+/// they would lose without restitution.
+TEST(Bounce, CrowdsBounceInTurn) {
+    std::array<double, 2> kept{};
+    for (const bool isElastic : {false, true}) {
+        Crowd crowd(isElastic ? 1 : 0);
+        const double start = crowd.energy();
+        double least = start;
+        double largestGain = 0;
+        for (int i = 0; i < 60; ++i) {
+            must(crowd.world.step(kStep));
+            ASSERT_GT(crowd.world.counters().constraints, 300U) << "no crowd";
+            const double now = crowd.energy();
+            largestGain = std::max(largestGain, now - least);
+            least = std::min(least, now);
+        }
+        expectAtMost(isElastic ? "energy gained" : "energy gained without restitution", largestGain / start, 1e-4);
+        kept[isElastic ? 1 : 0] = crowd.energy() / start;
+    }
+    EXPECT_LT(kept[0], 0.1);
+    EXPECT_GT(kept[1], 0.5);
 }
 
 }  // namespace

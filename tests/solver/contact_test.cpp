@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "../support/random.h"
+#include "random_solve.h"
 #include "solver_scene.h"
 
 namespace swept::test {
@@ -287,6 +290,101 @@ TEST(Contact, TwoPointsPressWhereTheyMeetAndNowhereElse) {
     }
     EXPECT_GT(none, 1'000);
     EXPECT_GT(both, 1'000);
+}
+
+/// Kinetic, J.
+double energyOf(const SolverBatch& batch) {
+    double sum = 0;
+    for (std::size_t i = 0; i < batch.states.size(); ++i) {
+        const BodyInertia& inertia = batch.inertias[i];
+        const BodyState& state = batch.states[i];
+        const double speed = static_cast<double>(length(state.velocity));
+        const double spin = static_cast<double>(state.angularVelocity);
+        if (inertia.inverseMass > 0) { sum += speed * speed / (2 * static_cast<double>(inertia.inverseMass)); }
+        if (inertia.inverseInertia > 0) { sum += spin * spin / (2 * static_cast<double>(inertia.inverseInertia)); }
+    }
+    return sum;
+}
+
+/// Prepared for `bounceContacts`; slower approaches than this do not.
+ContactConstraint bouncing(ContactConstraint contact, const SolverBatch& batch, Real bounceSpeed) {
+    contact.bounceSpeed = bounceSpeed;
+    prepareContact(contact, batch.inertias);
+    return contact;
+}
+
+/// Newton's law, and no friction: v − v₂ = −e·(u − u₂), and momentum.
+TEST(BounceInTurn, BallsPartWithTheirRestitution) {
+    for (const double restitution : {0.25, 0.5, 1.0}) {
+        SolverBatch batch;
+        batch.clear();
+        batch.addBody({.velocity = {4, 0}}, {real(0.5), 1}, {});
+        batch.addBody({.velocity = {-1, 0}}, {1, 1}, {});
+        ContactConstraint contact;
+        contact.slotA = 1;
+        contact.slotB = 2;
+        contact.normal = {1, 0};
+        contact.restitution = real(restitution);
+        contact.count = 1;
+        contact.points[0].anchorA = {1, 0};
+        contact.points[0].anchorB = {-1, 0};
+        contact.points[0].baseSeparation = real(0.05);
+        const std::array<std::uint32_t, 1> places{0};
+        const auto bounceWith = [&](Real bounceSpeed, double h) {
+            std::vector<ContactConstraint> contacts{bouncing(contact, batch, bounceSpeed)};
+            bounceContacts(contacts, places, {batch.states, batch.inertias}, {.h = real(h)});
+            return contacts[0].points[0].totalNormalImpulse;
+        };
+        EXPECT_EQ(bounceWith(6, 1), 0) << "too slow";
+        EXPECT_EQ(bounceWith(1, 1.0 / 128), 0) << "they do not meet in this sub-step";
+        EXPECT_EQ(batch.states[1].velocity, (Vec2{4, 0}));
+        EXPECT_GT(bounceWith(1, 1.0 / 32), 0);
+        const double first = static_cast<double>(batch.states[1].velocity.x);
+        const double second = static_cast<double>(batch.states[2].velocity.x);
+        EXPECT_NEAR(second - first, 5 * restitution, 1e-5);
+        EXPECT_NEAR(2 * first + second, 7, 1e-5);
+    }
+}
+
+/// A box that lands flat does not turn, whatever the order of its points.
+TEST(BounceInTurn, BoxesLeaveFlatGroundFlat) {
+    BoxOnPlane scene;
+    SolverBatch batch;
+    batch.clear();
+    const BodySlot slot = add(batch, scene.box);
+    batch.states[slot].velocity = {0, -3};
+    std::vector<ContactConstraint> contacts{scene.contact(slot)};
+    contacts[0].restitution = real(0.5);
+    contacts[0] = bouncing(contacts[0], batch, 1);
+    const std::array<std::uint32_t, 1> places{0};
+    bounceContacts(contacts, places, {batch.states, batch.inertias}, {.h = real(1.0 / 64)});
+    EXPECT_NEAR(static_cast<double>(batch.states[slot].velocity.y), 1.5, 1e-6);
+    EXPECT_NEAR(static_cast<double>(batch.states[slot].angularVelocity), 0, 1e-6);
+}
+
+/// Any contacts with restitution and friction, in any order.
+TEST(BounceInTurn, NeverMakesEnergy) {
+    int bounced = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        RandomSolve solve(seed);
+        for (ContactConstraint& contact : solve.batch.contacts) { contact = bouncing(contact, solve.batch, 0); }
+        for (std::uint32_t i = 0; i < solve.batch.contacts.size(); ++i) {
+            // What kinematic bodies give is theirs, and so is what a spin gives that nothing changes.
+            for (std::size_t k = 0; k < solve.batch.states.size(); ++k) {
+                if (!isMovable(solve.batch.inertias[k])) { solve.batch.states[k] = {}; }
+                if (!(solve.batch.inertias[k].inverseInertia > 0)) { solve.batch.states[k].angularVelocity = 0; }
+            }
+            const double before = energyOf(solve.batch);
+            const std::array<std::uint32_t, 1> places{i};
+            bounceContacts(solve.batch.contacts, places, {solve.batch.states, solve.batch.inertias}, {.h = 1});
+            EXPECT_LE(energyOf(solve.batch), before * (1 + 64 * std::numeric_limits<Real>::epsilon())) << seed;
+            for (const ContactConstraintPoint& point : solve.batch.contacts[i].points) {
+                EXPECT_GE(point.totalNormalImpulse, 0) << seed;
+                bounced += point.totalNormalImpulse > 0 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(bounced, 300);
 }
 
 }  // namespace

@@ -171,6 +171,45 @@ TEST(ContactStore, IsSolvedToTheBitLikeConstraintsOfTheBatch) {
     EXPECT_EQ(blocks > 100, contactKernels() != nullptr);
 }
 
+/// As the engine hands over a large pile in profile `fast`.
+void bounceInTurn(RandomSolve& solve) {
+    solve.settings.bounces = false;
+    solve.settings.bouncesInTurn = true;
+    for (ContactConstraint& contact : solve.batch.contacts) {
+        if (contact.restitution > 0) { contact.bounceSpeed = solve.settings.restitutionThreshold; }
+    }
+}
+
+/// @return how many blocks there were
+int expectSameBouncesInTurn(int times, std::uint64_t seeds) {
+    int blocks = 0;
+    int bounced = 0;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        RandomSolve narrow(seed, times);
+        RandomSolve wide(seed, times);
+        RandomSolve plastic(seed, times);
+        bounceInTurn(narrow);
+        bounceInTurn(wide);
+        forgetBounces(plastic);
+        narrow.settings.wide = false;
+        const auto solve = [](RandomSolve& one) {
+            KeptContacts store(one.batch);
+            const SolveReport report = Solver().solve(one.batch, one.settings);
+            store.giveBack();
+            forgetPrepared(one.batch);
+            return report;
+        };
+        solve(narrow);
+        blocks += solve(wide).contactBlocks;
+        solve(plastic);
+        EXPECT_EQ(bitsOf(narrow.batch), bitsOf(wide.batch)) << "seed " << seed;
+        bounced += bitsOf(plastic.batch) != bitsOf(wide.batch) ? 1 : 0;
+        if (testing::Test::HasFailure()) { break; }
+    }
+    EXPECT_GT(bounced, static_cast<int>(seeds / 2)) << "too few bounces to prove anything";
+    return blocks;
+}
+
 #ifdef SWEPT_SIMD
 
 /// Makes Highway choose one instruction set.
@@ -190,6 +229,10 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     const BlockCounts blocks = expectSameBits(16, 60);
     EXPECT_GT(blocks.contacts, 1'000);
     EXPECT_GT(blocks.hinges, 200);
+}
+
+TEST_P(WideContacts, BounceInTurnToTheBitAsOneByOne) {
+    EXPECT_EQ(expectSameBouncesInTurn(1, 50) + expectSameBouncesInTurn(16, 20) > 100, contactKernels() != nullptr);
 }
 
 /// Angles of all sizes and both signs, next to where they need reduction, and what is no angle.
