@@ -183,19 +183,25 @@ struct PingPong {
     double way = 0;      ///< travelled, unfolded at the impacts, m
     double overlap = 0;  ///< deepest into a wall, m
 
-    PingPong(double speed, ContinuousMode mode) {
+    bool anyOther = false;  ///< reason than the expected one
+
+    PingPong(double speed, ContinuousMode mode, int maxImpacts = WorldSettings{}.maxImpacts) {
         WorldSettings settings = awakeSettings(0);
         settings.continuous = mode;
+        settings.maxImpacts = maxImpacts;
         world = makeWorld(settings);
         addStatic(world, segment(-5, -1, -5, 1), material(0, 1));
         addStatic(world, segment(5, -1, 5, 1), material(0, 1));
         ball = addBody(world, dynamicAt({0.37, 0}, vec(speed, 0)), circle(kRadius), material(0, 1));
     }
-    void step() {
+    void step(LostTimeReason expected = LostTimeReason::stop) {
         double x = world.position(ball).x;
         must(world.step(kStep));
         for (const ContactEvent& event : world.contactEvents()) { hits += event.type == ContactEventType::hit ? 1 : 0; }
-        for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+        for (const LostTimeEntry& entry : world.lostTime()) {
+            lost += entry.seconds;
+            anyOther = anyOther || entry.reason != expected || entry.body != ball;
+        }
         for (const ImpactPose& pose : world.impactPoses()) {
             way += std::abs(pose.position.x - x);
             x = pose.position.x;
@@ -226,6 +232,7 @@ TEST(Bounce, StopEntersTheLostTime) {
         const std::string name = std::to_string(speed) + " m/s: ";
         expectAtMost(name + "time unaccounted for", std::abs(scene.way / speed + scene.lost - 10), 1e-6);
         EXPECT_GT(scene.lost, 0.01) << name << "nothing was lost, so nothing was tested";
+        EXPECT_FALSE(scene.anyOther) << name;
         expectAtMost(name + "overlap", scene.overlap, 0);
     }
 }
@@ -278,6 +285,22 @@ TEST(Bounce, CrowdsBounceInTurn) {
     }
     EXPECT_LT(kept[0], 0.1);
     EXPECT_GT(kept[1], 0.5);
+}
+
+/// More impacts in a step than it may have: it waits at the last one, with the velocity that this left it.
+TEST(Bounce, WhatTheBudgetCutsOffEntersTheLostTime) {
+    for (const int maxImpacts : {1, 3}) {
+        constexpr double kSpeed = 3000;  // five walls a step
+        PingPong scene(kSpeed, ContinuousMode::subStep, maxImpacts);
+        for (int i = 0; i < 600; ++i) { scene.step(LostTimeReason::budget); }
+        const std::string name = std::to_string(maxImpacts) + " impacts: ";
+        const double rounding = kIsDouble ? 1e-9 : 5e-5;  // of 600 to 1800 impacts, a rounding of the speed each
+        expectAtMost(name + "time unaccounted for", std::abs(scene.way / kSpeed + scene.lost - 10), rounding);
+        EXPECT_GT(scene.lost, 1) << name << "nothing was lost, so nothing was tested";
+        EXPECT_FALSE(scene.anyOther) << name;
+        expectAtMost(name + "overlap", scene.overlap, 0);
+        expectAtMost(name + "speed", std::abs(length(velocityOf(scene.world, scene.ball)) / kSpeed - 1), rounding);
+    }
 }
 
 }  // namespace

@@ -120,6 +120,32 @@ TEST(FreeFlight, NoSpeedIsTooHigh) {
     }
 }
 
+/// What the user's limit cuts is counted, in every part that a body can play: in flight, at a wall, pushed by another.
+TEST(FreeFlight, TheUsersMaxSpeedIsKeptAndReported) {
+    constexpr double kLimit = 50;
+    WorldSettings settings = awakeSettings(0);
+    settings.maxSpeed = real(kLimit);
+    World world = makeWorld(settings);
+    addStatic(world, segment(2, -1, 2, 1), material(0, 1));
+    const BodyId free = addBody(world, dynamicAt({0, 50}, vec(80, 0)), circle(0.2));
+    const BodyId flyer = addBody(world, dynamicAt({0, 0}, vec(70, 0)), circle(0.2), material(0, 1));
+    const BodyId hit = addBody(world, dynamicAt({0, -50}), circle(0.2), material(0));
+    const BodyId hitter = addBody(world, dynamicAt({-0.4, -50}, vec(49, 0)), circle(0.2), material(0, 0, 100));
+    must(world.applyImpulse(hit, vec(60 * world.mass(hit), 0), world.position(hit)));
+    std::uint64_t limited = 0;
+    for (int i = 0; i < 10; ++i) {
+        must(world.step(kStep));
+        limited += world.counters().speedsLimited;
+        for (const BodyId body : {free, flyer, hit, hitter}) {
+            EXPECT_LE(length(velocityOf(world, body)), kLimit * (1 + 1e-6)) << "step " << i;
+        }
+    }
+    EXPECT_GE(limited, 3U);
+    EXPECT_NEAR(velocityOf(world, free).x, kLimit, 1e-5 * kLimit);
+    EXPECT_NEAR(velocityOf(world, flyer).x, -kLimit, 1e-5 * kLimit);
+    EXPECT_GT(velocityOf(world, hit).x, 0.9 * kLimit);
+}
+
 TEST(FreeFlight, GravityScaleScales) {
     World world = makeWorld();
     BodyDef def = dynamicAt({});

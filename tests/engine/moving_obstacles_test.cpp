@@ -101,13 +101,19 @@ TEST(MovingObstacles, PlatesCloseOnABall) {
         }
         const BodyId ball = addBody(world, dynamicAt({0.3, 0}, vec(speed, 0)), circle(0.2), material(0, 1));
         double lost = 0;
+        int held = 0;
         bool crowded = false;  // from the first step on with more bounces than its budget is sure to hold
         for (int i = 0; i < 90; ++i) {
             must(world.step(kStep));
             ASSERT_TRUE(std::isfinite(world.position(ball).x) && std::isfinite(velocityOf(world, ball).x));
             ASSERT_LE(world.counters().impacts, 300U);
             const double gap = world.position(plates[1]).x - world.position(plates[0]).x;
-            for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+            for (const LostTimeEntry& entry : world.lostTime()) {
+                lost += entry.seconds;
+                EXPECT_EQ(entry.body, ball);
+                EXPECT_TRUE(entry.reason == LostTimeReason::budget || entry.reason == LostTimeReason::clamp);
+                held += entry.reason == LostTimeReason::clamp ? 1 : 0;
+            }
             const double bounces = std::abs(velocityOf(world, ball).x) * kStep / (gap - 0.4);  // a step
             crowded = crowded || gap <= 1 || bounces >= 0.5 * world.settings().maxImpacts;
             if (!crowded) {
@@ -116,6 +122,7 @@ TEST(MovingObstacles, PlatesCloseOnABall) {
             }
         }
         EXPECT_GT(lost, 0) << "there was no room left: it must say so";
+        EXPECT_GT(held, 30) << "and is held between them from then on";
     }
 }
 
