@@ -23,6 +23,7 @@ struct StepCounters {
     std::uint64_t bodySubSteps = 0;     ///< sub-steps of each body, summed: what the solver costs
     std::uint64_t effortClasses = 0;    ///< solves: islands that need the same sub-steps and method are one
     std::uint64_t mostSubSteps = 0;     ///< of any of them
+    std::uint64_t bodiesAgain = 0;      ///< solved again, with more sub-steps, since an error budget was missed
     std::uint64_t directBodies = 0;     ///< in islands whose rigid rows are solved all at once
     std::uint64_t settledBodies = 0;    ///< in islands that were solved so, and only have to be held
     std::uint64_t factorisations = 0;   ///< of their matrices

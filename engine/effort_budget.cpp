@@ -10,12 +10,12 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Sub-steps are doubled from this part of the budget on: what carries more from one step to the next then still keeps
-/// it.
-constexpr Real kRaiseRatio = Real(1) / 2;
-/// They are halved below this one. Four times the error is then still three quarters of what would double them again:
-/// what is steady does not go to and fro.
-constexpr Real kLowerRatio = kRaiseRatio * Real(3) / 16;
+/// Sub-steps are doubled from this part of the budget on: where a step is no longer good (effort_trial.h).
+constexpr Real kRaiseRatio = kGoodBudgetRatio;
+/// They are halved below this one. Four times the error is then still seven eighths of what would double them again:
+/// what is steady does not go to and fro. One halving a step: a taut bridge whose joints became softer and stiffer by
+/// sixteen in turns was pumped up.
+constexpr Real kLowerRatio = kRaiseRatio * Real(7) / 32;
 /// Blows and forces may take this part of the budget, beside what was there before them.
 constexpr Real kBlowRatio = Real(1) / 4;
 constexpr Real kForceRatio = Real(1) / 4;
@@ -145,9 +145,11 @@ std::int8_t doublingsFor(const WorldSettings& settings, const IslandErrors& erro
     constexpr Real kNone = std::numeric_limits<Real>::infinity();
     const bool holdsContacts = errors.hasContacts && settings.maxPenetration < kNone;
     const bool holdsJoints = errors.hasJoints && settings.maxJointError < kNone;
-    // What is solved all at once has its few sub-steps for other reasons, and what no budget bounds gets no worse.
-    const bool mayLower =
-        holdsContacts == errors.hasContacts && holdsJoints == errors.hasJoints && usual.direct == DirectScope::none;
+    // What no budget bounds gets no worse. Contacts that are solved all at once have their few sub-steps for other
+    // reasons, and what whips about at the end of a chain has its many.
+    const bool isBounded = holdsContacts == errors.hasContacts && holdsJoints == errors.hasJoints;
+    const bool isFree = usual.direct == DirectScope::none || (usual.direct != DirectScope::all && usual.doublings == 0);
+    const bool mayLower = isBounded && isFree;
     const Search search(settings, usual.direct == DirectScope::all ? usual.doublings : errors.doublings);
     auto doublings = static_cast<std::int8_t>(usual.doublings - (mayLower ? kMostHalvings : 0));
     if (holdsJoints) {

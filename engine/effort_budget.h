@@ -25,6 +25,9 @@ constexpr int standardSubSteps(const WorldSettings& settings, Effort effort) {
     return hasErrorBudget(settings) ? subStepsFor(effort, usual) : usual;
 }
 
+/// A step is good that ends within this part of the budget: what is left is room for what comes in the next one.
+inline constexpr Real kGoodBudgetRatio = Real(3) / 4;
+
 /// What the budgets of an island are compared with, at the start of the step. Kept for its capacity.
 struct IslandErrors {
     Real penetration = 0;  ///< the deepest, metres
@@ -33,6 +36,11 @@ struct IslandErrors {
     Real push = 0;         ///< how far the forces on a member would take it in this step, metres
     bool hasContacts = false;
     bool hasJoints = false;
+    // Of the last solve (effort_trial.h).
+    std::uint8_t tries = 0;     ///< that were taken back
+    Real penetrationAfter = 0;  ///< metres
+    Real jointErrorAfter = 0;
+    Effort next{};  ///< to be solved with again; else that which it was solved with
     std::int8_t doublings = std::numeric_limits<std::int8_t>::lowest();  ///< largest of a member in the last step
 };
 

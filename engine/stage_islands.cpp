@@ -124,6 +124,69 @@ bool isInside(const WorldState& world, const Contact& contact) {
     return !a.isDynamic() || !b.isDynamic() || contact.isSolid();
 }
 
+void gather(WorldState& world, std::size_t island) {
+    FastIslands& fast = world.fastIslands;
+    const std::span<const std::uint32_t> bodies = fast.bodies.of(island);
+    fast.members.assign(bodies.begin(), bodies.end());
+    const std::span<const std::uint32_t> joints = fast.joints.of(island);
+    fast.jointSlots.assign(joints.begin(), joints.end());
+    fast.held.clear();
+    fast.sources.clear();
+    for (const std::uint32_t index : fast.contacts.of(island)) {
+        if (!isInside(world, world.contacts[index])) { continue; }
+        fast.held.push_back(world.contacts[index]);
+        fast.sources.push_back(index);
+    }
+}
+
+/// What an island leaves of a step outside of itself.
+struct Traces {
+    std::size_t events;
+    std::size_t poses;
+    std::size_t losses;
+};
+Traces tracesOf(const WorldState& world, const FlightScratch& scratch) {
+    return {world.contactEvents.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
+}
+
+template <class Items>
+void cutTo(Items& items, std::size_t size) {
+    items.erase(items.begin() + static_cast<std::ptrdiff_t>(size), items.end());
+}
+
+/// As the island was before it advanced, but for the effort of its members.
+void takeBack(WorldState& world, const Traces& before, FlightScratch& scratch) {
+    const FastIslands& fast = world.fastIslands;
+    const EffortTrial& trial = world.trial;
+    for (std::size_t i = 0; i < fast.members.size(); ++i) {
+        world.motions[fast.members[i]] = fast.membersAtStart[i];
+        world.bodies[fast.members[i]].flung = false;
+    }
+    for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
+    for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }
+    cutTo(world.contactEvents, before.events);
+    cutTo(scratch.impactPoses, before.poses);
+    cutTo(scratch.lostTime, before.losses);
+}
+
+void advanceWithinBudget(WorldState& world, std::size_t island, double dt) {
+    FlightScratch& scratch = world.flightScratch[0];
+    FastIslands& fast = world.fastIslands;
+    const bool isTried = hasErrorBudget(world.settings) && !fast.joints.of(island).empty();
+    gather(world, island);
+    if (!isTried) { return advanceIsland(world, dt, scratch); }
+    world.trial.joints.clear();
+    for (const std::uint32_t slot : fast.jointSlots) { world.trial.joints.push_back(world.joints[slot]); }
+    world.trial.held = fast.held;
+    const Traces before = tracesOf(world, scratch);
+    advanceIsland(world, dt, scratch);
+    while (raiseMissedJoints(world, fast.members, fast.jointSlots, dt)) {
+        takeBack(world, before, scratch);
+        gather(world, island);
+        advanceIsland(world, dt, scratch);
+    }
+}
+
 }  // namespace
 
 void findFastIslands(WorldState& world) {
@@ -145,17 +208,7 @@ void advanceFastIslands(WorldState& world, double dt) {
             world.counters.sweeps += bodies.size();
             continue;
         }
-        fast.members.assign(bodies.begin(), bodies.end());
-        const std::span<const std::uint32_t> joints = fast.joints.of(island);
-        fast.jointSlots.assign(joints.begin(), joints.end());
-        fast.held.clear();
-        fast.sources.clear();
-        for (const std::uint32_t index : fast.contacts.of(island)) {
-            if (!isInside(world, world.contacts[index])) { continue; }
-            fast.held.push_back(world.contacts[index]);
-            fast.sources.push_back(index);
-        }
-        advanceIsland(world, dt, world.flightScratch[0]);
+        advanceWithinBudget(world, island, dt);
     }
 }
 

@@ -205,7 +205,13 @@ void solveTiedBodies(WorldState& world, double dt) {
         if (body.role != BodyRole::solved) { continue; }
         if (std::find(efforts.begin(), efforts.end(), body.effort) == efforts.end()) { efforts.push_back(body.effort); }
     }
-    for (const Effort effort : efforts) {
+    const bool budgeted = hasErrorBudget(world.settings);
+    if (budgeted) {
+        std::stable_sort(efforts.begin(), efforts.end(), [](Effort a, Effort b) { return a.doublings < b.doublings; });
+    }
+    for (std::size_t place = 0; place < efforts.size(); ++place) {  // grows as it goes
+        const Effort effort = efforts[place];
+        const bool isTried = budgeted && !effort.isSettled;
         const auto isOfClass = [&](std::uint32_t slot) {
             return world.bodies[slot].role == BodyRole::solved && world.bodies[slot].effort == effort;
         };
@@ -214,9 +220,11 @@ void solveTiedBodies(WorldState& world, double dt) {
             const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
             if (std::any_of(bodies.begin(), bodies.end(), isOfClass)) { world.tiedJoints.push_back(i); }
         }
+        if (isTried) { rememberClass(world, effort); }
         solveGroup(world,
                    {.effort = effort, .bodies = world.awake, .contacts = world.contacts, .joints = world.tiedJoints},
                    {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
+        if (isTried) { takeBackMissed(world, place, dt); }
     }
 }
 

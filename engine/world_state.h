@@ -13,6 +13,7 @@
 #include "contact.h"
 #include "crew.h"
 #include "effort_budget.h"
+#include "effort_trial.h"
 #include "energy_account.h"
 #include "fast_islands.h"
 #include "flight.h"
@@ -128,6 +129,7 @@ struct WorldState {
     std::vector<std::uint32_t> chainLengths;    ///< their joints, by root
     std::vector<Vec2> islandPulls;              ///< by slot: what is left of pulls and impulses of a step (settled.cpp)
     std::vector<IslandErrors> islandErrors;     ///< by root, of this step; only with a budget
+    EffortTrial trial;                          ///< likewise
     std::vector<std::uint8_t> islandRestless;   ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;      ///< by root: last member of the sleeping ring
     std::vector<std::uint8_t> outgrew;          ///< by place in `awake`: a box no longer holds its shape

@@ -28,6 +28,7 @@ inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::
     {"bodySubSteps", &StepCounters::bodySubSteps},
     {"effortClasses", &StepCounters::effortClasses},
     {"mostSubSteps", &StepCounters::mostSubSteps},
+    {"bodiesAgain", &StepCounters::bodiesAgain},
     {"directBodies", &StepCounters::directBodies},
     {"settledBodies", &StepCounters::settledBodies},
     {"factorisations", &StepCounters::factorisations},
