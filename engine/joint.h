@@ -56,4 +56,20 @@ struct Joint {
     std::span<const std::uint32_t> allBodies() const { return {bodies.data(), bodyCount}; }
 };
 
+/// What the step asks of all joints, one after the other, before it looks at any of them: joints are large.
+struct JointTie {
+    std::uint32_t bodyA = 0;  ///< slots
+    std::uint32_t bodyB = 0;
+    bool holds = false;     ///< a joint is there, and is no filter
+    bool isPair = true;     ///< it ties no other bodies
+    bool mayBreak = false;  ///< it has a limit
+};
+inline JointTie tieOf(const Joint& joint) {
+    return {.bodyA = joint.bodyA,
+            .bodyB = joint.bodyB,
+            .holds = joint.holds(),
+            .isPair = joint.bodyCount <= 2,
+            .mayBreak = joint.base.breakForce || joint.base.breakTorque};
+}
+
 }  // namespace swept::inline SWEPT_PRECISION

@@ -317,7 +317,7 @@ void collideContacts(WorldState& world) {
     noteMotions(world);
     if (world.contacts.empty() && world.candidates.empty()) {
         world.touching.clear();
-        if (world.joints.size() > 0) { wakeAcrossJoints(world); }
+        if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
         return;
     }
     for (const std::uint32_t slot : world.awake) { noteMotion(world, slot); }
@@ -329,7 +329,7 @@ void collideContacts(WorldState& world) {
     }
     listNearContacts(world);
     dropGhosts(world, world.contacts, world.nearContacts, world.awake);
-    if (world.joints.size() > 0) { wakeAcrossJoints(world); }
+    if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
     const std::uint32_t apart = listTouching(world);
     world.counters.manifolds += world.nearContacts.size();
     if (world.watched) { countAhead(world); }

@@ -176,7 +176,7 @@ void moveProxies(WorldState& world) {
 
 void breakJoints(WorldState& world) {
     for (const std::uint32_t i : world.activeJoints) {
-        if (!world.joints.isAlive(i)) { continue; }  // a gear that went with its joint
+        if (!world.jointTies[i].mayBreak) { continue; }  // or a gear that went with its joint
         const Joint& joint = world.joints[i];
         const bool force = joint.base.breakForce && length(joint.reactionForce) > *joint.base.breakForce;
         const bool torque = joint.base.breakTorque && std::fabs(joint.reactionTorque) > *joint.base.breakTorque;

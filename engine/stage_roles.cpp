@@ -20,7 +20,8 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     const Real known = world.glances[slot].motion;
     const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
     body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
-    world.traits[slot] = body.fast ? kIsAwake | kIsFast : kIsAwake;
+    world.traits[slot] =
+        static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) | (body.fast ? kIsFast : 0));
     body.startCenter = motion.center;
     body.startAngle = motion.angle;
 }
@@ -148,10 +149,23 @@ BodyRole roleOf(const WorldState& world, const Body& body) {
     return body.holdingJoints == 0 && !body.hasContact ? BodyRole::free : BodyRole::solved;
 }
 
+bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
+
+/// The same where nothing sleeps: each joint has something dynamic.
+void listAllJoints(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.jointTies.size(); ++i) {
+        if (world.jointTies[i].holds) { world.activeJoints.push_back(i); }
+    }
+}
+
 /// Joints that hold something awake, in the order of their slots: what follows costs nothing for those that sleep.
 void listActiveJoints(WorldState& world) {
     world.activeJoints.clear();
     if (world.joints.size() == 0) { return; }
+    if (!anyAsleep(world)) {
+        listAllJoints(world);
+        return;
+    }
     const auto isAwake = [&world](std::uint32_t slot) {
         return world.bodies[slot].isDynamic() && world.bodies[slot].awake;
     };
@@ -202,6 +216,13 @@ void findIslands(WorldState& world) {
     const auto isAwake = [&](std::uint32_t slot) { return (world.traits[slot] & kIsAwake) != 0 && moves(slot); };
     listActiveJoints(world);
     for (const std::uint32_t i : world.activeJoints) {
+        const JointTie& tie = world.jointTies[i];
+        if (tie.isPair) {
+            if (isAwakeDynamic(world, tie.bodyA) && isAwakeDynamic(world, tie.bodyB)) {
+                world.islands.unite(tie.bodyA, tie.bodyB);
+            }
+            continue;
+        }
         const auto bodies = world.joints[i].allBodies();
         const std::uint32_t first = *std::find_if(bodies.begin(), bodies.end(), moves);
         for (const std::uint32_t other : bodies) {

@@ -217,6 +217,12 @@ void solveTiedBodies(WorldState& world, double dt) {
         };
         world.tiedJoints.clear();
         for (const std::uint32_t i : world.activeJoints) {
+            const JointTie& tie = world.jointTies[i];
+            if (isOfClass(tie.bodyA) || isOfClass(tie.bodyB)) {
+                world.tiedJoints.push_back(i);
+                continue;
+            }
+            if (tie.isPair) { continue; }
             const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
             if (std::any_of(bodies.begin(), bodies.end(), isOfClass)) { world.tiedJoints.push_back(i); }
         }

@@ -41,6 +41,9 @@ constexpr Real reachOfMotion(Real motion, Real extent, bool isAhead) {
 inline constexpr Real kKeepRatio = std::numeric_limits<Real>::digits == 24 ? Real(0x1p-12) : Real(0x1p-26);
 /// Boxes are made larger than needed by this part of the extent, to be moved more rarely.
 inline constexpr Real kBoxMarginRatio = Real(1) / 8;
+/// What contacts need to know of is told by boxes that hold all of what rests as long as it stays within this part of
+/// the extent.
+inline constexpr Real kRestRoomRatio = kMinReachRatio / 2;
 /// Fast shapes whose farthest point is no farther from the centre than this part of their extent (squares: 0.71) have
 /// the boxes of their circles.
 inline constexpr Real kRoundRatio = Real(3) / 4;

@@ -25,5 +25,6 @@ inline constexpr BodyTraits kIsAwake = 1;
 inline constexpr BodyTraits kIsFast = 2;
 inline constexpr BodyTraits kHasContact = 4;
 inline constexpr BodyTraits kTouchesDynamic = 8;
+inline constexpr BodyTraits kIsDynamic = 16;  ///< and awake
 
 }  // namespace swept

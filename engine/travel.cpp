@@ -37,6 +37,7 @@ void noteRest(WorldState& world, std::uint32_t slot) {
     BodyGlance& glance = world.glances[slot];
     const Body& body = world.bodies[slot];
     glance.motion = -1;
+    world.travels[slot].boxRoom = 0;
     glance.turnedAhead = world.travels[slot].turned;
     if (body.def.type == BodyType::fixed) { return; }
     // How far contacts reach beyond what sleeps depends on the coming steps.
@@ -56,6 +57,7 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
         world.travels[slot].turned + static_cast<double>(reachOfMotion(glance.motion, body.widest, false));
     // As nearly always: its boxes were made where it is, and it is no faster than it was.
     if (glance.motion <= world.travels[slot].boxMotion) { return; }
+    world.travels[slot].boxRoom = 0;
     for (const std::uint32_t index : body.shapes) {
         world.neededBoxes[static_cast<std::size_t>(world.shapes[index].proxy)] = neededBox(world, world.shapes[index]);
     }

@@ -115,6 +115,7 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     body.inverseMass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
     const bool turns = body.inertia > 0 && !body.def.fixedRotation;
     body.inverseInertia = turns ? static_cast<Real>(1 / body.inertia) : Real(0);
+    world.travels[slot].boxRoom = 0;
     body.extent = 0;
     body.widest = 0;
     body.radius = 0;
@@ -208,23 +209,49 @@ Real noteBoxes(WorldState& world, std::uint32_t slot) {
     const auto dt = static_cast<Real>(world.lastDt);
     const Body& body = world.bodies[slot];
     const Vec2 velocity = world.motions[slot].velocity;
+    world.travels[slot].boxRoom = 0;
     const Real alongAxis = dt * std::max(std::fabs(velocity.x), std::fabs(velocity.y));
     // What is fast along one axis is told without a root: no box reaches farther ahead than its own.
     if (alongAxis >= kMaxReachRatio * body.widest && modeOf(world, body) != ContinuousMode::speculative) {
         world.travels[slot].boxMotion = std::numeric_limits<Real>::max();
         return alongAxis;
     }
-    return world.travels[slot].boxMotion = motionBound(world, slot, dt);
+    const Real bound = motionBound(world, slot, dt);
+    // Contacts reach that far ahead of what moves less.
+    const Real least = kMinReachRatio * body.extent;
+    const bool isSlow = bound <= least && body.isDynamic();
+    BodyTravel& travel = world.travels[slot];
+    travel.boxMotion = isSlow ? least : bound;
+    if (isSlow) {
+        travel.boxRoom = static_cast<double>(kRestRoomRatio * body.extent);
+        travel.boxCenter = world.motions[slot].center;
+        travel.boxAngle = world.motions[slot].angle;
+    }
+    return travel.boxMotion;
+}
+
+/// As nearly always of what rests: its boxes were made with room for how far it moved since.
+bool keepsBoxes(const WorldState& world, std::uint32_t slot) {
+    const BodyTravel& travel = world.travels[slot];
+    if (!(travel.boxRoom > 0)) { return false; }
+    const BodyMotion& motion = world.motions[slot];
+    const double moved = lengthAtMost(motion.center - travel.boxCenter) +
+                         std::fabs(motion.angle - travel.boxAngle) * static_cast<double>(world.bodies[slot].radius);
+    return moved <= travel.boxRoom / 2 &&  // half of it is for rounding
+           motionBound(world, slot, static_cast<Real>(world.lastDt)) <= travel.boxMotion;
 }
 
 /// Kept for the stage of contacts of the next step.
 const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion) {
-    return world.neededBoxes[static_cast<std::size_t>(shape.proxy)] = neededBoxOf(world, shape, motion);
+    const auto room = static_cast<Real>(world.travels[shape.body].boxRoom);
+    const Aabb needed = neededBoxOf(world, shape, motion);
+    return world.neededBoxes[static_cast<std::size_t>(shape.proxy)] = room > 0 ? grown(needed, room) : needed;
 }
 
 }  // namespace
 
 bool hasOutgrownProxy(WorldState& world, std::uint32_t body) {
+    if (keepsBoxes(world, body)) { return false; }
     const Real motion = noteBoxes(world, body);
     bool hasOutgrown = false;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
@@ -232,10 +259,12 @@ bool hasOutgrownProxy(WorldState& world, std::uint32_t body) {
         const bool fits = contains(world.broadphase->box(shape.proxy), renewNeededBox(world, shape, motion));
         hasOutgrown = hasOutgrown || !fits;
     }
+    if (hasOutgrown) { world.travels[body].boxRoom = 0; }  // not before they have been made anew
     return hasOutgrown;
 }
 
 void updateProxies(WorldState& world, std::uint32_t body, bool always) {
+    if (!always && keepsBoxes(world, body)) { return; }
     const Real motion = noteBoxes(world, body);
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
@@ -251,6 +280,7 @@ void removeJoint(WorldState& world, JointId id) {
     while (const std::optional<JointId> gear = gearOn(world, id)) { removeJoint(world, *gear); }
     const Joint joint = world.joints[id.index];
     world.joints.erase(id);
+    world.jointTies[id.index] = {};
     for (const std::uint32_t slot : joint.allBodies()) {
         std::erase(world.bodies[slot].joints, id.index);
         world.bodies[slot].holdingJoints -= joint.holds() ? 1 : 0;

@@ -147,6 +147,7 @@ Status World::setBreakLimits(JointId id, std::optional<Real> force, std::optiona
     if (!status.ok()) { return status; }
     joint->base.breakForce = force;
     joint->base.breakTorque = torque;
+    state_->jointTies[id.index] = tieOf(*joint);
     return Status::success();
 }
 

@@ -47,6 +47,8 @@ Result<JointId> insert(WorldState& world, Joint joint) {
     const Joint placed = joint;
     const std::optional<JointId> id = world.joints.insert(std::move(joint));
     if (!id) { return Status{StatusCode::outOfMemory, "joint"}; }
+    world.jointTies.resize(world.joints.slotCount());
+    world.jointTies[id->index] = tieOf(placed);
     for (const std::uint32_t body : placed.allBodies()) {
         world.bodies[body].joints.push_back(id->index);
         world.bodies[body].holdingJoints += placed.holds() ? 1 : 0;

@@ -60,7 +60,11 @@ struct BodyGlance {
 struct BodyTravel {
     double angle = 0;
     double turned = 0;    ///< metres, rounded up
-    Real boxMotion = -1;  ///< `motionBound` of which its boxes were made last
+    Real boxMotion = -1;  ///< of which its boxes were made last: `motionBound`, or more
+    /// Its needed boxes hold it wherever it gets from there by moving and turning less than `boxRoom`, metres.
+    double boxRoom = 0;
+    DVec2 boxCenter{};
+    double boxAngle = 0;
 };
 
 /// Scratch of mode_sensors.cpp, kept for its capacity.
@@ -85,12 +89,14 @@ struct WorldState {
     std::vector<Vec2> localCenters;     ///< of the bodies of the present solve, by their slot there
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
+    std::vector<JointTie> jointTies;          ///< by joint slot
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
     std::uint32_t sensorShapes = 0;
     std::uint32_t bouncyShapes = 0;  ///< with restitution: without any, nothing bounces
     SensorSweeps sensorSweeps;
     std::uint32_t kinematicBodies = 0;
+    std::uint32_t fixedBodies = 0;
     std::uint32_t watchedBodies = 0;   ///< with a mode of their own that has work beside sweeps (modes.h)
     std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
@@ -211,6 +217,8 @@ inline Vec2 accelerationOf(const WorldState& world, const Body& body) {
     return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
 }
 inline Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
+/// Whether something that could move sleeps.
+inline bool anyAsleep(const WorldState& world) { return world.awake.size() + world.fixedBodies < world.bodies.size(); }
 /// Length of the longest path that a point of the body can take within dt, metres.
 inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
     const Body& body = world.bodies[slot];

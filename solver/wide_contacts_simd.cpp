@@ -266,6 +266,8 @@ private:
         const Lanes massTwo = at(block_.points[kPoints - 1].normalMass);
         const Lanes ofOne = bounceAt(block_.points[0], h);
         const Lanes ofTwo = bounceAt(block_.points[kPoints - 1], h);
+        impulseOne = impulseTwo = zero;
+        if (hn::AllFalse(tag, hn::Gt(hn::Add(ofOne, ofTwo), zero))) { return; }
         const Lanes aloneOne = hn::Mul(massOne, ofOne);
         const Lanes aloneTwo = hn::Mul(massTwo, ofTwo);
         const LaneMask both = hn::And(hn::Gt(ofOne, zero), hn::Gt(ofTwo, zero));
