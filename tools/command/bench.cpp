@@ -11,6 +11,7 @@
 #include "../bench/toi_certify.h"
 #include "bench_accuracy.h"
 #include "bench_broadphase.h"
+#include "bench_effort.h"
 #include "bench_run.h"
 #include "bench_threads.h"
 #include "bench_world.h"
@@ -108,6 +109,7 @@ void addBenchCommand(Command app) {
     toi.runs([arguments] { return arguments->certify > 0 ? certify(*arguments) : measure(*arguments); });
     addBenchBroadphase(all);
     addBenchAccuracy(all);
+    addBenchEffort(all);
     addBenchThreads(all);
     addBenchWorld(all);
 }
