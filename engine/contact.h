@@ -19,6 +19,14 @@ struct KeptManifold {
     bool isThere = false;
 };
 
+/// What a contact carried whose points slid along the ground since its manifold was found last (slides.h). Frame of A.
+struct Slide {
+    Vec2 normal{};
+    Real impulse = 0;         ///< along the normal, N·s; 0: it did not slide, or carried nothing
+    Real tangentImpulse = 0;  ///< N·s
+    Real moment = 0;          ///< of the normal impulses about the origin of body B, N·s·m
+};
+
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or
 /// kinematic).
 struct Contact {
@@ -32,6 +40,7 @@ struct Contact {
     std::array<Real, 2> normalImpulse{};  ///< warm start, by point of the manifold
     std::array<Real, 2> tangentImpulse{};
     std::array<Real, 2> totalImpulse{};  ///< normal impulse over the last step, N·s
+    Slide slide;                         ///< of this step
     Real friction = 0;
     Real restitution = 0;
     Real extent = 0;         ///< of the pair
@@ -45,8 +54,9 @@ struct Contact {
     bool dynamicA = false;  ///< the body is
     bool dynamicB = false;
     bool sensor = false;
-    bool touching = false;  ///< begin was reported, end was not
-    bool pressed = false;   ///< carried an impulse in the last step
+    bool touching = false;   ///< begin was reported, end was not
+    bool pressed = false;    ///< carried an impulse in the last step
+    bool pressedOn = false;  ///< and in the one before: it is no blow that the next step would repeat
 
     bool isSolid() const { return !sensor && manifold.count > 0; }
 };

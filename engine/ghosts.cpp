@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "slides.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -87,7 +88,7 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const 
     const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
     for (const std::uint32_t i : renewed) {
-        if (!isGroundContact(contacts[i])) { continue; }
+        if (!isGroundContact(contacts[i]) && !(contacts[i].slide.impulse > 0)) { continue; }
         std::uint32_t& first = firstOf[bodyOf(contacts[i])];
         anyTwo = anyTwo || first != kNoIndex;
         world.nextGroundContact[i] = first;
@@ -98,11 +99,13 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const 
             const std::uint32_t first = firstOf[slot];
             if (first != kNoIndex && world.nextGroundContact[first] != kNoIndex) {
                 dropGhostsOf(world, contacts, first);
+                carryAlong(world, contacts, first);
             }
         }
     }
     for (const std::uint32_t i : renewed) {
         if (contacts[i].dynamicA != contacts[i].dynamicB) { firstOf[bodyOf(contacts[i])] = kNoIndex; }
+        contacts[i].slide.impulse = 0;
     }
 }
 

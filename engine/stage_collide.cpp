@@ -5,6 +5,7 @@
 #include "ghosts.h"
 #include "modes.h"
 #include "shape_manifold.h"
+#include "slides.h"
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
@@ -111,6 +112,7 @@ bool keepsManifold(Contact& contact, const Transform& bInA, Real margin) {
 }
 
 void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin) {
+    noteSlide(contact, bInA);
     const Manifold manifold =
         shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin, contact.memory);
     contact.kept = {

@@ -231,6 +231,7 @@ void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
 
 void TiedContacts::takeOutcome(Contact& contact, std::size_t points, const Outcome& outcome) {
     if (!contact.pressed) { noteHit(contact, outcome); }
+    const bool pressedBefore = contact.pressed;
     contact.pressed = false;
     for (std::size_t k = 0; k < points; ++k) {
         contact.normalImpulse[k] = outcome.normalImpulse[k] / scale_;
@@ -238,6 +239,7 @@ void TiedContacts::takeOutcome(Contact& contact, std::size_t points, const Outco
         contact.totalImpulse[k] = outcome.totalImpulse[k];
         contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
     }
+    contact.pressedOn = pressedBefore && contact.pressed;
 }
 
 /// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.

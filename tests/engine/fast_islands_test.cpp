@@ -157,7 +157,8 @@ TEST(FastIslands, ARagdollGainsNoEnergyAtAWall) {
     expectAtMost("gain", worst, 0.05);
 }
 
-/// The floor has no friction. At any of its thousand seams the lowest box might be held, and the others slide on.
+/// The floor has no friction. At any of its thousand seams the lowest box might be held, and the others slide on; or be
+/// pressed at other places than before, and turned.
 TEST(FastIslands, AStackSlidesOverSeams) {
     for (const bool tiles : {false, true}) {
         for (const double speed : {5.0, 20.0, 100.0}) {
@@ -180,16 +181,15 @@ TEST(FastIslands, AStackSlidesOverSeams) {
             }
             const std::string name = (tiles ? "tiles, " : "segments, ") + std::to_string(speed) + " m/s, box ";
             EXPECT_EQ(waited, 0) << name;
+            double leant = 0;
             for (std::size_t i = 0; i < boxes.size(); ++i) {
                 const std::string which = name + std::to_string(i);
                 EXPECT_NEAR(velocityOf(world, boxes[i]).x / speed, 1, 1e-3) << which;
-                // It leans by 5 mm at 20 m/s (4.97 to 5.01: a limit of 5 mm was no limit but the number itself), on a
-                // floor of one piece by 0.06 mm: the lowest box falls behind by some 60 µm at each seam that it passes,
-                // less with shorter sub-steps (8, 16, 32, 64 of them: 18.6, 5.0, 0.9, 0.2 mm). What is held at a seam
-                // is left behind by metres.
-                EXPECT_NEAR(world.position(boxes[i]).x - world.position(boxes[0]).x, 0, 0.006) << which;
+                // Impulses that stayed at the seams while these passed under the box made it lean by 5 mm at 20 m/s.
+                leant = std::max(leant, std::abs(world.position(boxes[i]).x - world.position(boxes[0]).x));
                 EXPECT_NEAR(world.position(boxes[i]).y, 0.5 + static_cast<double>(i), 0.002) << which;
             }
+            expectAtMost(name + "leans", leant, 0.001);
         }
     }
 }
