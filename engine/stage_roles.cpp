@@ -26,23 +26,31 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     body.startAngle = motion.angle;
 }
 
+void startle(WorldState& world, const Contact& contact, Real dt) {
+    if (contact.sensor || contact.dynamicA == contact.dynamicB) { return; }
+    const std::uint32_t kinematic = contact.dynamicB ? contact.bodyA : contact.bodyB;
+    const std::uint32_t other = contact.dynamicB ? contact.bodyB : contact.bodyA;
+    const Body& mover = world.bodies[kinematic];
+    if (mover.def.type != BodyType::kinematic || !mover.awake) { return; }
+    Body& body = world.bodies[other];
+    if (!(body.extent > 0)) { return; }
+    if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) { return; }
+    const std::size_t before = world.awake.size();
+    wake(world, other);
+    for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], dt); }
+    body.fast = body.startled = true;
+    world.traits[other] |= kIsFast;
+}
+
 /// A moving kinematic body passes over what rests as fast as that could pass under it: everything in the box of its
 /// coming step is awake and fast.
 void startleNearKinematicBodies(WorldState& world, Real dt) {
-    for (const Contact& contact : world.contacts) {
-        if (contact.sensor || contact.dynamicA == contact.dynamicB) { continue; }
-        const std::uint32_t kinematic = contact.dynamicB ? contact.bodyA : contact.bodyB;
-        const std::uint32_t other = contact.dynamicB ? contact.bodyB : contact.bodyA;
-        const Body& mover = world.bodies[kinematic];
-        if (mover.def.type != BodyType::kinematic || !mover.awake) { continue; }
-        Body& body = world.bodies[other];
-        if (!(body.extent > 0)) { continue; }
-        if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) { continue; }
-        const std::size_t before = world.awake.size();
-        wake(world, other);
-        for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], dt); }
-        body.fast = body.startled = true;
-        world.traits[other] |= kIsFast;
+    const auto isAwakeKinematic = [&world](std::uint32_t slot) {
+        return (world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake;
+    };
+    for (std::size_t i = 0; i < world.probes.size(); ++i) {  // contacts are large, and most are of others
+        const ContactProbe& probe = world.probes[i];
+        if (isAwakeKinematic(probe.bodyA) || isAwakeKinematic(probe.bodyB)) { startle(world, world.contacts[i], dt); }
     }
 }
 

@@ -120,12 +120,11 @@ DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Swee
     return up * toDouble(contact.normal);
 }
 
-/// Towards a place, along the normal of the face of the obstacle that this is farthest above; of a chain, its side. 0:
-/// there are no faces.
+/// Normal, in the frame of its body, of the face of the obstacle that a place is farthest above; of a chain, of its
+/// side. 0: there are no faces.
 Vec2 faceTowards(const WorldState& world, const Shape& other, DVec2 place) {
-    const WorldTransform& pose = world.motions[other.body].pose;
-    if (other.isChainSegment) { return rotate(pose.rotation, normalOf(other.segment)); }
-    const Vec2 local = applyInverse(pose, place);
+    if (other.isChainSegment) { return normalOf(other.segment); }
+    const Vec2 local = applyInverse(world.motions[other.body].pose, place);
     Vec2 best{};
     Real highest = -std::numeric_limits<Real>::infinity();
     for (std::size_t i = 0; other.polygon.count > 1 && i < static_cast<std::size_t>(other.polygon.count); ++i) {
@@ -135,27 +134,48 @@ Vec2 faceTowards(const WorldState& world, const Shape& other, DVec2 place) {
             best = other.polygon.normals[i];
         }
     }
-    return rotate(pose.rotation, best);
+    return best;
 }
 
-/// Whether the body stays on the outer side of a face of a static obstacle, sunk in no deeper than it may be. Both ends
-/// of a straight path tell: what turns by some angle bulges from the chord of its way by an eighth of the square of
-/// that, times its arm.
-bool staysOutside(const WorldState& world, const Sweep& path, const WorldTransform& start, const WorldTransform& end,
-                  const FlightObstacle& obstacle) {
+/// A straight path that the solver moved a body on, and its poses at both ends.
+struct SolvedPath {
+    Sweep sweep;
+    WorldTransform start;
+    WorldTransform end;
+    double time = 0;  ///< s
+};
+
+/// How far, at most, a point of the shape gets from the straight line between its two places in the frame of the
+/// obstacle, metres: an eighth of its largest acceleration there in the unit of the path's time. Its own turn about its
+/// centre, the turn of the obstacle about its own (Coriolis, centrifugal).
+double bulgeOf(const Shape& own, const Sweep& path, const Sweep& ground) {
+    const auto arm = static_cast<double>(own.radius - own.polygon.radius);
+    const double turn = std::fabs(path.a1 - path.a0);
+    const double groundTurn = std::fabs(ground.a1 - ground.a0);
+    const double way = length((path.c1 - path.c0) - (ground.c1 - ground.c0));
+    const double farthest = length(path.c0 - ground.c0) + way + static_cast<double>(own.radius);
+    return (arm * turn * turn + 2 * groundTurn * (way + arm * turn) + groundTurn * groundTurn * farthest) / 8;
+}
+
+/// Whether the body stays on the outer side of a face of the obstacle, sunk in no deeper than it may be: both ends of
+/// the path tell, and how far it bulges between them.
+bool staysOutside(const WorldState& world, const SolvedPath& path, const FlightObstacle& obstacle) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
-    if (world.bodies[other.body].def.type != BodyType::fixed) { return false; }
-    const Vec2 normal = faceTowards(world, other, path.c0);
-    if (normal == Vec2{}) { return false; }
+    const Vec2 face = faceTowards(world, other, path.sweep.c0);
+    if (face == Vec2{}) { return false; }
     const WorldTransform& ground = world.motions[other.body].pose;
-    const Real first = separationAlong(other.polygon, ground, own.polygon, start, normal);
-    const Real last = separationAlong(other.polygon, ground, own.polygon, end, normal);
-    const auto arm = static_cast<double>(own.radius - own.polygon.radius);
-    const double turn = path.a1 - path.a0;
-    const double least =
-        static_cast<double>(std::min(first, last) - roundingOf(world, obstacle)) - arm * turn * turn / 8;
-    const double slack = first <= contactReach(world, own) ? slackOf(world, obstacle) : 0;
+    const Sweep groundSweep = obstacleSweep(world, other.body, 0, path.time);
+    const bool moves = world.bodies[other.body].def.type != BodyType::fixed;
+    const WorldTransform groundEnd =
+        moves ? motionAt(groundSweep, 1, world.bodies[other.body].localCenter).pose : ground;
+    const Real first = separationAlong(other.polygon, ground, own.polygon, path.start, rotate(ground.rotation, face));
+    const Real last =
+        separationAlong(other.polygon, groundEnd, own.polygon, path.end, rotate(groundEnd.rotation, face));
+    const double least = static_cast<double>(std::min(first, last) - roundingOf(world, obstacle)) -
+                         bulgeOf(own, path.sweep, groundSweep);
+    const bool isHeld = first <= contactReach(world, own) + contactReach(world, other);
+    const double slack = isHeld ? slackOf(world, obstacle) : 0;
     return least >= targetOf(world, obstacle) + toleranceOf(world, obstacle) - slack;
 }
 
@@ -349,10 +369,9 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
     const Sweep path = pathOf(world, slot);
     findObstacles(world, slot, path, scratch);
     // Most of what is fast slides along something, or leaves it: that takes no search.
-    const WorldTransform start = poseOf(path.c0, path.a0, world.bodies[slot].localCenter);
-    const auto isNoObstacle = [&](const FlightObstacle& obstacle) {
-        return staysOutside(world, path, start, world.motions[slot].pose, obstacle);
-    };
+    const SolvedPath solved{path, poseOf(path.c0, path.a0, world.bodies[slot].localCenter), world.motions[slot].pose,
+                            time};
+    const auto isNoObstacle = [&](const FlightObstacle& obstacle) { return staysOutside(world, solved, obstacle); };
     if (std::all_of(scratch.obstacles.begin(), scratch.obstacles.end(), isNoObstacle)) { return {}; }
     allowSlack(world, path, time, scratch);
     return firstImpact(world, path, 0, time, scratch, limit);
