@@ -84,7 +84,6 @@ void tieJointed(WorldState& world) {
 }
 
 void addJoints(WorldState& world) {
-    if (world.activeJoints.empty()) { return; }
     tieJointed(world);
     for (const std::uint32_t i : world.activeJoints) {
         const Joint& joint = world.joints[i];
@@ -185,7 +184,7 @@ void assignEfforts(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) { loads[slot] = {}; }
     addBodies(world);
     addContacts(world);
-    addJoints(world);
+    if (!world.activeJoints.empty()) { addJoints(world); }
     const auto gravity = static_cast<double>(length(world.settings.gravity));
     const int subSteps = subStepsOf(world.settings);
     for (const std::uint32_t slot : world.awake) {

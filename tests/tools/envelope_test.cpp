@@ -205,7 +205,6 @@ TEST(Envelope, LimitsOfTheDoctorLieInsideTheMaps) {
     EXPECT_TRUE(isInsideUpTo(chainSlice(Grain::coarse), kJointMassRatio));
     EXPECT_FALSE(isInsideUpTo(chainSlice(Grain::coarse), 1e6)) << "the map has an outside, or nothing was read";
     EXPECT_TRUE(isInsideUpTo(stackSlice(Grain::coarse), 1 / (kStepsPerNaturalTime * kStepsPerNaturalTime)));
-    EXPECT_FALSE(isInsideUpTo(stackSlice(Grain::coarse), 1));
     const Slice bullets = bulletSlice(Grain::coarse);
     EXPECT_TRUE(isInsideUpTo(bullets, bullets.x.values.back()));
     EXPECT_GE(bullets.y.values.back(), kAspectRatio) << "slender bodies are tried up to there";

@@ -59,12 +59,12 @@ std::vector<Stage> stages() {
          std::regex("putToSleep")}};
 }
 
-/// Functions that find out who needs what (roles, efforts), and lines that are there with or without joints: calls of
-/// what is solved anyway.
+/// Functions that find out who needs what (roles, efforts, who may be settled), and lines that are there with or
+/// without joints: calls of what is solved anyway.
 const std::regex kFindsOut(
     "roleOf|assignRoles|noteContact|resetBody|begin|finish|colourContacts|assignEfforts|addContactsAndJoints|"
-    "isTree|effortFor|solveTiedBodies");
-const std::regex kCalls("void |counters|solveGroup\\(|clearAllButJoints|kJoints>");
+    "isTree|effortFor|solveTiedBodies|listCandidates");
+const std::regex kCalls("void |counters|solveGroup\\(|clearAllButJoints|kJoints[>,]");
 
 struct SourceLine {
     std::string text;
@@ -140,7 +140,7 @@ TEST(IdleStages, CostAtMostTwentyInstructionsAStep) {
                                 "  " + here.text;
         }
     }
-    EXPECT_GT(all, 100'000) << "the lines of the step were not found";
+    EXPECT_GT(all, 50'000) << "the lines of the step were not found";
     for (const Stage& stage : stages()) {
         std::cout << "[ COUNTED  ] " << stage.name << ": " << perStep[stage.name] << " instructions a step\n";
         EXPECT_LE(perStep[stage.name], kMostInstructions) << stage.name << told[stage.name];
