@@ -22,7 +22,7 @@ void checkUnits(const PlacedScene& placed, const PlacedBody& body, std::vector<F
     if (gravity == 0) { return; }
     const double fall = std::sqrt(2 * sizeOf(body) / gravity);
     if (fall >= envelope::kShortestFall && fall <= envelope::kLongestFall) { return; }
-    const std::string guess = fall > envelope::kLongestFall ? "; are these pixels?" : "; are these millimetres?";
+    const std::string guess = fall > envelope::kLongestFall ? " (are these pixels?)" : " (are these millimetres?)";
     findings.push_back({Severity::warning, "units", pointerOf(body),
                         body.name + " is " + metres(sizeOf(body)) + " large and takes " + seconds(fall) +
                             " to fall its own size: it will look " +
