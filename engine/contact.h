@@ -83,8 +83,12 @@ struct ContactProbe : ContactPair {
         0;          ///< there are no points as long as the bodies moved less since (travel.h), metres; 0: not known
     Vec2 offset{};  ///< from centre of mass to centre of mass at that time, world
     ContactState state = ContactState::asleep;
-    bool isIdle = false;  ///< it is no sensor, and had no points when they were renewed last: while they are apart
-                          ///< nothing changes
+    bool isIdle = false;      ///< it is no sensor, and had no points when they were renewed last: while they are apart
+                              ///< nothing changes
+    bool isPlain = false;     ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
+    bool bounces = false;     ///< has restitution
+    bool turns = false;       ///< of state `near`: touching begins or ends
+    std::uint8_t points = 0;  ///< of state `near`
 };
 
 /// @pre there is a point

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "../shapes/distance.h"
+#include "contact_manifold.h"
 #include "ghosts.h"
 #include "modes.h"
-#include "shape_manifold.h"
-#include "slides.h"
+#include "pair_boxes.h"
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
@@ -15,6 +15,7 @@ namespace {
 
 /// Contacts per block: enough work, some microseconds, to pay for handing it over.
 constexpr std::size_t kContactGrain = 32;
+constexpr std::size_t kProbeGrain = 256;
 
 /// As the stage began.
 bool isAwake(const BodyGlance& body) { return !(body.motion < 0); }
@@ -26,120 +27,6 @@ void noteMotions(WorldState& world) {
         world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
     }
 }
-
-int pointWithId(const Manifold& manifold, FeatureId id) {
-    for (int i = 0; i < manifold.count; ++i) {
-        if (manifold.points[static_cast<std::size_t>(i)].id == id) { return i; }
-    }
-    return -1;
-}
-
-/// Of the same features, in the same order.
-bool hasSamePoints(const Manifold& a, const Manifold& b) {
-    if (a.count != b.count) { return false; }
-    if (a.count == 2) {
-        return a.points[0].id == b.points[0].id && a.points[1].id == b.points[1].id && a.points[0].id != a.points[1].id;
-    }
-    return a.count == 0 || a.points[0].id == b.points[0].id;
-}
-
-/// What there was of a contact before its manifold was renewed.
-struct OldPoints {
-    Manifold manifold;
-    std::array<Real, 2> normalImpulse;
-    std::array<Real, 2> tangentImpulse;
-    Real extent;
-};
-
-/// The old point that a new one continues: of the same features, else the nearest within a part of the extent (clipping
-/// may name a point after either of two vertices that stand at the same place). One that another new point has by name,
-/// or that lies nearer to the other one, is not free: two points must not take over the same impulse.
-int predecessorOf(const Manifold& now, std::size_t index, const OldPoints& before) {
-    const ManifoldPoint& point = now.points[index];
-    const int same = pointWithId(before.manifold, point.id);
-    if (same >= 0) { return same; }
-    int nearest = -1;
-    Real least = square(kSamePlaceRatio * before.extent);
-    for (int i = 0; i < before.manifold.count; ++i) {
-        const ManifoldPoint& old = before.manifold.points[static_cast<std::size_t>(i)];
-        const Real away = lengthSquared(old.point - point.point);
-        if (!(away < least) || pointWithId(now, old.id) >= 0) { continue; }
-        if (now.count > 1) {
-            const Real fromOther = lengthSquared(old.point - now.points[1 - index].point);
-            if (fromOther < away || (fromOther == away && index > 0)) { continue; }
-        }
-        nearest = i;
-        least = away;
-    }
-    return nearest;
-}
-
-void carryImpulses(const OldPoints& before, Contact& now) {
-    now.normalImpulse = {};
-    now.tangentImpulse = {};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
-        const int old = predecessorOf(now.manifold, i, before);
-        if (old < 0) { continue; }
-        now.normalImpulse[i] = before.normalImpulse[static_cast<std::size_t>(old)];
-        now.tangentImpulse[i] = before.tangentImpulse[static_cast<std::size_t>(old)];
-    }
-}
-
-}  // namespace
-
-namespace {
-
-/// The manifold as `KeptManifold` says. @return false where it has to be made anew
-bool keepsManifold(Contact& contact, const Transform& bInA, Real margin) {
-    const KeptManifold& kept = contact.kept;
-    if (!kept.isThere || contact.manifold.count != 2) { return false; }  // ghosts and passers lose their points
-    const Rotation turn = bInA.rotation * inverse(kept.bInA.rotation);
-    if (!(turn.c > 0) || !(std::fabs(turn.s) <= kKeepRatio)) { return false; }
-    const Vec2 shift = bInA.translation - kept.bInA.translation;
-    const Real farthest = kKeepRatio * contact.extent;
-    std::array<Real, 2> separations;
-    for (std::size_t i = 0; i < separations.size(); ++i) {
-        // Of the point of B that was there; the rest of its way is the square of an angle.
-        const Vec2 moved = shift + cross(turn.s, contact.manifold.points[i].point - kept.bInA.translation);
-        if (!(std::fabs(moved.x) + std::fabs(moved.y) <= farthest)) { return false; }
-        separations[i] = kept.separations[i] + dot(kept.normal, moved);
-        if (separations[i] > margin) { return false; }
-    }
-    contact.manifold.points[0].separation = separations[0];
-    contact.manifold.points[1].separation = separations[1];
-    if (contact.manifold.isNormalOfB) { contact.manifold.normal = kept.normal + cross(turn.s, kept.normal); }
-    return true;
-}
-
-void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin) {
-    noteSlide(contact, bInA);
-    const Manifold manifold =
-        shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin, contact.memory);
-    contact.kept = {
-        bInA, manifold.normal, {manifold.points[0].separation, manifold.points[1].separation}, manifold.count == 2};
-    if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
-        contact.manifold = manifold;
-        for (auto i = static_cast<std::size_t>(manifold.count); i < contact.normalImpulse.size(); ++i) {
-            contact.normalImpulse[i] = contact.tangentImpulse[i] = 0;
-        }
-        return;
-    }
-    const OldPoints before{contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
-    contact.manifold = manifold;
-    carryImpulses(before, contact);
-}
-
-Transform relativePoseOf(const WorldState& world, const Contact& contact) {
-    return relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
-}
-
-}  // namespace
-
-void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
-    renewManifold(world, contact, relativePoseOf(world, contact), margin);
-}
-
-namespace {
 
 /// `contactReach` of one side. @tparam kWatched  whether the world is: that of speculative bodies is not what was noted
 template <bool kWatched>
@@ -164,7 +51,7 @@ void updateNear(const WorldState& world, ContactProbe& probe, Contact& contact) 
     const Transform bInA = relativePoseOf(world, contact);
     const Real margin = reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
                         reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB);
-    if (!keepsManifold(contact, bInA, margin)) { renewManifold(world, contact, bInA, margin); }
+    updateManifold(world, contact, bInA, margin);
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
     probe.apartUntil = 0;
@@ -172,39 +59,25 @@ void updateNear(const WorldState& world, ContactProbe& probe, Contact& contact) 
     rememberApart(world, probe, contact.memory.room - contact.memory.motionTo(bInA));
 }
 
-bool overlap(std::span<const Aabb> boxes, const ContactProbe& probe) {
-    return overlaps(boxes[static_cast<std::size_t>(probe.proxyA)], boxes[static_cast<std::size_t>(probe.proxyB)]);
+bool isTouching(const Contact& contact) {
+    if (contact.manifold.count == 0) { return false; }
+    if (contact.sensor) { return true; }
+    const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
+    return deepestSeparation(contact.manifold) <= limit;
 }
 
-/// Writes only to the contact and its probe: contacts may be updated in any order.
+/// @tparam kWatched  speculative bodies reach farther than was noted
 template <bool kWatched>
-void updateContact(WorldState& world, std::span<const Aabb> boxes, std::size_t index) {
-    ContactProbe& probe = world.probes[index];
+ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const ContactProbe& probe) {
     const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
-    if (!isAwake(bodies.a) && !isAwake(bodies.b)) {
-        probe.state = ContactState::asleep;
-        return;
-    }
-    if (!overlap(boxes, probe)) {
-        probe.state = ContactState::boxesApart;
-        return;
-    }
-    // Speculative bodies reach farther than was noted.
+    if (!isAwake(bodies.a) && !isAwake(bodies.b)) { return ContactState::asleep; }
+    if (!boxesOverlap(boxes, probe)) { return ContactState::boxesApart; }
     const bool isTold = !kWatched && probe.isIdle;
-    if (isTold && (!overlap(world.neededBoxes, probe) || bodies.movedSince(probe) < probe.apartUntil)) {
-        probe.state = ContactState::apart;
-        return;
+    if (isTold &&
+        (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar() || bodies.movedSince(probe) < probe.apartUntil)) {
+        return ContactState::apart;
     }
-    probe.state = ContactState::near;
-    updateNear<kWatched>(world, probe, world.contacts[index]);
-}
-
-template <bool kWatched>
-void updateContacts(WorldState& world) {
-    const std::span<const Aabb> boxes = world.broadphase->boxes();
-    world.loops->run(world.contacts.size(), kContactGrain, [&world, boxes](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { updateContact<kWatched>(world, boxes, i); }
-    });
+    return ContactState::near;
 }
 
 void listNearContacts(WorldState& world) {
@@ -214,11 +87,50 @@ void listNearContacts(WorldState& world) {
     }
 }
 
-bool isTouching(const Contact& contact) {
-    if (contact.manifold.count == 0) { return false; }
-    if (contact.sensor) { return true; }
-    const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
-    return deepestSeparation(contact.manifold) <= limit;
+/// Near contacts that are fetched from memory ahead of time: first themselves, then what they refer to.
+constexpr std::size_t kContactsAhead = 8;
+constexpr std::size_t kShapesAhead = 4;
+constexpr std::size_t kLine = 64;  ///< bytes of a cache; on other machines than most it is only slower
+
+template <class T>
+void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
+    for (std::size_t i = 0; i < bytes; i += kLine) { __builtin_prefetch(reinterpret_cast<const char*>(&thing) + i); }
+}
+
+/// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
+/// times.
+void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
+    if (coming.size() > kContactsAhead) { fetch(world.contacts[coming[kContactsAhead]]); }
+    if (coming.size() > kShapesAhead) {
+        const Contact& contact = world.contacts[coming[kShapesAhead]];
+        fetch(world.shapes[contact.shapeA].polygon);
+        fetch(world.shapes[contact.shapeB].polygon);
+        fetch(world.motions[contact.bodyA]);
+        fetch(world.motions[contact.bodyB]);
+    }
+}
+
+/// Writes only to the contacts and their probes: they may be updated in any order.
+template <bool kWatched>
+void updateContacts(WorldState& world) {
+    const std::span<const Aabb> boxes = world.broadphase->boxes();
+    world.loops->run(world.probes.size(), kProbeGrain, [&world, boxes](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            world.probes[i].state = stateOf<kWatched>(world, boxes, world.probes[i]);
+        }
+    });
+    listNearContacts(world);
+    const std::span<const std::uint32_t> near = world.nearContacts;
+    world.loops->run(near.size(), kContactGrain, [&world, near](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            fetchAhead(world, near.subspan(i, end - i));
+            ContactProbe& probe = world.probes[near[i]];
+            Contact& contact = world.contacts[near[i]];
+            updateNear<kWatched>(world, probe, contact);
+            probe.points = static_cast<std::uint8_t>(contact.manifold.count);
+            probe.turns = isTouching(contact) != contact.touching;
+        }
+    });
 }
 
 ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begins) {
@@ -286,24 +198,37 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
             .points = static_cast<std::uint8_t>(contact.manifold.count)};
 }
 
-/// Events, waking, and the list for the stages that follow, under the indices that contacts have once those are removed
-/// whose boxes came apart. @return how many these are
-std::uint32_t listTouching(WorldState& world) {
+/// Whether the probe of a near contact tells all: mostly. (Ghosts of others lost their points since.)
+bool isTold(const WorldState& world, const ContactProbe& probe) {
+    const bool areAwake = isAwake(world, probe.bodyA) && isAwake(world, probe.bodyB);
+    return probe.isPlain && areAwake && !probe.turns;
+}
+
+/// Events, waking, and the list for the stages that follow.
+void listTouching(WorldState& world) {
     world.touching.clear();
-    std::uint32_t apart = 0;
     for (std::uint32_t i = 0; i < world.probes.size(); ++i) {
         ContactProbe& probe = world.probes[i];
-        if (probe.state == ContactState::boxesApart) { ++apart; }
         if (probe.state == ContactState::near) {
+            if (isTold(world, probe)) {
+                probe.isIdle = probe.points == 0;
+                if (probe.isIdle) { continue; }
+                world.touching.push_back({.contact = i,
+                                          .bodyA = probe.bodyA,
+                                          .bodyB = probe.bodyB,
+                                          .dynamicA = true,
+                                          .dynamicB = true,
+                                          .bounces = probe.bounces,
+                                          .points = probe.points});
+                continue;
+            }
             noticeTouching(world, world.contacts[i]);
             probe.isIdle = world.contacts[i].manifold.count == 0 && !world.contacts[i].sensor;
         }
-        if (probe.isIdle || probe.state == ContactState::boxesApart) { continue; }
+        if (probe.isIdle) { continue; }
         const Contact& contact = world.contacts[i];
-        if (!contact.isSolid()) { continue; }
-        world.touching.push_back(touchingPair(contact, i - apart));
+        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, i)); }
     }
-    return apart;
 }
 
 void countAhead(WorldState& world) {
@@ -329,13 +254,12 @@ void collideContacts(WorldState& world) {
     } else {
         updateContacts<false>(world);
     }
-    listNearContacts(world);
     dropGhosts(world, world.contacts, world.nearContacts, world.awake);
     if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
-    const std::uint32_t apart = listTouching(world);
     world.counters.manifolds += world.nearContacts.size();
     if (world.watched) { countAhead(world); }
-    if (apart > 0) { removeApartContacts(world); }
+    removeApartContacts(world);
+    listTouching(world);
     world.counters.contacts = world.contacts.size() + world.candidates.size();
     world.counters.touching = world.touching.size();
 }

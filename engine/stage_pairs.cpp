@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pair_boxes.h"
 #include "step.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -56,6 +58,8 @@ void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
     probe.bodyB = contact.bodyB;
     probe.proxyA = world.shapes[contact.shapeA].proxy;
     probe.proxyB = world.shapes[contact.shapeB].proxy;
+    probe.isPlain = contact.dynamicA && contact.dynamicB && !contact.sensor;
+    probe.bounces = contact.restitution > 0;
 }
 
 /// Nobody asks about such a pair before it is near: what kinematic bodies may meet is looked for farther away, and
@@ -79,10 +83,6 @@ bool addPair(WorldState& world, std::uint32_t a, std::uint32_t b, bool isNear) {
     return true;
 }
 
-bool overlap(std::span<const Aabb> boxes, const ContactPair& pair) {
-    return overlaps(boxes[static_cast<std::size_t>(pair.proxyA)], boxes[static_cast<std::size_t>(pair.proxyB)]);
-}
-
 }  // namespace
 
 bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) { return addPair(world, a, b, true); }
@@ -99,19 +99,24 @@ void findPairs(WorldState& world) {
 
 void promoteCandidates(WorldState& world) {
     const std::span<const Aabb> boxes = world.broadphase->boxes();
+    const std::span<const Aabb> needed = world.neededBoxes;
     std::size_t kept = 0;
-    for (const ContactPair& pair : world.candidates) {
-        const bool isAsleep = world.glances[pair.bodyA].motion < 0 && world.glances[pair.bodyB].motion < 0;
-        if (!isAsleep && !overlap(boxes, pair)) {
-            dropPair(world, pair);
+    for (const ContactPair pair : world.candidates) {
+        const bool isNear = boxesOverlap(needed, pair);
+        if (!world.watched && !isNear && boxesOverlap(boxes, pair)) {  // as nearly always
+            world.candidates[kept++] = pair;
             continue;
         }
-        if (world.watched || (!isAsleep && overlap(world.neededBoxes, pair))) {
+        const BodyGlances bodies{world.glances[pair.bodyA], world.glances[pair.bodyB]};
+        const bool isAsleep = bodies.a.motion < 0 && bodies.b.motion < 0;
+        if (!isAsleep && !boxesOverlap(boxes, pair)) {
+            dropPair(world, pair);
+        } else if (world.watched || (isNear && !isAsleep && !bodies.areFar())) {
             makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
                         world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
-            continue;
+        } else {
+            world.candidates[kept++] = pair;
         }
-        world.candidates[kept++] = pair;
     }
     world.candidates.resize(kept);
 }

@@ -13,6 +13,13 @@ constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 /// Rounded up, so that the difference of any two sums is no less than what was added between them.
 void addTurned(BodyTravel& travel, double length) { travel.turned = nextUp(travel.turned + length * (1 + kRounding)); }
 
+/// Where all contact points of a body are, with what rounding of poses may make of it (`rememberApart`).
+/// @param ahead  how far its contacts reach
+Real reachFrom(const Body& body, DVec2 center, Real ahead) {
+    constexpr Real kRelative = 1 + 2 * kVerdictRounding;
+    return (body.radius + ahead) * kRelative + static_cast<Real>(2 * kRounding * sumNorm(center));
+}
+
 }  // namespace
 
 void noteTravel(WorldState& world, std::uint32_t slot) {
@@ -39,9 +46,12 @@ void noteRest(WorldState& world, std::uint32_t slot) {
     glance.motion = -1;
     world.travels[slot].boxRoom = 0;
     glance.turnedAhead = world.travels[slot].turned;
-    if (body.def.type == BodyType::fixed) { return; }
+    const bool isFixed = body.def.type == BodyType::fixed;
     // How far contacts reach beyond what sleeps depends on the coming steps.
-    glance.turnedAhead += static_cast<double>(kMaxReachRatio * body.widest);
+    const Real ahead = isFixed ? 0 : kMaxReachRatio * body.widest;
+    glance.reach = reachFrom(body, glance.center, ahead);
+    if (isFixed) { return; }
+    glance.turnedAhead += static_cast<double>(ahead);
     for (const std::uint32_t index : body.shapes) {
         const Shape& shape = world.shapes[index];
         world.neededBoxes[static_cast<std::size_t>(shape.proxy)] =
@@ -53,8 +63,9 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     noteTravel(world, slot);
     BodyGlance& glance = world.glances[slot];
-    glance.turnedAhead =
-        world.travels[slot].turned + static_cast<double>(reachOfMotion(glance.motion, body.widest, false));
+    const Real ahead = reachOfMotion(glance.motion, body.widest, false);
+    glance.turnedAhead = world.travels[slot].turned + static_cast<double>(ahead);
+    glance.reach = reachFrom(body, glance.center, ahead);
     // As nearly always: its boxes were made where it is, and it is no faster than it was.
     if (glance.motion <= world.travels[slot].boxMotion) { return; }
     world.travels[slot].boxRoom = 0;

@@ -5,9 +5,9 @@
 #include "../shapes/pair_view.h"
 #include "world_state.h"
 
-/// Most contacts are of shapes whose boxes overlap and that are apart. Two things tell that without a look at either
-/// shape: boxes that are no larger than the step needs, and how far apart the shapes were when they were last looked
-/// at, against how far their bodies have moved since.
+/// Most contacts are of shapes whose boxes overlap and that are apart. Three things tell that without a look at either
+/// shape: boxes that are no larger than the step needs, circles about the bodies, and how far apart the shapes were
+/// when they were last looked at, against how far their bodies have moved since.
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -25,6 +25,12 @@ struct BodyGlances {
     const BodyGlance& a;
     const BodyGlance& b;
 
+    /// Whether they are too far from each other for any contact point, whatever was rounded.
+    bool areFar() const {
+        const DVec2 offset = b.center - a.center;
+        const double reach = static_cast<double>(a.reach) + static_cast<double>(b.reach);
+        return dot(offset, offset) > reach * reach;
+    }
     /// How far the bodies have moved, compared with `ContactProbe::apartUntil`: metres.
     double movedSince(const ContactProbe& probe) const;
 };

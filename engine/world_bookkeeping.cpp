@@ -291,27 +291,35 @@ void removeJoint(WorldState& world, JointId id) {
 
 namespace {
 
+/// Before a contact is overwritten: its end is reported if it touches.
+void dropContact(WorldState& world, const Contact& contact) {
+    world.pairs.erase(contact.shapeA, contact.shapeB);
+    if (!contact.touching) { return; }
+    world.contactEvents.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
+                                   .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
+                                   .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
+                                   .bodyA = world.bodies.idOf(contact.bodyA),
+                                   .bodyB = world.bodies.idOf(contact.bodyB)});
+}
+
+}  // namespace
+
+namespace {
+
+/// The others keep their order: who comes first is solved first.
 template <class Doomed>
 void compactContacts(WorldState& world, const Doomed& doomed) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < world.probes.size(); ++i) {
-        if (!doomed(world.probes[i])) {
-            if (kept != i) {
-                world.probes[kept] = world.probes[i];
-                world.contacts[kept] = world.contacts[i];
-            }
-            ++kept;
+        if (doomed(world.probes[i])) {
+            dropContact(world, world.contacts[i]);
             continue;
         }
-        const Contact& contact = world.contacts[i];
-        world.pairs.erase(contact.shapeA, contact.shapeB);
-        if (contact.touching) {
-            world.contactEvents.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
-                                           .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
-                                           .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
-                                           .bodyA = world.bodies.idOf(contact.bodyA),
-                                           .bodyB = world.bodies.idOf(contact.bodyB)});
+        if (kept != i) {
+            world.probes[kept] = world.probes[i];
+            world.contacts[kept] = world.contacts[i];
         }
+        ++kept;
     }
     world.probes.resize(kept);
     world.contacts.resize(kept);

@@ -53,6 +53,8 @@ struct BodyGlance {
     double turnedAhead =
         std::numeric_limits<double>::infinity();  ///< `BodyTravel::turned`, and how far its contacts reach
     Real motion = -1;  ///< `motionBound`, metres; negative while the body is static or asleep
+    Real reach =
+        std::numeric_limits<Real>::infinity();  ///< none of its contact points is farther from the centre, metres
 };
 
 /// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted

@@ -129,8 +129,8 @@ FaceAxis bestFaceOfB(const PairView& pair) {
     return settled<false>(pair, best);
 }
 
-FaceAxis knownFaceOfA(const PairView& pair, int face) { return measureFace<true>(pair, face).axis; }
-FaceAxis knownFaceOfB(const PairView& pair, int face) { return measureFace<false>(pair, face).axis; }
+FaceAxis settledFaceOfA(const PairView& pair, int face) { return settled<true>(pair, {face, 0, 0}); }
+FaceAxis settledFaceOfB(const PairView& pair, int face) { return settled<false>(pair, {face, 0, 0}); }
 
 bool prefersA(const PairView& pair, const FaceAxis& faceA, const FaceAxis& faceB, double preference) {
     if (faceA.face < 0 || faceB.face < 0) { return faceB.face < 0; }

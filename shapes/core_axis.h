@@ -19,9 +19,9 @@ struct FaceAxis {
 FaceAxis bestFaceOfA(const PairView& pair);
 FaceAxis bestFaceOfB(const PairView& pair);
 
-/// The same where the best face is known.
-FaceAxis knownFaceOfA(const PairView& pair, int face);
-FaceAxis knownFaceOfB(const PairView& pair, int face);
+/// From a face that is the best but for the rounding of stored normals: itself, or one beside it that is better.
+FaceAxis settledFaceOfA(const PairView& pair, int face);
+FaceAxis settledFaceOfB(const PairView& pair, int face);
 
 enum class AxisSource : std::uint8_t { faceOfA, faceOfB, direction };
 

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gjk.h"
 #include "manifold_clip_inline.h"
+#include "manifold_parts.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-/// A face is preferred to a nearly equal one of the other shape by this fraction of the shorter of both, so that the
-/// reference does not change sides from step to step.
-constexpr double kFacePreference = 0x1p-10;
 
 /// Sine of the angle below which a closest direction counts as a face normal: up to there, the separation along the
 /// face normal is the distance, up to one rounding of `Real` (the cosine differs from 1 by half its square).
@@ -24,6 +20,8 @@ ManifoldBuilder builderFor(const PairView& pair, double margin, bool referenceIs
     return {static_cast<double>(pair.a.radius), static_cast<double>(pair.b.radius), margin, referenceIsA, normal};
 }
 
+}  // namespace
+
 Manifold clipAgainstA(const PairView& pair, int edge, double margin, double slack) {
     const ReferenceFace face = faceOfA(pair, edge);
     return builderFor(pair, margin, true, face.normal).build(clip(face, incidentOfB(pair, face.normal), slack));
@@ -34,12 +32,7 @@ Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slac
     return builderFor(pair, margin, false, face.normal).build(clip(face, incidentOfA(pair, face.normal), slack));
 }
 
-/// The same against a face whose normal is known.
-Manifold clipAgainst(const PairView& pair, const FaceAxis& axis, bool isOfA, double margin) {
-    const ReferenceFace face = isOfA ? faceOfA(pair, axis.face, axis.normal) : faceOfB(pair, axis.face, axis.normal);
-    const IncidentEdge incident = isOfA ? incidentOfB(pair, face.normal) : incidentOfA(pair, face.normal);
-    return builderFor(pair, margin, isOfA, face.normal).build(clip(face, incident, 0));
-}
+namespace {
 
 FeatureId vertexPair(const GjkResult& gjk) { return featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}); }
 
@@ -78,9 +71,10 @@ Manifold collideTouching(const PairView& pair, const GjkResult& gjk, double marg
     if (manifold.count == 0) { return collideWithoutFace(pair, gjk, margin); }
     const bool haveArea = pair.a.count > 2 || pair.b.count > 2;  // of the Minkowski difference: faces alone decide
     if (haveArea && faces.ofA.face >= 0 && faces.ofB.face >= 0) {
-        verdict = {.verdict = ManifoldMemory::Verdict::faces, .faceA = faces.ofA.face, .faceB = faces.ofB.face};
-        verdict.takesA = axis.source == AxisSource::faceOfA;
-        verdict.choiceRoom =
+        verdict.verdict = ManifoldMemory::Verdict::face;
+        verdict.face = axis.face;
+        verdict.isOfA = axis.source == AxisSource::faceOfA;
+        verdict.room =
             std::min(choiceRoomOf(pair, faces.ofA, faces.ofB), 0.5 * std::min(faces.ofA.lead, faces.ofB.lead));
     }
     return manifold;
@@ -113,21 +107,27 @@ struct EdgeEnd {
     int vertex = 0;
 };
 
-EdgeEnd otherEnd(const Polygon& polygon, DVec2 direction, int vertex) {
-    const int edge = edgeFacing(polygon, direction);
+/// @param edge  that which faces the direction
+EdgeEnd otherEnd(const Polygon& polygon, DVec2 direction, int vertex, int edge) {
     const int next = polygon.next(edge);
     const bool isFlat = dot(toDouble(polygon.normals[static_cast<std::size_t>(edge)]), direction) >= kFlatCosine;
     return {isFlat && (edge == vertex || next == vertex), edge == vertex ? next : edge};
 }
 
+/// Of each shape, that whose normal is closest to the direction of the other.
+struct FacingEdges {
+    int ofA = 0;
+    int ofB = 0;
+};
+
 /// Two vertices are closest, but edges that lie nearly across the normal begin there and run side by side: where the
 /// shorter one ends is a second point. Without it a rounded box that hangs over another by a hair would rest on one
 /// point.
-void addSecondPoint(const PairView& pair, const GjkResult& gjk, double margin, Manifold& manifold) {
+void addSecondPoint(const PairView& pair, const GjkResult& gjk, FacingEdges facing, double margin, Manifold& manifold) {
     const int vertexA = gjk.simplex[0].a;
     const int vertexB = gjk.simplex[0].b;
-    const EdgeEnd endA = otherEnd(pair.a, gjk.normal, vertexA);
-    const EdgeEnd endB = otherEnd(pair.b, pair.toB(-gjk.normal), vertexB);
+    const EdgeEnd endA = otherEnd(pair.a, gjk.normal, vertexA, facing.ofA);
+    const EdgeEnd endB = otherEnd(pair.b, pair.toB(-gjk.normal), vertexB, facing.ofB);
     if (!endA.isFlat || !endB.isFlat) { return; }
     const DVec2 edgeA = pair.spanA(vertexA, endA.vertex);
     const DVec2 edgeB = pair.spanB(vertexB, endB.vertex);
@@ -158,126 +158,57 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
     const double rounding = gjk.resolution * (2 * static_cast<double>(kEpsilon) / kResolution);
     const double separation =
         gjk.distance - static_cast<double>(pair.a.radius) - static_cast<double>(pair.b.radius) + 2 * rounding;
+    int edgeA = 0;
+    int edgeB = 0;
     if (pair.a.count > 1) {
-        const int edge = closestEdge(pair.a, p.a, q.a, gjk.normal);
-        if (isFaceNormal(pair.normalA(edge), gjk.normal)) {
-            const Manifold manifold = clipAgainstA(pair, edge, margin, slack);
+        edgeA = closestEdge(pair.a, p.a, q.a, gjk.normal);
+        if (isFaceNormal(pair.normalA(edgeA), gjk.normal)) {
+            const Manifold manifold = clipAgainstA(pair, edgeA, margin, slack);
             if (isAsDeepAs(manifold, separation)) { return manifold; }
         }
     }
     if (pair.b.count > 1) {
         const DVec2 direction = pair.toB(-gjk.normal);
-        const int edge = closestEdge(pair.b, p.b, q.b, direction);
-        if (isFaceNormal(pair.localNormalB(edge), direction)) {
-            const Manifold manifold = clipAgainstB(pair, edge, margin, slack);
+        edgeB = closestEdge(pair.b, p.b, q.b, direction);
+        if (isFaceNormal(pair.localNormalB(edgeB), direction)) {
+            const Manifold manifold = clipAgainstB(pair, edgeB, margin, slack);
             if (isAsDeepAs(manifold, separation)) { return manifold; }
         }
     }
     Manifold manifold = singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,
                                     vertexPair(gjk), pair.a, pair.b, margin);
     const bool areVertices = gjk.count == 1 && pair.a.count > 1 && pair.b.count > 1;
-    if (areVertices && manifold.count == 1) { addSecondPoint(pair, gjk, margin, manifold); }
+    if (areVertices && manifold.count == 1) { addSecondPoint(pair, gjk, {edgeA, edgeB}, margin, manifold); }
     return manifold;
 }
 
-Manifold collideByGjk(const PairView& pair, double margin, PairVerdict& verdict) {
-    const GjkResult gjk = closestFeatures(pair, nullptr);
+}  // namespace
+
+Manifold collideByGjk(const PairView& pair, double margin, const SimplexCache* warm, PairVerdict& verdict) {
+    const GjkResult gjk = closestFeatures(pair, warm);
     if (gjk.outcome == GjkOutcome::touching) { return collideTouching(pair, gjk, margin, verdict); }
-    const double reach = margin + static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
-    if (gjk.distance > reach) {
+    const double radii = static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
+    if (gjk.distance > margin + radii) {
         verdict.verdict = ManifoldMemory::Verdict::apart;
-        verdict.room = gjk.distance - (reach - margin);
+        verdict.room = gjk.distance - radii;
         return {};
     }
     return collideApart(pair, gjk, margin);
 }
 
-/// @param faceA  the best ones. @param verdict  gets all but `room`
-Manifold collideOnBestFaces(const PairView& pair, double margin, const FaceAxis& faceA, const FaceAxis& faceB,
-                            PairVerdict& verdict) {
-    verdict = {.verdict = ManifoldMemory::Verdict::faces, .faceA = faceA.face, .faceB = faceB.face};
-    PairVerdict ofGjk;  // not kept: where no face tells shapes apart, faces are asked first the next time too
-    const bool isApart = faceA.separation > 0 || faceB.separation > 0;
-    const bool takeA = prefersA(pair, faceA, faceB, isApart ? 0 : kFacePreference);
-    if (isApart && !(takeA ? faceA : faceB).isOverFace) { return collideByGjk(pair, margin, ofGjk); }
-    const Manifold manifold = clipAgainst(pair, takeA ? faceA : faceB, takeA, margin);
-    if (manifold.count == 0) { return collideByGjk(pair, margin, ofGjk); }
-    verdict.takesA = takeA;
-    verdict.choiceRoom = isApart ? 0 : choiceRoomOf(pair, faceA, faceB);
-    return manifold;
-}
+namespace {
 
-/// @param room  motion up to which the best faces stay the best
-void limitRoom(PairVerdict& verdict, double room) {
-    verdict.room = room;
-    verdict.choiceRoom = std::min(verdict.choiceRoom, room);
-}
-
-/// A face of A or B, and no points.
-Manifold apartAlong(const FaceAxis& face, bool ofA, PairVerdict& verdict) {
-    verdict = {};
-    verdict.verdict = ManifoldMemory::Verdict::apart;
-    (ofA ? verdict.faceA : verdict.faceB) = face.face;
-    verdict.room = face.separation;
-    return {};
-}
-
-/// Polygons without radius in contact overlap or nearly do: separating axes answer most of them without GJK, which is
-/// left with closest vertices.
-Manifold collideSharp(const PairView& pair, double margin, PairVerdict& verdict) {
-    const FaceAxis faceA = bestFaceOfA(pair);
-    if (faceA.separation > margin) { return apartAlong(faceA, true, verdict); }
-    const FaceAxis faceB = bestFaceOfB(pair);
-    if (faceB.separation > margin) { return apartAlong(faceB, false, verdict); }
-    const Manifold manifold = collideOnBestFaces(pair, margin, faceA, faceB, verdict);
-    limitRoom(verdict, 0.5 * std::min(faceA.lead, faceB.lead));  // differences change by twice the motion
-    return manifold;
+bool areSharp(const PairView& pair) {
+    return pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
 }
 
 Manifold collideCores(const PairView& pair, double margin, PairVerdict& verdict) {
-    const bool areSharp = pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
-    return areSharp ? collideSharp(pair, margin, verdict) : collideByGjk(pair, margin, verdict);
+    return areSharp(pair) ? collideSharp(pair, margin, verdict) : collideByGjk(pair, margin, nullptr, verdict);
 }
 
-Manifold clipAgainstChosen(const PairView& pair, const ManifoldMemory& memory, double margin) {
-    return memory.takesA ? clipAgainstA(pair, memory.faceA, margin, 0) : clipAgainstB(pair, memory.faceB, margin, 0);
-}
-
-/// With the best faces known from before. @param motion  since then
-Manifold collideWithKnownFaces(const PairView& pair, const Transform& bInA, Real margin, Real motion,
-                               ManifoldMemory& memory) {
-    const auto reach = static_cast<double>(margin);
-    PairVerdict verdict;
-    const FaceAxis faceA = knownFaceOfA(pair, memory.faceA);
-    const FaceAxis faceB = knownFaceOfB(pair, memory.faceB);
-    Manifold manifold;
-    if (faceA.separation > reach) {
-        manifold = apartAlong(faceA, true, verdict);
-    } else if (faceB.separation > reach) {
-        manifold = apartAlong(faceB, false, verdict);
-    } else {
-        manifold = collideOnBestFaces(pair, reach, faceA, faceB, verdict);
-        // From here there is no more room than what is left of it: nothing new, unless the choice is.
-        if (!(verdict.choiceRoom > 0)) { return manifold; }
-        limitRoom(verdict, static_cast<double>(memory.room - motion));
-    }
-    remember(memory, verdict, pair.a, pair.b, bInA);
-    return manifold;
-}
-
-/// The face that told them apart still does. Another may do better; that it does is enough. @return whether it does
-bool isStillApart(const PairView& pair, const Transform& bInA, Real margin, ManifoldMemory& memory) {
-    const bool ofA = memory.faceA != ManifoldMemory::kNoFace;
-    if (!ofA && memory.faceB == ManifoldMemory::kNoFace) { return false; }
-    const FaceAxis face = ofA ? knownFaceOfA(pair, memory.faceA) : knownFaceOfB(pair, memory.faceB);
-    ManifoldMemory now;
-    now.reaches = memory.reaches;
-    PairVerdict verdict;
-    apartAlong(face, ofA, verdict);
-    remember(now, verdict, pair.a, pair.b, bInA);
-    if (!(margin < now.room)) { return false; }
-    memory = now;
-    return true;
+Manifold clipAgainstKnown(const PairView& pair, const ManifoldMemory& memory, double margin) {
+    if (areSharp(pair)) { return collideOnSharpFace(pair, memory.face, memory.isOfA, margin); }
+    return memory.isOfA ? clipAgainstA(pair, memory.face, margin, 0) : clipAgainstB(pair, memory.face, margin, 0);
 }
 
 /// `query(pair, margin)` on the pair at a scale at which its numbers neither overflow nor underflow.
@@ -304,17 +235,10 @@ Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory) {
     using Verdict = ManifoldMemory::Verdict;
     const PairView pair(a, b, bInA);
-    if (memory.verdict != Verdict::none) {
-        const Real motion = memory.motionTo(bInA);
-        if (memory.verdict == Verdict::faces) {
-            if (motion < memory.choiceRoom) {
-                const Manifold manifold = clipAgainstChosen(pair, memory, static_cast<double>(margin));
-                if (manifold.count > 0) { return manifold; }
-            }
-            if (motion < memory.room) { return collideWithKnownFaces(pair, bInA, margin, motion, memory); }
-        } else if (motion + margin < memory.room || isStillApart(pair, bInA, margin, memory)) {
-            return {};
-        }
+    if (memory.isApart(bInA, margin)) { return {}; }
+    if (memory.verdict == Verdict::face && memory.motionTo(bInA) < memory.room) {
+        const Manifold manifold = clipAgainstKnown(pair, memory, static_cast<double>(margin));
+        if (manifold.count > 0) { return manifold; }
     }
     if (RescaledPair(a, b, bInA).isNeeded()) {  // rare enough not to remember anything
         memory.verdict = Verdict::none;

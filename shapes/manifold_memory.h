@@ -15,19 +15,16 @@ struct ManifoldMemory {
     enum class Verdict : std::uint8_t {
         none,
         apart,  ///< they are
-        faces,  ///< which face of A, and which of B, the other lies least deep under
+        face,   ///< what they touch with is a face of one of them
     };
-    static constexpr std::uint8_t kNoFace = 0xFF;
 
     Transform bInA{};  ///< at which it was found
     Real reaches = 0;  ///< farthest that the vertices of both are from their origins, summed; metres; 0: not asked yet
     Real lever = 0;    ///< no vertex of either shape is farther from the other's origin, metres
-    Real room = 0;     ///< of `apart`: separation; of `faces`: motion up to which they stay the best; metres
-    Real choiceRoom = 0;  ///< motion up to which the contact is that of the chosen face, and of no other, metres
+    Real room = 0;     ///< of `apart`: separation; of `face`: motion up to which it is that face; metres
     Verdict verdict = Verdict::none;
-    std::uint8_t faceA = kNoFace;  ///< of `apart`: that which tells them apart; then at most one of both is there
-    std::uint8_t faceB = kNoFace;
-    bool takesA = false;  ///< the chosen face is that of A
+    std::uint8_t face = 0;
+    bool isOfA = false;  ///< the face is
 
     /// Longest way of any point of one shape in the frame of the other since then, at most, metres. Sums of magnitudes
     /// instead of lengths: never less. (A difference of rotations moves no point farther than its own norm times the
@@ -43,14 +40,12 @@ struct ManifoldMemory {
     }
 };
 
-/// What a query finds out; rooms without what rounding may take of them.
+/// What a query finds out; room without what rounding may take of it.
 struct PairVerdict {
     ManifoldMemory::Verdict verdict = ManifoldMemory::Verdict::none;
-    int faceA = ManifoldMemory::kNoFace;
-    int faceB = ManifoldMemory::kNoFace;
-    bool takesA = false;
+    int face = 0;
+    bool isOfA = false;
     double room = 0;
-    double choiceRoom = 0;
 };
 
 /// Farthest that a vertex is from the origin, at most.
@@ -75,12 +70,9 @@ inline void remember(ManifoldMemory& memory, const PairVerdict& found, const Pol
     memory.bInA = bInA;
     if (!(memory.reaches > 0)) { memory.reaches = vertexReach(a) + vertexReach(b); }
     memory.lever = memory.reaches + std::fabs(bInA.translation.x) + std::fabs(bInA.translation.y);
-    memory.faceA = static_cast<std::uint8_t>(found.faceA);
-    memory.faceB = static_cast<std::uint8_t>(found.faceB);
-    memory.takesA = found.takesA;
-    const Real rounding = kVerdictRounding * memory.lever;
-    memory.room = clampedReal(found.room) - rounding;
-    memory.choiceRoom = clampedReal(found.choiceRoom) - rounding;
+    memory.face = static_cast<std::uint8_t>(found.face);
+    memory.isOfA = found.isOfA;
+    memory.room = clampedReal(found.room) - kVerdictRounding * memory.lever;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

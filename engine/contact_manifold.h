@@ -1,0 +1,16 @@
+#pragma once
+
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+inline Transform relativePoseOf(const WorldState& world, const Contact& contact) {
+    return relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
+}
+
+/// The manifold at this relative pose: what is known of it (`KeptManifold`) if that is certain, else made anew. Points
+/// that were there before keep their impulses.
+/// @param margin  largest separation of points, metres
+void updateManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin);
+
+}  // namespace swept::inline SWEPT_PRECISION
