@@ -21,6 +21,8 @@ constexpr Real kHeavyRatio = 8;
 constexpr std::uint32_t kMostWebBodies = 256;
 /// Joints in an island that iteration brings together badly.
 constexpr std::uint32_t kLongChain = 16;
+/// Joints that close loops: in larger nets the factor fills up.
+constexpr std::uint32_t kMostLoopBodies = 64;
 /// What rests and is solved all at once makes do with an eighth of the sub-steps: its error does not depend on them. At
 /// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration,
 /// unless masses are far apart.
@@ -83,6 +85,30 @@ void tieJointed(WorldState& world) {
     }
 }
 
+/// Whether a joint holds what it holds rigidly, and does nothing else.
+struct PlainJoints {
+    bool operator()(const JointPart<RevoluteJointDef, RevoluteConstraint>& part) const { return isFree(part.def); }
+    bool operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>& part) const { return isFree(part.def); }
+    bool operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const { return isFree(part.def); }
+    bool operator()(const JointPart<DistanceJointDef, DistanceConstraint>& part) const {
+        return !part.def.spring && !part.def.limits;
+    }
+    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
+        return !part.def.linearSpring && !part.def.angularSpring;
+    }
+    template <class Part>
+    bool operator()(const Part&) const {
+        return false;
+    }
+
+private:
+    template <class Def>
+    static bool isFree(const Def& def) {
+        return !def.spring && !def.limits && !def.motor;
+    }
+};
+bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
+
 void addJoints(WorldState& world) {
     tieJointed(world);
     for (const std::uint32_t i : world.activeJoints) {
@@ -97,6 +123,7 @@ void addJoints(WorldState& world) {
             if (body.isDynamic() && (isFirst || mass < load.lightestJointed)) { load.lightestJointed = mass; }
         }
         ++load.joints;
+        load.plainJoints += isPlain(joint) ? 1 : 0;
     }
 }
 
@@ -125,6 +152,8 @@ bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && loa
 /// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and
 /// joints that are exact each time are worth it only where iteration over them is hopeless.
 DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps) {
+    const bool isSmall = load.joints <= load.bodies || load.bodies <= kMostLoopBodies;
+    if (!isTouching && load.plainJoints == load.joints && isSmall) { return DirectScope::islands; }
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     const bool hasLoop = load.joints > load.bodies;
     if (hasLoop || subSteps < kFewestSubStepsForJoints) { return DirectScope::none; }

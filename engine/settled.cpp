@@ -102,7 +102,7 @@ bool isPlainHinge(const Joint& joint) {
 
 bool isDirectChain(const IslandLoad& load) {
     return load.bodies > 0 && load.contacts == 0 && load.effort.doublings >= 0 &&
-           (load.effort.direct == DirectScope::joints || load.effort.direct == DirectScope::freeJoints);
+           load.effort.direct != DirectScope::none && load.effort.direct != DirectScope::all;
 }
 
 /// Adds the forces of a hinge. @return whether it is one that hangs from nothing that moves

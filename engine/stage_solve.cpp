@@ -179,11 +179,13 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group, time);
     StepCounters& counters = world.counters;
-    counters.subSteps += static_cast<std::uint64_t>(part.subSteps);
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
-    counters.bodySubSteps += (world.batch.states.size() - 1) * static_cast<std::uint64_t>(part.subSteps);
+    const bool ownSubSteps = report.mostSubSteps > 0;
+    const auto subSteps = static_cast<std::uint64_t>(ownSubSteps ? report.mostSubSteps : part.subSteps);
+    counters.bodySubSteps += ownSubSteps ? report.bodySubSteps : (world.batch.states.size() - 1) * subSteps;
+    counters.subSteps += subSteps;
     ++counters.effortClasses;
-    counters.mostSubSteps = std::max(counters.mostSubSteps, static_cast<std::uint64_t>(part.subSteps));
+    counters.mostSubSteps = std::max(counters.mostSubSteps, subSteps);
     counters.directBodies += report.isDirect ? world.batch.states.size() - 1 : 0;
     counters.settledBodies += group.effort.isSettled ? world.batch.states.size() - 1 : 0;
     counters.factorisations += static_cast<std::uint64_t>(report.direct.factorisations);

@@ -55,7 +55,7 @@ void addScaled(Block3& to, double factor, const Block3& a) {
 }  // namespace
 
 bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope) {
-    if (scope == DirectScope::freeJoints && !batch.contacts.empty()) { return false; }
+    if ((scope == DirectScope::freeJoints || scope == DirectScope::islands) && !batch.contacts.empty()) { return false; }
     scope_ = scope;
     isFactorised_ = false;
     joints_.clear();

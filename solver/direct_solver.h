@@ -6,6 +6,7 @@
 #include "block_ldlt.h"
 #include "direct_rows.h"
 #include "island_finder.h"
+#include "solve_report.h"
 #include "solver_batch.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -13,16 +14,10 @@ namespace swept::inline SWEPT_PRECISION {
 /// What is solved all at once.
 enum class DirectScope : std::uint8_t {
     none,
+    islands,     ///< islands of rigid joints and nothing else, each on its own (`JointIslands`)
     freeJoints,  ///< what joints hold rigidly, as long as there are no contacts
     joints,      ///< what joints hold rigidly
     all,         ///< that, and all contacts
-};
-
-/// What the direct solver did in a step.
-struct DirectReport {
-    int factorisations = 0;
-    int rounds = 0;   ///< of the search for what presses and what sticks
-    int givenUp = 0;  ///< solves in which that was not found: left to iteration
 };
 
 /// Solves rigid rows of a batch at once, in place of iteration: those that joints hold, and contacts.

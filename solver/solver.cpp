@@ -373,7 +373,19 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     return report;
 }
 
+SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
+    SolveReport report{.isDirect = true};
+    const Real h = settings.dt / static_cast<Real>(settings.subSteps);
+    islands_.solve(batch, h, settings.subSteps, loops, report);
+    if (settings.maxSpeed < std::numeric_limits<Real>::infinity()) {
+        for (BodyState& body : batch.states) { report.speedsLimited += limitSpeed(body, settings.maxSpeed) ? 1 : 0; }
+    }
+    return report;
+}
+
 SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
+    // Parts of a step may meet contacts that the step did not begin with.
+    if (settings.direct == DirectScope::islands && batch.contacts.empty()) { return solveIslands(batch, settings, loops); }
     return settings.joints ? solveWith<true>(batch, settings, loops) : solveWith<false>(batch, settings, loops);
 }
 

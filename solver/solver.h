@@ -9,6 +9,8 @@
 #include "direct_solver.h"
 #include "hinge_blocks.h"
 #include "impact.h"
+#include "joint_islands.h"
+#include "solve_report.h"
 #include "solver_batch.h"
 #include "wide_rotations.h"
 
@@ -33,16 +35,6 @@ struct SolverSettings {
     /// All is at rest, with the right impulses: contacts hold what they have, without springs, in one sub-step.
     /// @pre no joints, nothing is solved all at once; separations are found, 0 where a point presses
     bool settled = false;
-};
-
-struct SolveReport {
-    int colours = 0;
-    int hingeBlocks = 0;    ///< of hinges that were solved side by side
-    int contactBlocks = 0;  ///< of contacts that were solved side by side
-    int bounceRounds = 0;   ///< over all sub-steps
-    int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
-    bool isDirect = false;  ///< whether the direct solver took part
-    DirectReport direct{};
 };
 
 /// One sub-stepped solve of a batch, constraints in colour order: per sub-step bounce, integrate velocities, warm
@@ -76,6 +68,7 @@ private:
                            SolveReport& report);
     template <bool kJoints>
     SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
+    SolveReport solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
     template <bool kJoints>
     std::size_t partsOf(SolverBatch& batch, int colour) const;
     template <bool kJoints>
@@ -99,6 +92,7 @@ private:
     ContactBlocks contacts_;
     HingeBlocks hinges_;
     DirectSolver direct_;
+    JointIslands islands_;
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;
 };

@@ -37,11 +37,10 @@ TEST(Day, NothingDriftsInTwentyFourHours) {
         worstMove =
             std::max(worstMove, length(world.position(boxes[static_cast<std::size_t>(i)]) - DVec2{-5, i + 0.5}));
     }
-    // One Newton step for the place of a joint is not quite the same forwards and backwards: 6e-11 of the energy in
-    // each of 83 million sub-steps, 0.5 % in a day in double. (1e-4 was asked for before it had been run.) In float,
-    // rounding makes it 0.9 %.
-    expectAtMost("energy of the pendulum", worstEnergy, kIsDouble ? 0.01 : 0.05);
-    expectAtMost("gap of its hinge", worstGap, 1e-5);
+    // In double the step is symmetric in time to rounding, and what there is (1e-8) comes and goes with each swing; in
+    // float the rounding of its ends goes to and fro by 4e-5.
+    expectAtMost("energy of the pendulum", worstEnergy, kIsDouble ? 1e-6 : 5e-4);
+    expectAtMost("gap of its hinge", worstGap, kIsDouble ? 1e-11 : 1e-6);
     expectAtMost("move of the stack", worstMove, kIsDouble ? 1e-6 : 2e-3);
 }
 

@@ -1,41 +1,12 @@
 #include <array>
 
-#include "world_support.h"
+#include "extreme_scenes.h"
 
 /// Loads, chains and sizes where iteration does not get there: what the direct solver reaches, each scene by the name
 /// it has in `swept bench accuracy`. Limits are ten times what was measured, or more.
 
 namespace swept::test {
 namespace {
-
-struct Tower {
-    World world;
-    std::vector<BodyId> boxes;
-
-    /// Boxes of side `side`, from the ground up; the last one of another density.
-    Tower(int count, double side, double lastDensity = 1, double gravity = kGravity) : world(makeWorld(gravity)) {
-        addStatic(world, box(20 * side, 0.5 * side), material(0.6), {0, -0.5 * side});
-        for (int i = 0; i < count; ++i) {
-            boxes.push_back(addBody(world, dynamicAt({0, (i + 0.5) * side}), box(0.5 * side, 0.5 * side),
-                                    material(0.6, 0, i + 1 < count ? 1 : lastDensity)));
-        }
-    }
-    /// Loss of height of the top, as a part of it.
-    double sag(double side) const {
-        const double height = (static_cast<double>(boxes.size()) - 0.5) * side;
-        return std::abs(height - world.position(boxes.back()).y) / height;
-    }
-    double drift() const {
-        double farthest = 0;
-        for (const BodyId body : boxes) { farthest = std::max(farthest, std::abs(world.position(body).x)); }
-        return farthest;
-    }
-    double fastest() const {
-        double speed = 0;
-        for (const BodyId body : boxes) { speed = std::max(speed, length(velocityOf(world, body))); }
-        return speed;
-    }
-};
 
 TEST(Extremes, HeavyTopOnLightBoxes) {
     for (const int below : {1, 10}) {
@@ -85,48 +56,6 @@ TEST(Extremes, SmallerBoxesGetMoreSubSteps) {
     }
 }
 
-/// Twenty links of 1 kg from a fixed pivot, then a ball.
-struct Chain {
-    static constexpr double kLink = 0.5;
-    static constexpr double kLength = 20 * kLink + 0.5;
-    World world = makeWorld();
-    BodyId ball;
-
-    Chain(double ratio, bool swung) {
-        const DVec2 along = swung ? DVec2{1, 0} : DVec2{0, -1};
-        ShapeDef shape;
-        shape.filter.group = -1;
-        BodyId before = addStatic(world, circle(0.05), shape);
-        const auto join = [&](BodyId next, double at) {
-            RevoluteJointDef hinge;
-            hinge.base.bodyA = before;
-            hinge.base.bodyB = next;
-            hinge.anchor = at * along;
-            must(world.createJoint(hinge));
-            before = next;
-        };
-        for (int i = 0; i < 20; ++i) {
-            BodyDef def = dynamicAt(kLink * (i + 0.5) * along);
-            def.angle = swung ? 0 : -kPi / 2;
-            def.mass = real(1);
-            join(addBody(world, def, box(0.25, 0.05), shape), kLink * i);
-        }
-        BodyDef def = dynamicAt(kLength * along);
-        def.mass = real(ratio);
-        ball = addBody(world, def, circle(0.5), shape);
-        join(ball, kLink * 20);
-    }
-    /// Largest over some time.
-    double stretch(double seconds) {
-        double farthest = 0;
-        for (int i = 0; i < static_cast<int>(seconds * kRate); ++i) {
-            must(world.step(kStep));
-            farthest = std::max(farthest, length(world.position(ball)));
-        }
-        return std::max(farthest / kLength - 1, 0.0);
-    }
-};
-
 TEST(Extremes, ChainsDoNotStretch) {
     for (const double ratio : {1e4, 1e6}) {
         expectAtMost("chain-R" + std::to_string(ratio), Chain(ratio, false).stretch(2), 1e-6);
@@ -142,11 +71,11 @@ TEST(Extremes, WhatHangsStillNeedsFewSubSteps) {
     EXPECT_EQ(still.world.counters().mostSubSteps, 2U);
     must(still.world.applyForce(still.ball, vec(100, 0), still.world.position(still.ball)));
     run(still.world, 1);
-    EXPECT_GE(still.world.counters().mostSubSteps, 16U);
+    EXPECT_GE(still.world.counters().mostSubSteps, 10U);
     Chain swung(100, true);
     for (int i = 0; i < 60; ++i) {
         run(swung.world, 1);
-        ASSERT_GE(swung.world.counters().mostSubSteps, 16U) << "step " << i;
+        ASSERT_GE(swung.world.counters().mostSubSteps, 10U) << "step " << i;
     }
 }
 
@@ -178,6 +107,11 @@ struct Linkage {
         ghost.filter.mask = 0;
         return addStatic(world, circle(0.02), ghost, at);
     }
+    DVec2 momentum() const {
+        DVec2 sum;
+        for (const BodyId bar : bars) { sum += world.mass(bar) * velocityOf(world, bar); }
+        return sum;
+    }
     double energy(double gravity) const { return energyOf(world, bars, gravity); }
     /// @param scale  of the energy, J
     void expectSound(const std::string& name, double seconds, double gravity, double scale, double gain, double gap) {
@@ -194,7 +128,8 @@ struct Linkage {
     }
 };
 
-/// A bridge that is drawn straight between two posts: what closes its gaps is near infinite.
+/// A bridge that is drawn straight between two posts: nothing could carry it, so its rows give way (by 1 µm; 2 mm when
+/// it was iterated).
 TEST(Extremes, TautBridgeHolds) {
     Linkage bridge(kGravity);
     BodyId before = bridge.post({0, 0});
@@ -205,7 +140,7 @@ TEST(Extremes, TautBridgeHolds) {
     }
     bridge.hinge(before, bridge.post({10, 0}), {10, 0});
     const double weight = 20 * bridge.world.mass(bridge.bars[0]) * kGravity;
-    bridge.expectSound("taut bridge", 5, kGravity, weight, 1e-3, 0.02);
+    bridge.expectSound("taut bridge", 5, kGravity, weight, 1e-6, 2e-5);
 }
 
 TEST(Extremes, FourBarsSwing) {
@@ -217,7 +152,8 @@ TEST(Extremes, FourBarsSwing) {
     bars.hinge(left, rod, {0.3, -0.4});
     bars.hinge(rod, right, {1.3, -0.4});
     bars.hinge(right, bars.post({1, 0}), {1, 0});
-    bars.expectSound("four bars", 10, kGravity, bars.world.mass(rod) * kGravity, 3e-3, 2e-4);
+    bars.expectSound("four bars", 10, kGravity, bars.world.mass(rod) * kGravity, kIsDouble ? 5e-8 : 2e-6,
+                     kIsDouble ? 2e-12 : 1e-6);
 }
 
 /// Bodies and hinges are as many here as in a tree on a post, but they close a loop.
@@ -244,35 +180,29 @@ TEST(Extremes, FreeRingsTumble) {
         for (const int count : {3, 4, 12}) {
             Linkage links = ring(count, squash);
             const std::string name = "ring of " + std::to_string(count) + ", height " + std::to_string(squash);
-            // Twelve bars in one line, six there and six back, may bend anywhere: 1.8e-3 and 0.4 mm in double.
+            // Bars in one line, half of them there and half back, may bend anywhere: rows that depend on each other
+            // give way while they lie so.
             const bool isFlat = squash == 0;
-            links.expectSound(name, 5, 0, links.energy(0), isFlat ? 2e-2 : 1e-3, isFlat ? 4e-3 : 5e-6);
+            const DVec2 before = links.momentum();
+            links.expectSound(name, 5, 0, links.energy(0), kIsDouble ? 2e-8 : 5e-6, isFlat ? 2e-4 : 2e-6);
+            // Laid flat, the ring of three has a bar of 1e-16 kg.
+            expectAtMost(name + " momentum",
+                         length(links.momentum() - before) / (links.world.mass(links.bars[0]) * spin), 1e-5);
         }
     }
 }
 
 TEST(Extremes, PendulumKeepsItsEnergy) {
-    World world = makeWorld();
-    ShapeDef none;
-    none.filter.mask = 0;
-    const BodyId pivot = addStatic(world, circle(0.02), none);
-    const BodyId bob = addBody(world, dynamicAt({1, 0}), circle(0.1), none);
-    RevoluteJointDef hinge;
-    hinge.base.bodyA = pivot;
-    hinge.base.bodyB = bob;
-    must(world.createJoint(hinge));
-    const BodyId bodies[] = {bob};
-    const double start = energyOf(world, bodies, kGravity);
-    const double scale = world.mass(bob) * kGravity;
+    Pendulum pendulum(90);
     double worst = 0;
     double gap = 0;
     for (int i = 0; i < 60 * 60; ++i) {
-        must(world.step(kStep));
-        worst = std::max(worst, std::abs(energyOf(world, bodies, kGravity) - start) / scale);
-        gap = std::max(gap, std::abs(length(world.position(bob)) - 1));
+        must(pendulum.world.step(kStep));
+        worst = std::max(worst, pendulum.energyError());
+        gap = std::max(gap, pendulum.gap());
     }
-    expectAtMost("pendulum-90 energy at any time", worst, kIsDouble ? 5e-5 : 1e-4);
-    expectAtMost("pendulum-90 gap", gap, 5e-6);
+    expectAtMost("pendulum-90 energy at any time", worst, kIsDouble ? 1.2e-7 : 1.4e-5);
+    expectAtMost("pendulum-90 gap", gap, kIsDouble ? 5e-12 : 1e-6);
 }
 
 /// Ten flat bars, each a thousand times as long as it is high.

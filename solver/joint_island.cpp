@@ -1,0 +1,346 @@
+#include "joint_island.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "direct_parts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Gaps of this part of the arms, and speeds of this part of those there are, are none.
+constexpr double kGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 42);
+constexpr double kSpeedRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 46);
+/// Rounding may leave this part where masses are far apart.
+constexpr double kLeftGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 34);
+/// Rounds of Newton's method with one matrix: each takes away all but the part that the bodies turn by. Where a round
+/// does not take away half there is nothing to be found.
+constexpr int kMostPlaceRounds = 24;
+constexpr int kFewestPlaceRounds = 3;
+constexpr int kMostSpeedRounds = 4;
+
+/// Suzuki's composition of five sub-steps, 1/(4 − ∛4) and what is left of 1.
+constexpr double kOuterPart = 0.41449077179437573714;
+constexpr double kMiddlePart = 1 - 4 * kOuterPart;
+constexpr double kSuzuki[] = {kOuterPart, kOuterPart, kMiddlePart, kOuterPart, kOuterPart};
+/// One composition takes the place of so many sub-steps.
+constexpr int kSubStepsReplaced = 8;
+/// Radians that bodies turn, or begin to turn, in a composition: the error goes by the fourth power. And radians of the
+/// oscillation of light links under tension: explicit in the directions of forces, a sub-step is stable up to 2, and
+/// the longest one is two thirds of its composition.
+constexpr double kMostTurn = 0.5;
+constexpr double kMostPhase = 1;
+constexpr double kMostCompositions = 256;
+/// The same times bodies, where that is less, but never less than the other: a long chain must not stop the world.
+constexpr double kMostBodyCompositions = 8192;
+constexpr double kFewestCompositions = 16;
+/// A tree on joints can always go on: where it was not found how, sub-steps were too long, and are made so many times
+/// as short, as often as that.
+constexpr int kFiner = 4;
+constexpr int kMostTries = 2;
+constexpr int kMostSoftSubSteps = 64;
+/// A step that changes the energy by more than this part of what went to and fro in it is none.
+constexpr double kMostEnergyRatio = 1.0 / 64;
+/// Radians of a turn in a step beyond which it is coarse: what may happen within it shows neither before nor after it.
+constexpr double kCoarseTurn = 1;
+
+double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
+bool isDamped(const IslandBody& body) { return body.decay != 1 || body.angularDecay != 1; }
+
+double kineticEnergy(const std::vector<IslandBody>& bodies) {
+    double twice = 0;
+    for (const IslandBody& body : bodies) {
+        if (body.inverseMass > 0) { twice += dot(body.velocity, body.velocity) / body.inverseMass; }
+        if (body.inverseInertia > 0) { twice += body.spin * body.spin / body.inverseInertia; }
+    }
+    return 0.5 * twice;
+}
+
+}  // namespace
+
+void JointIsland::clear() {
+    bodies_.clear();
+    holds_.clear();
+}
+
+void JointIsland::prepare() {
+    columns_ = 0;
+    for (IslandBody& body : bodies_) {
+        const bool moves = body.inverseMass > 0 || body.inverseInertia > 0;
+        body.column = moves ? columns_++ : kNoNode;
+    }
+    edges_.clear();
+    for (const IslandHold& hold : holds_) {
+        const std::uint32_t a = bodies_[hold.a].column;
+        const std::uint32_t b = bodies_[hold.b].column;
+        if (a != kNoNode && b != kNoNode && a != b) { edges_.push_back({a, b}); }
+    }
+    change_.resize(columns_);
+    weigh();
+    // Who chooses islands for this sees to it that factors do not fill up.
+    matrix_.analyse(columns_, edges_, std::numeric_limits<std::size_t>::max());
+}
+
+void JointIsland::advance(double h, int subSteps) {
+    factorisations_ = subSteps_ = 0;
+    start_ = bodies_;
+    const Rates rates = ratesOf(h);
+    int finer = 1;
+    for (int tries = isTree() ? kMostTries : 1; tries > 0; --tries) {
+        isSoft_ = false;
+        isSoft_ = !advanceExactly(h, subSteps, finer, rates) || !keepsEnergy(h, subSteps, rates);
+        if (!isSoft_) { return; }
+        bodies_ = start_;
+        dropForces();
+        finer *= kFiner;
+    }
+    advanceSoftly(h, subSteps, rates);
+    keepsEnergy(h, subSteps, rates);
+}
+
+void JointIsland::dropForces() {
+    for (IslandHold& hold : holds_) {
+        for (IslandHold::Row& row : hold.rows) { row.force = 0; }
+    }
+}
+
+void JointIsland::dropTotals() {
+    for (IslandHold& hold : holds_) {
+        hold.reaction = {};
+        hold.twist = 0;
+        for (IslandHold::Row& row : hold.rows) { row.total = 0; }
+    }
+}
+
+/// Bodies and joints, the ground being one body however often it is there.
+bool JointIsland::isTree() const {
+    std::size_t joints = 0;
+    for (const IslandHold& hold : holds_) { joints += hold.kind != IslandHold::Kind::angle ? 1 : 0; }
+    const bool isFree = bodies_.size() == columns_;
+    return joints <= columns_ - (isFree ? 1 : 0);
+}
+
+/// Whether the step, of what nothing damps and nothing drives but constant forces, changed no energy. After one that is
+/// coarse or soft what was gained is taken away.
+bool JointIsland::keepsEnergy(double h, int subSteps, const Rates& rates) {
+    double work = 0;
+    double flow = 0;  // without signs
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const IslandBody& body = start_[i];
+        const bool isCarried = body.column == kNoNode && (body.spin != 0 || dot(body.velocity, body.velocity) > 0);
+        if (isCarried || isDamped(body)) { return true; }
+        const double linear =
+            body.inverseMass > 0 ? 2 / h * dot(body.gain, bodies_[i].place.position) / body.inverseMass : 0;
+        const double angular =
+            body.inverseInertia > 0 ? 2 / h * body.angularGain * bodies_[i].place.angle / body.inverseInertia : 0;
+        work += linear + angular;
+        if (body.inverseMass > 0) { flow += dot(body.gain, body.gain) * (subSteps * subSteps) / body.inverseMass; }
+        flow += std::fabs(linear) + std::fabs(angular);
+    }
+    const double before = kineticEnergy(start_) + work;
+    const double after = kineticEnergy(bodies_);
+    const double scale = kineticEnergy(start_) + after + flow;
+    const bool keeps = std::fabs(after - before) <= kMostEnergyRatio * scale;
+    const bool isHeld = bodies_.size() > columns_;
+    const bool isCoarse = isSoft_ || (keeps && h * subSteps * rates.turn > kCoarseTurn);
+    if (isHeld && isCoarse && after > before) {
+        // Speeds that agree with joints to what stands still do so at any size.
+        const double part = std::sqrt(std::max(before, 0.0) / after);
+        for (IslandBody& body : bodies_) {
+            body.velocity = part * body.velocity;
+            body.spin *= part;
+        }
+    }
+    return keeps;
+}
+
+/// How fast things go: turns, falls about an anchor, oscillations of what is drawn tight.
+JointIsland::Rates JointIsland::ratesOf(double h) {
+    Rates rates;
+    tensions_.assign(bodies_.size(), 0);
+    double fall = 0;
+    for (const IslandHold& hold : holds_) {
+        if (hold.kind == IslandHold::Kind::angle) { continue; }
+        const double force = std::fabs(hold.rows[0].force) + std::fabs(hold.rows[1].force);
+        const auto add = [&](std::uint32_t i, DVec2 anchor) {
+            const IslandBody& body = bodies_[i];
+            const double arm = norm(anchor);
+            if (!(arm > 0) || !(body.inverseMass > 0) || !(body.inverseInertia > 0)) { return; }
+            rates.turn = std::max(rates.turn, std::fabs(body.spin));
+            // arm/(m·arm² + I), times the mass
+            const double ease = arm * body.inverseInertia / (arm * arm * body.inverseInertia + body.inverseMass);
+            tensions_[i] += force * body.inverseMass * ease;
+            fall = std::max(fall, 2 / h * norm(body.gain) * ease);
+        };
+        add(hold.a, hold.anchorA);
+        add(hold.b, hold.anchorB);
+    }
+    double tension = 0;
+    for (const double each : tensions_) { tension = std::max(tension, each); }
+    rates.turn = std::max(rates.turn, std::sqrt(fall));
+    rates.phase = std::sqrt(tension);
+    return rates;
+}
+
+bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates& rates) {
+    const double most = std::clamp(kMostBodyCompositions / columns_, kFewestCompositions, kMostCompositions);
+    dropTotals();
+    placeRows();
+    factorise();
+    // What is damped cannot go back in time.
+    if (subSteps < kSubStepsReplaced || std::any_of(bodies_.begin(), bodies_.end(), isDamped)) {
+        int count = subSteps;
+        double length = h;
+        while (length * rates.phase > kMostPhase || length * rates.turn > kMostTurn || count < subSteps * finer) {
+            if (count > most) { return false; }
+            count *= 2;
+            length *= 0.5;
+            halveDrives();
+        }
+        for (int i = 0; i < count; ++i) {
+            if (!subStep(1, length)) { return false; }
+        }
+        return true;
+    }
+    const auto wantedFor = [h, finer](const Rates& now, double left) {
+        return std::ceil(std::max(now.phase / kMostPhase, now.turn / kMostTurn) * (finer * h * left));
+    };
+    const bool isCoarse = h * subSteps * rates.turn > kCoarseTurn;
+    double left = subSteps;
+    double compositions = std::max(wantedFor(rates, left), static_cast<double>(finer * (subSteps / kSubStepsReplaced)));
+    for (double done = 0; compositions > 0; --compositions, ++done) {
+        if (!(done + compositions <= finer * most)) { return false; }
+        const double length = left / compositions;
+        for (const double part : kSuzuki) {
+            if (!subStep(part * length, h)) { return false; }
+        }
+        left -= length;
+        // Lengths that follow the motion cost the symmetry in time, and are for what is lost without them.
+        if (isCoarse) { compositions = std::max(wantedFor(ratesOf(h), left) + 1, compositions); }
+    }
+    return true;
+}
+
+void JointIsland::advanceSoftly(double h, int subSteps, const Rates& rates) {
+    dropTotals();
+    placeRows();
+    factorise();
+    int count = subSteps;
+    while (h * rates.turn > kMostTurn && count < kMostSoftSubSteps) {
+        count *= 2;
+        h *= 0.5;
+        halveDrives();
+    }
+    for (int i = 0; i < count; ++i) { subStepSoftly(h); }
+}
+
+/// Two of the new ones do what one of the old ones did.
+void JointIsland::halveDrives() {
+    for (IslandBody& body : bodies_) {
+        body.decay = std::sqrt(body.decay);
+        body.angularDecay = std::sqrt(body.angularDecay);
+        body.gain = 1 / (1 + body.decay) * body.gain;
+        body.angularGain /= 1 + body.angularDecay;
+    }
+}
+
+void JointIsland::drive(double part) {
+    for (IslandBody& body : bodies_) {
+        body.velocity = body.decay * body.velocity + part * body.gain;
+        body.spin = body.angularDecay * body.spin + part * body.angularGain;
+    }
+}
+
+/// Starts a stage from the forces of the sub-step before.
+void JointIsland::pushForces(double time) {
+    for (IslandBody& body : bodies_) { body.given = body.turned = 0; }
+    for (IslandHold& hold : holds_) {
+        for (std::size_t i = 0; i < hold.count; ++i) {
+            IslandHold::Row& row = hold.rows[i];
+            row.impulse = time * row.force;
+            push(hold, row, row.impulse);
+        }
+    }
+}
+
+bool JointIsland::reachPlaces(double time) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kMostPlaceRounds; ++round) {
+        findPlaces(time);
+        const double worst = findGaps(time);
+        if (worst <= kGapRatio) { return true; }
+        if (round >= kFewestPlaceRounds && !(worst <= 0.5 * before)) { return worst <= kLeftGapRatio; }
+        before = worst;
+        correct(true);
+    }
+    return false;
+}
+
+bool JointIsland::hold() {
+    for (int round = 0; round < kMostSpeedRounds; ++round) {
+        if (findSpeeds() <= kSpeedRatio) { return true; }
+        correct(true);
+    }
+    return findSpeeds() <= kLeftGapRatio;
+}
+
+/// Adds up what the stage took.
+void JointIsland::endStage() {
+    for (IslandHold& hold : holds_) {
+        for (std::size_t i = 0; i < hold.count; ++i) {
+            IslandHold::Row& row = hold.rows[i];
+            row.total += row.impulse;
+            if (hold.kind == IslandHold::Kind::angle) {
+                hold.twist += row.impulse;
+            } else {
+                hold.reaction += row.impulse * DVec2{row.ofB[0], row.ofB[1]};
+            }
+        }
+    }
+}
+
+void JointIsland::arrive() {
+    for (IslandBody& body : bodies_) { body.place = body.next; }
+    placeRows();
+    factorise();
+}
+
+/// @param part  of the sub-step h that drives were made for; may be negative
+bool JointIsland::subStep(double part, double h) {
+    ++subSteps_;
+    const double time = part * h;
+    drive(part);
+    pushForces(0.5 * time);
+    if (!reachPlaces(time)) { return false; }
+    endStage();
+    for (IslandHold& hold : holds_) {
+        for (IslandHold::Row& row : hold.rows) { row.force = row.impulse / time; }
+    }
+    arrive();
+    drive(part);
+    pushForces(time);  // as in the stage before
+    if (!hold()) { return false; }
+    endStage();
+    for (IslandHold& hold : holds_) {
+        for (IslandHold::Row& row : hold.rows) { row.force += row.impulse / time; }
+    }
+    return true;
+}
+
+void JointIsland::subStepSoftly(double h) {
+    ++subSteps_;
+    drive(1);
+    findSpeeds();
+    addGapSpeeds();
+    correct(false);
+    endStage();
+    findPlaces(h);
+    arrive();
+    drive(1);
+    findSpeeds();
+    correct(false);
+    endStage();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../shapes/dvec2.h"
+#include "block_ldlt.h"
+#include "body_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A body of an island, with its motion since the start of the step.
+struct IslandBody {
+    struct Place {
+        DVec2 position;
+        double angle = 0;
+        double c = 1;
+        double s = 0;
+    };
+    BodySlot slot = kFixedSlot;
+    std::uint32_t column = 0;  ///< of the matrix; `kNoNode` where nothing can be moved
+    double inverseMass = 0;
+    double inverseInertia = 0;
+    DVec2 gain;  ///< of half a sub-step
+    double angularGain = 0;
+    double decay = 1;  ///< likewise
+    double angularDecay = 1;
+    DVec2 velocity;
+    double spin = 0;
+    double given = 0;   ///< by the impulses of a stage, without signs, m/s: what is rounded
+    double turned = 0;  ///< rad/s
+    Place place;
+    Place next;  ///< where the velocities lead
+};
+
+/// What a joint holds rigidly, as one or two rows.
+struct IslandHold {
+    enum class Kind : std::uint8_t {
+        point,  ///< two anchors coincide
+        rod,    ///< their distance is `rest`
+        side,   ///< B's anchor is on a line through A's, along `axis`, which turns with A
+        angle,  ///< B's angle is A's, less `rest`
+    };
+    struct Row {
+        Block3 ofA{};  ///< speed of the row per velocity of A: x, y, turn
+        Block3 ofB{};
+        double strength = 0;  ///< of its damper; 0: nothing can move
+        double excess = 0;    ///< speed that is to go
+        double impulse = 0;   ///< of the present stage
+        double force = 0;     ///< mean of the last sub-step
+        double total = 0;     ///< impulse of the step
+    };
+    Kind kind = Kind::point;
+    std::uint8_t count = 1;
+    std::uint32_t a = 0;  ///< bodies
+    std::uint32_t b = 0;
+    DVec2 anchorA;  ///< from the centres, at the start of the step
+    DVec2 anchorB;
+    DVec2 offset;  ///< of the centres
+    DVec2 axis{1, 0};
+    double rest = 0;
+    double size = 0;  ///< of what its error is measured against, metres or radians
+    double rate = 0;  ///< 1/s at which errors are closed that cannot be closed at once
+    Row rows[2];
+    DVec2 reaction;  ///< on B, over the step, N·s
+    double twist = 0;
+};
+
+/// Bodies that nothing but rigid joints holds together, through a step, in double.
+///
+/// A sub-step is one of RATTLE (Andersen 1983): half of the drive, impulses such that the motion ends where all holds
+/// are right, the motion, the other half, impulses that leave no speed against them. Solved to rounding it is symmetric
+/// in time and symplectic, so energy has no way to drift. Sub-steps are put together with lengths of both signs to a
+/// method of the fourth order (Suzuki 1990).
+///
+/// The impulses are found as `DirectSolver` does, by a damper per row and the method of multipliers, with one
+/// factorisation for both solves at a place: errors of places are put in again until they are gone (Newton's method
+/// with the matrix of the start). Where that finds no end there may be none: a straight bridge between two posts cannot
+/// hold its weight. Then the step is done with sub-steps of the first order, whose rows give way.
+class JointIsland {
+public:
+    void clear();
+    std::vector<IslandBody>& bodies() { return bodies_; }
+    std::vector<IslandHold>& holds() { return holds_; }
+
+    /// @pre bodies and holds are filled in, forces with those of the step before
+    void prepare();
+    /// @param h  of a sub-step that drives were made for
+    void advance(double h, int subSteps);
+    int factorisations() const { return factorisations_; }
+    int subSteps() const { return subSteps_; }  ///< that the step took
+    std::size_t movedBodies() const { return columns_; }
+    bool isSoft() const { return isSoft_; }  ///< whether the step was done with rows that give way
+
+private:
+    struct Rates {
+        double turn = 0;   ///< rad/s
+        double phase = 0;  ///< rad/s
+    };
+
+    // joint_island.cpp
+    bool isTree() const;
+    Rates ratesOf(double h);
+    bool advanceExactly(double h, int subSteps, int finer, const Rates& rates);
+    void advanceSoftly(double h, int subSteps, const Rates& rates);
+    bool keepsEnergy(double h, int subSteps, const Rates& rates);
+    bool subStep(double part, double h);
+    void subStepSoftly(double h);
+    void drive(double part);
+    void halveDrives();
+    void pushForces(double time);
+    bool reachPlaces(double time);
+    bool hold();
+    void arrive();
+    void dropForces();
+    void dropTotals();
+    void endStage();
+
+    // joint_island_rows.cpp
+    void weigh();
+    void push(const IslandHold& hold, const IslandHold::Row& row, double impulse);
+    void findPlaces(double time);
+    double findGaps(double time);
+    double findSpeeds();
+    void addGapSpeeds();
+    void correct(bool keep);
+    void placeRows();
+    void factorise();
+
+    std::vector<IslandBody> bodies_;
+    std::vector<IslandHold> holds_;
+    std::vector<IslandBody> start_;
+    std::vector<BlockEdge> edges_;
+    std::vector<Block3> change_;
+    std::vector<double> tensions_;  ///< square of the rate at which a body would oscillate, by body
+    BlockLdlt matrix_;
+    std::uint32_t columns_ = 0;
+    int factorisations_ = 0;
+    int subSteps_ = 0;
+    bool isSoft_ = false;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

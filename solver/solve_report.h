@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../shapes/real.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What the direct solver did in a step.
+struct DirectReport {
+    int factorisations = 0;
+    int rounds = 0;   ///< of the search for what presses and what sticks
+    int givenUp = 0;  ///< solves in which that was not found: left to iteration
+};
+
+/// What a solve did.
+struct SolveReport {
+    int colours = 0;
+    int hingeBlocks = 0;    ///< of hinges that were solved side by side
+    int contactBlocks = 0;  ///< of contacts that were solved side by side
+    int bounceRounds = 0;   ///< over all sub-steps
+    int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
+    bool isDirect = false;  ///< whether the direct solver took part
+    /// Sub-steps of the island that had most, and of each body, summed up; 0: those that were asked for.
+    int mostSubSteps = 0;
+    std::uint64_t bodySubSteps = 0;
+    DirectReport direct{};
+};
+
+}  // namespace swept::inline SWEPT_PRECISION
