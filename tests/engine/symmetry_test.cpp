@@ -54,15 +54,17 @@ Pose endOf(const Meeting& m, const Symmetry* symmetry) {
 }
 
 TEST(Symmetry, MirroredAndTurnedScenesRunAlike) {
-    // About a hundred times what was measured. The two points of a contact take turns in iteration, and in a mirror the
-    // other one comes first: what lands on a corner and falls flat slides on by 0.7 mm more or less.
+    // Where one point meets, or two at once, the two runs agree to rounding: limits are twenty times what was measured
+    // in float, a thousand times and more in double. Where the two points of a contact land in turn, one before the
+    // other, the order in which they are found decides what the second one meets; that is beyond "scenes with one
+    // contact", and is held to ten times what it is: 0.6 µm for the capsule, 0.08 mm for the box that falls flat.
     const double rounding = kIsDouble ? 1e-12 : 1e-5;
     const std::vector<Meeting> meetings{
-        {"sliding box", box(0.5, 0.25), {0, 0.25}, 0, {4, 0}, 0, 0.3, 0, kIsDouble ? 1e-11 : 1e-3},
+        {"sliding box", box(0.5, 0.25), {0, 0.25}, 0, {4, 0}, 0, 0.3, 0, rounding},
         {"bouncing disk", circle(0.5), {0, 2}, 0, {3, 0}, -5, 0.5, 0.7, rounding},
         {"rolling disk", circle(0.5), {0, 0.5}, 0, {0, 0}, -20, 0.3, 0, rounding},
         {"capsule", capsule(0.5, 0.2), {0, 1}, 0.3, {0, -2}, 2, 0.4, 0.2, 1e-5},
-        {"box on its corner", box(0.5, 0.25), {0, 1}, 0.4, {1, 0}, 1, 0.6, 0, 5e-3},
+        {"box on its corner", box(0.5, 0.25), {0, 1}, 0.4, {1, 0}, 1, 0.6, 0, 1e-3},
     };
     for (const Meeting& meeting : meetings) {
         const Pose plain = endOf(meeting, nullptr);
