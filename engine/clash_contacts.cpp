@@ -10,8 +10,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Rounds of impulses at one moment: as a flyer's.
-constexpr int kMaxImpactRounds = 64;
 /// What overlaps from the start leaves by itself when it would be out within so many steps; else the solver pushes.
 constexpr Real kStepsToLeave = 4;
 

@@ -14,9 +14,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Rounds of impulses at one moment: a wedge of angle φ passes an impact to and fro about π/φ times; what still
-/// approaches after that many is stopped plastically.
-constexpr int kMaxImpactRounds = 64;
 constexpr BodySlot kFlyerSlot = 1;
 
 /// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does

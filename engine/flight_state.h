@@ -4,6 +4,10 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Rounds of impulses at one moment: a wedge of angle φ passes an impact to and fro about π/φ times; what still
+/// approaches after that many is stopped plastically.
+inline constexpr int kMaxImpactRounds = 64;
+
 inline const Body& Flight::body() const { return world->bodies[slot]; }
 
 /// What a turn moves: the farthest vertex, not what is round about it, metres. 0 of a disk about its centre.

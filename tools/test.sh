@@ -93,6 +93,9 @@ if [ "$sanitizers" = yes ]; then
     fi
     if [ "$long" = yes ]; then fuzz; fi
     build_and_test tsan "clang 14, thread sanitizer, tests labelled parallel" parallel
+    if [ "$long" = yes ]; then
+        build_and_test tsan "clang 14, thread sanitizer, tests labelled parallel_long" parallel_long
+    fi
 fi
 
 printf '\n'

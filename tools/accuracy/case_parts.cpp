@@ -21,8 +21,6 @@ std::vector<Start> startsOf(const SceneDescription& scene) {
     return starts;
 }
 
-const BodyFrame& bodyAt(const Frame& frame, int body) { return frame.bodies[static_cast<std::size_t>(body)]; }
-
 template <class Part>
 Measure worstOfMoves(const SceneDescription& scene, const char* name, double length, const Part& part) {
     return {name, "1", [starts = startsOf(scene), length, part](const Frames& frames) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <swept/samples/frame.h>
 #include <swept/samples/scene_builder.h>
 
 #include "accuracy_case.h"
@@ -38,6 +39,7 @@ Verdict stands(const SceneDescription& scene, int top, double side, double gravi
 /// No position beyond `limit` metres, nothing that is not finite.
 Verdict staysWithin(double limit);
 
+inline const BodyFrame& bodyAt(const Frame& frame, int body) { return frame.bodies[static_cast<std::size_t>(body)]; }
 /// Frame nearest to a time.
 const Frame& frameAt(const Frames& frames, double time);
 

@@ -17,8 +17,6 @@ using build::hinge;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-const BodyFrame& bodyAt(const Frame& frame, int body) { return frame.bodies[static_cast<std::size_t>(body)]; }
-
 /// A slope through the origin, falling to the right, and the unit vectors along and away from it.
 struct Slope {
     double angle;

@@ -65,7 +65,7 @@ SceneDescription swarm(int bodies) {
     SceneDescription scene = emptyScene("swarm");
     scene.gravity = {0, 0};
     const double half = 2 * std::sqrt(static_cast<double>(bodies)) + 2;
-    const auto wall = [half](DVec2 halfSize, DVec2 center) { return withRestitution(box(halfSize, center), 1); };
+    const auto wall = [](DVec2 halfSize, DVec2 center) { return withRestitution(box(halfSize, center), 1); };
     addFixed(scene, "walls", {0, 0},
              {wall({half, 1}, {0, -half}), wall({half, 1}, {0, half}), wall({1, half}, {-half, 0}),
               wall({1, half}, {half, 0})});

@@ -17,12 +17,14 @@ endfunction()
 # or works hard in a test, is not among it. `None` is what the presets with sanitizers are built as, with -O1.
 function(swept_optimise_little target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:None>:-O0>)
+    swept_unite(${target})
 endfunction()
 
 # Common to every library target of ours.
 function(swept_configure_library target export_name)
     swept_warnings(${target})
     swept_precompile(${target})
+    swept_unite_layer(${target})
     target_compile_features(${target} PUBLIC cxx_std_20)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name}
                                                POSITION_INDEPENDENT_CODE ON)

@@ -2,7 +2,7 @@
 include(GoogleTest)
 
 # All suites with one label, to be built without the rest.
-foreach(label quick quick_long parallel)
+foreach(label quick quick_long parallel parallel_long)
     add_custom_target(swept_tests_${label})
 endforeach()
 
@@ -33,11 +33,12 @@ endfunction()
 
 # swept_add_test(NAME [READS_JSON] SOURCES file... LIBRARIES target... [LABELS label...])
 # One executable, discovered by ctest. Labels: quick (also run with sanitizers), quick_long (the same in the long run only),
-# parallel (also run with thread sanitizer), long (in the long run only).
+# parallel (also run with thread sanitizer), parallel_long (the same in the long run only), long (in the long run only).
 function(swept_add_test name)
     cmake_parse_arguments(TEST "READS_JSON" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     add_executable(${name} ${TEST_SOURCES})
     swept_configure_test(${name})
+    swept_unite(${name})
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main)
     if(TEST_READS_JSON)
         target_precompile_headers(${name} REUSE_FROM swept_test_json_prelude)
@@ -62,8 +63,9 @@ endforeach()
 endfunction()
 
 # swept_add_layer_test(NAME SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
-# The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64. What is quick in
-# f32 is labelled quick_long in f64: sanitizers see the same sources twice only in the long run.
+# The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64. What is
+# quick or parallel in f32 is labelled quick_long or parallel_long in f64: sanitizers see the same sources twice only in the
+# long run.
 function(swept_add_layer_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
     foreach(precision f32 f64)
@@ -73,7 +75,7 @@ function(swept_add_layer_test name)
         endforeach()
         set(labels ${TEST_LABELS})
         if(precision STREQUAL f64)
-            list(TRANSFORM labels REPLACE "^quick$" "quick_long")
+            list(TRANSFORM labels REPLACE "^(quick|parallel)$" "\\1_long")
         endif()
         swept_add_test(${name}_${precision} SOURCES ${TEST_SOURCES} LIBRARIES ${libraries} LABELS ${labels})
     endforeach()

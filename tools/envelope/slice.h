@@ -15,6 +15,8 @@
 
 namespace swept::envelope {
 
+inline constexpr double kGravity = 10;  ///< m/s², in all scenes that have any
+
 /// One run of a cell.
 struct Trial {
     SceneDescription scene;

@@ -18,7 +18,6 @@ using build::box;
 using build::circle;
 using build::hinge;
 
-constexpr double kGravity = 10;  ///< m/s²
 constexpr double kLink = 0.5;    ///< m, length of a link
 constexpr double kBall = 0.5;    ///< m, radius of the load
 constexpr double kChainStep = 1.0 / 60;

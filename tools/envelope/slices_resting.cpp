@@ -15,7 +15,6 @@ using build::addDynamic;
 using build::addFixed;
 using build::box;
 
-constexpr double kGravity = 10;         ///< m/s² in the scenes
 constexpr double kEarthGravity = 9.81;  ///< m/s² in what is told
 /// Boxes are of 1 m: this matters to engines that have lengths of their own.
 constexpr double kSide = 1;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "../number_text.h"
 #include "finding.h"
 #include "placed_scene.h"
 
@@ -24,6 +26,9 @@ double reachableSpeed(const PlacedScene& placed, const PlacedBody& body);
 
 /// The mode that holds for a body.
 SceneContinuous modeOf(const PlacedScene& placed, const PlacedBody& body);
+
+/// A length in words.
+inline std::string metres(double x) { return roundedText(x, 3) + " m"; }
 
 /// Magnitude of the gravity that acts on a body, m/s².
 double gravityOf(const PlacedScene& placed, const PlacedBody& body);

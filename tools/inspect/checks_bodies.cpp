@@ -11,7 +11,6 @@
 namespace swept {
 namespace {
 
-std::string metres(double x) { return roundedText(x, 3) + " m"; }
 std::string seconds(double x) { return roundedText(x, 3) + " s"; }
 
 /// A length of a body that users think of: twice its reach.

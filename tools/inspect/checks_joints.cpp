@@ -15,8 +15,6 @@ namespace {
 /// A rod may miss its length by this part of it before the first step pulls visibly.
 constexpr double kLengthSlack = 1e-3;
 
-std::string metres(double x) { return roundedText(x, 3) + " m"; }
-
 std::string pointerOf(std::size_t joint) { return "/joints/" + std::to_string(joint); }
 
 struct Ends {

@@ -11,8 +11,6 @@ namespace {
 /// Bodies nearer than this part of the smaller extent will be in contact from the start.
 constexpr double kTouchRatio = 1.0 / 8;
 
-std::string metres(double x) { return roundedText(x, 3) + " m"; }
-
 const PlacedBody& bodyOf(const PlacedScene& placed, const PlacedPiece& piece) {
     return placed.bodies[static_cast<std::size_t>(piece.body)];
 }
