@@ -12,7 +12,7 @@ namespace {
 /// By what a doubling of the sub-steps is taken to divide the error, try by try: by four where things press steadily,
 /// by two in a blow; and what neither mended has all the sub-steps there may be. Tries in vain cost less than the last
 /// one: each has at least twice the sub-steps.
-constexpr std::array<Real, 3> kErrorOfDoubling{4, 2, 1};
+constexpr std::array<Real, 3> kErrorOfDoublingByTry{4, 2, 1};
 
 bool isMember(const WorldState& world, std::uint32_t slot, Effort effort) {
     const Body& body = world.bodies[slot];
@@ -98,11 +98,11 @@ Real excessOf(Real after, Real before, Real budget) {
 bool raise(IslandErrors& errors, Effort& effort, const WorldSettings& settings) {
     const Real excess = std::max(excessOf(errors.penetrationAfter, errors.penetration, settings.maxPenetration),
                                  excessOf(errors.jointErrorAfter, errors.jointError, settings.maxJointError));
-    if (!(excess > 0) || errors.tries == kErrorOfDoubling.size()) { return false; }
+    if (!(excess > 0) || errors.tries == kErrorOfDoublingByTry.size()) { return false; }
     const int subSteps = subStepsOf(settings);
     const int most = std::max(kMostSubSteps, subSteps);
     const std::int8_t first = effort.doublings;
-    for (Real left = excess; left > 1; left /= kErrorOfDoubling[errors.tries]) {
+    for (Real left = excess; left > 1; left /= kErrorOfDoublingByTry[errors.tries]) {
         const Effort more{.doublings = static_cast<std::int8_t>(effort.doublings + 1), .direct = effort.direct};
         if (subStepsFor(more, subSteps) > most) { break; }
         effort = more;
