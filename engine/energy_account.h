@@ -15,6 +15,7 @@ struct EnergyAccount {
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
     bool isDriven = false;
     bool isGrounded = false;             ///< presses on something static
+    DVec2 push{};                        ///< of what is static, all of it, N·s
     std::uint32_t motion = 0xFFFFFFFFU;  ///< of the island, an index; none
 };
 

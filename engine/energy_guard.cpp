@@ -41,6 +41,9 @@ void noteContact(WorldState& world, const Contact& contact) {
     EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
     account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
     account.isGrounded = account.isGrounded || contact.pressed;
+    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
+    account.push += (contact.dynamicB ? impulse : -impulse) * toDouble(normal);
 }
 
 /// What else has a part in the motion of the islands.
@@ -66,7 +69,7 @@ DVec2 armOf(const WorldState& world, const EnergyAccount& account, std::uint32_t
     return world.motions[slot].center - world.motions[island.root].center - island.center;
 }
 
-/// Of islands on the ground that is at rest; of others their centres of mass, and how these move and they turn.
+/// Their centres of mass, and how these move and they turn.
 void findIslandMotions(WorldState& world, const TiedGroup& group) {
     std::vector<IslandMotion>& islands = world.islandMotions;
     islands.clear();
@@ -97,11 +100,22 @@ void findIslandMotions(WorldState& world, const TiedGroup& group) {
     for (IslandMotion& island : islands) { island.spin = island.inertia > 0 ? island.spin / island.inertia : 0; }
 }
 
-/// What is left of the motion relative to that of the island takes back what was gained.
+/// The part of a velocity that the ground did not push along.
+DVec2 alongGround(DVec2 velocity, DVec2 push) {
+    const double square = dot(push, push);
+    return square > 0 ? velocity - (dot(velocity, push) / square) * push : DVec2{};
+}
+
+/// What is left of the motion relative to that of the island takes back what was gained. The ground pushes an island
+/// away from it; how it slides along it, that is none of the ground's doing, and stays: a stack that landed on ice lost
+/// most of its momentum otherwise.
 void findShares(WorldState& world) {
     for (IslandMotion& island : world.islandMotions) {
         const EnergyAccount& account = world.energyAccounts[island.root];
-        if (account.isGrounded) { island.velocity = {}, island.spin = 0; }
+        if (account.isGrounded) {
+            island.velocity = alongGround(island.velocity, account.push);
+            island.spin = 0;
+        }
         const double rigid =
             0.5 * (island.mass * dot(island.velocity, island.velocity) + island.inertia * island.spin * island.spin);
         const double relative = account.kinetic - rigid;
