@@ -18,7 +18,10 @@ constexpr double kLeftGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 3
 /// does not take away half there is nothing to be found.
 constexpr int kMostPlaceRounds = 24;
 constexpr int kFewestPlaceRounds = 3;
-constexpr int kMostSpeedRounds = 4;
+/// Likewise of speeds, which take no more than four unless chains are long: a solve leaves much of the slowest way in
+/// which hundreds of links bend.
+constexpr int kUsualSpeedRounds = 4;
+constexpr int kMostSpeedRounds = 24;
 
 /// Suzuki's composition of five sub-steps, 1/(4 − ∛4) and what is left of 1.
 constexpr double kOuterPart = 0.41449077179437573714;
@@ -87,7 +90,9 @@ void JointIsland::advance(double h, int subSteps) {
     start_ = bodies_;
     const Rates rates = ratesOf(h);
     int finer = 1;
-    for (int tries = isTree() ? kMostTries : 1; tries > 0; --tries) {
+    const int mostTries = isTree() ? kMostTries : 1;
+    isSoft_ = !hasAccount() && isOpen();
+    for (int tries = isSoft_ ? 0 : mostTries; tries > 0; --tries) {
         isSoft_ = false;
         isSoft_ = !advanceExactly(h, subSteps, finer, rates) || !keepsEnergy(h, subSteps, rates);
         if (!isSoft_) { return; }
@@ -121,15 +126,22 @@ bool JointIsland::isTree() const {
     return joints <= columns_ - (isFree ? 1 : 0);
 }
 
-/// Whether the step, of what nothing damps and nothing drives but constant forces, changed no energy. After one that is
-/// coarse or soft what was gained is taken away.
+/// Whether energy tells if a step went wrong: nothing damps the bodies, and nothing drives them but constant forces.
+bool JointIsland::hasAccount() const {
+    return std::none_of(start_.begin(), start_.end(), [](const IslandBody& body) {
+        const bool isCarried = body.column == kNoNode && (body.spin != 0 || dot(body.velocity, body.velocity) > 0);
+        return isCarried || isDamped(body);
+    });
+}
+
+/// Whether the step changed no energy, where that can be told. After one that is coarse or soft what was gained is
+/// taken away.
 bool JointIsland::keepsEnergy(double h, int subSteps, const Rates& rates) {
+    if (!hasAccount()) { return true; }
     double work = 0;
     double flow = 0;  // without signs
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const IslandBody& body = start_[i];
-        const bool isCarried = body.column == kNoNode && (body.spin != 0 || dot(body.velocity, body.velocity) > 0);
-        if (isCarried || isDamped(body)) { return true; }
         const double linear =
             body.inverseMass > 0 ? 2 / h * dot(body.gain, bodies_[i].place.position) / body.inverseMass : 0;
         const double angular =
@@ -165,11 +177,9 @@ JointIsland::Rates JointIsland::ratesOf(double h) {
         const double force = std::fabs(hold.rows[0].force) + std::fabs(hold.rows[1].force);
         const auto add = [&](std::uint32_t i, DVec2 anchor) {
             const IslandBody& body = bodies_[i];
-            const double arm = norm(anchor);
-            if (!(arm > 0) || !(body.inverseMass > 0) || !(body.inverseInertia > 0)) { return; }
+            const double ease = easeOf(body, anchor);
+            if (!(ease > 0)) { return; }
             rates.turn = std::max(rates.turn, std::fabs(body.spin));
-            // arm/(m·arm² + I), times the mass
-            const double ease = arm * body.inverseInertia / (arm * arm * body.inverseInertia + body.inverseMass);
             tensions_[i] += force * body.inverseMass * ease;
             fall = std::max(fall, 2 / h * norm(body.gain) * ease);
         };
@@ -278,11 +288,17 @@ bool JointIsland::reachPlaces(double time) {
 }
 
 bool JointIsland::hold() {
+    double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostSpeedRounds; ++round) {
-        if (findSpeeds() <= kSpeedRatio) { return true; }
+        const double worst = findSpeeds();
+        if (worst <= kSpeedRatio) { return true; }
+        if (round >= kUsualSpeedRounds && (worst <= kLeftGapRatio || !(worst <= 0.5 * before))) {
+            return worst <= kLeftGapRatio;
+        }
+        before = worst;
         correct(true);
     }
-    return findSpeeds() <= kLeftGapRatio;
+    return false;
 }
 
 /// Adds up what the stage took.

@@ -34,6 +34,9 @@ struct IslandBody {
     Place next;  ///< where the velocities lead
 };
 
+/// Radians that a body turns by when its anchor is moved by a metre, at most; 0 where it cannot turn, or be moved.
+double easeOf(const IslandBody& body, DVec2 anchor);
+
 /// What a joint holds rigidly, as one or two rows.
 struct IslandHold {
     enum class Kind : std::uint8_t {
@@ -77,7 +80,8 @@ struct IslandHold {
 /// The impulses are found as `DirectSolver` does, by a damper per row and the method of multipliers, with one
 /// factorisation for both solves at a place: errors of places are put in again until they are gone (Newton's method
 /// with the matrix of the start). Where that finds no end there may be none: a straight bridge between two posts cannot
-/// hold its weight. Then the step is done with sub-steps of the first order, whose rows give way.
+/// hold its weight. Then, and where bodies were put apart and no energy tells, the step is done with sub-steps of the
+/// first order, whose rows give way.
 class JointIsland {
 public:
     void clear();
@@ -104,6 +108,7 @@ private:
     Rates ratesOf(double h);
     bool advanceExactly(double h, int subSteps, int finer, const Rates& rates);
     void advanceSoftly(double h, int subSteps, const Rates& rates);
+    bool hasAccount() const;
     bool keepsEnergy(double h, int subSteps, const Rates& rates);
     bool subStep(double part, double h);
     void subStepSoftly(double h);
@@ -118,6 +123,7 @@ private:
     void endStage();
 
     // joint_island_rows.cpp
+    bool isOpen() const;
     void weigh();
     void push(const IslandHold& hold, const IslandHold::Row& row, double impulse);
     void findPlaces(double time);

@@ -14,6 +14,8 @@ namespace {
 constexpr double kStrength = 1 << 20;
 /// Of the ratio: beyond it the masses themselves would be lost in the matrix, to rounding.
 constexpr double kMostSpread = 1 << 20;
+/// Radians that the closing of a gap may turn a body by, or a part of a rod's length.
+constexpr double kMostGapTurn = 1.0 / 16;
 
 double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 DVec2 turned(const IslandBody::Place& place, DVec2 v) {
@@ -71,6 +73,27 @@ Gaps gapsOf(const IslandHold& hold, const IslandBody::Place& a, const IslandBody
 }
 
 }  // namespace
+
+double easeOf(const IslandBody& body, DVec2 anchor) {
+    const double arm = norm(anchor);
+    if (!(arm > 0) || !(body.inverseMass > 0) || !(body.inverseInertia > 0)) { return 0; }
+    // arm/(m·arm² + I), times the mass
+    return arm * body.inverseInertia / (arm * arm * body.inverseInertia + body.inverseMass);
+}
+
+/// Whether gaps are wider than any that steps leave: bodies were put apart. Closed at once they would give speeds that
+/// do not end with them, as the bodies have turned by then.
+bool JointIsland::isOpen() const {
+    return std::any_of(holds_.begin(), holds_.end(), [this](const IslandHold& hold) {
+        const IslandBody& a = bodies_[hold.a];
+        const IslandBody& b = bodies_[hold.b];
+        const Gaps gaps = gapsOf(hold, a.place, b.place);
+        const double gap = std::fabs(gaps.row[0]) + std::fabs(gaps.row[1]);
+        if (hold.kind == IslandHold::Kind::angle) { return gap > kMostGapTurn; }
+        if (hold.kind == IslandHold::Kind::rod && gap > kMostGapTurn * hold.rest) { return true; }
+        return gap * std::max(easeOf(a, hold.anchorA), easeOf(b, hold.anchorB)) > kMostGapTurn;
+    });
+}
 
 void JointIsland::weigh() {
     double heaviest = 0;

@@ -1,4 +1,5 @@
 #include <array>
+#include <utility>
 
 #include "extreme_scenes.h"
 
@@ -127,6 +128,72 @@ struct Linkage {
         expectAtMost(name + " gap", widest, gap);
     }
 };
+
+/// Five hundred equal links, level, let go: what each solve leaves of the slowest way to bend takes many rounds.
+TEST(Extremes, LongChainsAreHeldToRounding) {
+    constexpr int kLinks = 500;
+    World world = makeWorld();
+    ShapeDef shape;
+    shape.filter.group = -1;
+    std::vector<BodyId> links;
+    std::vector<JointId> joints;
+    BodyId last = must(world.createBody(bodyAt(BodyType::fixed, {})));
+    for (int i = 0; i < kLinks; ++i) {
+        links.push_back(addBody(world, dynamicAt({0.5 * i + 0.25, 0}), box(0.25, 0.05), shape));
+        RevoluteJointDef hinge;
+        hinge.base.bodyA = std::exchange(last, links.back());
+        hinge.base.bodyB = last;
+        hinge.anchor = {0.5 * i, 0};
+        joints.push_back(must(world.createJoint(hinge)));
+    }
+    for (int i = 0; i < 6; ++i) {
+        must(world.step(kStep));
+        EXPECT_EQ(world.counters().directGivenUp, 0U) << i;
+    }
+    double gap = 0;
+    for (const JointId joint : joints) { gap = std::max(gap, static_cast<double>(world.jointError(joint))); }
+    expectAtMost("long chain gap", gap, kIsDouble ? 2e-12 : 2e-7);
+}
+
+/// The last of eight links that hang is turned, and stands off the one above it. The speed with which it comes back is
+/// no more than if it had fallen through the gap, whether or not energy can be accounted for.
+TEST(Extremes, WhatWasPutApartComesTogetherCalmly) {
+    constexpr double kTurn = 0.7;
+    constexpr double kHalf = 0.25;
+    const auto gained = [](double damping, double carried) {
+        World world = makeWorld();
+        ShapeDef shape;
+        shape.filter.group = -1;
+        BodyDef post = bodyAt(BodyType::kinematic, {});
+        post.velocity = vec(carried, 0);
+        BodyId last = must(world.createBody(post));
+        std::vector<BodyId> links;
+        JointId joint{};
+        for (int i = 0; i < 8; ++i) {
+            BodyDef def = dynamicAt({0, -kHalf * (2 * i + 1)});
+            def.linearDamping = real(damping);
+            links.push_back(addBody(world, def, box(0.05, kHalf), shape));
+            RevoluteJointDef hinge;
+            hinge.base.bodyA = std::exchange(last, links.back());
+            hinge.base.bodyB = last;
+            hinge.anchor = {0, -2 * kHalf * i};
+            joint = must(world.createJoint(hinge));
+        }
+        must(world.setPose(last, world.position(last), kTurn));
+        const double before = energyOf(world, links, kGravity);
+        double most = 0;
+        for (int i = 0; i < 20; ++i) {
+            must(world.step(kStep));
+            most = std::max(most, energyOf(world, links, kGravity) - before);
+        }
+        EXPECT_LE(world.jointError(joint), 1e-6);
+        const double gap = 2 * kHalf * std::sin(kTurn / 2);
+        return most / (world.mass(last) * kGravity * gap);
+    };
+    expectAtMost("plain", gained(0, 0), 1);
+    expectAtMost("damped", gained(0.1, 0), 1);
+    expectAtMost("carried", gained(0, 0.01), 1);
+}
 
 /// A bridge that is drawn straight between two posts: nothing could carry it, so its rows give way (by 1 µm; 2 mm when
 /// it was iterated).
