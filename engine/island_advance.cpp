@@ -6,6 +6,7 @@
 #include "ghosts.h"
 #include "modes.h"
 #include "profile.h"
+#include "rod_turn.h"
 #include "sweep_obstacles.h"
 #include "tied_group.h"
 #include "tolerances.h"
@@ -68,6 +69,9 @@ double fastestSpin(const Island& island) {
     double fastest = 0;
     for (const std::uint32_t slot : island.fast.members) {
         fastest = std::max(fastest, std::fabs(static_cast<double>(island.world.motions[slot].angularVelocity)));
+    }
+    for (const std::uint32_t slot : island.fast.jointSlots) {
+        fastest = std::max(fastest, rodTurnOf(island.world, island.world.joints[slot]));
     }
     return fastest;
 }

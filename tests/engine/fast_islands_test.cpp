@@ -66,6 +66,29 @@ TEST(FastIslands, AHingedBarStaysOnItsSideOfAPin) {
     }
 }
 
+/// A ball at the end of a rod goes round without turning itself: into a sheet of 2 mm, where it stops.
+TEST(FastIslands, ABallOnARodStopsAtASheet) {
+    constexpr double kRod = 1.5;
+    for (double spin = 20; spin < 520; spin += 20.5) {
+        World world = makeWorld(0);
+        const BodyId sheet = addStatic(world, box(0.3, 0.001), material(0, 0), {kRod, 0});
+        const double start = 0.3 + std::fmod(spin, 2.0);
+        const DVec2 along{std::cos(start), std::sin(start)};
+        const BodyId ball = addBody(world, dynamicAt(kRod * along, toReal(-spin * kRod * DVec2{-along.y, along.x})),
+                                    circle(0.05), material(0, 0));
+        DistanceJointDef rod;
+        rod.base.bodyA = sheet;
+        rod.base.bodyB = ball;
+        rod.base.collideConnected = true;
+        rod.anchorB = kRod * along;
+        must(world.createJoint(rod));
+        runFor(world, 1 / spin * 2.5 + 5 * kStep);
+        const std::string name = std::to_string(spin) + " rad/s";
+        EXPECT_GT(world.position(ball).y, 0) << name;
+        expectAtMost(name, static_cast<double>(length(velocityOf(world, ball))) / (spin * kRod), 0.05);
+    }
+}
+
 /// Ten capsules and a head.
 struct Ragdoll {
     std::vector<BodyId> bodies;
