@@ -23,6 +23,10 @@ constexpr std::uint32_t kMostWebBodies = 256;
 constexpr std::uint32_t kLongChain = 16;
 /// Joints that close loops: in larger nets the factor fills up.
 constexpr std::uint32_t kMostLoopBodies = 64;
+/// Trees of joints with masses farther apart than this are solved in each sub-step instead of as an island: the
+/// compositions that a swung load asks for grow with the root of the ratio, without end, and cost more than they are
+/// worth.
+constexpr Real kMostIslandRatio = 1 << 18;
 /// What rests and is solved all at once makes do with an eighth of the sub-steps: its error does not depend on them. At
 /// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration,
 /// unless masses are far apart.
@@ -120,6 +124,7 @@ void addJoints(WorldState& world) {
             const Body& body = world.bodies[slot];
             const auto mass = static_cast<Real>(body.mass);
             const bool isFirst = load.joints == 0 && slot == first;
+            load.isAnchored = load.isAnchored || !body.isDynamic();
             if (body.isDynamic() && (isFirst || mass < load.lightestJointed)) { load.lightestJointed = mass; }
         }
         ++load.joints;
@@ -152,11 +157,14 @@ bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && loa
 /// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and
 /// joints that are exact each time are worth it only where iteration over them is hopeless.
 DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps) {
-    const bool isSmall = load.joints <= load.bodies || load.bodies <= kMostLoopBodies;
-    if (!isTouching && load.plainJoints == load.joints && isSmall) { return DirectScope::islands; }
-    // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     const bool hasLoop = load.joints > load.bodies;
-    if (hasLoop || subSteps < kFewestSubStepsForJoints) { return DirectScope::none; }
+    const bool isCoarse = subSteps < kFewestSubStepsForJoints;
+    const bool isTree = load.joints + (load.isAnchored ? 0 : 1) <= load.bodies;
+    const bool isFar = isTree && load.heaviest > kMostIslandRatio * load.lightest;
+    const bool maySolveIt = hasLoop ? load.bodies <= kMostLoopBodies : !isFar || isCoarse;
+    if (!isTouching && load.plainJoints == load.joints && maySolveIt) { return DirectScope::islands; }
+    // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
+    if (hasLoop || isCoarse) { return DirectScope::none; }
     // A heavy drum that light things tumble in hangs on its joint no worse than without them.
     const bool isHopeless = load.longestChain >= kLongChain || load.heaviest >= kHeavyRatio * load.lightestJointed;
     if (isHopeless) { return DirectScope::joints; }

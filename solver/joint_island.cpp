@@ -196,6 +196,9 @@ JointIsland::Rates JointIsland::ratesOf(double h) {
 bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates& rates) {
     const double most = std::clamp(kMostBodyCompositions / columns_, kFewestCompositions, kMostCompositions);
     dropTotals();
+    findOpenGaps();
+    duration_ = h * subSteps;
+    elapsed_ = 0;
     placeRows();
     factorise();
     // What is damped cannot go back in time.
@@ -326,6 +329,7 @@ void JointIsland::arrive() {
 bool JointIsland::subStep(double part, double h) {
     ++subSteps_;
     const double time = part * h;
+    elapsed_ += time;
     drive(part);
     pushForces(0.5 * time);
     if (!reachPlaces(time)) { return false; }

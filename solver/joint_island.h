@@ -53,6 +53,7 @@ struct IslandHold {
         double impulse = 0;   ///< of the present stage
         double force = 0;     ///< mean of the last sub-step
         double total = 0;     ///< impulse of the step
+        double open = 0;      ///< gap that the step began with
     };
     Kind kind = Kind::point;
     std::uint8_t count = 1;
@@ -127,6 +128,7 @@ private:
     void weigh();
     void push(const IslandHold& hold, const IslandHold::Row& row, double impulse);
     void findPlaces(double time);
+    void findOpenGaps();
     double findGaps(double time);
     double findSpeeds();
     void addGapSpeeds();
@@ -141,6 +143,8 @@ private:
     std::vector<Block3> change_;
     std::vector<double> tensions_;  ///< square of the rate at which a body would oscillate, by body
     BlockLdlt matrix_;
+    double duration_ = 0;  ///< of the step, s
+    double elapsed_ = 0;   ///< of it
     std::uint32_t columns_ = 0;
     int factorisations_ = 0;
     int subSteps_ = 0;
