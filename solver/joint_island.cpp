@@ -48,7 +48,6 @@ constexpr double kMostEnergyRatio = 1.0 / 64;
 /// Radians of a turn in a step beyond which it is coarse: what may happen within it shows neither before nor after it.
 constexpr double kCoarseTurn = 1;
 
-double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 bool isDamped(const IslandBody& body) { return body.decay != 1 || body.angularDecay != 1; }
 
 double kineticEnergy(const std::vector<IslandBody>& bodies) {

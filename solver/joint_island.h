@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "body_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
+
+/// A length without a root: of a vector, at most √2 times as large.
+inline double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 
 /// A body of an island, with its motion since the start of the step.
 struct IslandBody {

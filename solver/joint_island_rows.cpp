@@ -18,7 +18,6 @@ constexpr double kMostSpread = 1 << 20;
 /// Radians that the closing of a gap may turn a body by, or a part of a rod's length.
 constexpr double kMostGapTurn = 1.0 / 16;
 
-double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 DVec2 turned(const IslandBody::Place& place, DVec2 v) {
     return {place.c * v.x - place.s * v.y, place.s * v.x + place.c * v.y};
 }
