@@ -81,11 +81,15 @@ std::uint32_t firstDynamicOf(const WorldState& world, const Joint& joint) {
 void tieJointed(WorldState& world) {
     world.jointChains.reset(world.bodies.slotCount());
     world.chainLengths.assign(world.bodies.slotCount(), 0);
+    world.chainBodies.assign(world.bodies.slotCount(), 0);
     for (const std::uint32_t i : world.activeJoints) {
         const std::uint32_t first = firstDynamicOf(world, world.joints[i]);
         for (const std::uint32_t other : world.joints[i].allBodies()) {
             if (world.bodies[other].isDynamic()) { world.jointChains.unite(first, other); }
         }
+    }
+    for (const std::uint32_t slot : world.awake) {
+        if (world.bodies[slot].isDynamic()) { ++world.chainBodies[world.jointChains.find(slot)]; }
     }
 }
 
@@ -119,7 +123,10 @@ void addJoints(WorldState& world) {
         const Joint& joint = world.joints[i];
         const std::uint32_t first = firstDynamicOf(world, joint);
         IslandLoad& load = world.islandLoads[world.islands.find(first)];
-        load.longestChain = std::max(load.longestChain, ++world.chainLengths[world.jointChains.find(first)]);
+        const std::uint32_t chain = world.jointChains.find(first);
+        load.longestChain = std::max(load.longestChain, ++world.chainLengths[chain]);
+        // What only lies on a bridge makes it no chain.
+        load.hasLoop = load.hasLoop || world.chainLengths[chain] > world.chainBodies[chain];
         for (const std::uint32_t slot : joint.allBodies()) {
             const Body& body = world.bodies[slot];
             const auto mass = static_cast<Real>(body.mass);
@@ -157,14 +164,13 @@ bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && loa
 /// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and
 /// joints that are exact each time are worth it only where iteration over them is hopeless.
 DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps) {
-    const bool hasLoop = load.joints > load.bodies;
     const bool isCoarse = subSteps < kFewestSubStepsForJoints;
     const bool isTree = load.joints + (load.isAnchored ? 0 : 1) <= load.bodies;
     const bool isFar = isTree && load.heaviest > kMostIslandRatio * load.lightest;
-    const bool maySolveIt = hasLoop ? load.bodies <= kMostLoopBodies : !isFar || isCoarse;
+    const bool maySolveIt = load.hasLoop ? load.bodies <= kMostLoopBodies : !isFar || isCoarse;
     if (!isTouching && load.plainJoints == load.joints && maySolveIt) { return DirectScope::islands; }
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
-    if (hasLoop || isCoarse) { return DirectScope::none; }
+    if (load.hasLoop || isCoarse) { return DirectScope::none; }
     // A heavy drum that light things tumble in hangs on its joint no worse than without them.
     const bool isHopeless = load.longestChain >= kLongChain || load.heaviest >= kHeavyRatio * load.lightestJointed;
     if (isHopeless) { return DirectScope::joints; }

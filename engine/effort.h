@@ -38,6 +38,7 @@ struct IslandLoad {
     Real heaviest = 0;
     std::uint32_t plainJoints = 0;   ///< rigid, without springs, limits and motors
     bool isAnchored = false;         ///< a joint ties it to what is not dynamic
+    bool hasLoop = false;            ///< joints between some of its bodies, and the ground, close one
     std::uint32_t longestChain = 0;  ///< joints that hang together without contacts
     Real lightestJointed = 0;        ///< kg, of the bodies that joints hold
     Real thinnest = 0;               ///< smallest extent, metres

@@ -135,6 +135,7 @@ struct WorldState {
     std::vector<IslandLoad> islandLoads;        ///< by root, of this step
     IslandFinder jointChains;                   ///< bodies that joints tie, contacts aside (effort.cpp)
     std::vector<std::uint32_t> chainLengths;    ///< their joints, by root
+    std::vector<std::uint32_t> chainBodies;     ///< their bodies, by root
     std::vector<Vec2> islandPulls;              ///< by slot: what is left of pulls and impulses of a step (settled.cpp)
     std::vector<IslandErrors> islandErrors;     ///< by root, of this step; only with a budget
     EffortTrial trial;                          ///< likewise
