@@ -177,7 +177,7 @@ TEST(FastIslands, ARagdollGainsNoEnergyAtAWall) {
             lowest = std::min(lowest, now);
         }
     }
-    expectAtMost("gain", worst, 0.05);
+    expectAtMost("gain", worst, 0.005);
 }
 
 /// The floor has no friction. At any of its thousand seams the lowest box might be held, and the others slide on; or be
