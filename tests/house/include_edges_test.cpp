@@ -105,6 +105,22 @@ TEST(IncludeEdges, OfTheTableFormNoCycle) {
     }
 }
 
+/// So that nothing before it can lend it what it forgot to include.
+TEST(Headers, OfTheLibraryComeFirstInTheirSources) {
+    int sources = 0;
+    for (const std::string& folder : kLibraryFolders) {
+        for (const SourceFile& file : cppFilesIn(folder)) {
+            const fs::path header = fs::path(file.path).replace_extension(".h");
+            if (!file.path.ends_with(".cpp") || !fs::is_regular_file(sourceRoot() / header)) { continue; }
+            const auto includes = includesIn(file.text);
+            ASSERT_FALSE(includes.empty()) << file.path;
+            EXPECT_EQ(resolved(file, includes.front()), header.generic_string()) << file.path;
+            ++sources;
+        }
+    }
+    EXPECT_GT(sources, 50) << "the scan found hardly anything";
+}
+
 TEST(Headers, AreGuarded) {
     for (const SourceFile& file : allCppFiles()) {
         if (file.path.ends_with(".h")) { EXPECT_TRUE(file.text.starts_with("#pragma once\n")) << file.path; }
