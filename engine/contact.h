@@ -91,12 +91,4 @@ struct ContactProbe : ContactPair {
     std::uint8_t points = 0;  ///< of state `near`
 };
 
-/// @pre there is a point
-inline Real deepestSeparation(const Manifold& manifold) {
-    const Real first = manifold.points[0].separation;
-    if (manifold.count < 2) { return first; }
-    const Real second = manifold.points[1].separation;
-    return second < first ? second : first;
-}
-
 }  // namespace swept::inline SWEPT_PRECISION

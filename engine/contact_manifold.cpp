@@ -1,5 +1,6 @@
 #include "contact_manifold.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shape_manifold.h"
@@ -72,7 +73,7 @@ void carryImpulses(const OldPoints& before, Contact& now) {
 namespace {
 
 /// The manifold as `KeptManifold` says. @return false where it has to be made anew
-bool keepsManifold(Contact& contact, const Transform& bInA, Real margin) {
+bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach) {
     const KeptManifold& kept = contact.kept;
     if (!kept.isThere || contact.manifold.count != 2) { return false; }  // ghosts and passers lose their points
     const Rotation turn = bInA.rotation * inverse(kept.bInA.rotation);
@@ -85,18 +86,19 @@ bool keepsManifold(Contact& contact, const Transform& bInA, Real margin) {
         const Vec2 moved = shift + cross(turn.s, contact.manifold.points[i].point - kept.bInA.translation);
         if (!(std::fabs(moved.x) + std::fabs(moved.y) <= farthest)) { return false; }
         separations[i] = kept.separations[i] + dot(kept.normal, moved);
-        if (separations[i] > margin) { return false; }
+        if (separations[i] > reach.points) { return false; }
     }
+    if (std::min(separations[0], separations[1]) > reach.nearest) { return false; }
     contact.manifold.points[0].separation = separations[0];
     contact.manifold.points[1].separation = separations[1];
     if (contact.manifold.isNormalOfB) { contact.manifold.normal = kept.normal + cross(turn.s, kept.normal); }
     return true;
 }
 
-void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin) {
+void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach) {
     noteSlide(contact, bInA);
     const Manifold manifold =
-        shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, margin, contact.memory);
+        shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, reach, contact.memory);
     contact.kept = {
         bInA, manifold.normal, {manifold.points[0].separation, manifold.points[1].separation}, manifold.count == 2};
     if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
@@ -113,12 +115,12 @@ void renewManifold(const WorldState& world, Contact& contact, const Transform& b
 
 }  // namespace
 
-void updateManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin) {
-    if (!keepsManifold(contact, bInA, margin)) { renewManifold(world, contact, bInA, margin); }
+void updateManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach) {
+    if (!keepsManifold(contact, bInA, reach)) { renewManifold(world, contact, bInA, reach); }
 }
 
 void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
-    renewManifold(world, contact, relativePoseOf(world, contact), margin);
+    renewManifold(world, contact, relativePoseOf(world, contact), {margin, margin});
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

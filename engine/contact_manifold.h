@@ -10,7 +10,7 @@ inline Transform relativePoseOf(const WorldState& world, const Contact& contact)
 
 /// The manifold at this relative pose: what is known of it (`KeptManifold`) if that is certain, else made anew. Points
 /// that were there before keep their impulses.
-/// @param margin  largest separation of points, metres
-void updateManifold(const WorldState& world, Contact& contact, const Transform& bInA, Real margin);
+/// @param reach  of points, metres
+void updateManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -24,17 +24,17 @@ int faceBeside(const Polygon& polygon, Vec2 normal) {
 
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin) {
     ManifoldMemory memory;
-    return shapeManifold(world, a, b, bInA, margin, memory);
+    return shapeManifold(world, a, b, bInA, {margin, margin}, memory);
 }
 
-Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
-                       ManifoldMemory& memory) {
-    if (a.isChainSegment) { return collide(a.segment, b.polygon, bInA, margin, memory); }
-    const Manifold closest = collide(a.polygon, b.polygon, bInA, margin, memory);
+Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA,
+                       ManifoldReach reach, ManifoldMemory& memory) {
+    if (a.isChainSegment) { return collide(a.segment, b.polygon, bInA, reach.points, memory); }
+    const Manifold closest = collide(a.polygon, b.polygon, bInA, reach, memory);
     if (closest.count == 0 || world.bodies[a.body].isDynamic()) { return closest; }
     const int face = faceBeside(a.polygon, closest.normal);
     if (face < 0) { return closest; }
-    const Manifold onFace = collideOnFace(a.polygon, face, b.polygon, bInA, margin, kFaceSine);
+    const Manifold onFace = collideOnFace(a.polygon, face, b.polygon, bInA, reach.points, kFaceSine);
     const Real slop = kTargetRatio * std::min(a.extent, b.extent);
     const bool agrees = onFace.count > 0 && std::fabs(deepestSeparation(onFace) - deepestSeparation(closest)) <= slop;
     return agrees ? onFace : closest;

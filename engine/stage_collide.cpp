@@ -51,7 +51,11 @@ void updateNear(const WorldState& world, ContactProbe& probe, Contact& contact) 
     const Transform bInA = relativePoseOf(world, contact);
     const Real margin = reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
                         reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB);
-    updateManifold(world, contact, bInA, margin);
+    const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
+    // What touched or pressed has points as long as it may, so that its end is told where it was.
+    const bool mayPass = !kWatched && probe.isPlain && !contact.touching && !contact.pressed;
+    updateManifold(world, contact, bInA,
+                   {margin, mayPass ? bodies.passesBeyond(static_cast<Real>(world.lastDt)) : margin});
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
     probe.apartUntil = 0;
@@ -68,13 +72,12 @@ bool isTouching(const Contact& contact) {
 
 /// @tparam kWatched  speculative bodies reach farther than was noted
 template <bool kWatched>
-ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const ContactProbe& probe) {
+ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const ContactProbe& probe, Real dt) {
     const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
     if (!isAwake(bodies.a) && !isAwake(bodies.b)) { return ContactState::asleep; }
     if (!boxesOverlap(boxes, probe)) { return ContactState::boxesApart; }
     const bool isTold = !kWatched && probe.isIdle;
-    if (isTold &&
-        (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar() || bodies.movedSince(probe) < probe.apartUntil)) {
+    if (isTold && (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar() || bodies.areApart(probe, dt))) {
         return ContactState::apart;
     }
     return ContactState::near;
@@ -115,8 +118,9 @@ template <bool kWatched>
 void updateContacts(WorldState& world) {
     const std::span<const Aabb> boxes = world.broadphase->boxes();
     world.loops->run(world.probes.size(), kProbeGrain, [&world, boxes](std::size_t begin, std::size_t end, int) {
+        const auto dt = static_cast<Real>(world.lastDt);
         for (std::size_t i = begin; i < end; ++i) {
-            world.probes[i].state = stateOf<kWatched>(world, boxes, world.probes[i]);
+            world.probes[i].state = stateOf<kWatched>(world, boxes, world.probes[i], dt);
         }
     });
     listNearContacts(world);

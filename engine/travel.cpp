@@ -45,13 +45,15 @@ void noteRest(WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     glance.motion = -1;
     world.travels[slot].boxRoom = 0;
-    glance.turnedAhead = world.travels[slot].turned;
+    glance.isFast = false;
+    glance.ahead = 0;
+    glance.turned = world.travels[slot].turned;
     const bool isFixed = body.def.type == BodyType::fixed;
     // How far contacts reach beyond what sleeps depends on the coming steps.
     const Real ahead = isFixed ? 0 : kMaxReachRatio * body.widest;
     glance.reach = reachFrom(body, glance.center, ahead);
     if (isFixed) { return; }
-    glance.turnedAhead += static_cast<double>(ahead);
+    glance.ahead = ahead;
     for (const std::uint32_t index : body.shapes) {
         const Shape& shape = world.shapes[index];
         world.neededBoxes[static_cast<std::size_t>(shape.proxy)] =
@@ -63,9 +65,17 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     noteTravel(world, slot);
     BodyGlance& glance = world.glances[slot];
-    const Real ahead = reachOfMotion(glance.motion, body.widest, false);
-    glance.turnedAhead = world.travels[slot].turned + static_cast<double>(ahead);
-    glance.reach = reachFrom(body, glance.center, ahead);
+    glance.ahead = reachOfMotion(glance.motion, body.widest, false);
+    glance.turned = world.travels[slot].turned;
+    glance.reach = reachFrom(body, glance.center, glance.ahead);
+    if (body.isDynamic()) {
+        const BodyMotion& motion = world.motions[slot];
+        glance.isFast = body.extent > 0 && glance.motion > kFastRatio * body.extent;
+        glance.velocity = motion.velocity;
+        glance.pull = accelerationOf(world, body);
+        glance.swing = std::fabs(motion.angularVelocity) * body.radius;
+        glance.widest = body.widest;
+    }
     // As nearly always: its boxes were made where it is, and it is no faster than it was.
     if (glance.motion <= world.travels[slot].boxMotion) { return; }
     world.travels[slot].boxRoom = 0;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "../shapes/pair_view.h"
+#include "tolerances.h"
 #include "world_state.h"
 
 /// Most contacts are of shapes whose boxes overlap and that are apart. Three things tell that without a look at either
@@ -31,8 +33,16 @@ struct BodyGlances {
         const double reach = static_cast<double>(a.reach) + static_cast<double>(b.reach);
         return dot(offset, offset) > reach * reach;
     }
+    /// Whether the shapes of a contact without points are known to be so far from each other that they have none in
+    /// this step either, or only such as are dropped because the bodies pass each other.
+    bool areApart(const ContactProbe& probe, Real dt) const;
     /// How far the bodies have moved, compared with `ContactProbe::apartUntil`: metres.
     double movedSince(const ContactProbe& probe) const;
+    /// Dynamic bodies that are awake, one of them fast, pass each other where their shapes are farther apart than this,
+    /// metres: whatever points they would have are dropped by `passEachOther` (stage_roles.cpp), which looks along the
+    /// normal. Others never pass: infinite.
+    /// @pre both are dynamic
+    Real passesBeyond(Real dt) const;
 };
 
 /// Writes down in the probe how long the shapes of a contact stay so far apart that it has no points. Certain whatever
@@ -49,7 +59,22 @@ inline double lengthAtMost(DVec2 v) {
 }
 
 inline double BodyGlances::movedSince(const ContactProbe& probe) const {
-    return lengthAtMost((b.center - a.center) - toDouble(probe.offset)) + (a.turnedAhead + b.turnedAhead);
+    return lengthAtMost((b.center - a.center) - toDouble(probe.offset)) + (a.turned + b.turned);
+}
+
+inline bool BodyGlances::areApart(const ContactProbe& probe, Real dt) const {
+    const double least = movedSince(probe);
+    if (least + (static_cast<double>(a.ahead) + static_cast<double>(b.ahead)) < probe.apartUntil) { return true; }
+    return probe.isPlain && least + static_cast<double>(passesBeyond(dt)) < probe.apartUntil;
+}
+
+inline Real BodyGlances::passesBeyond(Real dt) const {
+    constexpr Real kRounding = 1 + 32 * kEpsilon;
+    if (!(a.isFast || b.isFast) || a.motion < 0 || b.motion < 0) { return std::numeric_limits<Real>::infinity(); }
+    const Real closing = (a.swing + b.swing) + length(b.velocity - a.velocity) + dt * length(b.pull - a.pull);
+    // What is no farther apart than touching shapes may be does not pass.
+    const Real least = kEndRatio * std::min(a.widest, b.widest);
+    return kRounding * std::max(closing * dt, least);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -50,11 +50,17 @@ struct Waypoint {
 /// What contacts look at first of their bodies, as the stage of contacts began (travel.h).
 struct BodyGlance {
     DVec2 center{};
-    double turnedAhead =
-        std::numeric_limits<double>::infinity();  ///< `BodyTravel::turned`, and how far its contacts reach
+    double turned = std::numeric_limits<double>::infinity();  ///< `BodyTravel::turned`
+    Real ahead = 0;                                           ///< how far its contacts reach, metres
     Real motion = -1;  ///< `motionBound`, metres; negative while the body is static or asleep
     Real reach =
         std::numeric_limits<Real>::infinity();  ///< none of its contact points is farther from the centre, metres
+    // Of a dynamic body that is awake, as the stage of contacts began:
+    bool isFast = false;  ///< `Body::fast`; of others, never
+    Vec2 velocity{};
+    Vec2 pull{};      ///< its acceleration without contacts and joints
+    Real swing = 0;   ///< no point moves faster about the centre of mass, m/s
+    Real widest = 0;  ///< `Body::widest`
 };
 
 /// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted

@@ -184,16 +184,16 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
 
 }  // namespace
 
-Manifold collideByGjk(const PairView& pair, double margin, const SimplexCache* warm, PairVerdict& verdict) {
+Manifold collideByGjk(const PairView& pair, Margins margins, const SimplexCache* warm, PairVerdict& verdict) {
     const GjkResult gjk = closestFeatures(pair, warm);
-    if (gjk.outcome == GjkOutcome::touching) { return collideTouching(pair, gjk, margin, verdict); }
+    if (gjk.outcome == GjkOutcome::touching) { return collideTouching(pair, gjk, margins.points, verdict); }
     const double radii = static_cast<double>(pair.a.radius) + static_cast<double>(pair.b.radius);
-    if (gjk.distance > margin + radii) {
+    if (gjk.distance > margins.nearest + radii) {
         verdict.verdict = ManifoldMemory::Verdict::apart;
         verdict.room = gjk.distance - radii;
         return {};
     }
-    return collideApart(pair, gjk, margin);
+    return collideApart(pair, gjk, margins.points);
 }
 
 namespace {
@@ -202,8 +202,16 @@ bool areSharp(const PairView& pair) {
     return pair.a.count > 2 && pair.b.count > 2 && !(pair.a.radius > 0) && !(pair.b.radius > 0);
 }
 
-Manifold collideCores(const PairView& pair, double margin, PairVerdict& verdict) {
-    return areSharp(pair) ? collideSharp(pair, margin, verdict) : collideByGjk(pair, margin, nullptr, verdict);
+Manifold collideCores(const PairView& pair, Margins margins, PairVerdict& verdict) {
+    return areSharp(pair) ? collideSharp(pair, margins, verdict) : collideByGjk(pair, margins, nullptr, verdict);
+}
+
+/// What is left of a manifold, and what is known then: of points, the deepest is as far away as the shapes are.
+Manifold within(const Manifold& manifold, Real nearest, PairVerdict& verdict) {
+    if (manifold.count == 0 || deepestSeparation(manifold) <= nearest) { return manifold; }
+    verdict.verdict = ManifoldMemory::Verdict::apart;
+    verdict.room = static_cast<double>(deepestSeparation(manifold));
+    return {};
 }
 
 Manifold clipAgainstKnown(const PairView& pair, const ManifoldMemory& memory, double margin) {
@@ -228,24 +236,32 @@ Manifold atSafeScale(const Polygon& a, const Polygon& b, const Transform& bInA, 
 
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin) {
     PairVerdict verdict;
-    return atSafeScale(a, b, bInA, margin,
-                       [&verdict](const PairView& pair, double reach) { return collideCores(pair, reach, verdict); });
+    return atSafeScale(a, b, bInA, margin, [&verdict](const PairView& pair, double reach) {
+        return collideCores(pair, {reach, reach}, verdict);
+    });
 }
 
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory) {
+    return collide(a, b, bInA, {margin, margin}, memory);
+}
+
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach,
+                 ManifoldMemory& memory) {
     using Verdict = ManifoldMemory::Verdict;
+    const Margins margins{static_cast<double>(reach.points),
+                          static_cast<double>(std::min(reach.points, reach.nearest))};
     const PairView pair(a, b, bInA);
-    if (memory.isApart(bInA, margin)) { return {}; }
+    if (memory.isApart(bInA, std::min(reach.points, reach.nearest))) { return {}; }
+    PairVerdict verdict;
     if (memory.verdict == Verdict::face && memory.motionTo(bInA) < memory.room) {
-        const Manifold manifold = clipAgainstKnown(pair, memory, static_cast<double>(margin));
-        if (manifold.count > 0) { return manifold; }
+        const Manifold manifold = clipAgainstKnown(pair, memory, margins.points);
+        if (manifold.count > 0 && deepestSeparation(manifold) <= reach.nearest) { return manifold; }
     }
     if (RescaledPair(a, b, bInA).isNeeded()) {  // rare enough not to remember anything
         memory.verdict = Verdict::none;
-        return collide(a, b, bInA, margin);
+        return within(collide(a, b, bInA, reach.points), reach.nearest, verdict);
     }
-    PairVerdict verdict;
-    const Manifold manifold = collideCores(pair, static_cast<double>(margin), verdict);
+    const Manifold manifold = within(collideCores(pair, margins, verdict), reach.nearest, verdict);
     remember(memory, verdict, a, b, bInA);
     return manifold;
 }

@@ -27,6 +27,12 @@ struct Manifold {
     bool isNormalOfB = false;  ///< of a face of B, with which it turns; else of a face of A, or between two vertices
 };
 
+/// How near two shapes have to be.
+struct ManifoldReach {
+    Real points = 0;   ///< largest separation at which a point is reported, metres, at least 0
+    Real nearest = 0;  ///< of the deepest point: where that is farther, none is reported; metres, at least 0
+};
+
 /// Contact manifold of any pair of polygons: closest features when the cores are apart (one point between vertices, up
 /// to two where faces are parallel enough), face clipping along the axis of least penetration when they overlap.
 /// @param margin  largest separation at which a point is still reported, metres, at least 0.
@@ -38,6 +44,8 @@ Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real
 /// holds.
 /// @param memory  of these two shapes in this order; empty at first
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory);
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach,
+                 ManifoldMemory& memory);
 
 /// Against one face of A, whatever axis is shorter: the edge of B that faces it, clipped to the face; separations are
 /// heights above it. Nothing is reported where no part of that edge is over the face.
@@ -52,5 +60,13 @@ Manifold collideOnFace(const Polygon& a, int face, const Polygon& b, const Trans
 /// inner vertices without catching.
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin);
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory);
+
+/// @pre there is a point
+inline Real deepestSeparation(const Manifold& manifold) {
+    const Real first = manifold.points[0].separation;
+    if (manifold.count < 2) { return first; }
+    const Real second = manifold.points[1].separation;
+    return second < first ? second : first;
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

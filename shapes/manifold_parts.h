@@ -15,11 +15,17 @@ inline constexpr double kFacePreference = 0x1p-10;
 Manifold clipAgainstA(const PairView& pair, int edge, double margin, double slack);
 Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slack);
 
+/// `ManifoldReach`, but what is farther apart than `nearest` may have points all the same.
+struct Margins {
+    double points;
+    double nearest;  ///< at most as much
+};
+
 /// Any two shapes. @param warm  features to begin at, or null
-Manifold collideByGjk(const PairView& pair, double margin, const SimplexCache* warm, PairVerdict& verdict);
+Manifold collideByGjk(const PairView& pair, Margins margins, const SimplexCache* warm, PairVerdict& verdict);
 
 /// Polygons without radius (manifold_sharp.cpp).
-Manifold collideSharp(const PairView& pair, double margin, PairVerdict& verdict);
+Manifold collideSharp(const PairView& pair, Margins margins, PairVerdict& verdict);
 /// The same where the face is known. No points: it is not what they touch with.
 Manifold collideOnSharpFace(const PairView& pair, int face, bool isOfA, double margin);
 

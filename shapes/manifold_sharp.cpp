@@ -145,20 +145,20 @@ Manifold collideOnSharpFace(const PairView& pair, int face, bool isOfA, double m
 
 /// In contact they overlap or nearly do: separating axes answer most of them without GJK, which is left with closest
 /// vertices, and begins at those.
-Manifold collideSharp(const PairView& pair, double margin, PairVerdict& verdict) {
+Manifold collideSharp(const PairView& pair, Margins margins, PairVerdict& verdict) {
     FacePair faces;
-    if (!findFaces(pair, margin, faces, verdict)) { return {}; }
+    if (!findFaces(pair, margins.nearest, faces, verdict)) { return {}; }
     Choice choice = chooseFace(pair, faces);
     int face = choice.takesA ? faces.a.face : faces.b.face;
     if (hasNearlyParallelNeighbour(choice.takesA ? pair.a : pair.b, face)) {
         face = choice.takesA ? settledFaceOfA(pair, face).face : settledFaceOfB(pair, face).face;
         choice.room = 0;
     }
-    const Manifold manifold = collideOnSharpFace(pair, face, choice.takesA, margin);
+    const Manifold manifold = collideOnSharpFace(pair, face, choice.takesA, margins.points);
     if (manifold.count == 0) {
         const SimplexCache nearest = nearestVertices(pair, face, choice.takesA);
         PairVerdict ofGjk;
-        const Manifold ofVertices = collideByGjk(pair, margin, &nearest, ofGjk);
+        const Manifold ofVertices = collideByGjk(pair, margins, &nearest, ofGjk);
         // Only that they are apart: which face it is without a question is for the faces alone to say.
         if (ofGjk.verdict == ManifoldMemory::Verdict::apart) { verdict = ofGjk; }
         return ofVertices;

@@ -90,11 +90,22 @@ struct Tally {
     int touching = 0;
 };
 
+/// With a nearer limit for the deepest point than for the others: the same points, or none.
+void expectWithin(const Polygon& a, const Polygon& b, const Transform& pose, ManifoldReach reach, const Manifold& all,
+                  ManifoldMemory& memory) {
+    const Manifold some = collide(a, b, pose, reach, memory);
+    const bool isNear = all.count > 0 && deepestSeparation(all) <= reach.nearest;
+    ASSERT_TRUE(isSame(some, isNear ? all : Manifold{})) << some.count << " points of " << all.count;
+}
+void expectWithin(const ChainSegment&, const Polygon&, const Transform&, ManifoldReach, const Manifold&,
+                  ManifoldMemory&) {}
+
 template <class Shape>
 void walk(Chance& chance, const Shape& a, const Polygon& b, Transform pose, double size, Tally& tally) {
     constexpr int kSteps = 60;
     const double stride = size * std::pow(10, chance.range(-6, -1.5));
     ManifoldMemory memory;
+    ManifoldMemory memoryWithin;
     double angle = std::atan2(static_cast<double>(pose.rotation.s), static_cast<double>(pose.rotation.c));
     for (int step = 0; step < kSteps; ++step) {
         const Real margin = static_cast<Real>(size * (chance.below(2) == 0 ? 0 : chance.range(0, 0.05)));
@@ -104,6 +115,9 @@ void walk(Chance& chance, const Shape& a, const Polygon& b, Transform pose, doub
         const Manifold fresh = collide(a, b, pose, margin);
         ASSERT_TRUE(isSame(kept, fresh)) << "step " << step << ", stride " << stride << ": " << kept.count
                                          << " points, not " << fresh.count;
+        const Real nearest = static_cast<Real>(0.5 * chance.range(0, 1)) * margin;
+        expectWithin(a, b, pose, {margin, nearest}, fresh, memoryWithin);
+        if (testing::Test::HasFatalFailure()) { return; }
         ++tally.queries;
         tally.kept += knew && before == memory.bInA ? 1 : 0;
         tally.touching += fresh.count > 0 ? 1 : 0;
