@@ -95,7 +95,7 @@ void tieJointed(WorldState& world) {
 
 /// Whether a joint holds what it holds rigidly, and does nothing else.
 struct PlainJoints {
-    bool operator()(const JointPart<RevoluteJointDef, RevoluteConstraint>& part) const { return isFree(part.def); }
+    bool operator()(const HingePart& part) const { return isFree(part.def); }
     bool operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>& part) const { return isFree(part.def); }
     bool operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const { return isFree(part.def); }
     bool operator()(const JointPart<DistanceJointDef, DistanceConstraint>& part) const {

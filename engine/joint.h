@@ -17,13 +17,26 @@ struct JointPart {
     JointDefinition def;
     Constraint memory;
 };
+/// That of a hinge is in the joint itself.
+struct HingePart {
+    using Constraint = RevoluteConstraint;
+    RevoluteJointDef def;
+};
 struct FilterPart {
     FilterJointDef def;
 };
 
+/// Impulses with which a hinge begins the next step: those of the last sub-step, N·s and N·m·s.
+struct HingeMemory {
+    Vec2 point{};
+    Real lower = 0;
+    Real upper = 0;
+    Real motor = 0;
+};
+
 /// In the order of `JointType`.
 using JointParts =
-    std::variant<JointPart<RevoluteJointDef, RevoluteConstraint>, JointPart<DistanceJointDef, DistanceConstraint>,
+    std::variant<HingePart, JointPart<DistanceJointDef, DistanceConstraint>,
                  JointPart<PrismaticJointDef, PrismaticConstraint>, JointPart<WheelJointDef, WheelConstraint>,
                  JointPart<WeldJointDef, WeldConstraint>, JointPart<MotorJointDef, MotorConstraint>,
                  JointPart<MouseJointDef, MouseConstraint>, JointPart<GearJointDef, GearConstraint>,
@@ -34,21 +47,22 @@ inline constexpr std::size_t kMostJointBodies = 4;  ///< a gear's
 
 /// A joint between steps: its definition in body frames, and what the last step left.
 struct Joint {
-    JointDef base;
-    JointParts parts;
+    // What each step asks of a hinge comes first and close together: 64 bytes in float.
     std::uint32_t bodyA = 0;  ///< slots
     std::uint32_t bodyB = 0;
-    std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
-    std::size_t bodyCount = 0;
-    Vec2 localAnchorA;  ///< body frames
-    Vec2 localAnchorB;
-    Vec2 localAxis;             ///< unit, in the frame of A
     double referenceAngle = 0;  ///< angle of B minus angle of A at creation
-    Real length = 0;            ///< of a rod or spring, or all of a pulley's rope, metres
-    double gearConstant = 0;    ///< metres or radians
-
+    Vec2 localAnchorA;          ///< body frames
+    Vec2 localAnchorB;
     Vec2 reactionForce;       ///< on B, mean of the last step, N
     Real reactionTorque = 0;  ///< on B, N·m
+    HingeMemory hinge;
+    JointParts parts;
+    Real length = 0;                                       ///< of a rod or spring, or all of a pulley's rope, metres
+    Vec2 localAxis;                                        ///< unit, in the frame of A
+    std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
+    std::size_t bodyCount = 0;
+    double gearConstant = 0;  ///< metres or radians
+    JointDef base;
 
     JointType type() const { return static_cast<JointType>(parts.index()); }
     /// Whether it holds its bodies at all.
@@ -63,13 +77,24 @@ struct JointTie {
     bool holds = false;     ///< a joint is there, and is no filter
     bool isPair = true;     ///< it ties no other bodies
     bool mayBreak = false;  ///< it has a limit
+    bool isHinge = false;
+    HingeParts hingeParts;  ///< of a hinge
 };
+static_assert(sizeof(JointTie) == 16);
+
+inline HingeParts hingePartsOf(const RevoluteJointDef& def) {
+    return {
+        .hasSpring = def.spring.has_value(), .hasMotor = def.motor.has_value(), .hasLimits = def.limits.has_value()};
+}
 inline JointTie tieOf(const Joint& joint) {
+    const auto* const hinge = std::get_if<HingePart>(&joint.parts);
     return {.bodyA = joint.bodyA,
             .bodyB = joint.bodyB,
             .holds = joint.holds(),
             .isPair = joint.bodyCount <= 2,
-            .mayBreak = joint.base.breakForce || joint.base.breakTorque};
+            .mayBreak = joint.base.breakForce || joint.base.breakTorque,
+            .isHinge = hinge != nullptr,
+            .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -25,6 +25,48 @@ Vec2 axisOf(const WorldState& world, const Joint& joint) {
     return rotate(world.motions[joint.bodyA].pose.rotation, joint.localAxis);
 }
 
+SpringGains gainsOf(const Spring& spring, Real h) {
+    return springGainsOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h);
+}
+
+template <class Limits>
+void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) {
+    parts.hasLimits = limits.has_value();
+    if (!limits) { return; }
+    parts.lower = limits->lower;
+    parts.upper = limits->upper;
+}
+void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring, Real h) {
+    parts.hasSpring = spring.has_value();
+    if (spring) { parts.spring = gainsOf(*spring, h); }
+}
+/// Also of a `WheelConstraint`, whose motor has members of the same names.
+template <class Parts, class Motor>
+void fillMotor(Parts& parts, const std::optional<Motor>& motor, Real maxImpulse) {
+    parts.hasMotor = motor.has_value();
+    parts.maxMotorImpulse = maxImpulse;
+    if (motor) { parts.motorSpeed = motor->speed; }
+}
+void fillFreedom(FreedomParts& parts, const RevoluteJointDef& def, Real h) {
+    fillLimits(parts, def.limits);
+    fillMotor(parts, def.motor, h * (def.motor ? def.motor->maxTorque : Real(0)));
+    fillSpring(parts, def.spring, h);
+}
+
+/// A constraint with the impulses of the last step.
+template <class Part>
+auto rememberedOf(const Joint&, const Part& part) {
+    return part.memory;
+}
+RevoluteConstraint rememberedOf(const Joint& joint, const HingePart&) {
+    RevoluteConstraint constraint;
+    constraint.linearImpulse = joint.hinge.point;
+    constraint.lowerImpulse = joint.hinge.lower;
+    constraint.upperImpulse = joint.hinge.upper;
+    constraint.motorImpulse = joint.hinge.motor;
+    return constraint;
+}
+
 /// Fills constraints in from the present state. The impulses stay what they are.
 struct ConstraintFiller {
     const WorldState& world;
@@ -32,35 +74,20 @@ struct ConstraintFiller {
     Real h;
     Real dt;
 
-    SpringGains gainsOf(const Spring& spring) const {
-        return springGainsOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h);
-    }
+    SpringGains gainsOf(const Spring& spring) const { return swept::gainsOf(spring, h); }
     Real baseAngle() const { return static_cast<Real>(angleOf(world, joint)); }
 
-    template <class Limits>
-    void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) const {
-        parts.hasLimits = limits.has_value();
-        if (!limits) { return; }
-        parts.lower = limits->lower;
-        parts.upper = limits->upper;
-    }
     void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring) const {
-        parts.hasSpring = spring.has_value();
-        if (spring) { parts.spring = gainsOf(*spring); }
+        swept::fillSpring(parts, spring, h);
     }
-    /// Also of a `WheelConstraint`, whose motor has members of the same names.
     template <class Parts, class Motor>
     void fillMotor(Parts& parts, const std::optional<Motor>& motor, Real strength) const {
-        parts.hasMotor = motor.has_value();
-        parts.maxMotorImpulse = h * strength;
-        if (motor) { parts.motorSpeed = motor->speed; }
+        swept::fillMotor(parts, motor, h * strength);
     }
 
     void operator()(RevoluteConstraint& constraint, const RevoluteJointDef& def) const {
         constraint.baseAngle = baseAngle();
-        fillLimits(constraint, def.limits);
-        fillMotor(constraint, def.motor, def.motor ? def.motor->maxTorque : Real(0));
-        fillSpring(constraint, def.spring);
+        fillFreedom(constraint, def, h);
     }
     void operator()(DistanceConstraint& constraint, const DistanceJointDef& def) const {
         constraint.length = joint.length;
@@ -152,18 +179,15 @@ struct ConstraintFiller {
 
     template <class Part>
     typename Part::Constraint constraintOf(const Part& part) const {
-        typename Part::Constraint constraint = part.memory;
+        auto constraint = rememberedOf(joint, part);
         constraint.isHeld = false;
         constraint.slotA = world.solverSlots[joint.bodyA];
         constraint.slotB = world.solverSlots[joint.bodyB];
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
         constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
         constraint.centerOffset = centerOffset(world, joint);
-        // In sub-steps shorter than the usual ones errors are mended no faster: what relaxation leaves of it would be
-        // energy.
         const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
-        const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, world.bodies[moving].effort));
-        constraint.softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, std::max(h, usual));
+        constraint.softness = jointSoftness(world.settings, world.bodies[moving].effort, h, dt);
         (*this)(constraint, part.def);
         return constraint;
     }
@@ -236,16 +260,52 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
     });
 }
 
+RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt) {
+    const Joint& joint = world.joints[source];
+    const auto& part = *std::get_if<HingePart>(&joint.parts);
+    RevoluteConstraint constraint = ConstraintFiller{world, joint, h, dt}.constraintOf(part);
+    constraint.source = source;
+    return constraint;
+}
+
+FreedomParts hingeParts(const Joint& joint, Real h) {
+    const auto& part = *std::get_if<HingePart>(&joint.parts);
+    FreedomParts parts = rememberedOf(joint, part);
+    fillFreedom(parts, part.def, h);
+    dropUnused(parts);
+    return parts;
+}
+
+void takeReaction(Joint& joint, const JointReaction& total, Real dt) {
+    joint.reactionForce = (1 / dt) * total.impulse;
+    joint.reactionTorque = (1 / dt) * total.twist;
+}
+
+void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt) {
+    joint.hinge = {constraint.linearImpulse, constraint.lowerImpulse, constraint.upperImpulse, constraint.motorImpulse};
+    takeReaction(joint, constraint.total, dt);
+}
+
+/// In sub-steps shorter than the usual ones errors are mended no faster: what relaxation leaves of it would be energy.
+Softness jointSoftness(const WorldSettings& settings, Effort effort, Real h, Real dt) {
+    const Real usual = dt / static_cast<Real>(standardSubSteps(settings, effort));
+    return softnessOfSubStep(kJointCycles, kJointDampingRatio, std::max(h, usual));
+}
+
 void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
     batch.forEachJointKind([&](const auto& constraints) {
         using Constraint = typename std::remove_cvref_t<decltype(constraints)>::value_type;
         for (const Constraint& constraint : constraints) {
             Joint& joint = world.joints[constraint.source];
-            visitPart(joint.parts, [&](auto& part) {
-                if constexpr (std::is_same_v<decltype(part.memory), Constraint>) { part.memory = constraint; }
-            });
-            joint.reactionForce = (1 / dt) * constraint.total.impulse;
-            joint.reactionTorque = (1 / dt) * constraint.total.twist;
+            if constexpr (std::is_same_v<Constraint, RevoluteConstraint>) {
+                takeHinge(joint, constraint, dt);
+            } else {
+                visitPart(joint.parts, [&](auto& part) {
+                    using Part = std::remove_cvref_t<decltype(part)>;
+                    if constexpr (std::is_same_v<typename Part::Constraint, Constraint>) { part.memory = constraint; }
+                });
+                takeReaction(joint, constraint.total, dt);
+            }
         }
     });
 }

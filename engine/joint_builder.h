@@ -8,6 +8,17 @@ namespace swept::inline SWEPT_PRECISION {
 /// filter has none. @param source  slot of the joint; @param h  length of a sub-step; @param dt  of the step
 void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt);
 
+/// The same of hinges, one by one (tied_hinges.h): the whole constraint, or what it has beside its point.
+RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt);
+FreedomParts hingeParts(const Joint& joint, Real h);
+
+/// Of what joints hold. @param effort  of the bodies
+Softness jointSoftness(const WorldSettings& settings, Effort effort, Real h, Real dt);
+
+/// What a solve found. @param dt  that was solved
+void takeReaction(Joint& joint, const JointReaction& total, Real dt);
+void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt);
+
 /// Takes impulses and reactions back from a solved batch.
 void readConstraints(SolverBatch& batch, WorldState& world, Real dt);
 

@@ -22,6 +22,7 @@ void forgetImpulses(WorldState& world, std::uint32_t slot) {
                 if constexpr (requires { part.memory; }) { part.memory = {}; }
             },
             joint.parts);
+        joint.hinge = {};
         joint.reactionForce = {};
         joint.reactionTorque = 0;
     }

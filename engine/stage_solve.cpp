@@ -10,6 +10,7 @@
 #include "step.h"
 #include "tied_contacts.h"
 #include "tied_group.h"
+#include "tied_hinges.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -84,10 +85,6 @@ void addBodies(WorldState& world, const TiedGroup& group, Real h) {
     }
 }
 
-void addJoints(WorldState& world, std::span<const std::uint32_t> joints, Real h, Real dt) {
-    for (const std::uint32_t i : joints) { addConstraint(world.batch, world, i, h, dt); }
-}
-
 /// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else
 /// need ask.
 bool isFlung(const Body& body, const BodyState& state) {
@@ -96,9 +93,17 @@ bool isFlung(const Body& body, const BodyState& state) {
     return moved > kFastRatio * body.extent;
 }
 
-SolveReport solveWithJoints(WorldState& world, std::span<const std::uint32_t> joints, const SolverSettings& settings,
-                            Real dt) {
-    addJoints(world, joints, settings.dt / static_cast<Real>(settings.subSteps), dt);
+SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {
+    const Real h = settings.dt / static_cast<Real>(settings.subSteps);
+    TiedHinges hinges(world, group.effort, h, dt, settings.dt);
+    for (const std::uint32_t i : group.joints) {
+        const JointTie& tie = world.jointTies[i];
+        if (tie.isHinge && settings.direct == DirectScope::none) {
+            hinges.link(i, tie);
+        } else {
+            addConstraint(world.batch, world, i, h, dt);
+        }
+    }
     const SolveReport report = world.solver.solve(world.batch, settings, *world.loops);
     readConstraints(world.batch, world, settings.dt);
     world.batch.clearJoints();  // so that nobody need look for any in a solve without
@@ -174,7 +179,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .coarseImpacts = world.settings.profile == Profile::fast,
                                   .direct = scope,
                                   .settled = group.effort.isSettled};
-    const SolveReport report = settings.joints ? solveWithJoints(world, group.joints, settings, dt)
+    const SolveReport report = settings.joints ? solveWithJoints(world, group, settings, dt)
                                                : world.solver.solve(world.batch, settings, *world.loops);
     if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group, time);

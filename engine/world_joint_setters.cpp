@@ -38,6 +38,7 @@ Status change(WorldState& world, JointId id, const Status& value, Change&& chang
     if (joint == nullptr) { return {StatusCode::staleId, "joint"}; }
     if (!value.ok()) { return value; }
     if (!std::visit(change, joint->parts)) { return {StatusCode::wrongJointType, "joint"}; }
+    world.jointTies[id.index] = tieOf(*joint);
     wakeBodies(world, *joint);
     return Status::success();
 }

@@ -82,7 +82,7 @@ Result<JointId> World::createJoint(const RevoluteJointDef& def) {
     const Status status = firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor),
                                       checkSpring(def.spring), checkNumber(def.anchor, "anchor")});
     if (!status.ok()) { return status; }
-    const JointPart<RevoluteJointDef, RevoluteConstraint> part{def, {}};
+    const HingePart part{def};
     return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, {}}));
 }
 

@@ -91,6 +91,13 @@ void ConstraintGraph::colour(SolverBatch& batch) {
     begin(batch);
     batch.forEachJointKind([&](auto& joints) {
         using Joint = typename std::remove_reference_t<decltype(joints)>::value_type;
+        if constexpr (std::is_same_v<Joint, RevoluteConstraint>) {
+            if (batch.hingeStore != nullptr) {
+                listByColour(batch.hingeLinks, batch.inertias, rangesOf<Joint>());
+                hingeColours_.swap(colours_);
+                return;
+            }
+        }
         listByColour(joints, batch.inertias, rangesOf<Joint>());
         sortAsListed(joints);
     });

@@ -44,6 +44,8 @@ public:
     }
     /// By contact, or link.
     std::span<const std::uint8_t> contactColours() const { return colours_; }
+    /// By link of a hinge.
+    std::span<const std::uint8_t> hingeColours() const { return hingeColours_; }
     /// Where a colour's constraints of a kind stand in the array of that kind; of contacts: among `contacts`.
     template <class Constraint>
     ColourRange range(int colour) const {
@@ -75,6 +77,7 @@ private:
     std::vector<std::uint64_t> used_;    ///< per slot: colours taken, one bit each
     std::vector<std::uint8_t> colours_;  ///< of the kind that was coloured last: contacts, in the end
     std::vector<std::uint32_t> places_;  ///< likewise
+    std::vector<std::uint8_t> hingeColours_;
     std::array<bool, kColourCount> isUsed_{};
     std::vector<int> active_;
     std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>,

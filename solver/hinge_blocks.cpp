@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hinge_lanes.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 #ifndef SWEPT_SIMD
@@ -11,117 +13,156 @@ const RevoluteKernels* revoluteKernels() { return nullptr; }
 namespace {
 
 /// A block with fewer joints costs more than they do one by one.
-constexpr std::size_t kFewestLanes = 2;
+constexpr std::uint32_t kFewestLanes = 2;
+constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
 
 HingeParts partsOf(const RevoluteConstraint& joint) { return {joint.hasSpring, joint.hasMotor, joint.hasLimits}; }
 
-std::size_t indexOf(const HingeParts& parts) {
-    return (parts.hasSpring ? 4U : 0U) + (parts.hasMotor ? 2U : 0U) + (parts.hasLimits ? 1U : 0U);
+std::uint8_t numberOf(const HingeParts& parts) {
+    return static_cast<std::uint8_t>((parts.hasSpring ? 4U : 0U) + (parts.hasMotor ? 2U : 0U) +
+                                     (parts.hasLimits ? 1U : 0U));
 }
+HingeParts partsOf(std::uint8_t number) { return {(number & 4U) != 0, (number & 2U) != 0, (number & 1U) != 0}; }
 
-/// Parts of a joint whose bodies cannot turn do nothing, which only the scalar code knows.
-bool fitsBlocks(const RevoluteConstraint& joint, const BodyInertia& a, const BodyInertia& b) {
-    return !joint.isHeld && (!partsOf(joint).any() || a.inverseInertia + b.inverseInertia > 0);
-}
-
-void fillPlace(WideRevolute& block, std::size_t lane, const RevoluteConstraint& joint, const BodyInertia& a,
-               const BodyInertia& b) {
-    block.slotA[lane] = joint.slotA;
-    block.slotB[lane] = joint.slotB;
-    block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
-    block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
-    block.anchorAX[lane] = joint.anchorA.x;
-    block.anchorAY[lane] = joint.anchorA.y;
-    block.anchorBX[lane] = joint.anchorB.x;
-    block.anchorBY[lane] = joint.anchorB.y;
-    block.offsetX[lane] = joint.centerOffset.x;
-    block.offsetY[lane] = joint.centerOffset.y;
-    block.baseAngle[lane] = joint.baseAngle;
-    block.biasRate[lane] = joint.softness.biasRate;
-    block.massScale[lane] = joint.softness.massScale;
-    block.impulseScale[lane] = joint.softness.impulseScale;
-    block.inverseMassA[lane] = a.inverseMass;
-    block.inverseMassB[lane] = b.inverseMass;
-    block.inverseInertiaA[lane] = a.inverseInertia;
-    block.inverseInertiaB[lane] = b.inverseInertia;
-}
-
-void fillParts(WideRevolute& block, std::size_t lane, const RevoluteConstraint& joint) {
-    block.lower[lane] = joint.lower;
-    block.upper[lane] = joint.upper;
-    block.motorSpeed[lane] = joint.motorSpeed;
-    block.maxMotorImpulse[lane] = joint.maxMotorImpulse;
-    block.springPush[lane] = joint.spring.push;
-    block.springDrag[lane] = joint.spring.drag;
-    block.lowerImpulse[lane] = joint.lowerImpulse;
-    block.upperImpulse[lane] = joint.upperImpulse;
-    block.motorImpulse[lane] = joint.motorImpulse;
-    block.springImpulse[lane] = 0;  // made anew by each warm start
-}
-
-void fillLane(WideRevolute& block, std::size_t lane, const RevoluteConstraint& joint, const BodyInertia& a,
-              const BodyInertia& b) {
-    fillPlace(block, lane, joint, a, b);
-    fillParts(block, lane, joint);
-    block.impulseX[lane] = joint.linearImpulse.x;
-    block.impulseY[lane] = joint.linearImpulse.y;
-    block.totalX[lane] = joint.total.impulse.x;
-    block.totalY[lane] = joint.total.impulse.y;
-    block.totalTwist[lane] = joint.total.twist;
-}
-
-/// @param places  at most as many as there are lanes
-void fillBlock(WideRevolute& block, const SolverBatch& batch, std::span<const std::uint32_t> places) {
+/// Before lanes are filled. @param lanes  of the block that will be; the others hold the fixed world to itself
+void emptyBlock(WideRevolute& block, std::uint32_t lanes, HingeParts parts) {
     block.movableA = block.movableB = 0;
-    block.lanes = static_cast<std::uint32_t>(places.size());
-    block.parts = partsOf(batch.revolutes[places[0]]);
-    for (std::size_t lane = 0; lane < places.size(); ++lane) {
-        const RevoluteConstraint& joint = batch.revolutes[places[lane]];
-        block.place[lane] = places[lane];
-        fillLane(block, lane, joint, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
+    block.lanes = lanes;
+    block.parts = parts;
+    block.totalX = block.totalY = block.totalTwist = {};
+    block.springImpulse = {};  // made anew by each warm start
+    for (std::size_t lane = lanes; lane < kBlockLanes; ++lane) {
+        fillHead(block, lane, {}, {}, {});
+        if (parts.any()) { fillParts(block, lane, {}, 0); }
     }
-    for (std::size_t lane = places.size(); lane < kBlockLanes; ++lane) { fillLane(block, lane, {}, {}, {}); }
 }
 
 }  // namespace
 
-void HingeBlocks::fill(const SolverBatch& batch, std::span<const std::uint32_t> places) {
-    while (places.size() >= kFewestLanes) {
-        const std::size_t lanes = std::min(places.size(), kBlockLanes);
-        if (count_ == blocks_.size()) { blocks_.emplace_back(); }
-        fillBlock(blocks_[count_++], batch, places.first(lanes));
-        places = places.subspan(lanes);
+void HingeBlocks::noteKind(std::size_t hinge, const HingeLink& link, bool isHeld,
+                           std::span<const BodyInertia> inertias) {
+    const std::uint8_t colour = hingeColours_[hinge];
+    Kind kind = kAlone;
+    if (kernels_ != nullptr && colour != kOverflowColour && !isHeld) {
+        // Parts of a joint whose bodies cannot turn do nothing, which only the scalar code knows.
+        const bool turns = inertias[link.slotA].inverseInertia + inertias[link.slotB].inverseInertia > 0;
+        if (turns || !link.parts.any()) { kind = numberOf(link.parts); }
     }
-    rest_.insert(rest_.end(), places.begin(), places.end());
+    kinds_[hinge] = kind;
+    ++counts_[colour][kind];
 }
 
-void HingeBlocks::fillColour(const SolverBatch& batch, ColourRange range) {
-    for (std::vector<std::uint32_t>& places : byParts_) { places.clear(); }
-    for (std::uint32_t place = range.begin; place < range.end; ++place) {
-        const RevoluteConstraint& joint = batch.revolutes[place];
-        const bool fits = fitsBlocks(joint, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
-        (fits ? byParts_[indexOf(partsOf(joint))] : rest_).push_back(place);
+void HingeBlocks::listKinds(const SolverBatch& batch, const ConstraintGraph& graph) {
+    counts_ = {};
+    if (batch.hingeStore != nullptr) {
+        hingeColours_.assign(graph.hingeColours().begin(), graph.hingeColours().end());
+        kinds_.resize(hingeColours_.size());
+        for (std::size_t i = 0; i < kinds_.size(); ++i) { noteKind(i, batch.hingeLinks[i], false, batch.inertias); }
+        return;
     }
-    for (const std::vector<std::uint32_t>& places : byParts_) { fill(batch, places); }
+    hingeColours_.resize(batch.revolutes.size());
+    kinds_.resize(hingeColours_.size());
+    for (const int colour : graph.activeColours()) {
+        const ColourRange range = graph.range<RevoluteConstraint>(colour);
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const RevoluteConstraint& joint = batch.revolutes[i];
+            hingeColours_[i] = static_cast<std::uint8_t>(colour);
+            noteKind(i, {joint.slotA, joint.slotB, i, partsOf(joint)}, joint.isHeld, batch.inertias);
+        }
+    }
+}
+
+/// Empty blocks for hinges of one colour and kind, all but the one that may be left over.
+ColourRange HingeBlocks::reserve(std::uint32_t hinges, Kind kind) {
+    const std::uint32_t begin = count_;
+    while (hinges >= kFewestLanes) {
+        const std::uint32_t lanes = std::min(hinges, kLanes);
+        if (count_ == blocks_.size()) { blocks_.emplace_back(); }
+        emptyBlock(blocks_[count_++], lanes, partsOf(kind));
+        hinges -= lanes;
+    }
+    return {begin, count_};
+}
+
+void HingeBlocks::layOut(const ConstraintGraph& graph) {
+    count_ = 0;
+    std::uint32_t rest = 0;
+    for (const int active : graph.activeColours()) {
+        const auto c = static_cast<std::size_t>(active);
+        colours_[c] = {{count_, count_}, {rest, rest}};
+        next_[c] = {};
+        next_[c][kAlone] = rest;
+        for (Kind kind = 0; kind < kAlone; ++kind) {
+            const std::uint32_t count = counts_[c][kind];
+            if (count == 0) { continue; }
+            ranges_[c][kind] = reserve(count, kind);
+            rest += count % kLanes < kFewestLanes ? count % kLanes : 0;
+        }
+        rest += counts_[c][kAlone];
+        colours_[c].blocks.end = count_;
+        colours_[c].rest.end = rest;
+    }
+    rest_.resize(rest);
+}
+
+HingePlace HingeBlocks::placeFor(Kind kind, std::size_t colour) {
+    KindCounts& next = next_[colour];
+    if (kind != kAlone) {
+        const std::uint32_t place = next[kind]++;
+        const std::uint32_t block = ranges_[colour][kind].begin + place / kLanes;
+        if (block < ranges_[colour][kind].end) { return {block, static_cast<std::uint8_t>(place % kLanes), true}; }
+    }
+    return {next[kAlone]++, 0, false};
+}
+
+/// In the order of the hinges: so they stand in each colour.
+void HingeBlocks::listPlaces(SolverBatch& batch) {
+    const bool isKept = batch.hingeStore != nullptr;
+    places_.resize(kinds_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        places_[i] = placeFor(kinds_[i], hingeColours_[i]);
+        if (!places_[i].isInBlock) {
+            rest_[places_[i].index] = isKept ? places_[i].index : static_cast<std::uint32_t>(i);
+        }
+    }
+    if (isKept) { batch.revolutes.resize(rest_.size()); }
+}
+
+/// Blocks from constraints; what is left over stays where it is.
+void HingeBlocks::fillFrom(const SolverBatch& batch) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const HingePlace& place = places_[i];
+        if (!place.isInBlock) { continue; }
+        const RevoluteConstraint& joint = batch.revolutes[i];
+        WideRevolute& block = blocks_[place.index];
+        fillHead(block, place.lane,
+                 {.slotA = joint.slotA,
+                  .slotB = joint.slotB,
+                  .anchorA = joint.anchorA,
+                  .anchorB = joint.anchorB,
+                  .centerOffset = joint.centerOffset,
+                  .softness = joint.softness,
+                  .impulse = joint.linearImpulse},
+                 batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
+        if (block.parts.any()) { fillParts(block, place.lane, joint, joint.baseAngle); }
+    }
 }
 
 void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide) {
     kernels_ = wide ? revoluteKernels() : nullptr;
     count_ = 0;
-    rest_.clear();
-    if (batch.revolutes.empty()) { return; }
-    for (const int c : graph.activeColours()) {
-        Colour& colour = colours_[static_cast<std::size_t>(c)];
-        const ColourRange range = graph.range<RevoluteConstraint>(c);
-        colour.blocks.begin = count_;
-        colour.rest.begin = static_cast<std::uint32_t>(rest_.size());
-        if (kernels_ != nullptr && c != kOverflowColour) {
-            fillColour(batch, range);
-        } else {
-            for (std::uint32_t place = range.begin; place < range.end; ++place) { rest_.push_back(place); }
-        }
-        colour.blocks.end = count_;
-        colour.rest.end = static_cast<std::uint32_t>(rest_.size());
+    if (!batch.hasHinges()) { return; }
+    listKinds(batch, graph);
+    layOut(graph);
+    listPlaces(batch);
+    if (batch.hingeStore == nullptr) {
+        fillFrom(batch);
+        return;
+    }
+    batch.hingeStore->fill(places_, {std::span(blocks_).first(count_), batch.revolutes});
+    for (RevoluteConstraint& joint : batch.revolutes) {
+        joint.total = {};
+        prepare(joint, batch.inertias);
     }
 }
 
@@ -155,20 +196,20 @@ void HingeBlocks::solve(SolverBatch& batch, int colour, RangeCut& cut, const Con
 }
 
 void HingeBlocks::addUpRest(SolverBatch& batch) const {
+    if (!batch.hasHinges()) { return; }
     for (const std::uint32_t place : rest_) { addUpReactions(std::span(&batch.revolutes[place], 1)); }
 }
 
-void HingeBlocks::readBack(SolverBatch& batch) const {
-    for (const WideRevolute& block : std::span(blocks_).first(count_)) {
-        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
-            RevoluteConstraint& joint = batch.revolutes[block.place[lane]];
-            joint.linearImpulse = {block.impulseX[lane], block.impulseY[lane]};
-            joint.lowerImpulse = block.lowerImpulse[lane];
-            joint.upperImpulse = block.upperImpulse[lane];
-            joint.motorImpulse = block.motorImpulse[lane];
-            joint.springImpulse = block.springImpulse[lane];
-            joint.total = {{block.totalX[lane], block.totalY[lane]}, block.totalTwist[lane]};
-        }
+void HingeBlocks::readBack(SolverBatch& batch) {
+    if (!batch.hasHinges()) { return; }
+    if (batch.hingeStore != nullptr) {
+        batch.hingeStore->take(places_, {std::span(blocks_).first(count_), batch.revolutes});
+        batch.revolutes.clear();
+        return;
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const HingePlace& place = places_[i];
+        if (place.isInBlock) { takeLane(blocks_[place.index], place.lane, batch.revolutes[i]); }
     }
 }
 

@@ -156,7 +156,7 @@ std::size_t Solver::partsOf(SolverBatch& batch, int colour) const {
     if constexpr (kJoints) {
         batch.forEachJointKind([&](auto& joints) {
             if constexpr (kAreHinges<decltype(joints)>) {
-                count += joints.empty() ? 0 : hinges_.countOf(colour);
+                count += batch.hasHinges() ? hinges_.countOf(colour) : 0;
             } else {
                 count += countOf(joints, graph_, colour);
             }
@@ -179,10 +179,9 @@ void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
         forColour<kJoints>(batch, colour, [&](RangeCut cut) {
             if constexpr (kJoints) {
                 batch.forEachJointKind([&](auto& joints) {
-                    if (joints.empty()) { return; }
                     if constexpr (kAreHinges<decltype(joints)>) {
-                        hinges_.warmStart(batch, colour, cut, hasMoved);
-                    } else {
+                        if (batch.hasHinges()) { hinges_.warmStart(batch, colour, cut, hasMoved); }
+                    } else if (!joints.empty()) {
                         swept::warmStart(cut.next(joints, rangeOf(joints, graph_, colour)), bodies);
                     }
                 });
@@ -199,10 +198,9 @@ void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
         forColour<kJoints>(batch, colour, [&](RangeCut cut) {
             if constexpr (kJoints) {
                 batch.forEachJointKind([&](auto& joints) {
-                    if (joints.empty()) { return; }
                     if constexpr (kAreHinges<decltype(joints)>) {
-                        hinges_.solve(batch, colour, cut, pass);
-                    } else {
+                        if (batch.hasHinges()) { hinges_.solve(batch, colour, cut, pass); }
+                    } else if (!joints.empty()) {
                         swept::solve(cut.next(joints, rangeOf(joints, graph_, colour)), bodies, pass.h, pass.useBias);
                     }
                 });
@@ -385,7 +383,9 @@ SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& setti
 
 SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
     // Parts of a step may meet contacts that the step did not begin with.
-    if (settings.direct == DirectScope::islands && batch.contacts.empty()) { return solveIslands(batch, settings, loops); }
+    if (settings.direct == DirectScope::islands && batch.contacts.empty()) {
+        return solveIslands(batch, settings, loops);
+    }
     return settings.joints ? solveWith<true>(batch, settings, loops) : solveWith<false>(batch, settings, loops);
 }
 

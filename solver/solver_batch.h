@@ -7,6 +7,7 @@
 #include "contact_store.h"
 #include "distance_constraint.h"
 #include "gear_constraint.h"
+#include "hinge_store.h"
 #include "motor_constraint.h"
 #include "mouse_constraint.h"
 #include "prismatic_constraint.h"
@@ -31,6 +32,9 @@ struct SolverBatch {
     std::vector<ContactLink> links;
     ContactStore* store = nullptr;  ///< null: there are no links
     std::vector<RevoluteConstraint> revolutes;
+    /// Instead of `revolutes`, as it is with contacts: hinges of a store. Only where nothing is solved all at once.
+    std::vector<HingeLink> hingeLinks;
+    HingeStore* hingeStore = nullptr;  ///< null: there are no such links
     std::vector<DistanceConstraint> distances;
     std::vector<PrismaticConstraint> prismatics;
     std::vector<WheelConstraint> wheels;
@@ -70,7 +74,10 @@ struct SolverBatch {
     }
     void clearJoints() {
         forEachJointKind([](auto& joints) { joints.clear(); });
+        hingeLinks.clear();
+        hingeStore = nullptr;
     }
+    bool hasHinges() const { return !revolutes.empty() || !hingeLinks.empty(); }
     BodySlot addBody(const BodyState& state, const BodyInertia& inertia, const BodyDrive& drive) {
         states.push_back(state);
         inertias.push_back(inertia);

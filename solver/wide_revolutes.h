@@ -23,7 +23,6 @@ struct HingeParts {
 struct alignas(32) WideRevolute {
     std::array<BodySlot, kBlockLanes> slotA;
     std::array<BodySlot, kBlockLanes> slotB;
-    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch
     std::uint32_t lanes = 0;                       ///< in use
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
@@ -59,7 +58,7 @@ struct alignas(32) WideRevolute {
     LaneArray totalX;
     LaneArray totalY;
     LaneArray totalTwist;
-    // Of parts; idle where there are none.
+    // Of parts; of a block without any, nothing sets them.
     LaneArray lower;
     LaneArray upper;
     LaneArray motorSpeed;

@@ -255,7 +255,7 @@ private:
     HWY_INLINE void addUp() {
         add(at(block_.impulseX), block_.totalX);
         add(at(block_.impulseY), block_.totalY);
-        add(twist(), block_.totalTwist);
+        if (block_.parts.any()) { add(twist(), block_.totalTwist); }
     }
 
     WideRevolute& block_;

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "revolute_constraint.h"
+#include "wide_revolutes.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A hinge as far as it must be known before its place in a block is.
+struct HingeLink {
+    BodySlot slotA = kFixedSlot;
+    BodySlot slotB = kFixedSlot;
+    std::uint32_t source = 0;  ///< the store's name for the joint
+    HingeParts parts;
+
+    bool operator==(const HingeLink&) const = default;
+};
+static_assert(sizeof(HingeLink) == 16, "four links a cache line: colouring does little else than to read them");
+
+/// Where a hinge of a solve stands.
+struct HingePlace {
+    std::uint32_t index = 0;  ///< of the block, or of the constraint
+    std::uint8_t lane = 0;
+    bool isInBlock = false;
+};
+
+/// All places of a solve.
+struct HingeArrays {
+    std::span<WideRevolute> blocks;
+    std::span<RevoluteConstraint> rest;
+};
+
+/// Who keeps the hinges of a solve: they go straight from there into the blocks of the kernels and back, see
+/// `ContactStore`.
+class HingeStore {
+public:
+    virtual ~HingeStore() = default;
+
+    /// @param places  of the links of the batch, in their order. All lanes that are in use are among them; blocks are
+    /// empty
+    virtual void fill(std::span<const HingePlace> places, const HingeArrays& to) = 0;
+    /// Takes impulses and totals back from there.
+    virtual void take(std::span<const HingePlace> places, const HingeArrays& from) = 0;
+
+protected:
+    HingeStore() = default;
+    HingeStore(const HingeStore&) = default;
+    HingeStore& operator=(const HingeStore&) = default;
+};
+
+inline std::array<BodySlot, 2> bodySlots(const HingeLink& link) { return {link.slotA, link.slotB}; }
+
+}  // namespace swept::inline SWEPT_PRECISION
