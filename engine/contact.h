@@ -27,6 +27,13 @@ struct Slide {
     Real moment = 0;          ///< of the normal impulses about the origin of body B, N·s·m
 };
 
+/// Which contacts have their manifolds found together (contact_batch.h).
+enum class BatchKind : std::uint8_t {
+    none,  ///< found one by one
+    few,   ///< of shapes with `kFewVertices` at most
+    many,
+};
+
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or
 /// kinematic).
 struct Contact {
@@ -54,6 +61,7 @@ struct Contact {
     bool dynamicA = false;  ///< the body is
     bool dynamicB = false;
     bool sensor = false;
+    BatchKind batch = BatchKind::none;
     bool touching = false;   ///< begin was reported, end was not
     bool pressed = false;    ///< carried an impulse in the last step
     bool pressedOn = false;  ///< and in the one before: it is no blow that the next step would repeat

@@ -70,9 +70,6 @@ void carryImpulses(const OldPoints& before, Contact& now) {
 
 }  // namespace
 
-namespace {
-
-/// The manifold as `KeptManifold` says. @return false where it has to be made anew
 bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach) {
     const KeptManifold& kept = contact.kept;
     if (!kept.isThere || contact.manifold.count != 2) { return false; }  // ghosts and passers lose their points
@@ -95,10 +92,8 @@ bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach)
     return true;
 }
 
-void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach) {
+void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manifold) {
     noteSlide(contact, bInA);
-    const Manifold manifold =
-        shapeManifold(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA, reach, contact.memory);
     contact.kept = {
         bInA, manifold.normal, {manifold.points[0].separation, manifold.points[1].separation}, manifold.count == 2};
     if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
@@ -111,6 +106,14 @@ void renewManifold(const WorldState& world, Contact& contact, const Transform& b
     const OldPoints before{contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
     contact.manifold = manifold;
     carryImpulses(before, contact);
+}
+
+namespace {
+
+void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach) {
+    const Shape& a = world.shapes[contact.shapeA];
+    const Shape& b = world.shapes[contact.shapeB];
+    takeManifold(contact, bInA, shapeManifold(world, a, b, bInA, reach, contact.memory));
 }
 
 }  // namespace

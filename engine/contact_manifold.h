@@ -12,5 +12,9 @@ inline Transform relativePoseOf(const WorldState& world, const Contact& contact)
 /// that were there before keep their impulses.
 /// @param reach  of points, metres
 void updateManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach);
+/// The first half of that. @return false where it has to be made anew
+bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach);
+/// The second half, of what it was found to be.
+void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manifold);
 
 }  // namespace swept::inline SWEPT_PRECISION

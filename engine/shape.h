@@ -25,6 +25,7 @@ struct Shape {
     std::uint32_t nextInChain = kNoIndex;
     ProxyId proxy{};
     bool isChainSegment = false;
+    bool isBatched = false;  ///< `collidesInBatches`
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

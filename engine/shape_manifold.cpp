@@ -30,11 +30,15 @@ Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, 
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA,
                        ManifoldReach reach, ManifoldMemory& memory) {
     if (a.isChainSegment) { return collide(a.segment, b.polygon, bInA, reach.points, memory); }
-    const Manifold closest = collide(a.polygon, b.polygon, bInA, reach, memory);
+    return turnedToGround(world, a, b, bInA, reach.points, collide(a.polygon, b.polygon, bInA, reach, memory));
+}
+
+Manifold turnedToGround(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
+                        const Manifold& closest) {
     if (closest.count == 0 || world.bodies[a.body].isDynamic()) { return closest; }
     const int face = faceBeside(a.polygon, closest.normal);
     if (face < 0) { return closest; }
-    const Manifold onFace = collideOnFace(a.polygon, face, b.polygon, bInA, reach.points, kFaceSine);
+    const Manifold onFace = collideOnFace(a.polygon, face, b.polygon, bInA, margin, kFaceSine);
     const Real slop = kTargetRatio * std::min(a.extent, b.extent);
     const bool agrees = onFace.count > 0 && std::fabs(deepestSeparation(onFace) - deepestSeparation(closest)) <= slop;
     return agrees ? onFace : closest;

@@ -13,5 +13,8 @@ namespace swept::inline SWEPT_PRECISION {
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA,
                        ManifoldReach reach, ManifoldMemory& memory);
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin);
+/// The second half of that: from the manifold of the closest features (`collide`). @pre no chain segments
+Manifold turnedToGround(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
+                        const Manifold& closest);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "../shapes/distance.h"
+#include "contact_batch.h"
 #include "contact_manifold.h"
 #include "ghosts.h"
 #include "modes.h"
@@ -44,23 +45,15 @@ void updateSensor(const WorldState& world, Contact& contact) {
     contact.manifold.points[0] = {.point = Real(0.5) * (closest.pointA + closest.pointB)};
 }
 
-/// A contact that may have points.
+/// Of a contact that may have points. @tparam kWatched  as above
 template <bool kWatched>
-void updateNear(const WorldState& world, ContactProbe& probe, Contact& contact) {
-    if (contact.sensor) { return updateSensor(world, contact); }
-    const Transform bInA = relativePoseOf(world, contact);
+ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const Contact& contact) {
     const Real margin = reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
                         reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB);
-    const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
     // What touched or pressed has points as long as it may, so that its end is told where it was.
-    const bool mayPass = !kWatched && probe.isPlain && !contact.touching && !contact.pressed;
-    updateManifold(world, contact, bInA,
-                   {margin, mayPass ? bodies.passesBeyond(static_cast<Real>(world.lastDt)) : margin});
-    contact.totalImpulse = {};
-    contact.pressed = contact.pressed && contact.manifold.count > 0;
-    probe.apartUntil = 0;
-    if (contact.manifold.count > 0 || contact.memory.verdict != ManifoldMemory::Verdict::apart) { return; }
-    rememberApart(world, probe, contact.memory.room - contact.memory.motionTo(bInA));
+    if (kWatched || !probe.isPlain || contact.touching || contact.pressed) { return {margin, margin}; }
+    const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
+    return {margin, bodies.passesBeyond(static_cast<Real>(world.lastDt))};
 }
 
 bool isTouching(const Contact& contact) {
@@ -69,6 +62,72 @@ bool isTouching(const Contact& contact) {
     const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
     return deepestSeparation(contact.manifold) <= limit;
 }
+
+/// A contact that may have points has its manifold.
+void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact, const Transform& bInA) {
+    contact.totalImpulse = {};
+    contact.pressed = contact.pressed && contact.manifold.count > 0;
+    probe.apartUntil = 0;
+    if (contact.manifold.count == 0 && contact.memory.verdict == ManifoldMemory::Verdict::apart) {
+        rememberApart(world, probe, contact.memory.room - contact.memory.motionTo(bInA));
+    }
+    probe.points = static_cast<std::uint8_t>(contact.manifold.count);
+    probe.turns = isTouching(contact) != contact.touching;
+}
+
+/// Gives contacts that may have points their manifolds, in any order: writes only to them and their probes.
+template <bool kWatched>
+class NearUpdate {
+public:
+    explicit NearUpdate(const WorldState& world) : world_(world), haveBatches_(canCollideInBatches()) {}
+
+    void add(ContactProbe& probe, Contact& contact) {
+        if (contact.sensor) {
+            updateSensor(world_, contact);
+            probe.points = static_cast<std::uint8_t>(contact.manifold.count);
+            probe.turns = isTouching(contact) != contact.touching;
+            return;
+        }
+        const Transform bInA = relativePoseOf(world_, contact);
+        const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact);
+        if (haveBatches_ && contact.batch != BatchKind::none) {
+            if (!keepsManifold(contact, bInA, reach)) {
+                addToBatch(probe, contact, bInA, reach);
+                return;
+            }
+        } else {
+            updateManifold(world_, contact, bInA, reach);
+        }
+        finishNear(world_, probe, contact, bInA);
+    }
+
+    /// What is left in batches.
+    void finish() {
+        renew(few_);
+        renew(many_);
+    }
+
+private:
+    void addToBatch(ContactProbe& probe, Contact& contact, const Transform& bInA, ManifoldReach reach) {
+        if (contact.memory.isApart(bInA, std::min(reach.points, reach.nearest))) {
+            takeManifold(contact, bInA, {});
+            return finishNear(world_, probe, contact, bInA);
+        }
+        ContactBatch& batch = contact.batch == BatchKind::few ? few_ : many_;
+        batch.add(world_, probe, contact, bInA, reach);
+        if (batch.isFull()) { renew(batch); }
+    }
+    void renew(ContactBatch& batch) {
+        batch.renew(world_, [this](ContactProbe& probe, Contact& contact, const Transform& bInA) {
+            finishNear(world_, probe, contact, bInA);
+        });
+    }
+
+    const WorldState& world_;
+    bool haveBatches_;
+    ContactBatch few_;
+    ContactBatch many_;
+};
 
 /// @tparam kWatched  speculative bodies reach farther than was noted
 template <bool kWatched>
@@ -126,14 +185,12 @@ void updateContacts(WorldState& world) {
     listNearContacts(world);
     const std::span<const std::uint32_t> near = world.nearContacts;
     world.loops->run(near.size(), kContactGrain, [&world, near](std::size_t begin, std::size_t end, int) {
+        NearUpdate<kWatched> update(world);
         for (std::size_t i = begin; i < end; ++i) {
             fetchAhead(world, near.subspan(i, end - i));
-            ContactProbe& probe = world.probes[near[i]];
-            Contact& contact = world.contacts[near[i]];
-            updateNear<kWatched>(world, probe, contact);
-            probe.points = static_cast<std::uint8_t>(contact.manifold.count);
-            probe.turns = isTouching(contact) != contact.touching;
+            update.add(world.probes[near[i]], world.contacts[near[i]]);
         }
+        update.finish();
     });
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../shapes/sharp_pairs.h"
 #include "pair_boxes.h"
 #include "step.h"
 #include "travel.h"
@@ -41,6 +42,10 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.dynamicA = world.bodies[a.body].isDynamic();
     contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;
+    if (a.isBatched && b.isBatched) {
+        const bool areFew = std::max(a.polygon.count, b.polygon.count) <= kFewVertices;
+        contact.batch = areFew ? BatchKind::few : BatchKind::many;
+    }
     return contact;
 }
 

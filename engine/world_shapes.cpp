@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../shapes/manifold_batch.h"
 #include "number_range.h"
 #include "world_state.h"
 
@@ -53,6 +54,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     shape.body = body;
     shape.extent = extentOf(shape.polygon);
     shape.size = radiusAbout(shape.polygon, {});
+    shape.isBatched = !shape.isChainSegment && collidesInBatches(shape.polygon);
     world.thinnestWall.reset();
     const ProxyKind kind = kindOf(shape, world.bodies[body].def.type);
     const Aabb box = fatBox(world, shape);

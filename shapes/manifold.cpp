@@ -206,14 +206,6 @@ Manifold collideCores(const PairView& pair, Margins margins, PairVerdict& verdic
     return areSharp(pair) ? collideSharp(pair, margins, verdict) : collideByGjk(pair, margins, nullptr, verdict);
 }
 
-/// What is left of a manifold, and what is known then: of points, the deepest is as far away as the shapes are.
-Manifold within(const Manifold& manifold, Real nearest, PairVerdict& verdict) {
-    if (manifold.count == 0 || deepestSeparation(manifold) <= nearest) { return manifold; }
-    verdict.verdict = ManifoldMemory::Verdict::apart;
-    verdict.room = static_cast<double>(deepestSeparation(manifold));
-    return {};
-}
-
 Manifold clipAgainstKnown(const PairView& pair, const ManifoldMemory& memory, double margin) {
     if (areSharp(pair)) { return collideOnSharpFace(pair, memory.face, memory.isOfA, margin); }
     return memory.isOfA ? clipAgainstA(pair, memory.face, margin, 0) : clipAgainstB(pair, memory.face, margin, 0);

@@ -7,6 +7,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Separations along two faces are the same up to so much of the coordinates that go in: a few roundings of each.
+inline constexpr double kFlushRounding = 8 * static_cast<double>(kEpsilon);
+
 /// A face is preferred to a nearly equal one of the other shape by this fraction of the shorter of both, so that the
 /// reference does not change sides from step to step.
 inline constexpr double kFacePreference = 0x1p-10;
@@ -21,11 +24,23 @@ struct Margins {
     double nearest;  ///< at most as much
 };
 
+/// What is left of a manifold, and what is known then: of points, the deepest is as far away as the shapes are.
+inline Manifold within(const Manifold& manifold, Real nearest, PairVerdict& verdict) {
+    if (manifold.count == 0 || deepestSeparation(manifold) <= nearest) { return manifold; }
+    verdict.verdict = ManifoldMemory::Verdict::apart;
+    verdict.room = static_cast<double>(deepestSeparation(manifold));
+    return {};
+}
+
 /// Any two shapes. @param warm  features to begin at, or null
 Manifold collideByGjk(const PairView& pair, Margins margins, const SimplexCache* warm, PairVerdict& verdict);
 
 /// Polygons without radius (manifold_sharp.cpp).
 Manifold collideSharp(const PairView& pair, Margins margins, PairVerdict& verdict);
+/// The same where what they touch with is not the best face, but most likely next to it.
+Manifold collideBesideFace(const PairView& pair, int face, bool isOfA, Margins margins, PairVerdict& verdict);
+/// Whether stored normals may choose the wrong one of two faces.
+bool hasNearlyParallelNeighbour(const Polygon& polygon, int face);
 /// The same where the face is known. No points: it is not what they touch with.
 Manifold collideOnSharpFace(const PairView& pair, int face, bool isOfA, double margin);
 

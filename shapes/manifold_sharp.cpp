@@ -12,9 +12,6 @@ namespace {
 /// beside both: then the faces are measured (core_axis.h).
 constexpr Real kNearlyParallel = Real(1) / 64;
 
-/// Separations along two faces are the same up to so much of the coordinates that go in: a few roundings of each.
-constexpr double kFlushRounding = 8 * static_cast<double>(kEpsilon);
-
 /// The best face of either shape.
 struct FacePair {
     FaceChoice a;
@@ -71,15 +68,6 @@ Choice chooseFace(const PairView& pair, const FacePair& faces) {
     const double asNow = std::min(0.5 * std::fabs(decides), std::fabs(nearest));
     const double ofFaces = 0.5 * static_cast<double>(std::min(faces.a.lead, faces.b.lead));
     return {decides <= 0, std::min(std::max(eitherWay, asNow), ofFaces)};
-}
-
-bool hasNearlyParallelNeighbour(const Polygon& polygon, int face) {
-    const auto normal = [&polygon](int i) { return polygon.normals[static_cast<std::size_t>(i)]; };
-    const Vec2 own = normal(face);
-    for (const int beside : {polygon.previous(face), polygon.next(face)}) {
-        if (dot(own, normal(beside)) > 0 && std::fabs(cross(own, normal(beside))) <= kNearlyParallel) { return true; }
-    }
-    return false;
 }
 
 /// Vertices of a face and of an edge that faces it, and is apart from it: those that are closest.
@@ -143,6 +131,24 @@ Manifold collideOnSharpFace(const PairView& pair, int face, bool isOfA, double m
     return isOfA ? clipOn<true>(pair, face, margin) : clipOn<false>(pair, face, margin);
 }
 
+bool hasNearlyParallelNeighbour(const Polygon& polygon, int face) {
+    const auto normal = [&polygon](int i) { return polygon.normals[static_cast<std::size_t>(i)]; };
+    const Vec2 own = normal(face);
+    for (const int beside : {polygon.previous(face), polygon.next(face)}) {
+        if (dot(own, normal(beside)) > 0 && std::fabs(cross(own, normal(beside))) <= kNearlyParallel) { return true; }
+    }
+    return false;
+}
+
+Manifold collideBesideFace(const PairView& pair, int face, bool isOfA, Margins margins, PairVerdict& verdict) {
+    const SimplexCache nearest = nearestVertices(pair, face, isOfA);
+    PairVerdict ofGjk;
+    const Manifold manifold = collideByGjk(pair, margins, &nearest, ofGjk);
+    // Only that they are apart: which face it is without a question is for the faces alone to say.
+    if (ofGjk.verdict == ManifoldMemory::Verdict::apart) { verdict = ofGjk; }
+    return manifold;
+}
+
 /// In contact they overlap or nearly do: separating axes answer most of them without GJK, which is left with closest
 /// vertices, and begins at those.
 Manifold collideSharp(const PairView& pair, Margins margins, PairVerdict& verdict) {
@@ -155,14 +161,7 @@ Manifold collideSharp(const PairView& pair, Margins margins, PairVerdict& verdic
         choice.room = 0;
     }
     const Manifold manifold = collideOnSharpFace(pair, face, choice.takesA, margins.points);
-    if (manifold.count == 0) {
-        const SimplexCache nearest = nearestVertices(pair, face, choice.takesA);
-        PairVerdict ofGjk;
-        const Manifold ofVertices = collideByGjk(pair, margins, &nearest, ofGjk);
-        // Only that they are apart: which face it is without a question is for the faces alone to say.
-        if (ofGjk.verdict == ManifoldMemory::Verdict::apart) { verdict = ofGjk; }
-        return ofVertices;
-    }
+    if (manifold.count == 0) { return collideBesideFace(pair, face, choice.takesA, margins, verdict); }
     if (choice.room > 0) {
         verdict.verdict = ManifoldMemory::Verdict::face;
         verdict.face = face;

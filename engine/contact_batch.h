@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+
+#include "../shapes/manifold_batch.h"
+#include "contact_manifold.h"
+#include "shape_manifold.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Contacts whose manifolds are found together, of one kind (`BatchKind`): the bits that each would have by itself.
+class ContactBatch {
+public:
+    bool isFull() const { return pairs_.isFull(); }
+
+    /// @param probe, contact  stay where they are until they are renewed
+    /// @pre not full; the contact is of the kind
+    void add(const WorldState& world, ContactProbe& probe, Contact& contact, const Transform& bInA,
+             ManifoldReach reach) {
+        entries_[pairs_.size()] = {&probe, &contact, bInA, reach.points};
+        pairs_.add(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon, bInA, reach);
+    }
+
+    /// Gives all of them their manifolds, and is empty.
+    /// @param done  called with probe, contact, and pose of B in the frame of A
+    template <class Done>
+    void renew(const WorldState& world, const Done& done) {
+        if (pairs_.size() == 0) { return; }
+        pairs_.collide();
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            const Entry& entry = entries_[i];
+            Contact& contact = *entry.contact;
+            const Manifold closest = pairs_.manifold(i, contact.memory);
+            takeManifold(contact, entry.bInA,
+                         contact.dynamicA
+                             ? closest
+                             : turnedToGround(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB],
+                                              entry.bInA, entry.margin, closest));
+            done(*entry.probe, contact, entry.bInA);
+        }
+        pairs_.clear();
+    }
+
+private:
+    struct Entry {
+        ContactProbe* probe = nullptr;
+        Contact* contact = nullptr;
+        Transform bInA{};
+        Real margin = 0;
+    };
+
+    ManifoldBatch pairs_;
+    std::array<Entry, ManifoldBatch::kPairs> entries_;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,105 @@
+#include "manifold_batch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold_parts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Of the largest coordinate: beyond it a double pair is brought to another scale first (rescaled_pair.h), and a float
+/// may not hold the points.
+constexpr Real kLargestCoordinate = std::numeric_limits<Real>::digits == 24 ? Real(0x1p100) : Real(0x1p199);
+/// Of the squares of edges, which are divided by.
+constexpr double kLeastSquare = 0x1p-900;
+
+bool isOrdinary(Real coordinate) { return std::fabs(coordinate) <= kLargestCoordinate; }
+
+SharpPairKernels kernels() {
+#ifdef SWEPT_SIMD
+    return sharpPairKernels();
+#else
+    return {};
+#endif
+}
+
+}  // namespace
+
+bool collidesInBatches(const Polygon& polygon) {
+    if (polygon.count < 3 || polygon.radius > 0) { return false; }
+    Real largest = 0;
+    for (int i = 0; i < polygon.count; ++i) {
+        const Vec2 p = polygon.vertices[static_cast<std::size_t>(i)];
+        const Vec2 q = polygon.vertices[static_cast<std::size_t>(polygon.next(i))];
+        const DVec2 edge = toDouble(q) - toDouble(p);
+        if (!isOrdinary(p.x) || !isOrdinary(p.y) || !(dot(edge, edge) >= kLeastSquare)) { return false; }
+        if (hasNearlyParallelNeighbour(polygon, i)) { return false; }
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+    }
+    return largest >= 1 / kLargestCoordinate;
+}
+
+bool canCollideInBatches() { return kernels().ofFew != nullptr; }
+
+void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach) {
+    const std::size_t i = size_++;
+    pairs_.a[i] = &a;
+    pairs_.b[i] = &b;
+    pairs_.c[i] = bInA.rotation.c;
+    pairs_.s[i] = bInA.rotation.s;
+    pairs_.x[i] = bInA.translation.x;
+    pairs_.y[i] = bInA.translation.y;
+    pairs_.points[i] = reach.points;
+    pairs_.nearest[i] = std::min(reach.points, reach.nearest);
+    haveMany_ = (i > 0 && haveMany_) || a.count > kFewVertices || b.count > kFewVertices;
+}
+
+void ManifoldBatch::collide() {
+    for (std::size_t i = size_; i < kPairs; ++i) {  // what is left over does what the first does
+        pairs_.a[i] = pairs_.a[0];
+        pairs_.b[i] = pairs_.b[0];
+        for (SharpPairs::Lanes* const lanes :
+             {&pairs_.c, &pairs_.s, &pairs_.x, &pairs_.y, &pairs_.points, &pairs_.nearest}) {
+            (*lanes)[i] = (*lanes)[0];
+        }
+    }
+    (haveMany_ ? kernels().ofMany : kernels().ofFew)(pairs_);
+}
+
+Manifold ManifoldBatch::manifold(std::size_t pair, ManifoldMemory& memory) const {
+    const std::uint32_t bit = 1U << pair;
+    const Polygon& a = *pairs_.a[pair];
+    const Polygon& b = *pairs_.b[pair];
+    const Transform bInA{{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
+    const bool isOfA = (pairs_.ofA & bit) != 0;
+    if (!isOrdinary(bInA.translation.x) || !isOrdinary(bInA.translation.y)) {
+        return swept::collide(a, b, bInA, {pairs_.points[pair], pairs_.nearest[pair]}, memory);
+    }
+    PairVerdict verdict;
+    Manifold manifold;
+    if ((pairs_.apart & bit) != 0) {
+        verdict.verdict = ManifoldMemory::Verdict::apart;
+        verdict.room = static_cast<double>(pairs_.room[pair]);
+    } else if (((pairs_.isThere[0] | pairs_.isThere[1]) & bit) == 0) {
+        const Margins margins{static_cast<double>(pairs_.points[pair]), static_cast<double>(pairs_.nearest[pair])};
+        manifold =
+            collideBesideFace(PairView(a, b, bInA), static_cast<int>(pairs_.face[pair]), isOfA, margins, verdict);
+    } else {
+        manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
+        manifold.isNormalOfB = !isOfA;
+        for (std::size_t k = 0; k < 2; ++k) {
+            if ((pairs_.isThere[k] & bit) == 0) { continue; }
+            const SharpPairs::Point& point = pairs_.point[k];
+            manifold.points[static_cast<std::size_t>(manifold.count++)] = {
+                {point.x[pair], point.y[pair]},
+                point.separation[pair],
+                static_cast<FeatureId>(static_cast<std::int32_t>(point.id[pair]))};
+        }
+    }
+    manifold = within(manifold, pairs_.nearest[pair], verdict);
+    remember(memory, verdict, a, b, bInA);
+    return manifold;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "manifold.h"
+#include "sharp_pairs.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Whether pairs of such polygons may be collided in batches: without radius, no two neighbouring faces nearly
+/// parallel, coordinates neither so small nor so large that products of them are lost.
+bool collidesInBatches(const Polygon& polygon);
+
+/// Whether this machine, and this build, have registers for batches. Without them `collide` does as well.
+bool canCollideInBatches();
+
+/// Manifolds of as many pairs at once as there are lanes: bit for bit those of `collide` without a memory, at a third
+/// of the cost.
+class ManifoldBatch {
+public:
+    static constexpr std::size_t kPairs = SharpPairs::kPairs;
+
+    std::size_t size() const { return size_; }
+    bool isFull() const { return size_ == kPairs; }
+    /// @pre not full; `collidesInBatches` both, which stay where they are until the batch is cleared
+    void add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach);
+    /// All that were added. @pre there is one; `canCollideInBatches`
+    void collide();
+    /// @param memory  of the two shapes; keeps how far apart they are, where they are
+    /// @pre collided
+    Manifold manifold(std::size_t pair, ManifoldMemory& memory) const;
+    void clear() { size_ = 0; }
+
+private:
+    SharpPairs pairs_;
+    std::size_t size_ = 0;
+    bool haveMany_ = false;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include <swept/shapes/hull.h>
+#include <swept/shapes/manifold_batch.h>
+#ifdef SWEPT_SIMD
+#include <swept/shapes/wide_targets.h>
+// after it
+#include <hwy/targets.h>
+#endif
+
+/// Manifolds of a batch are those of `collide`, pair by pair and bit for bit.
+
+namespace swept {
+namespace {
+
+class Chance {
+public:
+    explicit Chance(std::uint32_t seed) : engine_(seed) {}
+    double range(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+    int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(engine_); }
+
+private:
+    std::mt19937 engine_;
+};
+
+Real real(double x) { return static_cast<Real>(x); }
+
+Polygon cloud(Chance& chance, int points, double size) {
+    std::vector<Vec2> corners;
+    for (int i = 0; i < points; ++i) {
+        const double angle = 2 * 3.14159265358979 * (i + chance.range(0, 0.6)) / points;
+        corners.push_back({real(size * std::cos(angle)), real(size * std::sin(angle))});
+    }
+    return convexHull(corners).value();
+}
+
+/// At most `most` vertices.
+Polygon someShape(Chance& chance, double size, int most) {
+    switch (chance.below(4)) {
+        case 0:
+            return makeBox({real(0.5 * size), real(0.5 * size)}).value();
+        case 1:
+            return makeBox({real(2 * size), real(size * chance.range(0.01, 0.2))}, {real(0.3 * size), 0},
+                           chance.range(0, 3))
+                .value();
+        case 2:
+            return cloud(chance, 3, size);
+        default:
+            return cloud(chance, 3 + chance.below(most - 2), size);
+    }
+}
+
+struct Query {
+    Polygon a;
+    Polygon b;
+    Transform bInA;
+    ManifoldReach reach;
+};
+
+/// Touching, nearly so, deep in each other or apart; flush every third time.
+Query someQuery(Chance& chance, int most) {
+    const double size = std::ldexp(1.0, chance.below(9) - 4);
+    Query query{someShape(chance, size, most), someShape(chance, size, most), {}, {}};
+    const bool isFlush = chance.below(3) == 0;
+    const double turn = isFlush ? 1.5707963267948966 * chance.below(4) : chance.range(0, 7);
+    const double angle = chance.below(3) == 0 ? 1.5707963267948966 * chance.below(4) : chance.range(0, 7);
+    query.bInA.rotation = rotationFromAngle(turn);
+    double near = 0;
+    double far = 8 * size;
+    for (int i = 0; i < 30; ++i) {  // the distance at which they begin to touch
+        const double middle = 0.5 * (near + far);
+        query.bInA.translation = {real(middle * std::cos(angle)), real(middle * std::sin(angle))};
+        (collide(query.a, query.b, query.bInA, 0).count > 0 ? near : far) = middle;
+    }
+    const double away = isFlush && chance.below(2) == 0
+                            ? near
+                            : std::max(0.0, near + size * chance.range(-1, 1) * std::pow(10, -chance.below(5)));
+    query.bInA.translation = {real(away * std::cos(angle)), real(away * std::sin(angle))};
+    query.reach.points = chance.below(4) == 0 ? Real(0) : real(size * chance.range(0, 0.2));
+    query.reach.nearest =
+        chance.below(2) == 0 ? std::numeric_limits<Real>::infinity() : real(chance.range(0, 1)) * query.reach.points;
+    return query;
+}
+
+bool sameBits(Real a, Real b) { return std::memcmp(&a, &b, sizeof(Real)) == 0; }
+bool sameBits(Vec2 a, Vec2 b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
+bool sameBits(const Manifold& p, const Manifold& q) {
+    if (p.count != q.count || (p.count > 0 && (!sameBits(p.normal, q.normal) || p.isNormalOfB != q.isNormalOfB))) {
+        return false;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(p.count); ++i) {
+        const ManifoldPoint& a = p.points[i];
+        const ManifoldPoint& b = q.points[i];
+        if (!sameBits(a.point, b.point) || !sameBits(a.separation, b.separation) || a.id != b.id) { return false; }
+    }
+    return true;
+}
+
+struct Tally {
+    int pairs = 0;
+    int withTwo = 0;
+    int ofB = 0;
+    int apart = 0;
+};
+
+void compare(const std::vector<Query>& queries, Tally& tally) {
+    ManifoldBatch batch;
+    for (const Query& query : queries) { batch.add(query.a, query.b, query.bInA, query.reach); }
+    batch.collide();
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const Query& query = queries[i];
+        ManifoldMemory memoryOfOne;
+        ManifoldMemory memory;
+        const Manifold one = collide(query.a, query.b, query.bInA, query.reach, memoryOfOne);
+        const Manifold lane = batch.manifold(i, memory);
+        ASSERT_TRUE(sameBits(lane, one)) << "pair " << i << ": " << lane.count << " points, not " << one.count
+                                         << ", normals " << lane.normal.x << ", " << lane.normal.y << " and "
+                                         << one.normal.x << ", " << one.normal.y;
+        const bool isApart = memory.verdict == ManifoldMemory::Verdict::apart;
+        ASSERT_EQ(isApart, memoryOfOne.verdict == ManifoldMemory::Verdict::apart);
+        if (isApart) {  // a bound of the distance
+            ASSERT_EQ(collide(query.a, query.b, query.bInA, std::max(memory.room, Real(0))).count, 0);
+        }
+        ++tally.pairs;
+        tally.withTwo += one.count == 2 ? 1 : 0;
+        tally.ofB += one.count > 0 && one.isNormalOfB ? 1 : 0;
+        tally.apart += isApart ? 1 : 0;
+    }
+}
+
+Tally compareAll(int most, std::uint32_t batches) {
+    Tally tally;
+    for (std::uint32_t seed = 0; seed < batches && !testing::Test::HasFatalFailure(); ++seed) {
+        Chance chance(seed);
+        std::vector<Query> queries;
+        const int size = 1 + chance.below(static_cast<int>(ManifoldBatch::kPairs));
+        while (static_cast<int>(queries.size()) < size) {
+            Query query = someQuery(chance, most);
+            if (!collidesInBatches(query.a) || !collidesInBatches(query.b)) { continue; }
+            queries.push_back(query);
+        }
+        SCOPED_TRACE(seed);
+        compare(queries, tally);
+    }
+    return tally;
+}
+
+#ifdef SWEPT_SIMD
+
+/// Makes Highway choose one instruction set.
+class ManifoldBatches : public testing::TestWithParam<std::int64_t> {
+protected:
+    void SetUp() override { hwy::SetSupportedTargetsForTest(GetParam()); }
+    void TearDown() override { hwy::SetSupportedTargetsForTest(0); }
+};
+
+TEST_P(ManifoldBatches, GiveTheBitsOfPairsOneByOne) {
+    if (!canCollideInBatches()) { GTEST_SKIP() << "the plain processor collides pairs one by one"; }
+    for (const int most : {kFewVertices, kMaxPolygonVertices}) {
+        const Tally tally = compareAll(most, 1000);
+        if (HasFatalFailure()) { return; }
+        EXPECT_GT(tally.withTwo, tally.pairs / 8) << "of at most " << most << " vertices";
+        EXPECT_GT(tally.ofB, tally.pairs / 20);
+        EXPECT_GT(tally.apart, tally.pairs / 20);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfThisMachine, ManifoldBatches, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
+                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
+
+#endif
+
+TEST(ManifoldBatch, TakesSharpPolygonsOfOrdinarySizeOnly) {
+    EXPECT_TRUE(collidesInBatches(makeBox({1, 2}).value()));
+    EXPECT_FALSE(collidesInBatches(makeCircle({0, 0}, 1).value()));
+    EXPECT_FALSE(collidesInBatches(makeSegment({0, 0}, {1, 0}).value()));
+    EXPECT_FALSE(collidesInBatches(makeBox({1, 1}, {}, 0, Real(0.1)).value())) << "has a radius";
+    const Real huge = std::numeric_limits<Real>::max() / 16;
+    EXPECT_FALSE(collidesInBatches(makeBox({huge, huge}).value()));
+    const std::vector<Vec2> flat{{-1, 0}, {1, 0}, {1, 1}, {0, Real(1.001)}, {-1, 1}};
+    EXPECT_FALSE(collidesInBatches(makePolygon(flat).value())) << "two faces are nearly parallel";
+}
+
+}  // namespace
+}  // namespace swept
