@@ -67,7 +67,8 @@ struct Body {
     double restAngle = 0;
     double restTime = 0;  ///< seconds it has hardly moved
     int restSteps = 0;
-    std::uint32_t nextAsleep = 0;  ///< ring of the bodies that fell asleep together
+    std::uint32_t nextAsleep = 0;        ///< ring of the bodies that fell asleep, or are held, together
+    std::uint32_t heldIn = 0xFFFFFFFFu;  ///< place in `HeldIslands`; then it counts as asleep here, not to the user
 
     bool isDynamic() const { return def.type == BodyType::dynamic; }
 };

@@ -214,14 +214,10 @@ Effort effortFor(const IslandLoad& load, double gravity, double dt, int subSteps
 
 }  // namespace
 
-void assignEfforts(WorldState& world, double dt) {
-    if (world.counters.solvedBodies == 0) { return; }
+namespace {
+
+void assignByLoad(WorldState& world, double dt) {
     const bool fast = world.settings.profile == Profile::fast;
-    const bool budgeted = hasErrorBudget(world.settings);
-    if (fast && !budgeted) {
-        for (const std::uint32_t slot : world.tied) { world.bodies[slot].effort = {}; }
-        return;
-    }
     std::vector<IslandLoad>& loads = world.islandLoads;
     loads.resize(std::max<std::size_t>(loads.size(), world.bodies.slotCount()));
     for (const std::uint32_t slot : world.awake) { loads[slot] = {}; }
@@ -234,10 +230,28 @@ void assignEfforts(WorldState& world, double dt) {
         IslandLoad& load = loads[slot];
         if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, gravity, dt, subSteps); }
     }
+}
+
+}  // namespace
+
+void assignEfforts(WorldState& world, double dt) {
+    if (world.counters.solvedBodies == 0) { return; }
+    const bool budgeted = hasErrorBudget(world.settings);
+    const bool isByLoad = world.settings.profile == Profile::accurate || budgeted;
+    if (isByLoad) { assignByLoad(world, dt); }
     if (budgeted) { keepErrorBudgets(world, dt); }
-    markSettledIslands(world, dt);
+    if (findBalancedIslands(world, dt)) {
+        if (isByLoad) { markSettledIslands(world); }
+        holdBalancedIslands(world);
+    }
+    if (!isByLoad) {
+        for (const std::uint32_t slot : world.tied) { world.bodies[slot].effort = {}; }
+        return;
+    }
     if (!budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
-    for (const std::uint32_t slot : world.awake) { world.bodies[slot].effort = loads[world.islands.find(slot)].effort; }
+    for (const std::uint32_t slot : world.awake) {
+        world.bodies[slot].effort = world.islandLoads[world.islands.find(slot)].effort;
+    }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -16,7 +16,7 @@ constexpr double kWorthStarting = 10;
 }  // namespace
 
 double workOf(const StepCounters& counters) {
-    return kPerAwakeBody * static_cast<double>(counters.awakeBodies) +
+    return kPerAwakeBody * static_cast<double>(counters.awakeBodies - counters.settledBodies) +
            kPerManifold * static_cast<double>(counters.manifolds) +
            kPerConstraint * static_cast<double>(counters.constraints) +
            kPerBodySubStep * static_cast<double>(counters.bodySubSteps) +

@@ -8,17 +8,17 @@
 #include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
-namespace {
 
-/// Bodies per block whose boxes are compared.
-constexpr std::size_t kProxyGrain = 64;
-
-/// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
 double restTimeOf(const WorldState& world, const Body& body) {
     const auto gravity = static_cast<double>(length(world.settings.gravity));
     if (!(gravity > 0)) { return 0; }
     return kRestTimes * std::sqrt(static_cast<double>(body.extent) / gravity);
 }
+
+namespace {
+
+/// Bodies per block whose boxes are compared.
+constexpr std::size_t kProxyGrain = 64;
 
 bool hardlyMoved(const Body& body, const BodyMotion& motion) {
     const double moved = length(motion.center - body.restCenter) +
@@ -192,6 +192,7 @@ void breakJoints(WorldState& world) {
 }
 
 void putToSleep(WorldState& world, double dt) {
+    restHeld(world, dt);
     world.islandRestless.assign(world.bodies.slotCount(), 0);
     world.islandRing.assign(world.bodies.slotCount(), kNoIndex);
     bool anyTired = false;

@@ -74,11 +74,20 @@ bool mayWait(const WorldState& world, const Shape& a, const Shape& b) {
            world.bodies[b.body].isDynamic();
 }
 
+/// Nothing moves here, and yet the two met: something was put there. What is awake makes itself known to what it meets.
+void releaseWhatIsMet(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    if (world.bodies[a].awake || world.bodies[b].awake) { return; }
+    for (const std::uint32_t slot : {a, b}) {
+        if (world.bodies[slot].heldIn != kNoIndex) { releaseHeld(world, slot); }
+    }
+}
+
 /// @return false when the two may not touch, or are known already
 bool addPair(WorldState& world, std::uint32_t a, std::uint32_t b, bool isNear) {
     const Shape& first = world.shapes[a];
     const Shape& second = world.shapes[b];
     if (!mayTouch(world, first, second) || !world.pairs.insert(a, b)) { return false; }
+    releaseWhatIsMet(world, first.body, second.body);
     if (!isNear && mayWait(world, first, second)) {
         world.candidates.push_back({first.body, second.body, first.proxy, second.proxy});
     } else {

@@ -21,7 +21,8 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
     body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
     world.traits[slot] =
-        static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) | (body.fast ? kIsFast : 0));
+        static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) | (body.fast ? kIsFast : 0) |
+                                (isStill(world, body, motion, dt) ? kIsStill : 0));
     body.startCenter = motion.center;
     body.startAngle = motion.angle;
 }
@@ -215,8 +216,10 @@ void assignRoles(WorldState& world, Real dt) {
         world.counters.freeBodies += body.role == BodyRole::free ? 1 : 0;
     }
     world.counters.solvedBodies = world.tied.size();
+    world.counters.settledBodies = world.held.bodies;
+    world.counters.islands = world.held.islands;
     world.counters.flyers = world.flyers.size();
-    world.counters.awakeBodies = world.awake.size();
+    world.counters.awakeBodies = world.awake.size() + world.held.bodies;
 }
 
 void findIslands(WorldState& world) {

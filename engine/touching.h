@@ -26,5 +26,6 @@ inline constexpr BodyTraits kIsFast = 2;
 inline constexpr BodyTraits kHasContact = 4;
 inline constexpr BodyTraits kTouchesDynamic = 8;
 inline constexpr BodyTraits kIsDynamic = 16;  ///< and awake
+inline constexpr BodyTraits kIsStill = 32;    ///< as far as its own motion tells (balance.h)
 
 }  // namespace swept

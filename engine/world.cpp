@@ -82,6 +82,7 @@ void clearForces(WorldState& world) {
 /// The pipeline. A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
 void advance(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
+    if (dt != world.lastDt) { releaseAllHeld(world); }
     world.lastDt = dt;
     StageClock clock(world.settings.measureStageTimes);
     world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
@@ -136,6 +137,7 @@ Status World::configure(const WorldSettings& settings) {
         if (world.shapes.size() > 0) { return {StatusCode::outOfRange, "broadphase"}; }
         world.broadphase = makeBroadphase(settings.broadphase);
     }
+    releaseAllHeld(world);
     if (settings.sleep && !world.settings.sleep) { restAnew(world); }
     world.settings = settings;
     return Status::success();

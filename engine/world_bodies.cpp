@@ -125,7 +125,7 @@ Real World::angularVelocity(BodyId id) const {
 }
 bool World::isAwake(BodyId id) const {
     const Body* body = state_->bodies.find(id);
-    return body != nullptr && body->awake;
+    return body != nullptr && (body->awake || body->heldIn != kNoIndex);
 }
 double World::mass(BodyId id) const {
     const Body* body = state_->bodies.find(id);
@@ -223,9 +223,8 @@ Status World::setAwake(BodyId id, bool awake) {
     Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    if (awake) {
-        wake(world, id.index);
-    } else if (body->awake) {
+    if (awake || body->heldIn != kNoIndex) { wake(world, id.index); }
+    if (!awake && body->awake) {
         body->awake = false;
         body->role = BodyRole::idle;
         body->nextAsleep = id.index;

@@ -61,6 +61,7 @@ bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
 
 void wake(WorldState& world, std::uint32_t start) {
     if (world.bodies[start].awake || world.bodies[start].def.type == BodyType::fixed) { return; }
+    if (world.bodies[start].heldIn != kNoIndex) { return releaseHeld(world, start); }
     std::uint32_t slot = start;
     do {
         Body& body = world.bodies[slot];

@@ -7,6 +7,7 @@
 
 #include "../solver/island_finder.h"
 #include "../solver/solver.h"
+#include "balance.h"
 #include "body.h"
 #include "bullet_work.h"
 #include "clash.h"
@@ -17,6 +18,7 @@
 #include "energy_account.h"
 #include "fast_islands.h"
 #include "flight.h"
+#include "held_islands.h"
 #include "joint.h"
 #include "pair_table.h"
 #include "shape.h"
@@ -142,12 +144,14 @@ struct WorldState {
     IslandFinder jointChains;                   ///< bodies that joints tie, contacts aside (effort.cpp)
     std::vector<std::uint32_t> chainLengths;    ///< their joints, by root
     std::vector<std::uint32_t> chainBodies;     ///< their bodies, by root
-    std::vector<Vec2> islandPulls;              ///< by slot: what is left of pulls and impulses of a step (settled.cpp)
-    std::vector<IslandErrors> islandErrors;     ///< by root, of this step; only with a budget
-    EffortTrial trial;                          ///< likewise
-    std::vector<std::uint8_t> islandRestless;   ///< by root: some member may not sleep yet
-    std::vector<std::uint32_t> islandRing;      ///< by root: last member of the sleeping ring
-    std::vector<std::uint8_t> outgrew;          ///< by place in `awake`: a box no longer holds its shape
+    std::vector<Pull> islandPulls;              ///< by slot: what is left of pulls and impulses of a step
+    std::vector<IslandRest> islandRests;        ///< by root, of this step
+    HeldIslands held;
+    std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
+    EffortTrial trial;                         ///< likewise
+    std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
+    std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
+    std::vector<std::uint8_t> outgrew;         ///< by place in `awake`: a box no longer holds its shape
     std::vector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     bool watched = false;       ///< this step: some body has such a mode (modes.h)
@@ -192,6 +196,8 @@ void refreshManifold(const WorldState& world, Contact& contact, Real margin);
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
 /// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake and static bodies.
 void wake(WorldState& world, std::uint32_t body);
+/// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
+double restTimeOf(const WorldState& world, const Body& body);
 /// All that is awake counts its rest from now on: nothing counts while sleep is off.
 void restAnew(WorldState& world);
 /// Wakes everything that has a contact or a joint with the body.
@@ -226,8 +232,10 @@ inline Vec2 accelerationOf(const WorldState& world, const Body& body) {
     return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
 }
 inline Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
-/// Whether something that could move sleeps.
-inline bool anyAsleep(const WorldState& world) { return world.awake.size() + world.fixedBodies < world.bodies.size(); }
+/// Whether something that could move sleeps. (No joint holds what is held.)
+inline bool anyAsleep(const WorldState& world) {
+    return world.awake.size() + world.held.bodies + world.fixedBodies < world.bodies.size();
+}
 /// Length of the longest path that a point of the body can take within dt, metres.
 inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
     const Body& body = world.bodies[slot];

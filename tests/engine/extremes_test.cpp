@@ -292,7 +292,7 @@ TEST(Extremes, FlatBarsRest) {
 TEST(Extremes, ATowerCostsItsNeighboursNothing) {
     const auto build = [](World& world, bool withTower) {
         addStatic(world, box(100, 0.5), material(0.6), {0, -0.5});
-        const BodyId alone = addBody(world, dynamicAt({-20, 0.6}, vec(1, 0)), box(0.5, 0.5), material(0.6));
+        const BodyId alone = addBody(world, dynamicAt({-20, 0.5}, vec(1, 0)), box(0.5, 0.5), material(0.6));
         for (int i = 0; withTower && i < 12; ++i) {
             addBody(world, dynamicAt({20, i + 0.5}), box(0.5, 0.5), material(0.6));
         }
@@ -302,14 +302,16 @@ TEST(Extremes, ATowerCostsItsNeighboursNothing) {
     World mixed = makeWorld();
     const BodyId a = build(plain, false);
     const BodyId b = build(mixed, true);
+    std::uint64_t mostClasses = 0;
     for (int i = 0; i < 60; ++i) {
         run(plain, 1);
         run(mixed, 1);
         ASSERT_EQ(plain.position(a), mixed.position(b)) << "step " << i;
         ASSERT_EQ(plain.counters().directBodies, 0U);
+        ASSERT_EQ(mixed.counters().directBodies + mixed.counters().settledBodies, 12U + plain.counters().settledBodies);
+        mostClasses = std::max(mostClasses, mixed.counters().effortClasses);
     }
-    EXPECT_EQ(mixed.counters().effortClasses, 2U);
-    EXPECT_EQ(mixed.counters().directBodies + mixed.counters().settledBodies, 12U);
+    EXPECT_EQ(mostClasses, 2U);
 }
 
 /// Twice the lengths, masses or times, and all numbers are what they were but for those factors.

@@ -1,0 +1,168 @@
+#include "balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "profile.h"
+#include "step.h"
+#include "travel.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// On earth at 60 Hz 0.6 mm/s, and 0.05 % of the weight: what trembles by the give of its contacts, and creeps into
+/// them, is off by more (a tenth more in three steps: it goes on for a hundredth of a millimetre).
+constexpr RestLimits kFastLimits{.speed = Real(1) / (1 << 8),
+                                 .pull = Real(1) / (1 << 11),
+                                 .torque = Real(1) / (1 << 11),
+                                 .gap = Real(1) / (1 << 12),
+                                 .overlap = std::numeric_limits<Real>::infinity()};
+constexpr RestLimits kAccurateLimits{.speed = Real(1) / (1 << 14),
+                                     .pull = Real(1) / (1 << 14),
+                                     .torque = Real(1) / (1 << 13),
+                                     .gap = Real(1) / (1 << 12),
+                                     .overlap = std::numeric_limits<Real>::infinity()};
+/// At 60 Hz on earth, 6 µm in ten seconds. A direct solve leaves less than a thousandth of the speed, and of overlaps a
+/// little less than here. (With no more than that, what rounding found beyond it here and within it there was solved
+/// directly for ever, and left as it was.) With pulls of sixteen times as much a stack of 200 boxes moved by 12 µm
+/// before it was solved again, instead of by 0.1; in float the impulses under 250 boxes are rounded to as much: higher
+/// ones are solved more often.
+constexpr RestLimits kDirectLimits{.speed = Real(1) / (1 << 18),
+                                   .pull = Real(1) / (1 << 16),
+                                   .torque = Real(1) / (1 << 13),
+                                   .gap = Real(5) / (1 << 22),
+                                   .overlap = Real(5) / (1 << 22)};
+
+IslandRest& restOf(WorldState& world, std::uint32_t slot) { return world.islandRests[world.islands.find(slot)]; }
+
+RestLimits limitsOf(const WorldState& world, const IslandRest& rest) {
+    return rest.isDirect ? kDirectLimits : restLimitsFor(world.settings.profile);
+}
+
+bool isSlow(const Body& body, const BodyMotion& motion, Real speed) {
+    return lengthSquared(motion.velocity) <= square(speed) && std::fabs(motion.angularVelocity) * body.radius <= speed;
+}
+
+/// Marks islands that something moves in. @return whether there are others
+bool markRestless(WorldState& world) {
+    const std::vector<BodyTraits>& traits = world.traits;
+    const auto isStill = [&traits](std::uint32_t slot) { return (traits[slot] & kIsStill) != 0; };
+    if (std::none_of(world.tied.begin(), world.tied.end(), isStill)) { return false; }
+    world.islandRests.assign(world.bodies.slotCount(), {});
+    std::size_t moving = 0;
+    for (const std::uint32_t slot : world.tied) {
+        if (isStill(slot)) { continue; }
+        restOf(world, slot).isRestless = true;
+        ++moving;
+    }
+    for (const std::uint32_t i : world.activeJoints) {
+        for (const std::uint32_t slot : world.joints[i].allBodies()) { restOf(world, slot).isRestless = true; }
+    }
+    return moving < world.tied.size();
+}
+
+/// What acts on the bodies of those that are left. @return whether there are any
+bool listPulls(WorldState& world, Real dt, Real gravityStep) {
+    bool any = false;
+    const bool hasLoads = world.settings.profile == Profile::accurate;
+    world.islandPulls.resize(std::max<std::size_t>(world.islandPulls.size(), world.bodies.slotCount()));
+    for (const std::uint32_t slot : world.tied) {
+        const std::uint32_t root = world.islands.find(slot);
+        IslandRest& rest = world.islandRests[root];
+        if (rest.isRestless) { continue; }
+        const Body& body = world.bodies[slot];
+        if (hasLoads) { rest.isDirect = world.islandLoads[root].effort.direct == DirectScope::all; }
+        rest.isPushed = rest.isPushed || body.force != Vec2{};
+        rest.isRestless = body.torque != 0 || body.role != BodyRole::solved ||
+                          (rest.isDirect && !isSlow(body, world.motions[slot], kDirectLimits.speed * gravityStep));
+        world.islandPulls[slot] = {(static_cast<Real>(body.mass) * dt) * accelerationOf(world, body), 0};
+        any = true;
+    }
+    return any;
+}
+
+/// Radius of the smaller one of the bodies that can move, metres.
+Real movedRadius(const WorldState& world, const TouchingPair& pair) {
+    const Real a = world.bodies[pair.bodyA].radius;
+    const Real b = world.bodies[pair.bodyB].radius;
+    if (pair.areDynamic()) { return std::min(a, b); }
+    return pair.dynamicA ? a : b;
+}
+
+/// Adds what a contact gave the bodies in the last step. @return whether it may stay as it is
+bool weighContact(WorldState& world, const TouchingPair& pair, const RestLimits& limits, Real subSteps) {
+    const Contact& contact = world.contacts[pair.contact];
+    const BodyMotion& a = world.motions[pair.bodyA];
+    const BodyMotion& b = world.motions[pair.bodyB];
+    const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);
+    const Vec2 tangent = rightPerp(normal);
+    const Vec2 originFromA = toReal(a.pose.position - a.center);
+    const Vec2 fromBToA = toReal(a.center - b.center);
+    const Real radius = movedRadius(world, pair);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const Real separation = contact.manifold.points[i].separation;
+        const bool presses = contact.normalImpulse[i] > 0;
+        const Real gap = limits.gap * radius;
+        if (presses ? separation > gap || separation < -limits.overlap * radius : separation < -gap) { return false; }
+        const Vec2 impulse = subSteps * (contact.normalImpulse[i] * normal + contact.tangentImpulse[i] * tangent);
+        const Vec2 armA = rotate(a.pose.rotation, contact.manifold.points[i].point) + originFromA;
+        if (pair.dynamicA) {
+            Pull& pull = world.islandPulls[pair.bodyA];
+            pull.force -= impulse;
+            pull.torque -= cross(armA, impulse);
+        }
+        if (pair.dynamicB) {
+            Pull& pull = world.islandPulls[pair.bodyB];
+            pull.force += impulse;
+            pull.torque += cross(armA + fromBToA, impulse);
+        }
+    }
+    return true;
+}
+
+void weighContacts(WorldState& world) {
+    const auto subSteps = static_cast<Real>(subStepsOf(world.settings));
+    for (const TouchingPair& pair : world.touching) {
+        IslandRest& rest = restOf(world, pair.dynamicA ? pair.bodyA : pair.bodyB);
+        if (rest.isRestless) { continue; }
+        const bool onKinematic =
+            !pair.areDynamic() && world.bodies[pair.dynamicA ? pair.bodyB : pair.bodyA].def.type == BodyType::kinematic;
+        rest.isRestless = onKinematic || !weighContact(world, pair, limitsOf(world, rest), subSteps);
+    }
+}
+
+bool isBalanced(const Body& body, const Pull& pull, const RestLimits& limits, Real gravityStep) {
+    const Real weight = static_cast<Real>(body.mass) * gravityStep;
+    const bool turns = body.inverseInertia > 0;
+    return lengthSquared(pull.force) <= square(limits.pull * weight) &&
+           (!turns || std::fabs(pull.torque) <= limits.torque * weight * body.radius);
+}
+
+}  // namespace
+
+RestLimits restLimitsFor(Profile profile) { return profile == Profile::fast ? kFastLimits : kAccurateLimits; }
+
+bool isStill(const WorldState& world, const Body& body, const BodyMotion& motion, Real dt) {
+    const Real speed = restLimitsFor(world.settings.profile).speed * length(world.settings.gravity) * dt;
+    if (!isSlow(body, motion, speed)) { return false; }
+    const double way = lengthAtMost(motion.center - body.startCenter) +
+                       std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
+    return way <= static_cast<double>(speed * dt);
+}
+
+bool findBalancedIslands(WorldState& world, double dt) {
+    const auto step = static_cast<Real>(dt);
+    const Real gravityStep = length(world.settings.gravity) * step;
+    if (!markRestless(world) || !listPulls(world, step, gravityStep)) { return false; }
+    weighContacts(world);
+    bool any = false;
+    for (const std::uint32_t slot : world.tied) {
+        IslandRest& rest = restOf(world, slot);
+        if (rest.isRestless) { continue; }
+        rest.isRestless = !isBalanced(world.bodies[slot], world.islandPulls[slot], limitsOf(world, rest), gravityStep);
+        any = any || !rest.isRestless;
+    }
+    return any;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
