@@ -23,10 +23,6 @@ constexpr std::uint32_t kMostWebBodies = 256;
 constexpr std::uint32_t kLongChain = 16;
 /// Joints that close loops: in larger nets the factor fills up.
 constexpr std::uint32_t kMostLoopBodies = 64;
-/// Trees of joints with masses farther apart than this are solved in each sub-step instead of as an island: the
-/// compositions that a swung load asks for grow with the root of the ratio, without end, and cost more than they are
-/// worth.
-constexpr Real kMostIslandRatio = 1 << 18;
 /// What rests and is solved all at once makes do with an eighth of the sub-steps: its error does not depend on them. At
 /// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration,
 /// unless masses are far apart.
@@ -165,9 +161,7 @@ bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && loa
 /// joints that are exact each time are worth it only where iteration over them is hopeless.
 DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps) {
     const bool isCoarse = subSteps < kFewestSubStepsForJoints;
-    const bool isTree = load.joints + (load.isAnchored ? 0 : 1) <= load.bodies;
-    const bool isFar = isTree && load.heaviest > kMostIslandRatio * load.lightest;
-    const bool maySolveIt = load.hasLoop ? load.bodies <= kMostLoopBodies : !isFar || isCoarse;
+    const bool maySolveIt = !load.hasLoop || load.bodies <= kMostLoopBodies;
     if (!isTouching && load.plainJoints == load.joints && maySolveIt) { return DirectScope::islands; }
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     if (load.hasLoop || isCoarse) { return DirectScope::none; }
@@ -204,7 +198,8 @@ Effort effortFor(const IslandLoad& load, double gravity, double dt, int subSteps
     const bool isTouching = load.contacts > 0;
     if (load.joints > 0) {
         const DirectScope scope = scopeForJoints(load, isTouching, subSteps);
-        const bool mayWhip = scope != DirectScope::none && !rests;
+        // Islands see to that themselves.
+        const bool mayWhip = scope != DirectScope::none && scope != DirectScope::islands && !rests;
         return {.doublings = mayWhip ? doublingsForWhips(load, subSteps) : std::int8_t{0}, .direct = scope};
     }
     const DirectScope scope = scopeForContacts(load, rests);

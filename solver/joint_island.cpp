@@ -35,6 +35,14 @@ constexpr int kSubStepsReplaced = 8;
 constexpr double kMostTurn = 0.5;
 constexpr double kMostPhase = 1;
 constexpr double kMostCompositions = 256;
+/// Radians of that oscillation in a step beyond which sub-steps of trees go by their middle. These are stable at any
+/// length; up to a few compositions more follow the oscillation while it is slow, and keep what it holds of the energy
+/// (1000 : 1 on twenty links, let go level, ten seconds: 3e-5 of it; with two always 5e-4).
+constexpr double kStiffPhase = 16;
+constexpr double kMostPhaseByMiddle = 4;
+constexpr double kMostForPhaseByMiddle = 4;
+/// Sub-steps with forces of their ends, times those asked for.
+constexpr int kMostEndsFactor = 16;
 /// The same times bodies, where that is less, but never less than the other: a long chain must not stop the world.
 constexpr double kMostBodyCompositions = 8192;
 constexpr double kFewestCompositions = 16;
@@ -80,6 +88,7 @@ void JointIsland::prepare() {
     }
     change_.resize(columns_);
     weigh();
+    growTree();
     // Who chooses islands for this sees to it that factors do not fill up.
     matrix_.analyse(columns_, edges_, std::numeric_limits<std::size_t>::max());
 }
@@ -89,15 +98,31 @@ void JointIsland::advance(double h, int subSteps) {
     start_ = bodies_;
     const Rates rates = ratesOf(h);
     int finer = 1;
-    const int mostTries = isTree() ? kMostTries : 1;
-    isSoft_ = !hasAccount() && isOpen();
+    const int mostTries = isTree_ ? kMostTries : 1;
+    const bool wasOpened = isOpen();
+    keepsOpen_ = isTree_ && wasOpened;
+    isSoft_ = !isTree_ && wasOpened && !hasAccount();
     for (int tries = isSoft_ ? 0 : mostTries; tries > 0; --tries) {
         isSoft_ = false;
         isSoft_ = !advanceExactly(h, subSteps, finer, rates) || !keepsEnergy(h, subSteps, rates);
-        if (!isSoft_) { return; }
+        if (!isSoft_) { break; }
         bodies_ = start_;
         dropForces();
         finer *= kFiner;
+    }
+    if (isSoft_) { advanceAnyhow(h, subSteps, rates); }
+    if (keepsOpen_) { closeGaps(); }
+}
+
+/// Where the usual ways found no end.
+void JointIsland::advanceAnyhow(double h, int subSteps, const Rates& rates) {
+    for (int more = 1; isTree_ && more <= kMostEndsFactor; more *= kFiner) {
+        if (advanceByEnds(h, subSteps, more)) {
+            keepsEnergy(h, subSteps, rates);
+            return;
+        }
+        bodies_ = start_;
+        dropForces();
     }
     advanceSoftly(h, subSteps, rates);
     keepsEnergy(h, subSteps, rates);
@@ -115,14 +140,6 @@ void JointIsland::dropTotals() {
         hold.twist = 0;
         for (IslandHold::Row& row : hold.rows) { row.total = 0; }
     }
-}
-
-/// Bodies and joints, the ground being one body however often it is there.
-bool JointIsland::isTree() const {
-    std::size_t joints = 0;
-    for (const IslandHold& hold : holds_) { joints += hold.kind != IslandHold::Kind::angle ? 1 : 0; }
-    const bool isFree = bodies_.size() == columns_;
-    return joints <= columns_ - (isFree ? 1 : 0);
 }
 
 /// Whether energy tells if a step went wrong: nothing damps the bodies, and nothing drives them but constant forces.
@@ -198,25 +215,37 @@ bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates&
     findOpenGaps();
     duration_ = h * subSteps;
     elapsed_ = 0;
-    placeRows();
-    factorise();
+    // What the other way failed at is tried so as well.
+    const bool isStiff = isTree_ && (finer > 1 || duration_ * rates.phase > kStiffPhase);
+    if (!isStiff) {
+        placeRows();
+        factorise();
+    }
+    const double phase = isStiff ? 0 : rates.phase;
+    const auto step = [this, isStiff](double part, double length) {
+        return isStiff ? subStepByMiddle(part, length) : subStep(part, length);
+    };
     // What is damped cannot go back in time.
     if (subSteps < kSubStepsReplaced || std::any_of(bodies_.begin(), bodies_.end(), isDamped)) {
         int count = subSteps;
         double length = h;
-        while (length * rates.phase > kMostPhase || length * rates.turn > kMostTurn || count < subSteps * finer) {
+        while (length * phase > kMostPhase || length * rates.turn > kMostTurn || count < subSteps * finer) {
             if (count > most) { return false; }
             count *= 2;
             length *= 0.5;
             halveDrives();
         }
         for (int i = 0; i < count; ++i) {
-            if (!subStep(1, length)) { return false; }
+            if (!step(1, length)) { return false; }
         }
+        if (isStiff) { holdTree(); }
         return true;
     }
-    const auto wantedFor = [h, finer](const Rates& now, double left) {
-        return std::ceil(std::max(now.phase / kMostPhase, now.turn / kMostTurn) * (finer * h * left));
+    const auto wantedFor = [=](const Rates& now, double left) {
+        const double time = h * left;
+        const double forPhase = isStiff ? std::min(now.phase * time / kMostPhaseByMiddle, kMostForPhaseByMiddle)
+                                        : now.phase * time / kMostPhase;
+        return std::ceil(finer * std::max(forPhase, now.turn * time / kMostTurn));
     };
     const bool isCoarse = h * subSteps * rates.turn > kCoarseTurn;
     double left = subSteps;
@@ -225,12 +254,32 @@ bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates&
         if (!(done + compositions <= finer * most)) { return false; }
         const double length = left / compositions;
         for (const double part : kSuzuki) {
-            if (!subStep(part * length, h)) { return false; }
+            if (!step(part * length, h)) { return false; }
         }
         left -= length;
         // Lengths that follow the motion cost the symmetry in time, and are for what is lost without them.
         if (isCoarse) { compositions = std::max(wantedFor(ratesOf(h), left) + 1, compositions); }
     }
+    if (isStiff) { holdTree(); }
+    return true;
+}
+
+/// Sub-steps whose forces have the direction that they end with: the motion is the nearest one that the joints allow to
+/// what bodies would do without them. They lose energy, and go on where nothing else does.
+/// @param more  times as many
+bool JointIsland::advanceByEnds(double h, int subSteps, int more) {
+    dropTotals();
+    findOpenGaps();
+    duration_ = h * subSteps;
+    elapsed_ = 0;
+    for (int i = 1; i < more; i *= 2) {
+        halveDrives();
+        h *= 0.5;
+    }
+    for (int i = 0; i < subSteps * more; ++i) {
+        if (!subStepOfTree(1, h, ForceAt::end, more == kMostEndsFactor)) { return false; }
+    }
+    holdTree();
     return true;
 }
 

@@ -153,7 +153,7 @@ void JointIsland::findOpenGaps() {
 /// @return the largest one, as a part of what it is measured against
 double JointIsland::findGaps(double time) {
     double worst = 0;
-    const double left = 1 - elapsed_ / duration_;
+    const double left = openPart();
     for (IslandHold& hold : holds_) {
         const IslandBody::Place& a = bodies_[hold.a].next;
         const IslandBody::Place& b = bodies_[hold.b].next;

@@ -79,6 +79,47 @@ struct Chain {
     }
 };
 
+/// Links of 1 kg from a fixed pivot, then a ball, let go at an angle above the level.
+struct Swing {
+    double gap = 0;  ///< widest of any joint at any time, m
+    double stretch = 0;
+    double lost = 0;  ///< of the energy, as a part of what it takes to lift the ball by the length
+    double gained = 0;
+
+    Swing(int links, double ratio, double angle, double seconds) {
+        const double reach = 0.5 * links + 0.5;
+        const DVec2 along{std::cos(angle), std::sin(angle)};
+        World world = makeWorld();
+        ShapeDef shape;
+        shape.filter.group = -1;
+        BodyId before = addStatic(world, circle(0.05), shape);
+        std::vector<BodyId> bodies;
+        std::vector<JointId> joints;
+        for (int i = 0; i <= links; ++i) {
+            const bool isBall = i == links;
+            BodyDef def = dynamicAt((0.5 * i + (isBall ? 0.5 : 0.25)) * along);
+            def.angle = angle;
+            def.mass = real(isBall ? ratio : 1);
+            bodies.push_back(addBody(world, def, isBall ? circle(0.5) : box(0.25, 0.05), shape));
+            RevoluteJointDef hinge;
+            hinge.base.bodyA = before;
+            hinge.base.bodyB = before = bodies.back();
+            hinge.anchor = 0.5 * i * along;
+            joints.push_back(must(world.createJoint(hinge)));
+        }
+        const double start = energyOf(world, bodies, kGravity);
+        const double scale = ratio * kGravity * reach;
+        for (int i = 0; i < static_cast<int>(seconds * kRate); ++i) {
+            must(world.step(kStep));
+            const double change = (energyOf(world, bodies, kGravity) - start) / scale;
+            lost = std::max(lost, -change);
+            gained = std::max(gained, change);
+            stretch = std::max(stretch, length(world.position(before)) / reach - 1);
+            for (const JointId joint : joints) { gap = std::max(gap, static_cast<double>(world.jointError(joint))); }
+        }
+    }
+};
+
 /// A disk on a hinge 1 m from its centre, let go at an angle from the vertical.
 struct Pendulum {
     World world = makeWorld();

@@ -77,7 +77,7 @@ std::vector<Case> massCases() {
         for (const double ratio : {10.0, 100.0, 1000.0, 1e4}) { cases.push_back(heavyTop(below, ratio)); }
     }
     for (const double ratio : {10.0, 100.0, 1000.0, 1e4, 1e6}) { cases.push_back(chain(ratio, false)); }
-    for (const double ratio : {100.0, 1000.0, 1e4}) { cases.push_back(chain(ratio, true)); }
+    for (const double ratio : {100.0, 1000.0, 1e4, 1e6}) { cases.push_back(chain(ratio, true)); }
     return cases;
 }
 
