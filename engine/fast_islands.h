@@ -11,15 +11,32 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// What a solve changes in a contact (first_try.h).
+struct TriedContact {
+    std::uint32_t contact = 0;  ///< index
+    std::uint32_t island = 0;
+    std::array<Real, 2> normalImpulse{};
+    std::array<Real, 2> tangentImpulse{};
+    std::array<Real, 2> totalImpulse{};
+    Real approachSpeed = 0;
+    bool pressed = false;
+    bool pressedOn = false;
+};
+
 /// Islands with something fast in them, and what one of them needs while it advances. Kept for its capacity.
 struct FastIslands {
     bool any = false;  ///< this step
     std::vector<std::uint32_t>
         numbers;  ///< by body slot: which of these islands it is in, if any; by their lowest members
-    std::vector<std::uint8_t> isDone;  ///< by island, this step: its bodies bounced off each other in flight (clash.h)
-    IslandItems bodies;                ///< slots, in order of waking
-    IslandItems contacts;              ///< indices
-    IslandItems joints;                ///< slots
+    std::vector<std::uint8_t> isDone;   ///< by island, this step: its bodies bounced off each other in flight (clash.h)
+    std::vector<std::uint8_t> isTried;  ///< by island, this step: solved with all else at first (first_try.h)
+    std::vector<double> meets;  ///< by island: fraction of the step at which it met something then; 1: it did not
+    std::vector<BodyMotion> triedMotions;     ///< of the members of these islands, before
+    std::vector<TriedContact> triedContacts;  ///< and of their contacts
+    std::size_t eventsBefore = 0;
+    IslandItems bodies;                         ///< slots, in order of waking
+    IslandItems contacts;                       ///< indices
+    IslandItems joints;                         ///< slots
     std::vector<std::uint32_t> kinematics;      ///< awake ones
     std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
 

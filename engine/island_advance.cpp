@@ -65,11 +65,16 @@ void listHeldPairs(FastIslands& fast) {
     std::sort(fast.heldPairs.begin(), fast.heldPairs.end());
 }
 
-double fastestSpin(const Island& island) {
+double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members) {
     double fastest = 0;
-    for (const std::uint32_t slot : island.fast.members) {
-        fastest = std::max(fastest, std::fabs(static_cast<double>(island.world.motions[slot].angularVelocity)));
+    for (const std::uint32_t slot : members) {
+        fastest = std::max(fastest, std::fabs(static_cast<double>(world.motions[slot].angularVelocity)));
     }
+    return fastest;
+}
+
+double fastestSpin(const Island& island) {
+    double fastest = fastestSpin(island.world, island.fast.members);
     for (const std::uint32_t slot : island.fast.jointSlots) {
         fastest = std::max(fastest, rodTurnOf(island.world, island.world.joints[slot]));
     }
@@ -263,18 +268,6 @@ bool isSweptMember(const WorldState& world, std::uint32_t slot, double share) {
     return isSwept(modeOf(world, body)) && (body.startled || movedFast(world, slot, share));
 }
 
-/// Fraction of the part at which the first member meets something; 1: none does.
-double firstImpactOf(Island& island, double time) {
-    double first = 1;
-    for (const std::uint32_t slot : island.fast.members) {
-        if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
-        ++island.world.counters.sweeps;
-        const FirstImpact impact = impactOfPath(island.world, slot, time, first, island.scratch);
-        if (impact.hit) { first = impact.fraction; }
-    }
-    return first;
-}
-
 /// All members stand where they were at a fraction of the part, and did not fall in the rest of it.
 void cutPart(Island& island, double time, double fraction) {
     FastIslands& fast = island.fast;
@@ -368,7 +361,8 @@ double tryPart(Island& island, double time, bool fits, double& next) {
         holdMembers(island, time);
         return time;
     }
-    const double fraction = firstImpactOf(island, time);
+    const double fraction =
+        firstImpactOf(island.world, island.fast.members, {.length = time, .dt = island.dt}, island.scratch);
     if (!(fraction < 1)) { return time; }
     ++island.scratch.impacts;
     if (fits && fraction >= kGoodFit && fraction * time >= island.shortest) {
@@ -391,18 +385,40 @@ bool fliesInstead(const Island& island) {
 
 }  // namespace
 
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, double dt) {
+    return fastestSpin(world, members) * dt <= kMaxLooseTurn;
+}
+
+double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
+                     FlightScratch& scratch) {
+    double first = 1;
+    for (const std::uint32_t slot : members) {
+        if (!isSweptMember(world, slot, part.length / part.dt)) { continue; }
+        ++world.counters.sweeps;
+        const FirstImpact impact = impactOfPath(world, slot, part.length, first, scratch);
+        if (impact.hit) { first = impact.fraction; }
+    }
+    return first;
+}
+
 std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }
 
-void advanceIsland(WorldState& world, double dt, FlightScratch& scratch) {
+void advanceIsland(WorldState& world, double dt, FlightScratch& scratch, double met) {
     Island island{world, world.fastIslands, scratch, dt};
     begin(island);
-    double next = dt;
+    const bool wasTried = met < 1;
+    if (wasTried && fliesInstead(island)) {
+        finish(island);
+        fly(world, island.fast.members[0], dt, scratch);
+        return;
+    }
+    double next = std::max(met * dt, island.shortest);
     const std::size_t tries = std::max(memberTries(world.settings) / island.fast.members.size(), kFewestTries);
     const int mostTries = std::min(static_cast<int>(std::min(tries, kMaxTries)), world.settings.maxImpacts);
     const auto lastParts = static_cast<double>(std::clamp<std::size_t>(tries, 1, kLastParts));
     const double maxTurn = island.fast.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
-    int made = 0;
-    bool fits = false;
+    int made = wasTried ? 1 : 0;
+    bool fits = wasTried;
     while (island.elapsed < dt) {
         const double rest = dt - island.elapsed;
         if (made++ == mostTries) { island.shortest = std::max(island.shortest, rest / lastParts); }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "step_part.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -15,6 +18,15 @@ std::size_t mostTogether(const WorldSettings& settings);
 /// impact on its own, and what it loses enters the ledger. A body on its own flies (flight.h) when it would meet
 /// something.
 /// @pre members, joints and held contacts of the island are in `world.fastIslands`
-void advanceIsland(WorldState& world, double dt, FlightScratch& scratch);
+/// @param met  fraction of the step at which it meets something when all of that is one part, as was tried already; 1:
+/// it was not
+void advanceIsland(WorldState& world, double dt, FlightScratch& scratch, double met = 1);
+
+/// Whether the first part of an island without joints, and at most one of its parts, is the whole step.
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, double dt);
+
+/// Fraction of a part of the step, which was solved, at which the first member meets something; 1: none does.
+double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
+                     FlightScratch& scratch);
 
 }  // namespace swept::inline SWEPT_PRECISION

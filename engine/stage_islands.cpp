@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "clash.h"
+#include "first_try.h"
 #include "island_advance.h"
 #include "modes.h"
 #include "step.h"
@@ -174,7 +175,7 @@ void advanceWithinBudget(WorldState& world, std::size_t island, double dt) {
     FastIslands& fast = world.fastIslands;
     const bool isTried = hasErrorBudget(world.settings) && !fast.joints.of(island).empty();
     gather(world, island);
-    if (!isTried) { return advanceIsland(world, dt, scratch); }
+    if (!isTried) { return advanceIsland(world, dt, scratch, fast.meets[island]); }
     world.trial.joints.clear();
     for (const std::uint32_t slot : fast.jointSlots) { world.trial.joints.push_back(world.joints[slot]); }
     world.trial.held = fast.held;
@@ -198,9 +199,14 @@ void findFastIslands(WorldState& world) {
     }
 }
 
+void beginFastIslands(WorldState& world, double dt) {
+    clashAll(world, dt);
+    beginFirstTry(world, dt);
+}
+
 void advanceFastIslands(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
-    clashAll(world, dt);
+    judgeFirstTry(world, dt, world.flightScratch[0]);
     for (std::size_t island = 0; island < fast.isDone.size(); ++island) {
         const std::span<const std::uint32_t> bodies = fast.bodies.of(island);
         if (fast.isDone[island] != 0) {
@@ -208,6 +214,7 @@ void advanceFastIslands(WorldState& world, double dt) {
             world.counters.sweeps += bodies.size();
             continue;
         }
+        if (fast.isTried[island] != 0 && !(fast.meets[island] < 1)) { continue; }
         advanceWithinBudget(world, island, dt);
     }
 }

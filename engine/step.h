@@ -31,7 +31,9 @@ void assignEfforts(WorldState& world, double dt);
 /// Free flight, and the sub-stepped solve of all that is tied together (stage_solve.cpp).
 void moveFreeBodies(WorldState& world, double dt);
 void solveTiedBodies(WorldState& world, double dt);
-/// Islands with something fast, from impact to impact (stage_islands.cpp).
+/// Islands with something fast (stage_islands.cpp): what bounces in flight, and what the coming solve is a first try of;
+/// after that solve the others, from impact to impact.
+void beginFastIslands(WorldState& world, double dt);
 void advanceFastIslands(WorldState& world, double dt);
 /// After the sweeps, which see kinematic bodies at the start of their step.
 void moveKinematicBodies(WorldState& world, double dt);

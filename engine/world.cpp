@@ -102,6 +102,7 @@ void advance(WorldState& world, double dt) {
     if (world.anyFast) { findFastIslands(world); }
     clock.stop(world.stageTimes.islands);
     moveFreeBodies(world, dt);
+    if (world.fastIslands.any) { beginFastIslands(world, dt); }
     solveTiedBodies(world, dt);
     if (world.fastIslands.any) { advanceFastIslands(world, dt); }
     putBackOverflown(world);

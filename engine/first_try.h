@@ -1,0 +1,18 @@
+#pragma once
+
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Most islands with something fast get through their step in one part, without an impact. So that is tried first, for
+/// all of them together with everything else that is solved: a solve of its own costs a small island several times what
+/// it has to solve. Those that do meet something are put back, and advance on their own (island_advance.h).
+
+/// Chooses the islands, whose members take part in the coming solve, and remembers what that changes.
+/// @pre those that bounced off each other in flight are done
+void beginFirstTry(WorldState& world, double dt);
+/// After that solve: members have the role `together` again; islands that met something are as they were before it.
+/// `FastIslands::meets` tells which.
+void judgeFirstTry(WorldState& world, double dt, FlightScratch& scratch);
+
+}  // namespace swept::inline SWEPT_PRECISION
