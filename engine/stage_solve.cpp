@@ -28,6 +28,8 @@ bool limitSpeed(Vec2& velocity, Real maxSpeed) {
 /// who bounces together takes as long as all else, and what of it is left undone is lost. (Of 400 elastic disks that
 /// jostle each other 18 % of their energy was left after a second that way, and is 67 % in turn.)
 constexpr std::size_t kMostReflected = 256;
+/// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner).
+constexpr std::size_t kMostReflectedOfFast = 24;
 
 /// Free bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
@@ -161,7 +163,8 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     TiedContacts contacts(world, group, part, h, scale);
     const std::size_t bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
     const bool mayLink = !world.watched && scope == DirectScope::none;
-    const bool inTurn = mayLink && bouncing > kMostReflected;
+    const bool isFast = world.settings.profile == Profile::fast;
+    const bool inTurn = mayLink && bouncing > (isFast ? kMostReflectedOfFast : kMostReflected);
     const bool areLinked = mayLink && (bouncing == 0 || inTurn);
     if (areLinked) {
         contacts.link(inTurn);
