@@ -21,6 +21,7 @@ struct FlightObstacle {
     std::uint32_t other = 0;  ///< slot of the obstacle
     double level = 0;         ///< separation at which the next impact is looked for, metres
     DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
+    bool isClear = false;     ///< the sweep is known not to meet it
 };
 
 /// Something static that a flyer met just now, and is not below its target of.

@@ -97,6 +97,30 @@ auto eventKey(const ContactEvent& e) {
                            e.point.x, e.point.y, e.shapeA.generation, e.shapeB.generation);
 }
 
+/// Sorts events by a number, their shapes, and where these are the same by `isLess`: what is moved about while they are
+/// sorted is small, and mostly told apart by one comparison.
+template <class IsLess>
+void sortEventsBy(WorldState& world, std::size_t from, bool byFraction, const IsLess& isLess) {
+    std::vector<EventPlace>& places = world.eventPlaces;
+    const std::vector<ContactEvent>& events = world.contactEvents;
+    places.clear();
+    for (std::size_t i = from; i < events.size(); ++i) {
+        const ContactEvent& e = events[i];
+        places.push_back({.fraction = byFraction ? e.fraction : 0,
+                          .shapes = (std::uint64_t{e.shapeA.index} << 32) | e.shapeB.index,
+                          .index = i});
+    }
+    std::sort(places.begin(), places.end(), [&](const EventPlace& a, const EventPlace& b) {
+        if (a.fraction != b.fraction) { return a.fraction < b.fraction; }
+        if (a.shapes != b.shapes) { return a.shapes < b.shapes; }
+        return isLess(events[a.index], events[b.index]);
+    });
+    world.sortedEvents.clear();
+    for (const EventPlace& place : places) { world.sortedEvents.push_back(events[place.index]); }
+    std::copy(world.sortedEvents.begin(), world.sortedEvents.end(),
+              world.contactEvents.begin() + static_cast<std::ptrdiff_t>(from));
+}
+
 bool isChainOrGone(const WorldState& world, ShapeId id) {
     const Shape* shape = world.shapes.find(id);
     return shape == nullptr || shape->isChainSegment;
@@ -104,10 +128,13 @@ bool isChainOrGone(const WorldState& world, ShapeId id) {
 
 void listChainTouches(WorldState& world) {
     world.chainTouches.clear();
-    for (const Contact& contact : world.contacts) {
+    for (std::size_t i = 0; i < world.probes.size(); ++i) {
+        if (world.probes[i].isPlain) { continue; }  // chains do not move
+        const Contact& contact = world.contacts[i];
+        if (!contact.touching) { continue; }
         const Shape& a = world.shapes[contact.shapeA];
         const Shape& b = world.shapes[contact.shapeB];
-        if (!contact.touching || (!a.isChainSegment && !b.isChainSegment)) { continue; }
+        if (!a.isChainSegment && !b.isChainSegment) { continue; }
         world.chainTouches.push_back({a.head, b.head});
     }
     std::sort(world.chainTouches.begin(), world.chainTouches.end());
@@ -127,16 +154,17 @@ void mergeChainEvents(WorldState& world) {
     const auto concernsChain = [&](const ContactEvent& e) {
         return startsOrEnds(e) && (isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB));
     };
-    if (std::none_of(world.contactEvents.begin(), world.contactEvents.end(), concernsChain)) { return; }
+    const auto begin = world.contactEvents.begin();
+    const auto chains = std::partition(begin, world.contactEvents.end(), std::not_fn(concernsChain));
+    if (chains == world.contactEvents.end()) { return; }
     listChainTouches(world);
     const auto pairKey = [](const ContactEvent& e) {
         return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation);
     };
-    const auto begin = world.contactEvents.begin();
-    const auto chains = std::partition(begin, world.contactEvents.end(), std::not_fn(concernsChain));
-    std::sort(chains, world.contactEvents.end(), [&](const ContactEvent& a, const ContactEvent& b) {
-        return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
-    });
+    sortEventsBy(world, static_cast<std::size_t>(chains - begin), false,
+                 [&](const ContactEvent& a, const ContactEvent& b) {
+                     return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
+                 });
     auto keep = chains;
     for (auto group = chains; group != world.contactEvents.end();) {
         const auto last = std::find_if(group, world.contactEvents.end(),
@@ -225,8 +253,8 @@ void countLostTime(WorldState& world) {
 
 void sortEvents(WorldState& world) {
     mergeChainEvents(world);
-    std::sort(world.contactEvents.begin(), world.contactEvents.end(),
-              [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); });
+    sortEventsBy(world, 0, true,
+                 [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); });
     std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
         return std::tie(a.body.index, a.seconds) < std::tie(b.body.index, b.seconds);
     });

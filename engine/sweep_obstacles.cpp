@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ghosts.h"
 #include "shape_manifold.h"
@@ -28,13 +29,15 @@ bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
 }
 
 /// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
-bool isBehindChain(const WorldState& world, const Shape& own, const Shape& other, const Sweep& sweep) {
+/// @param start  pose of the shape's body, once it is known: what is near a chain is near several pieces of it
+bool isBehindChain(const WorldState& world, const Shape& own, const Shape& other, const Sweep& sweep,
+                   std::optional<WorldTransform>& start) {
     if (!other.isChainSegment) { return false; }
-    const WorldTransform pose = poseOf(sweep.c0, sweep.a0, toReal(sweep.localCenter));
+    if (!start) { start = poseOf(sweep.c0, sweep.a0, toReal(sweep.localCenter)); }
     Vec2 middle;
     for (const Vec2 vertex : own.polygon.points()) { middle += vertex; }
     middle = (1 / static_cast<Real>(own.polygon.count)) * middle;
-    const Vec2 local = applyInverse(world.motions[other.body].pose, apply(pose, middle));
+    const Vec2 local = applyInverse(world.motions[other.body].pose, apply(*start, middle));
     return dot(local - other.segment.p, normalOf(other.segment)) < 0;
 }
 
@@ -273,6 +276,7 @@ Aabb boxOfPath(const Shape& own, const Sweep& sweep) {
 
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
     scratch.obstacles.clear();
+    std::optional<WorldTransform> start;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& own = world.shapes[slot];
         if (own.def.sensor) { continue; }
@@ -284,7 +288,7 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
         std::sort(scratch.found.begin(), scratch.found.end());
         for (const std::uint32_t found : scratch.found) {
             const Shape& other = world.shapes[found];
-            if (!isObstacle(world, own, other) || isBehindChain(world, own, other, sweep)) { continue; }
+            if (!isObstacle(world, own, other) || isBehindChain(world, own, other, sweep, start)) { continue; }
             FlightObstacle obstacle{.own = slot, .other = found};
             obstacle.level = targetOf(world, obstacle);
             scratch.obstacles.push_back(obstacle);
@@ -338,6 +342,7 @@ FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from
     for (const NearObstacle& near : scratch.nearest) {
         if (!(first.fraction > 0)) { break; }
         FlightObstacle& obstacle = scratch.obstacles[near.index];
+        if (obstacle.isClear) { continue; }
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
         const FirstImpact impact = firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
         if (impact.hit) { first = impact; }
@@ -368,11 +373,16 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
                          FlightScratch& scratch) {
     const Sweep path = pathOf(world, slot);
     findObstacles(world, slot, path, scratch);
+    if (scratch.obstacles.empty()) { return {}; }
     // Most of what is fast slides along something, or leaves it: that takes no search.
     const SolvedPath solved{path, poseOf(path.c0, path.a0, world.bodies[slot].localCenter), world.motions[slot].pose,
                             time};
-    const auto isNoObstacle = [&](const FlightObstacle& obstacle) { return staysOutside(world, solved, obstacle); };
-    if (std::all_of(scratch.obstacles.begin(), scratch.obstacles.end(), isNoObstacle)) { return {}; }
+    bool areClear = true;
+    for (FlightObstacle& obstacle : scratch.obstacles) {
+        obstacle.isClear = staysOutside(world, solved, obstacle);
+        areClear = areClear && obstacle.isClear;
+    }
+    if (areClear) { return {}; }
     allowSlack(world, path, time, scratch);
     return firstImpact(world, path, 0, time, scratch, limit);
 }

@@ -35,6 +35,13 @@ struct ChainTouch {
     auto operator<=>(const ChainTouch&) const = default;
 };
 
+/// What the order of events is told by, mostly.
+struct EventPlace {
+    double fraction = 0;
+    std::uint64_t shapes = 0;  ///< slots: first the one, then the other
+    std::size_t index = 0;
+};
+
 /// A sensor and a shape that may pass it within the step.
 struct SensorPair {
     std::uint32_t sensor = 0;  ///< slots
@@ -164,6 +171,8 @@ struct WorldState {
     std::vector<ContactEvent> contactEvents;
     std::size_t eventsOfStep =
         0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
+    std::vector<EventPlace> eventPlaces;     ///< scratch of `sortEvents`
+    std::vector<ContactEvent> sortedEvents;  ///< likewise
     std::vector<ChainTouch> chainTouches;  ///< scratch: pairs with a chain that touch, one entry per segment
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<LostTimeEntry> lostTime;
