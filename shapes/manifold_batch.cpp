@@ -8,13 +8,10 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Of the largest coordinate: beyond it a double pair is brought to another scale first (rescaled_pair.h), and a float
-/// may not hold the points.
-constexpr Real kLargestCoordinate = std::numeric_limits<Real>::digits == 24 ? Real(0x1p100) : Real(0x1p199);
 /// Of the squares of edges, which are divided by.
 constexpr double kLeastSquare = 0x1p-900;
 
-bool isOrdinary(Real coordinate) { return std::fabs(coordinate) <= kLargestCoordinate; }
+bool isOrdinary(Real coordinate) { return std::fabs(coordinate) <= kLargestShift; }
 
 SharpPairKernels kernels() {
 #ifdef SWEPT_SIMD
@@ -37,7 +34,7 @@ bool collidesInBatches(const Polygon& polygon) {
         if (hasNearlyParallelNeighbour(polygon, i)) { return false; }
         largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
     }
-    return largest >= 1 / kLargestCoordinate;
+    return largest >= 1 / kLargestShift;
 }
 
 bool canCollideInBatches() { return kernels().ofFew != nullptr; }
@@ -52,7 +49,7 @@ void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Transform& bIn
     pairs_.y[i] = bInA.translation.y;
     pairs_.points[i] = reach.points;
     pairs_.nearest[i] = std::min(reach.points, reach.nearest);
-    haveMany_ = (i > 0 && haveMany_) || a.count > kFewVertices || b.count > kFewVertices;
+    pairs_.vertices = std::max(i > 0 ? pairs_.vertices : 0, static_cast<std::size_t>(std::max(a.count, b.count)));
 }
 
 void ManifoldBatch::collide() {
@@ -64,15 +61,33 @@ void ManifoldBatch::collide() {
             (*lanes)[i] = (*lanes)[0];
         }
     }
-    (haveMany_ ? kernels().ofMany : kernels().ofFew)(pairs_);
+    (pairs_.vertices > kFewVertices ? kernels().ofMany : kernels().ofFew)(pairs_);
 }
 
-Manifold ManifoldBatch::manifold(std::size_t pair, ManifoldMemory& memory) const {
+/// Those of its two points that are there. @pre one of them is
+void ManifoldBatch::copyPoints(std::size_t pair, Manifold& manifold) const {
+    const std::uint32_t bit = 1U << pair;
+    const auto pointOf = [this, pair](std::size_t k) {
+        const SharpPairs::Point& point = pairs_.point[k];
+        return ManifoldPoint{{point.x[pair], point.y[pair]},
+                             point.separation[pair],
+                             static_cast<FeatureId>(static_cast<std::int32_t>(point.id[pair]))};
+    };
+    const bool hasFirst = (pairs_.isThere[0] & bit) != 0;
+    const bool hasSecond = (pairs_.isThere[1] & bit) != 0;
+    manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
+    manifold.isNormalOfB = (pairs_.ofA & bit) == 0;
+    manifold.count = hasFirst && hasSecond ? 2 : 1;
+    manifold.points[0] = pointOf(hasFirst ? 0 : 1);
+    if (hasFirst && hasSecond) { manifold.points[1] = pointOf(1); }
+}
+
+/// What is not plain: apart, beside the face, or beyond what batches are for.
+Manifold ManifoldBatch::otherManifold(std::size_t pair, ManifoldMemory& memory) const {
     const std::uint32_t bit = 1U << pair;
     const Polygon& a = *pairs_.a[pair];
     const Polygon& b = *pairs_.b[pair];
     const Transform bInA{{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
-    const bool isOfA = (pairs_.ofA & bit) != 0;
     if (!isOrdinary(bInA.translation.x) || !isOrdinary(bInA.translation.y)) {
         return swept::collide(a, b, bInA, {pairs_.points[pair], pairs_.nearest[pair]}, memory);
     }
@@ -81,24 +96,23 @@ Manifold ManifoldBatch::manifold(std::size_t pair, ManifoldMemory& memory) const
     if ((pairs_.apart & bit) != 0) {
         verdict.verdict = ManifoldMemory::Verdict::apart;
         verdict.room = static_cast<double>(pairs_.room[pair]);
-    } else if (((pairs_.isThere[0] | pairs_.isThere[1]) & bit) == 0) {
-        const Margins margins{static_cast<double>(pairs_.points[pair]), static_cast<double>(pairs_.nearest[pair])};
-        manifold =
-            collideBesideFace(PairView(a, b, bInA), static_cast<int>(pairs_.face[pair]), isOfA, margins, verdict);
+    } else if (((pairs_.isThere[0] | pairs_.isThere[1]) & bit) != 0) {
+        copyPoints(pair, manifold);
     } else {
-        manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
-        manifold.isNormalOfB = !isOfA;
-        for (std::size_t k = 0; k < 2; ++k) {
-            if ((pairs_.isThere[k] & bit) == 0) { continue; }
-            const SharpPairs::Point& point = pairs_.point[k];
-            manifold.points[static_cast<std::size_t>(manifold.count++)] = {
-                {point.x[pair], point.y[pair]},
-                point.separation[pair],
-                static_cast<FeatureId>(static_cast<std::int32_t>(point.id[pair]))};
-        }
+        const Margins margins{static_cast<double>(pairs_.points[pair]), static_cast<double>(pairs_.nearest[pair])};
+        manifold = collideBesideFace(PairView(a, b, bInA), static_cast<int>(pairs_.face[pair]), (pairs_.ofA & bit) != 0,
+                                     margins, verdict);
     }
     manifold = within(manifold, pairs_.nearest[pair], verdict);
     remember(memory, verdict, a, b, bInA);
+    return manifold;
+}
+
+Manifold ManifoldBatch::manifold(std::size_t pair, ManifoldMemory& memory) const {
+    if ((pairs_.plain >> pair & 1U) == 0) { return otherManifold(pair, memory); }
+    Manifold manifold;
+    copyPoints(pair, manifold);
+    memory.verdict = ManifoldMemory::Verdict::none;
     return manifold;
 }
 

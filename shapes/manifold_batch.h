@@ -30,9 +30,11 @@ public:
     void clear() { size_ = 0; }
 
 private:
+    void copyPoints(std::size_t pair, Manifold& manifold) const;
+    Manifold otherManifold(std::size_t pair, ManifoldMemory& memory) const;
+
     SharpPairs pairs_;
     std::size_t size_ = 0;
-    bool haveMany_ = false;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

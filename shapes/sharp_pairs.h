@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "polygon.h"
 
@@ -24,6 +25,7 @@ struct alignas(64) SharpPairs {
 
     std::array<const Polygon*, kPairs> a;
     std::array<const Polygon*, kPairs> b;
+    std::size_t vertices;  ///< of none of them more
     // Pose of B in the frame of A.
     alignas(64) Lanes c;
     Lanes s;
@@ -36,10 +38,12 @@ struct alignas(64) SharpPairs {
     Lanes normalX;
     Lanes normalY;
     std::array<Point, 2> point;
-    Lanes face;  ///< clipped against
-    Lanes room;  ///< of those that are apart
-    std::uint32_t apart;
-    std::uint32_t ofA;                     ///< the face is
+    Lanes face;              ///< clipped against
+    Lanes room;              ///< of those that are apart
+    std::uint32_t apart;     ///< farther than `nearest`
+    std::uint32_t ordinary;  ///< B is not shifted farther than `kLargestShift`
+    std::uint32_t plain;     ///< there are points, one of them as near as that; nothing else is to be asked
+    std::uint32_t ofA;       ///< the face is
     std::array<std::uint32_t, 2> isThere;  ///< the point is, and within reach. Neither: it is not what they touch with
 };
 
@@ -49,10 +53,13 @@ using CollideSharpPairs = void (*)(SharpPairs&);
 /// For the widest registers that this machine has; null where there are none.
 struct SharpPairKernels {
     CollideSharpPairs ofFew = nullptr;   ///< polygons of at most `kFewVertices`
-    CollideSharpPairs ofMany = nullptr;  ///< any
+    CollideSharpPairs ofMany = nullptr;  ///< any, in proportion to the square of their vertices
 };
 SharpPairKernels sharpPairKernels();
 
 inline constexpr int kFewVertices = 4;
+/// Largest shift of B against A: beyond it a double pair is brought to another scale first (rescaled_pair.h), and a
+/// float may not hold the points.
+inline constexpr Real kLargestShift = std::numeric_limits<Real>::digits == 24 ? Real(0x1p100) : Real(0x1p199);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -42,25 +42,27 @@ struct alignas(64) Polygons {
 /// As many pairs, and half as many points of each, as 16 bytes hold numbers.
 constexpr std::size_t kSquare = 16 / sizeof(Real);
 
+/// Vertices, or normals, of as many pairs as a square has rows.
+using Rows = std::array<const Real*, kSquare>;
+
 /// The points of a square from row to row, to coordinates from lane to lane.
-HWY_INLINE void transpose(const Real* const (&rows)[kSquare], Real (*x)[kPairs], Real (*y)[kPairs], std::size_t lane) {
+/// @param first  of the points
+HWY_INLINE void transpose(const Rows& rows, std::size_t first, Real (*x)[kPairs], Real (*y)[kPairs], std::size_t lane) {
     const hn::FixedTag<Real, kSquare> tag;
-    const auto first = hn::LoadU(tag, rows[0]);
-    const auto second = hn::LoadU(tag, rows[1]);
-    const auto low = hn::InterleaveLower(tag, first, second);
-    const auto high = hn::InterleaveUpper(tag, first, second);
+    const auto row = [&rows, first](std::size_t k)
+                         HWY_ATTR { return hn::LoadU(hn::FixedTag<Real, kSquare>(), rows[k] + 2 * first); };
+    const auto low = hn::InterleaveLower(tag, row(0), row(1));
+    const auto high = hn::InterleaveUpper(tag, row(0), row(1));
     if constexpr (kSquare == 2) {
-        hn::Store(low, tag, x[0] + lane);
-        hn::Store(high, tag, y[0] + lane);
+        hn::Store(low, tag, x[first] + lane);
+        hn::Store(high, tag, y[first] + lane);
     } else {
-        const auto third = hn::LoadU(tag, rows[2]);
-        const auto fourth = hn::LoadU(tag, rows[3]);
-        const auto otherLow = hn::InterleaveLower(tag, third, fourth);
-        const auto otherHigh = hn::InterleaveUpper(tag, third, fourth);
-        hn::Store(hn::ConcatLowerLower(tag, otherLow, low), tag, x[0] + lane);
-        hn::Store(hn::ConcatUpperUpper(tag, otherLow, low), tag, y[0] + lane);
-        hn::Store(hn::ConcatLowerLower(tag, otherHigh, high), tag, x[1] + lane);
-        hn::Store(hn::ConcatUpperUpper(tag, otherHigh, high), tag, y[1] + lane);
+        const auto otherLow = hn::InterleaveLower(tag, row(2), row(3));
+        const auto otherHigh = hn::InterleaveUpper(tag, row(2), row(3));
+        hn::Store(hn::ConcatLowerLower(tag, otherLow, low), tag, x[first] + lane);
+        hn::Store(hn::ConcatUpperUpper(tag, otherLow, low), tag, y[first] + lane);
+        hn::Store(hn::ConcatLowerLower(tag, otherHigh, high), tag, x[first + 1] + lane);
+        hn::Store(hn::ConcatUpperUpper(tag, otherHigh, high), tag, y[first + 1] + lane);
     }
 }
 
@@ -71,25 +73,25 @@ HWY_INLINE void repeatFirst(Real (*rows)[kPairs], std::size_t row, std::size_t l
 }
 
 template <int kVertices>
-HWY_INLINE void gather(const std::array<const Polygon*, kPairs>& from, Polygons<kVertices>& to) {
+HWY_INLINE void gather(const std::array<const Polygon*, kPairs>& from, std::size_t vertices, Polygons<kVertices>& to) {
     const Reals tag;
     constexpr std::size_t kPoints = kSquare / 2;
     for (std::size_t lane = 0; lane < kPairs; lane += kSquare) {
-        for (std::size_t i = 0; i < kVertices; i += kPoints) {
-            const Real* vertices[kSquare];
-            const Real* normals[kSquare];
-            for (std::size_t k = 0; k < kSquare; ++k) {
-                vertices[k] = &from[lane + k]->vertices[i].x;
-                normals[k] = &from[lane + k]->normals[i].x;
-            }
-            transpose(vertices, to.x + i, to.y + i, lane);
-            transpose(normals, to.normalX + i, to.normalY + i, lane);
+        Rows corners;
+        Rows normals;
+        for (std::size_t k = 0; k < kSquare; ++k) {
+            corners[k] = &from[lane + k]->vertices[0].x;
+            normals[k] = &from[lane + k]->normals[0].x;
+        }
+        for (std::size_t i = 0; i < vertices; i += kPoints) {
+            transpose(corners, i, to.x, to.y, lane);
+            transpose(normals, i, to.normalX, to.normalY, lane);
         }
     }
     for (std::size_t lane = 0; lane < kPairs; ++lane) { to.count[lane] = static_cast<Real>(from[lane]->count); }
     for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(tag)) {
         const RealLanes count = hn::Load(tag, to.count + lane);
-        for (std::size_t i = 3; i < kVertices; ++i) {
+        for (std::size_t i = 3; i < vertices; ++i) {
             const auto isThere = hn::Gt(count, hn::Set(tag, static_cast<Real>(i)));
             repeatFirst(to.x, i, lane, isThere);
             repeatFirst(to.y, i, lane, isThere);
@@ -118,41 +120,37 @@ struct Placed {
 
 /// `FaceSearchOf::best`, and the ends of the face.
 template <int kVertices>
-HWY_INLINE void findFace(const Polygons<kVertices>& polygons, const Placed<kVertices>& others, std::size_t lane,
-                         Faces& faces) {
+HWY_INLINE void findFace(const Polygons<kVertices>& polygons, const Placed<kVertices>& others, std::size_t vertices,
+                         std::size_t lane, Faces& faces) {
     const Reals tag;
-    RealLanes x[kVertices];
-    RealLanes y[kVertices];
-    for (std::size_t i = 0; i < kVertices; ++i) {
-        x[i] = hn::Load(tag, polygons.x[i] + lane);
-        y[i] = hn::Load(tag, polygons.y[i] + lane);
-    }
+    const auto x = [&polygons, lane](std::size_t i) HWY_ATTR { return hn::Load(Reals(), polygons.x[i] + lane); };
+    const auto y = [&polygons, lane](std::size_t i) HWY_ATTR { return hn::Load(Reals(), polygons.y[i] + lane); };
     RealLanes face = hn::Zero(tag);
     RealLanes best = face;
-    RealLanes startX = x[0];
-    RealLanes startY = y[0];
-    RealLanes endX = x[1];
-    RealLanes endY = y[1];
-    for (std::size_t i = 0; i < kVertices; ++i) {
+    RealLanes startX = x(0);
+    RealLanes startY = y(0);
+    RealLanes endX = x(1);
+    RealLanes endY = y(1);
+    for (std::size_t i = 0; i < vertices; ++i) {
         const RealLanes normalX = hn::Load(tag, polygons.normalX[i] + lane);
         const RealLanes normalY = hn::Load(tag, polygons.normalY[i] + lane);
         RealLanes lowest = hn::Add(hn::Mul(others.x[0], normalX), hn::Mul(others.y[0], normalY));
-        for (std::size_t j = 1; j < kVertices; ++j) {
+        for (std::size_t j = 1; j < vertices; ++j) {
             lowest = hn::Min(hn::Add(hn::Mul(others.x[j], normalX), hn::Mul(others.y[j], normalY)), lowest);
         }
-        const RealLanes separation = hn::Sub(lowest, hn::Add(hn::Mul(normalX, x[i]), hn::Mul(normalY, y[i])));
+        const RealLanes separation = hn::Sub(lowest, hn::Add(hn::Mul(normalX, x(i)), hn::Mul(normalY, y(i))));
         if (i == 0) {
             best = separation;
             continue;
         }
-        const std::size_t next = i + 1 < kVertices ? i + 1 : 0;
+        const std::size_t next = i + 1 < vertices ? i + 1 : 0;
         const auto isBetter = hn::Gt(separation, best);
         best = hn::IfThenElse(isBetter, separation, best);
         face = hn::IfThenElse(isBetter, hn::Set(tag, static_cast<Real>(i)), face);
-        startX = hn::IfThenElse(isBetter, x[i], startX);
-        startY = hn::IfThenElse(isBetter, y[i], startY);
-        endX = hn::IfThenElse(isBetter, x[next], endX);
-        endY = hn::IfThenElse(isBetter, y[next], endY);
+        startX = hn::IfThenElse(isBetter, x(i), startX);
+        startY = hn::IfThenElse(isBetter, y(i), startY);
+        endX = hn::IfThenElse(isBetter, x(next), endX);
+        endY = hn::IfThenElse(isBetter, y(next), endY);
     }
     hn::Store(face, tag, faces.face + lane);
     hn::Store(best, tag, faces.separation + lane);
@@ -170,30 +168,33 @@ HWY_INLINE std::uint32_t bitsOf(Tag tag, hn::Mask<Tag> mask, std::size_t lane) {
 }
 
 template <int kVertices>
-HWY_INLINE void findFaces(const Polygons<kVertices>& a, const Polygons<kVertices>& b, SharpPairs& pairs, Faces& ofA,
-                          Faces& ofB) {
+HWY_INLINE void findFaces(const Polygons<kVertices>& a, const Polygons<kVertices>& b, std::size_t vertices,
+                          SharpPairs& pairs, Faces& ofA, Faces& ofB) {
     const Reals tag;
-    pairs.apart = 0;
+    pairs.apart = pairs.ordinary = 0;
+    const RealLanes largest = hn::Set(tag, kLargestShift);
     for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(tag)) {
         const RealLanes c = hn::Load(tag, pairs.c.data() + lane);
         const RealLanes s = hn::Load(tag, pairs.s.data() + lane);
         const RealLanes shiftX = hn::Load(tag, pairs.x.data() + lane);
         const RealLanes shiftY = hn::Load(tag, pairs.y.data() + lane);
+        const auto isOrdinary = hn::And(hn::Le(hn::Abs(shiftX), largest), hn::Le(hn::Abs(shiftY), largest));
+        pairs.ordinary |= bitsOf(tag, isOrdinary, lane);
         Placed<kVertices> placed;
-        for (std::size_t i = 0; i < kVertices; ++i) {
+        for (std::size_t i = 0; i < vertices; ++i) {
             const RealLanes x = hn::Load(tag, b.x[i] + lane);
             const RealLanes y = hn::Load(tag, b.y[i] + lane);
             placed.x[i] = hn::Add(hn::Sub(hn::Mul(c, x), hn::Mul(s, y)), shiftX);
             placed.y[i] = hn::Add(hn::Add(hn::Mul(s, x), hn::Mul(c, y)), shiftY);
         }
-        findFace(a, placed, lane, ofA);
-        for (std::size_t i = 0; i < kVertices; ++i) {
+        findFace(a, placed, vertices, lane, ofA);
+        for (std::size_t i = 0; i < vertices; ++i) {
             const RealLanes x = hn::Sub(hn::Load(tag, a.x[i] + lane), shiftX);
             const RealLanes y = hn::Sub(hn::Load(tag, a.y[i] + lane), shiftY);
             placed.x[i] = hn::Add(hn::Mul(c, x), hn::Mul(s, y));
             placed.y[i] = hn::Sub(hn::Mul(c, y), hn::Mul(s, x));
         }
-        findFace(b, placed, lane, ofB);
+        findFace(b, placed, vertices, lane, ofB);
         const RealLanes alongA = hn::Load(tag, ofA.separation + lane);
         const RealLanes alongB = hn::Load(tag, ofB.separation + lane);
         const RealLanes farther = hn::Max(alongA, alongB);
@@ -287,7 +288,7 @@ HWY_INLINE DoubleMask takesA(const Faces& ofA, const Faces& ofB, const Edges& ed
 /// `edgeFacing` of that polygon which has not the reference face.
 template <int kVertices>
 HWY_INLINE Edges facing(const Polygons<kVertices>& a, const Polygons<kVertices>& b, DoubleMask isOfB, Points direction,
-                        std::size_t lane) {
+                        std::size_t vertices, std::size_t lane) {
     const auto vertex = [&](std::size_t i) HWY_ATTR {
         return select(isOfB, {load(b.x[i] + lane), load(b.y[i] + lane)}, {load(a.x[i] + lane), load(a.y[i] + lane)});
     };
@@ -299,9 +300,9 @@ HWY_INLINE Edges facing(const Polygons<kVertices>& a, const Polygons<kVertices>&
     Points next = vertex(1);
     Edges edges{constant(0), constant(0), first, next};
     DoubleLanes best = dot(direction, normal(0));
-    for (std::size_t i = 1; i < kVertices; ++i) {
+    for (std::size_t i = 1; i < vertices; ++i) {
         const Points own = next;
-        next = i + 1 < kVertices ? vertex(i + 1) : first;
+        next = i + 1 < vertices ? vertex(i + 1) : first;
         const DoubleLanes along = dot(direction, normal(i));
         const DoubleMask isBetter = hn::Gt(along, best);
         best = hn::IfThenElse(isBetter, along, best);
@@ -392,7 +393,7 @@ HWY_INLINE DoubleMask build(const References& face, const Clipped& p, DoubleLane
 
 template <int kVertices>
 HWY_INLINE void clipPairs(const Polygons<kVertices>& a, const Polygons<kVertices>& b, const Faces& ofA,
-                          const Faces& ofB, std::size_t lane, SharpPairs& pairs) {
+                          const Faces& ofB, std::size_t vertices, std::size_t lane, SharpPairs& pairs) {
     const Doubles tag;
     const Poses poses{load(pairs.c.data() + lane),
                       load(pairs.s.data() + lane),
@@ -402,7 +403,7 @@ HWY_INLINE void clipPairs(const Polygons<kVertices>& a, const Polygons<kVertices
     const DoubleMask isOfA = takesA(ofA, ofB, edgeA, edgeB, poses, lane);
     const References face = referencesOf(edgeA, edgeB, isOfA, poses);
     const Points inward{hn::Neg(face.normal.x), hn::Neg(face.normal.y)};
-    Edges incident = facing(a, b, isOfA, select(isOfA, poses.toB(inward), inward), lane);
+    Edges incident = facing(a, b, isOfA, select(isOfA, poses.toB(inward), inward), vertices, lane);
     const auto placed = [&](Points v) HWY_ATTR { return select(isOfA, add(poses.toA(v), poses.translation), v); };
     const Points start = placed(incident.start);
     const Points end = placed(incident.end);
@@ -423,6 +424,10 @@ HWY_INLINE void clipPairs(const Polygons<kVertices>& a, const Polygons<kVertices
     const DoubleLanes margin = load(pairs.points.data() + lane);
     const DoubleMask hasFirst = hn::And(isMeant, build(face, p, margin, lane, pairs.point[0]));
     const DoubleMask hasSecond = hn::And(isMeant, build(face, q, margin, lane, pairs.point[1]));
+    const DoubleLanes nearest = load(pairs.nearest.data() + lane);
+    const DoubleMask isNear =
+        hn::Or(hn::And(hasFirst, hn::Le(p.separation, nearest)), hn::And(hasSecond, hn::Le(q.separation, nearest)));
+    pairs.plain |= bitsOf(tag, isNear, lane);
     pairs.isThere[0] |= bitsOf(tag, hasFirst, lane);
     pairs.isThere[1] |= bitsOf(tag, hasSecond, lane);
     pairs.ofA |= bitsOf(tag, isOfA, lane);
@@ -436,17 +441,19 @@ template <int kVertices>
 void collideSharpPairs(SharpPairs& pairs) {
     Polygons<kVertices> a;
     Polygons<kVertices> b;
-    gather(pairs.a, a);
-    gather(pairs.b, b);
+    const std::size_t vertices = kVertices == kFewVertices ? kVertices : pairs.vertices;
+    gather(pairs.a, vertices, a);
+    gather(pairs.b, vertices, b);
     Faces ofA;
     Faces ofB;
-    findFaces(a, b, pairs, ofA, ofB);
-    pairs.ofA = pairs.isThere[0] = pairs.isThere[1] = 0;
+    findFaces(a, b, vertices, pairs, ofA, ofB);
+    pairs.ofA = pairs.plain = pairs.isThere[0] = pairs.isThere[1] = 0;
     constexpr std::uint32_t kAll = (1U << kPairs) - 1;
     if (pairs.apart == kAll) { return; }
     for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(Doubles())) {
-        clipPairs(a, b, ofA, ofB, lane, pairs);
+        clipPairs(a, b, ofA, ofB, vertices, lane, pairs);
     }
+    pairs.plain &= pairs.ordinary & ~pairs.apart;
 }
 
 SharpPairKernels kernelsForSharpPairs() {
