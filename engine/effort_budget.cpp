@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "joint_builder.h"
 #include "profile.h"
@@ -76,7 +77,7 @@ void measureBodies(WorldState& world, Real dt) {
 
 void measureContacts(WorldState& world, Real dt) {
     const Real budget = world.settings.maxPenetration;
-    for (const Contact& contact : world.contacts) {
+    for (const Contact& contact : std::span(world.contacts).first(world.activeContacts)) {
         if (!contact.isSolid()) { continue; }
         const std::uint32_t slot = movingBodyOf(world, contact);
         if (!world.bodies[slot].awake) { continue; }

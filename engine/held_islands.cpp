@@ -19,6 +19,7 @@ std::uint32_t openIsland(HeldIslands& held, std::uint32_t body) {
     ++held.islands;
     if (held.free.empty()) {
         held.list.push_back({.last = body});
+        held.free.reserve(held.list.capacity());
         return static_cast<std::uint32_t>(held.list.size() - 1);
     }
     const std::uint32_t place = held.free.back();
@@ -47,6 +48,7 @@ void addBody(WorldState& world, std::uint32_t place, std::uint32_t slot) {
     island.last = slot;
     ++island.bodies;
     ++world.held.bodies;
+    ++world.parked.rested;
     body.heldIn = place;
     body.awake = false;
     body.role = BodyRole::idle;
@@ -111,6 +113,7 @@ void releaseHeld(WorldState& world, std::uint32_t start) {
         body.restSteps += island.restSteps;
         body.restTime += island.restTime;
         world.awake.push_back(slot);
+        world.parked.woke = true;
     } while (slot != island.last);
 }
 

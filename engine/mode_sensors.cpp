@@ -127,7 +127,7 @@ void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, d
 void remember(WorldState& world, const SensorPair& pair, Contact* contact, bool inside) {
     if (contact == nullptr) {
         if (!inside || !addContact(world, pair.sensor, pair.other)) { return; }
-        contact = &world.contacts.back();
+        contact = &world.contacts[world.activeContacts - 1];
     }
     contact->touching = inside;
 }

@@ -144,7 +144,7 @@ ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const
 
 void listNearContacts(WorldState& world) {
     world.nearContacts.clear();
-    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {
+    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {
         if (world.probes[i].state == ContactState::near) { world.nearContacts.push_back(i); }
     }
 }
@@ -176,7 +176,7 @@ void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) 
 template <bool kWatched>
 void updateContacts(WorldState& world) {
     const std::span<const Aabb> boxes = world.broadphase->boxes();
-    world.loops->run(world.probes.size(), kProbeGrain, [&world, boxes](std::size_t begin, std::size_t end, int) {
+    world.loops->run(world.activeContacts, kProbeGrain, [&world, boxes](std::size_t begin, std::size_t end, int) {
         const auto dt = static_cast<Real>(world.lastDt);
         for (std::size_t i = begin; i < end; ++i) {
             world.probes[i].state = stateOf<kWatched>(world, boxes, world.probes[i], dt);
@@ -267,8 +267,7 @@ bool isTold(const WorldState& world, const ContactProbe& probe) {
 
 /// Events, waking, and the list for the stages that follow.
 void listTouching(WorldState& world) {
-    world.touching.clear();
-    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {
+    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {
         ContactProbe& probe = world.probes[i];
         if (probe.state == ContactState::near) {
             if (isTold(world, probe)) {
@@ -299,30 +298,46 @@ void countAhead(WorldState& world) {
     }
 }
 
+void countContacts(WorldState& world) {
+    world.counters.contacts = world.contacts.size() + world.candidates.size() + world.parked.candidates.size();
+    world.counters.touching = world.touching.size() + world.parked.touching;
+}
+
 }  // namespace
 
+void listUnparked(WorldState& world) {
+    const std::size_t count = unparkContacts(world);
+    for (std::size_t i = world.activeContacts - count; i < world.activeContacts; ++i) {
+        const Contact& contact = world.contacts[i];
+        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, static_cast<std::uint32_t>(i))); }
+    }
+}
+
 void collideContacts(WorldState& world) {
+    unparkContacts(world);
+    parkContacts(world);
     noteMotions(world);
-    if (world.contacts.empty() && world.candidates.empty()) {
-        world.touching.clear();
-        if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
-        return;
-    }
-    for (const std::uint32_t slot : world.awake) { noteMotion(world, slot); }
-    promoteCandidates(world);
-    if (world.watched) {
-        updateContacts<true>(world);
+    world.touching.clear();
+    const bool mayWakeByJoints = world.joints.size() > 0 && anyAsleep(world);
+    if (world.activeContacts == 0 && world.candidates.empty()) {
+        if (mayWakeByJoints) { wakeAcrossJoints(world); }
     } else {
-        updateContacts<false>(world);
+        for (const std::uint32_t slot : world.awake) { noteMotion(world, slot); }
+        promoteCandidates(world);
+        if (world.watched) {
+            updateContacts<true>(world);
+        } else {
+            updateContacts<false>(world);
+        }
+        dropGhosts(world, world.contacts, world.nearContacts, world.awake);
+        if (mayWakeByJoints) { wakeAcrossJoints(world); }
+        world.counters.manifolds += world.nearContacts.size();
+        if (world.watched) { countAhead(world); }
+        removeApartContacts(world);
+        listTouching(world);
     }
-    dropGhosts(world, world.contacts, world.nearContacts, world.awake);
-    if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
-    world.counters.manifolds += world.nearContacts.size();
-    if (world.watched) { countAhead(world); }
-    removeApartContacts(world);
-    listTouching(world);
-    world.counters.contacts = world.contacts.size() + world.candidates.size();
-    world.counters.touching = world.touching.size();
+    if (world.parked.woke) { listUnparked(world); }
+    countContacts(world);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <tuple>
 
 #include "step.h"
@@ -51,7 +52,7 @@ bool movesKinematically(const WorldState& world, std::uint32_t slot) {
 
 /// Marks the islands that a moving kinematic body keeps awake.
 void keepAwakeByKinematic(WorldState& world) {
-    for (const Contact& contact : world.contacts) {
+    for (const Contact& contact : std::span(world.contacts).first(world.activeContacts)) {
         if (!contact.isSolid()) { continue; }
         if (movesKinematically(world, contact.bodyA)) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
         if (movesKinematically(world, contact.bodyB)) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
@@ -84,6 +85,7 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
         world.bodies[last].nextAsleep = slot;
     }
     world.islandRing[root] = slot;
+    ++world.parked.rested;
     ++world.counters.fellAsleep;
 }
 

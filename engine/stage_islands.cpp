@@ -81,7 +81,7 @@ void listContactsAndJoints(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.contacts.clear();
     fast.joints.clear();
-    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {  // contacts are large, and most are of other islands
+    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {  // contacts are large, and most are of other islands
         const ContactProbe& probe = world.probes[i];
         const std::uint32_t ofA = fast.numbers[probe.bodyA];
         const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[probe.bodyB];

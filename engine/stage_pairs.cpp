@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../shapes/sharp_pairs.h"
 #include "pair_boxes.h"
@@ -57,8 +58,13 @@ void dropPair(WorldState& world, const ContactPair& pair) {
 namespace {
 
 void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    const Contact& contact = world.contacts.emplace_back(contactOf(world, a, b));
-    ContactProbe& probe = world.probes.emplace_back();
+    const std::size_t place = world.activeContacts++;  // a parked one makes room
+    world.contacts.emplace_back();
+    world.probes.emplace_back();
+    std::swap(world.contacts[place], world.contacts.back());
+    std::swap(world.probes[place], world.probes.back());
+    const Contact& contact = world.contacts[place] = contactOf(world, a, b);
+    ContactProbe& probe = world.probes[place];
     probe.bodyA = contact.bodyA;
     probe.bodyB = contact.bodyB;
     probe.proxyA = world.shapes[contact.shapeA].proxy;

@@ -49,7 +49,7 @@ void startleNearKinematicBodies(WorldState& world, Real dt) {
     const auto isAwakeKinematic = [&world](std::uint32_t slot) {
         return (world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake;
     };
-    for (std::size_t i = 0; i < world.probes.size(); ++i) {  // contacts are large, and most are of others
+    for (std::size_t i = 0; i < world.activeContacts; ++i) {  // contacts are large, and most are of others
         const ContactProbe& probe = world.probes[i];
         if (isAwakeKinematic(probe.bodyA) || isAwakeKinematic(probe.bodyB)) { startle(world, world.contacts[i], dt); }
     }
@@ -197,7 +197,10 @@ void assignRoles(WorldState& world, Real dt) {
     world.loops->run(world.awake.size(), kResetGrain, [&world, dt](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { resetBody(world, world.awake[i], dt); }
     });
-    if (world.kinematicBodies > 0) { startleNearKinematicBodies(world, dt); }
+    if (world.kinematicBodies > 0) {
+        startleNearKinematicBodies(world, dt);
+        if (world.parked.woke) { listUnparked(world); }
+    }
     world.islands.reset(world.bodies.slotCount());
     noteTouching(world, dt);
     world.flyers.clear();

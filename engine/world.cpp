@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <tuple>
 
 #include "modes.h"
 #include "number_range.h"
@@ -71,6 +72,15 @@ Status check(const WorldSettings& settings) {
     return checkBudgets(settings);
 }
 
+/// Whether what is in balance with the one settings is with the other ones.
+bool restsAlike(const WorldSettings& a, const WorldSettings& b) {
+    const auto key = [](const WorldSettings& s) {
+        return std::tuple(s.gravity.x, s.gravity.y, s.profile, s.subSteps, s.relaxPasses, s.continuous,
+                          s.maxPenetration, s.maxJointError, s.sleep);
+    };
+    return key(a) == key(b);
+}
+
 void clearForces(WorldState& world) {
     world.forcesGiven = false;
     for (const std::uint32_t slot : world.awake) {
@@ -138,7 +148,7 @@ Status World::configure(const WorldSettings& settings) {
         if (world.shapes.size() > 0) { return {StatusCode::outOfRange, "broadphase"}; }
         world.broadphase = makeBroadphase(settings.broadphase);
     }
-    releaseAllHeld(world);
+    if (!restsAlike(settings, world.settings)) { releaseAllHeld(world); }
     if (settings.sleep && !world.settings.sleep) { restAnew(world); }
     world.settings = settings;
     return Status::success();

@@ -234,6 +234,7 @@ Status World::setAwake(BodyId id, bool awake) {
         world.motions[id.index].angularVelocity = 0;
         noteRest(world, id.index);
         std::erase(world.awake, id.index);
+        ++world.parked.rested;
     }
     return Status::success();
 }

@@ -70,6 +70,7 @@ void wake(WorldState& world, std::uint32_t start) {
         body.nextAsleep = slot;
         startResting(body, world.motions[slot]);
         world.awake.push_back(slot);
+        world.parked.woke = true;
         ++world.counters.wokeUp;
         slot = next;
     } while (slot != start);
@@ -307,11 +308,12 @@ void dropContact(WorldState& world, const Contact& contact) {
 
 namespace {
 
-/// The others keep their order: who comes first is solved first.
+/// Of a range of contacts those that stay, in their order (who comes first is solved first), to another place.
+/// @return where they end
 template <class Doomed>
-void compactContacts(WorldState& world, const Doomed& doomed) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < world.probes.size(); ++i) {
+std::size_t compactContacts(WorldState& world, std::size_t begin, std::size_t end, std::size_t kept,
+                            const Doomed& doomed) {
+    for (std::size_t i = begin; i < end; ++i) {
         if (doomed(world.probes[i])) {
             dropContact(world, world.contacts[i]);
             continue;
@@ -322,23 +324,44 @@ void compactContacts(WorldState& world, const Doomed& doomed) {
         }
         ++kept;
     }
-    world.probes.resize(kept);
-    world.contacts.resize(kept);
+    return kept;
+}
+
+void cutContacts(WorldState& world, std::size_t size) {
+    world.probes.resize(size);
+    world.contacts.resize(size);
 }
 
 }  // namespace
 
 void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doomed) {
-    compactContacts(world, doomed);
-    std::erase_if(world.candidates, [&world, &doomed](const ContactPair& pair) {
-        if (!doomed(pair)) { return false; }
-        dropPair(world, pair);
-        return true;
-    });
+    const std::size_t active = compactContacts(world, 0, world.activeContacts, 0, doomed);
+    cutContacts(world, compactContacts(world, world.activeContacts, world.probes.size(), active, doomed));
+    world.activeContacts = active;
+    const auto isSolid = [](const Contact& contact) { return contact.isSolid(); };
+    const auto firstParked = world.contacts.begin() + static_cast<std::ptrdiff_t>(active);
+    world.parked.touching = static_cast<std::uint32_t>(std::count_if(firstParked, world.contacts.end(), isSolid));
+    for (std::vector<ContactPair>* const candidates : {&world.candidates, &world.parked.candidates}) {
+        std::erase_if(*candidates, [&world, &doomed](const ContactPair& pair) {
+            if (!doomed(pair)) { return false; }
+            dropPair(world, pair);
+            return true;
+        });
+    }
 }
 
 void removeApartContacts(WorldState& world) {
-    compactContacts(world, [](const ContactProbe& probe) { return probe.state == ContactState::boxesApart; });
+    const auto isApart = [](const ContactProbe& probe) { return probe.state == ContactState::boxesApart; };
+    const std::size_t end = world.activeContacts;
+    world.activeContacts = compactContacts(world, 0, end, 0, isApart);
+    // What is parked has no order: its last ones close the gap.
+    std::size_t last = world.probes.size();
+    for (std::size_t place = world.activeContacts; place < end && last > end; ++place) {
+        --last;
+        world.probes[place] = world.probes[last];
+        world.contacts[place] = world.contacts[last];
+    }
+    cutContacts(world, world.probes.size() - (end - world.activeContacts));
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

