@@ -55,10 +55,15 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
     } else {
         for (const Contact& contact : group.contacts) { noteContact(world, contact); }
     }
+    const auto drive = [&](std::uint32_t slot) {
+        if (world.bodies[slot].isDynamic()) { accountOf(world, slot).isDriven = true; }
+    };
     for (const std::uint32_t joint : group.joints) {
-        for (const std::uint32_t slot : world.joints[joint].allBodies()) {
-            if (world.bodies[slot].isDynamic()) { accountOf(world, slot).isDriven = true; }
-        }
+        const JointTie& tie = world.jointTies[joint];
+        drive(tie.bodyA);
+        drive(tie.bodyB);
+        if (tie.isPair) { continue; }
+        for (const std::uint32_t slot : world.joints[joint].allBodies()) { drive(slot); }
     }
 }
 

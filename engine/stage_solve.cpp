@@ -61,29 +61,36 @@ std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     return limited;
 }
 
-BodyDrive driveOf(const WorldState& world, const Body& body, Real h) {
-    if (!body.isDynamic()) { return {}; }
+void setDrive(BodyDrive& drive, const WorldState& world, const Body& body, Real h) {
+    if (!body.isDynamic()) { return; }
     const auto step = static_cast<double>(h);
     const DampedMotion linear = dampedMotion(static_cast<double>(body.def.linearDamping) * step);
     const DampedMotion angular = dampedMotion(static_cast<double>(body.def.angularDamping) * step);
-    return {.gain = static_cast<Real>(linear.phi1 * step) * accelerationOf(world, body),
-            .angularGain = static_cast<Real>(angular.phi1 * step) * angularAccelerationOf(body),
-            .decay = static_cast<Real>(linear.decay),
-            .angularDecay = static_cast<Real>(angular.decay)};
+    drive.gain = static_cast<Real>(linear.phi1 * step) * accelerationOf(world, body);
+    drive.angularGain = static_cast<Real>(angular.phi1 * step) * angularAccelerationOf(body);
+    drive.decay = static_cast<Real>(linear.decay);
+    drive.angularDecay = static_cast<Real>(angular.decay);
 }
 
 /// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic
-/// one takes part with its velocity and its pose at the start of the step.
+/// one takes part with its velocity and its pose at the start of the step. Made in place: what is written down in
+/// pieces and copied as a whole has to wait for the pieces, which took half of the time here.
 void addBodies(WorldState& world, const TiedGroup& group, Real h) {
     world.localCenters.assign(1, {});
     for (const std::uint32_t slot : group.bodies) {
         const Body& body = world.bodies[slot];
         if (!isMember(body, group) && body.def.type != BodyType::kinematic) { continue; }
         const BodyMotion& motion = world.motions[slot];
-        const BodyState state{.velocity = motion.velocity, .angularVelocity = motion.angularVelocity};
+        SolverBatch& batch = world.batch;
+        world.solverSlots[slot] = static_cast<BodySlot>(batch.states.size());
         world.localCenters.push_back(body.localCenter);
-        world.solverSlots[slot] =
-            world.batch.addBody(state, {body.inverseMass, body.inverseInertia}, driveOf(world, body, h));
+        BodyState& state = batch.states.emplace_back();
+        state.velocity = motion.velocity;
+        state.angularVelocity = motion.angularVelocity;
+        BodyInertia& inertia = batch.inertias.emplace_back();
+        inertia.inverseMass = body.inverseMass;
+        inertia.inverseInertia = body.inverseInertia;
+        setDrive(batch.drives.emplace_back(), world, body, h);
     }
 }
 

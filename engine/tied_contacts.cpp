@@ -16,6 +16,15 @@ Softness softnessFor(const WorldState& world, const TiedGroup& group, Real dt, R
     return softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
 }
 
+/// Contacts that are fetched from memory ahead of time when they get their impulses: a cache line or two of each, which
+/// the solver has displaced.
+constexpr std::size_t kAhead = 8;
+
+void fetchOutcome(const Contact& contact) {
+    __builtin_prefetch(&contact.normalImpulse);
+    __builtin_prefetch(&contact.pressed);
+}
+
 /// For `SolverSettings::settled`: what presses holds where it is, what is apart is not in the way.
 void holdAsItIs(ContactConstraintPoint& point) {
     point.separation = point.normalImpulse > 0 ? Real(0) : point.baseSeparation;
@@ -113,10 +122,12 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
             approach =
                 std::max(approach, approachAt(point, normal, batch.states[link.slotA], batch.states[link.slotB]));
         }
-        fillPoint(block.points[k], lane, point);
+        fillNewPoint(block.points[k], lane, point);
+        if (group_.effort.isSettled) { block.points[k].separation[lane] = point.separation; }
     }
     contact.approachSpeed = approach;
     block.place[lane] = link.source;
+    if (lane == 0) { setSoftness(block, softness_); }  // the first to be filled
     fillHead(block, lane,
              {.slotA = link.slotA,
               .slotB = link.slotB,
@@ -126,8 +137,7 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
               .radiusA = contact.radiusA,
               .radiusB = contact.radiusB,
               .bounceSpeed = bounceSpeedOf(contact),
-              .restitution = contact.restitution,
-              .softness = softness_},
+              .restitution = contact.restitution},
              batch.inertias[link.slotA], batch.inertias[link.slotB]);
 }
 
@@ -190,9 +200,11 @@ void TiedContacts::fill(std::span<const ContactPlace> places, const ContactArray
 }
 
 void TiedContacts::take(std::span<const ContactPlace> places, const ContactArrays& from) {
+    const std::vector<ContactLink>& links = world_.batch.links;
     for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i + kAhead < links.size()) { fetchOutcome(group_.contacts[links[i + kAhead].source]); }
         const ContactPlace& place = places[i];
-        Contact& contact = group_.contacts[world_.batch.links[i].source];
+        Contact& contact = group_.contacts[links[i].source];
         switch (place.points) {
             case 2:
                 takeContact(from.two[place.index], place.lane, contact);

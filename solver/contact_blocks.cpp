@@ -16,15 +16,6 @@ namespace {
 constexpr std::uint32_t kFewestLanes = 2;
 constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
 
-/// Before lanes are filled. @param lanes  of the block that will be; the others hold the fixed world to itself
-template <std::size_t kPoints>
-void emptyBlock(WideContact<kPoints>& block, std::uint32_t lanes) {
-    block.movableA = block.movableB = 0;
-    block.anyBounces = false;
-    block.lanes = lanes;
-    for (std::size_t lane = lanes; lane < kBlockLanes; ++lane) { fillLane(block, lane, {}, {}, {}); }
-}
-
 /// Visits each contact of blocks in the batch with its block and lane.
 template <class Block, class Visit>
 void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contacts, Visit&& visit) {

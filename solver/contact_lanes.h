@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
 #include "wide_contacts.h"
 
 /// How a contact is laid into a lane of a block.
@@ -17,7 +21,6 @@ struct ContactHead {
     Real radiusB = 0;
     Real bounceSpeed = std::numeric_limits<Real>::infinity();
     Real restitution = 0;
-    Softness softness{};
 };
 
 /// @pre the block was emptied
@@ -35,27 +38,37 @@ inline void fillHead(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.maxPushSpeed[lane] = head.maxPushSpeed;
     block.radiusA[lane] = head.radiusA;
     block.radiusB[lane] = head.radiusB;
-    block.bounceSpeed[lane] = head.bounceSpeed;
-    block.restitution[lane] = head.restitution;
-    block.biasRate[lane] = head.softness.biasRate;
-    block.massScale[lane] = head.softness.massScale;
-    block.impulseScale[lane] = head.softness.impulseScale;
+    if (head.bounceSpeed < std::numeric_limits<Real>::infinity()) { block.bounceSpeed[lane] = head.bounceSpeed; }
+    if (head.restitution > 0) { block.restitution[lane] = head.restitution; }
     block.inverseMassA[lane] = a.inverseMass;
     block.inverseMassB[lane] = b.inverseMass;
     block.inverseInertiaA[lane] = a.inverseInertia;
     block.inverseInertiaB[lane] = b.inverseInertia;
 }
 
-inline void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
+/// Of all contacts of a block.
+template <std::size_t kPoints>
+inline void setSoftness(WideContact<kPoints>& block, const Softness& softness) {
+    block.biasRate.fill(softness.biasRate);
+    block.massScale.fill(softness.massScale);
+    block.impulseScale.fill(softness.impulseScale);
+}
+
+/// A point of which masses and separation are found in the block, and nothing is added up yet.
+inline void fillNewPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
     lanes.anchorAX[lane] = point.anchorA.x;
     lanes.anchorAY[lane] = point.anchorA.y;
     lanes.anchorBX[lane] = point.anchorB.x;
     lanes.anchorBY[lane] = point.anchorB.y;
     lanes.baseSeparation[lane] = point.baseSeparation;
-    lanes.normalMass[lane] = point.normalMass;
-    lanes.tangentMass[lane] = point.tangentMass;
     lanes.normalImpulse[lane] = point.normalImpulse;
     lanes.tangentImpulse[lane] = point.tangentImpulse;
+}
+
+inline void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
+    fillNewPoint(lanes, lane, point);
+    lanes.normalMass[lane] = point.normalMass;
+    lanes.tangentMass[lane] = point.tangentMass;
     lanes.totalNormalImpulse[lane] = point.totalNormalImpulse;
     lanes.separation[lane] = point.separation;
 }
@@ -73,12 +86,28 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
               .radiusA = contact.radiusA,
               .radiusB = contact.radiusB,
               .bounceSpeed = contact.bounceSpeed,
-              .restitution = contact.restitution,
-              .softness = contact.softness},
+              .restitution = contact.restitution},
              a, b);
+    block.biasRate[lane] = contact.softness.biasRate;
+    block.massScale[lane] = contact.softness.massScale;
+    block.impulseScale[lane] = contact.softness.impulseScale;
     block.sharedResponse[lane] = contact.sharedResponse;
     block.begins[lane] = contact.begins ? Real(1) : Real(0);
     for (std::size_t i = 0; i < kPoints; ++i) { fillPoint(block.points[i], lane, contact.points[i]); }
+}
+
+/// What no contact has written yet, and most never do. @param lanes  of the block that will be; the others hold the
+/// fixed world to itself, which is all zeros
+template <std::size_t kPoints>
+inline void emptyBlock(WideContact<kPoints>& block, std::uint32_t lanes) {
+    static_assert(std::is_trivially_copyable_v<WideContact<kPoints>> && kFixedSlot == 0);
+    if (lanes < kBlockLanes) { std::memset(static_cast<void*>(&block), 0, sizeof(block)); }
+    block.movableA = block.movableB = 0;
+    block.anyBounces = false;
+    block.lanes = lanes;
+    block.bounceSpeed.fill(std::numeric_limits<Real>::infinity());
+    block.restitution = {};
+    for (WideContactPoint& point : block.points) { point.totalNormalImpulse = {}; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

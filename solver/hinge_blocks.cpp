@@ -1,6 +1,8 @@
 #include "hinge_blocks.h"
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 
 #include "hinge_lanes.h"
 
@@ -24,17 +26,16 @@ std::uint8_t numberOf(const HingeParts& parts) {
 }
 HingeParts partsOf(std::uint8_t number) { return {(number & 4U) != 0, (number & 2U) != 0, (number & 1U) != 0}; }
 
-/// Before lanes are filled. @param lanes  of the block that will be; the others hold the fixed world to itself
+/// Before lanes are filled. @param lanes  of the block that will be; the others hold the fixed world to itself, which
+/// is all zeros
 void emptyBlock(WideRevolute& block, std::uint32_t lanes, HingeParts parts) {
+    static_assert(std::is_trivially_copyable_v<WideRevolute> && kFixedSlot == 0);
+    if (lanes < kBlockLanes) { std::memset(static_cast<void*>(&block), 0, sizeof(block)); }
     block.movableA = block.movableB = 0;
     block.lanes = lanes;
     block.parts = parts;
     block.totalX = block.totalY = block.totalTwist = {};
     block.springImpulse = {};  // made anew by each warm start
-    for (std::size_t lane = lanes; lane < kBlockLanes; ++lane) {
-        fillHead(block, lane, {}, {}, {});
-        if (parts.any()) { fillParts(block, lane, {}, 0); }
-    }
 }
 
 }  // namespace

@@ -8,19 +8,27 @@
 namespace swept::inline SWEPT_PRECISION {
 
 #ifndef SWEPT_SIMD
-RotateBodies rotationKernel() { return nullptr; }
+MoveBodies motionKernel() { return nullptr; }
 #endif
+
+void moveBodies(std::span<BodyState> bodies, Real h) {
+    for (BodyState& body : bodies) {
+        body.deltaPosition += h * body.velocity;
+        body.deltaAngle += h * body.angularVelocity;
+        body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle));
+    }
+}
 
 namespace {
 
 /// Joints, blocks of contacts and contacts on their own per part of a parallel loop, and bodies.
-constexpr std::size_t kConstraintGrain = 8;
+constexpr std::size_t kConstraintGrain = 4;
 constexpr std::size_t kBodyGrain = 128;
 /// A solve is shared when its colours hold so many of these in the mean. All of it or nothing: what one worker wrote
 /// and another reads has to come from cache to cache, which takes as long as solving it. Pyramids of 55 boxes on two
-/// cores, per step: 1000 boxes 5 % slower when shared, 2000 boxes (100 per colour) 8 % faster, 4000 boxes 18 %, 8000
-/// boxes 30 %.
-constexpr std::size_t kFewestPerColour = 96;
+/// cores, per step: 1000 boxes 5 % slower when shared, 2000 boxes (50 blocks per colour) 8 % faster, 4000 boxes 18 %,
+/// 8000 boxes 30 %.
+constexpr std::size_t kFewestPerColour = 48;
 /// Over what is settled: they take out the rounding of impulses.
 constexpr int kSettledPasses = 1;
 /// Of contacts that bounce in turn.
@@ -62,17 +70,6 @@ int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, st
     int limited = 0;
     for (std::size_t i = begin; i < end; ++i) { limited += limitSpeed(batch.states[i], maxSpeed) ? 1 : 0; }
     return limited;
-}
-
-void moveBodies(std::span<BodyState> bodies, Real h) {
-    for (BodyState& body : bodies) {
-        body.deltaPosition += h * body.velocity;
-        body.deltaAngle += h * body.angularVelocity;
-    }
-}
-
-void rotateBodies(std::span<BodyState> bodies) {
-    for (BodyState& body : bodies) { body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle)); }
 }
 
 void addUpImpulses(std::vector<ContactConstraint>& contacts) {
@@ -222,9 +219,7 @@ int Solver::integrateVelocities(SolverBatch& batch, Real maxSpeed) {
 
 void Solver::integratePositions(SolverBatch& batch, Real h) {
     loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
-        const std::span<BodyState> bodies = std::span(batch.states).subspan(begin + 1, end - begin);
-        moveBodies(bodies, h);
-        rotate_(bodies);
+        move_(std::span(batch.states).subspan(begin + 1, end - begin), h);
     });
 }
 
@@ -344,8 +339,8 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
 template <bool kJoints>
 SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
     prepare<kJoints>(batch, settings);
-    rotate_ = settings.wide ? rotationKernel() : nullptr;
-    if (rotate_ == nullptr) { rotate_ = rotateBodies; }
+    move_ = settings.wide ? motionKernel() : nullptr;
+    if (move_ == nullptr) { move_ = moveBodies; }
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct);
     if (report.isDirect) {

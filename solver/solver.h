@@ -12,7 +12,7 @@
 #include "joint_islands.h"
 #include "solve_report.h"
 #include "solver_batch.h"
-#include "wide_rotations.h"
+#include "wide_motion.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -87,7 +87,7 @@ private:
 
     SerialTaskSystem serial_;
     TaskSystem* loops_ = &serial_;   ///< of the present solve
-    RotateBodies rotate_ = nullptr;  ///< likewise; null: body by body
+    MoveBodies move_ = nullptr;  ///< likewise
     ConstraintGraph graph_;
     ContactBlocks contacts_;
     HingeBlocks hinges_;

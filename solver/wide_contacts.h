@@ -9,13 +9,14 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Constraints side by side in a block: as many as fill 32 bytes, whatever registers there are, so that blocks are laid
-/// out alike on every machine.
-inline constexpr std::size_t kBlockLanes = 32 / sizeof(Real);
+/// Constraints side by side in a block: as many as fill the widest register there is, whatever there is on this
+/// machine, so that blocks are laid out alike on each. Narrower ones go through those lanes that are in use.
+inline constexpr std::size_t kBlockBytes = 64;
+inline constexpr std::size_t kBlockLanes = kBlockBytes / sizeof(Real);
 using LaneArray = std::array<Real, kBlockLanes>;
 
 /// One point of each contact of a block; see `ContactConstraintPoint`.
-struct alignas(32) WideContactPoint {
+struct alignas(kBlockBytes) WideContactPoint {
     LaneArray anchorAX;
     LaneArray anchorAY;
     LaneArray anchorBX;
@@ -32,7 +33,7 @@ struct alignas(32) WideContactPoint {
 /// As many contacts as there are lanes, all with the same number of points, no movable body in two of them. Lanes that
 /// are left over hold contacts of the fixed world with itself, without masses.
 template <std::size_t kPoints>
-struct alignas(32) WideContact {
+struct alignas(kBlockBytes) WideContact {
     std::array<BodySlot, kBlockLanes> slotA;
     std::array<BodySlot, kBlockLanes> slotB;
     std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch, or the store's name for the contact
@@ -40,7 +41,7 @@ struct alignas(32) WideContact {
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
     bool anyBounces = false;  ///< totals are added up in the batch, where bounces add to them
-    alignas(32) LaneArray normalX;
+    alignas(kBlockBytes) LaneArray normalX;
     LaneArray normalY;
     LaneArray friction;
     LaneArray maxPushSpeed;

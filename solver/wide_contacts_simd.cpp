@@ -3,6 +3,8 @@
 #include "wide_contacts.h"
 #include "wide_targets.h"
 
+#undef SWEPT_GROUP_BYTES
+#define SWEPT_GROUP_BYTES 64
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wide_contacts_simd.cpp"
 #include <hwy/foreach_target.h>
@@ -17,7 +19,7 @@ const ContactKernels* kernelsForContacts() { return nullptr; }  // machines with
 #else
 
 HWY_BEFORE_NAMESPACE();
-#include "wide_bodies.inc"
+#include "wide_contact_masses.inc"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
@@ -311,64 +313,10 @@ private:
     Lanes inverseInertiaB_;
 };
 
-/// Of a response.
-HWY_INLINE Lanes inverseOrZero(Lanes response) {
-    const Tag tag;
-    return hn::IfThenElseZero(hn::Gt(response, hn::Zero(tag)), hn::Div(hn::Set(tag, Real(1)), response));
-}
-
-template <std::size_t kPoints>
-HWY_INLINE void prepareGroup(WideContact<kPoints>& block, std::size_t begin) {
-    const auto at = [begin](const LaneArray& lanes) { return lanesAt(lanes, begin); };
-    const auto square = [](Lanes a) { return hn::Mul(a, a); };
-    const Lanes x = at(block.normalX);
-    const Lanes y = at(block.normalY);
-    const Lanes inverseMass = hn::Add(at(block.inverseMassA), at(block.inverseMassB));
-    const Lanes inertiaA = at(block.inverseInertiaA);
-    const Lanes inertiaB = at(block.inverseInertiaB);
-    for (WideContactPoint& point : block.points) {
-        const Lanes ax = at(point.anchorAX);
-        const Lanes ay = at(point.anchorAY);
-        const Lanes bx = at(point.anchorBX);
-        const Lanes by = at(point.anchorBY);
-        const Lanes apart = hn::Add(hn::Mul(hn::Sub(bx, ax), x), hn::Mul(hn::Sub(by, ay), y));
-        put(hn::Sub(at(point.baseSeparation), apart), point.baseSeparation, begin);
-        const Lanes normal =
-            hn::Add(hn::Add(inverseMass, hn::Mul(inertiaA, square(hn::Sub(hn::Mul(ax, y), hn::Mul(ay, x))))),
-                    hn::Mul(inertiaB, square(hn::Sub(hn::Mul(bx, y), hn::Mul(by, x)))));
-        const Lanes tangent =
-            hn::Add(hn::Add(inverseMass, hn::Mul(inertiaA, square(hn::Add(hn::Mul(ax, x), hn::Mul(ay, y))))),
-                    hn::Mul(inertiaB, square(hn::Add(hn::Mul(bx, x), hn::Mul(by, y)))));
-        put(inverseOrZero(normal), point.normalMass, begin);
-        put(inverseOrZero(tangent), point.tangentMass, begin);
-    }
-}
-
-/// What both points do to each other through the bodies, and whether they begin.
-HWY_INLINE void prepareShared(WideContact<2>& block, std::size_t begin) {
-    const auto at = [begin](const LaneArray& lanes) { return lanesAt(lanes, begin); };
-    const Lanes normalX = at(block.normalX);
-    const Lanes normalY = at(block.normalY);
-    const auto armAlong = [&](const LaneArray& x, const LaneArray& y) {
-        return hn::Sub(hn::Mul(at(x), normalY), hn::Mul(at(y), normalX));
-    };
-    const WideContactPoint& one = block.points[0];
-    const WideContactPoint& two = block.points[1];
-    const Lanes spinA = hn::Mul(hn::Mul(at(block.inverseInertiaA), armAlong(one.anchorAX, one.anchorAY)),
-                                armAlong(two.anchorAX, two.anchorAY));
-    const Lanes spinB = hn::Mul(hn::Mul(at(block.inverseInertiaB), armAlong(one.anchorBX, one.anchorBY)),
-                                armAlong(two.anchorBX, two.anchorBY));
-    put(hn::Add(hn::Add(hn::Add(at(block.inverseMassA), at(block.inverseMassB)), spinA), spinB), block.sharedResponse,
-        begin);
-    const Lanes zero = hn::Zero(Tag());
-    const LaneMask presses = hn::Or(hn::Gt(at(one.normalImpulse), zero), hn::Gt(at(two.normalImpulse), zero));
-    put(hn::IfThenZeroElse(presses, hn::Set(Tag(), Real(1))), block.begins, begin);
-}
-
 template <std::size_t kPoints>
 void prepare(std::span<WideContact<kPoints> > blocks) {
     for (WideContact<kPoints>& block : blocks) {
-        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
+        for (std::size_t i = 0; i < block.lanes; i += kGroup) {
             prepareGroup(block, i);
             if constexpr (kPoints == 2) { prepareShared(block, i); }
         }
@@ -378,21 +326,21 @@ void prepare(std::span<WideContact<kPoints> > blocks) {
 template <std::size_t kPoints>
 void warmStart(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies) {
     for (WideContact<kPoints>& block : blocks) {
-        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) { ContactGroup<kPoints>(block, i, bodies).warmStart(); }
+        for (std::size_t i = 0; i < block.lanes; i += kGroup) { ContactGroup<kPoints>(block, i, bodies).warmStart(); }
     }
 }
 
 template <std::size_t kPoints>
 void bounce(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, const ContactPass& pass) {
     for (WideContact<kPoints>& block : blocks) {
-        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) { ContactGroup<kPoints>(block, i, bodies).bounce(pass); }
+        for (std::size_t i = 0; i < block.lanes; i += kGroup) { ContactGroup<kPoints>(block, i, bodies).bounce(pass); }
     }
 }
 
 template <std::size_t kPoints>
 void solve(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, const ContactPass& pass) {
     for (WideContact<kPoints>& block : blocks) {
-        for (std::size_t i = 0; i < kBlockLanes; i += kGroup) {
+        for (std::size_t i = 0; i < block.lanes; i += kGroup) {
             ContactGroup<kPoints> group(block, i, bodies);
             if (pass.useBias) {
                 group.template solve<true>(pass);

@@ -20,14 +20,14 @@ struct HingeParts {
 
 /// As many hinges as there are lanes, no movable body in two of them; see `RevoluteConstraint`. Lanes that are left
 /// over hold the fixed world to itself.
-struct alignas(32) WideRevolute {
+struct alignas(kBlockBytes) WideRevolute {
     std::array<BodySlot, kBlockLanes> slotA;
     std::array<BodySlot, kBlockLanes> slotB;
     std::uint32_t lanes = 0;                       ///< in use
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
     HingeParts parts;
-    alignas(32) LaneArray anchorAX;
+    alignas(kBlockBytes) LaneArray anchorAX;
     LaneArray anchorAY;
     LaneArray anchorBX;
     LaneArray anchorBY;
