@@ -111,9 +111,12 @@ struct Faces {
     Real endY[kPairs];
 };
 
-/// A polygon in the frame of the other one.
+/// A polygon in the frame of the other one. (Constructors that the compiler makes are not of the instruction set that
+/// vectors need on some machines: structures are made at once, or say that they are not filled.)
 template <int kVertices>
 struct Placed {
+    HWY_INLINE Placed() {}
+
     RealLanes x[kVertices];
     RealLanes y[kVertices];
 };
@@ -326,17 +329,18 @@ struct References {
 };
 
 HWY_INLINE References referencesOf(const Edges& a, const Edges& b, DoubleMask isOfA, const Poses& poses) {
-    References faces;
     const Points edge = select(isOfA, sub(a.end, a.start), poses.toA(sub(b.end, b.start)));
-    faces.start = select(isOfA, a.start, add(poses.toA(b.start), poses.translation));
+    const Points start = select(isOfA, a.start, add(poses.toA(b.start), poses.translation));
     const DoubleLanes inverse = hn::Div(constant(1), hn::Sqrt(dot(edge, edge)));
-    faces.normal = scale(inverse, {edge.y, hn::Neg(edge.x)});
-    faces.tangent = {hn::Neg(faces.normal.y), faces.normal.x};
-    faces.length = dot(edge, faces.tangent);
-    faces.edge = hn::IfThenElse(isOfA, a.index, b.index);
-    faces.next = hn::IfThenElse(isOfA, a.next, b.next);
-    faces.isOfA = isOfA;
-    return faces;
+    const Points normal = scale(inverse, {edge.y, hn::Neg(edge.x)});
+    const Points tangent{hn::Neg(normal.y), normal.x};
+    return {start,
+            tangent,
+            normal,
+            dot(edge, tangent),
+            hn::IfThenElse(isOfA, a.index, b.index),
+            hn::IfThenElse(isOfA, a.next, b.next),
+            isOfA};
 }
 
 /// An end of the incident edge: a vertex, how far along the reference face, and its index.
@@ -366,17 +370,14 @@ HWY_INLINE Clipped clip(const References& face, const Ends& own, const Ends& oth
     const DoubleMask isNothingLeft =
         hn::Or(hn::And(isBefore, hn::Le(other.along, bound)), hn::AndNot(isBefore, hn::Ge(other.along, bound)));
     const DoubleLanes part = hn::Div(hn::Sub(bound, own.along), hn::Sub(other.along, own.along));
-    Clipped p;
-    p.core = select(isOutside, add(own.vertex, scale(part, sub(other.vertex, own.vertex))), own.vertex);
-    p.separation = dot(face.normal, sub(p.core, face.start));
-    p.isThere = hn::Not(hn::And(isOutside, isNothingLeft));
+    const Points core = select(isOutside, add(own.vertex, scale(part, sub(other.vertex, own.vertex))), own.vertex);
     const DoubleLanes reference =
         hn::IfThenElse(isOutside, hn::IfThenElse(isBefore, face.edge, face.next), hn::Add(face.edge, constant(kEdge)));
     const DoubleLanes incident = hn::IfThenElse(isOutside, hn::Add(incidentEdge, constant(kEdge)), own.index);
     const DoubleLanes ofA = hn::IfThenElse(face.isOfA, reference, incident);
     const DoubleLanes ofB = hn::IfThenElse(face.isOfA, incident, reference);
-    p.id = hn::Add(hn::Mul(ofA, constant(kShift)), ofB);
-    return p;
+    return {core, dot(face.normal, sub(core, face.start)), hn::Add(hn::Mul(ofA, constant(kShift)), ofB),
+            hn::Not(hn::And(isOutside, isNothingLeft))};
 }
 
 /// `ManifoldBuilder::build` for one point. @return whether it is there
