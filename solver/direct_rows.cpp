@@ -1,5 +1,6 @@
 #include "direct_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,8 +8,9 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// Errors up to this part of the smaller radius of gyration, or of a radian, are closed within one sub-step; larger
-/// ones at the joint's own rate: what closes them would turn the bodies too far for one linear solve.
-constexpr Real kSmallErrorRatio = Real(1) / 8;
+/// ones at the joint's own rate, or as fast as that lets bodies turn: what closes them would turn the bodies too far
+/// for one linear solve.
+constexpr double kSmallErrorRatio = 1.0 / 8;
 
 /// Radians whose square is not seen beside 1, and may underflow.
 constexpr Real kLeastTurn = 1 / static_cast<Real>(std::uint64_t{1} << (std::numeric_limits<Real>::digits / 2 + 2));
@@ -85,7 +87,7 @@ private:
     void addAngle(const Joint& joint, Real& impulse) {
         if (canTurn()) {
             const Real angle = joint.baseAngle + (b_->deltaAngle - a_->deltaAngle);
-            add(kSpinRow, rate(std::fabs(angle) <= kSmallErrorRatio), angle, 0, impulse);
+            add(kSpinRow, rate(static_cast<double>(std::fabs(angle)), kSmallErrorRatio), angle, 0, impulse);
         }
     }
     /// Across an axis that turns with A. The force on A acts where B's anchor is.
@@ -100,16 +102,20 @@ private:
         add(rowAlong(side, armA_ + offset, armB_), rateFor(error), error, bend, impulse);
     }
     Real rateFor(Real error) const {
-        const auto isSmallFor = [error](const BodyInertia& body) {
-            // Squares of small errors underflow in float.
-            const auto length = static_cast<double>(error);
-            return length * length * static_cast<double>(body.inverseInertia) <=
-                   static_cast<double>(square(kSmallErrorRatio)) * static_cast<double>(body.inverseMass);
-        };
-        const bool isSmall = isSmallFor(batch_.inertias[joint_->slotA]) && isSmallFor(batch_.inertias[joint_->slotB]);
-        return rate(isSmall);
+        const double most =
+            std::min(smallErrorFor(batch_.inertias[joint_->slotA]), smallErrorFor(batch_.inertias[joint_->slotB]));
+        return rate(static_cast<double>(std::fabs(error)), most);
     }
-    Real rate(bool isSmall) const { return isSmall ? 1 / h_ : joint_->softness.biasRate; }
+    static double smallErrorFor(const BodyInertia& body) {
+        if (!(body.inverseInertia > 0) || !(body.inverseMass > 0)) { return std::numeric_limits<double>::infinity(); }
+        return kSmallErrorRatio *
+               std::sqrt(static_cast<double>(body.inverseMass) / static_cast<double>(body.inverseInertia));
+    }
+    /// Bodies that were put far apart come together no faster than they may turn.
+    Real rate(double error, double small) const {
+        if (error <= small) { return 1 / h_; }
+        return std::min(joint_->softness.biasRate, static_cast<Real>(small / error) / h_);
+    }
 
     SolverBatch& batch_;
     Real h_;

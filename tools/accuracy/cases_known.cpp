@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <swept/samples/scene_geometry.h>
 
@@ -221,6 +222,62 @@ Case cradle(const std::string& name, double gap) {
     return c;
 }
 
+/// Five pendulums of 5 m whose balls touch, the first one let go at 45°: energy.
+Case pendulumCradle() {
+    Case c{"known", "cradle-pendulums", emptyScene("cradle-pendulums"), 600, {}, {}, false};
+    constexpr double kLength = 5;
+    constexpr double kRadius = 0.2;
+    const double start = -45 * kDegree;
+    for (int i = 0; i < 5; ++i) {
+        const std::string ball = "ball" + std::to_string(i);
+        const DVec2 top{2 * kRadius * i, kLength};
+        const double angle = i == 0 ? start : 0;
+        addDynamic(c.scene, ball, top + DVec2{kLength * std::sin(angle), -kLength * std::cos(angle)},
+                   {circle(kRadius)});
+        addFixed(c.scene, "pivot" + std::to_string(i), top, {circle(0.02)}).shapes[0].filter.mask = 0;
+        hinge(c.scene, "pivot" + std::to_string(i), ball, top);
+    }
+    setSurface(c.scene, 0, 1);
+    const double lifted = kRadius * kRadius * std::numbers::pi * kGravity * kLength * (1 - std::cos(start));
+    c.measures = {energyDrift(c.scene, lifted)};
+    return c;
+}
+
+/// Fifty disks, of four times the density, and fifty squares fly at each other, e = μ = 0.5, nothing else around: what
+/// changes of the momentum and of the angular momentum, as a part of what the bodies have without signs.
+Case cluster() {
+    Case c{"known", "cluster", emptyScene("cluster", 0), 600, {}, {}, false};
+    build::Dice dice(11);
+    for (int i = 0; i < 100; ++i) {
+        const DVec2 place{1.1 * (i % 10 - 4.5), 1.1 * (i / 10 - 4.5)};
+        const auto shape = i % 2 == 0 ? build::withDensity(circle(0.4), 4) : box({0.4, 0.4});
+        BodyDescription& body = addDynamic(c.scene, "", place, {shape});
+        body.velocity = -0.5 * place + DVec2{dice.range(-2, 2), dice.range(-2, 2)};
+        body.angularVelocity = dice.range(-5, 5);
+    }
+    setSurface(c.scene, 0.5, 0.5);
+    const Weights weights = weightsOf(c.scene);
+    const auto change = [weights](const Frames& frames, bool angular) {
+        DVec2 sum;
+        double turning = 0;
+        double scale = 0;
+        for (const auto& [frame, sign] : {std::pair{&frames.back(), 1.0}, std::pair{&frames.front(), -1.0}}) {
+            for (std::size_t i = 0; i < weights.bodies.size(); ++i) {
+                const BodyFrame& body = frame->bodies[i];
+                const DVec2 momentum = weights.bodies[i].mass * body.velocity;
+                const double spin = cross(body.position, momentum) + weights.bodies[i].inertia * body.angularVelocity;
+                sum += sign * momentum;
+                turning += sign * spin;
+                if (sign < 0) { scale += angular ? std::fabs(spin) : length(momentum); }
+            }
+        }
+        return (angular ? std::fabs(turning) : length(sum)) / scale;
+    };
+    c.measures = {{"momentum", "1", [change](const Frames& frames) { return change(frames, false); }},
+                  {"angular momentum", "1", [change](const Frames& frames) { return change(frames, true); }}};
+    return c;
+}
+
 }  // namespace
 
 std::vector<Case> knownCases() {
@@ -241,7 +298,9 @@ std::vector<Case> knownCases() {
             freeSpin(500),
             gas(),
             cradle("cradle", 0),
-            cradle("cradle-gaps", 0.01)};
+            cradle("cradle-gaps", 0.01),
+            pendulumCradle(),
+            cluster()};
 }
 
 }  // namespace swept::accuracy

@@ -50,21 +50,37 @@ Case flightFarOut(double x) {
     return c;
 }
 
+/// A bar of 10 by 0.01 m, a little oblique, dropped on a segment: how far it lies from it in the end.
+Case barDrop(const std::string& name, double height) {
+    Case c{"sizes", name, emptyScene(name), 600, {}, {}, false};
+    constexpr double kTilt = 0.05;
+    addFixed(c.scene, "ground", {0, 0}, {build::segment({20, 0}, {-20, 0})});
+    addDynamic(c.scene, "bar", {0, height + 5 * std::sin(kTilt)}, {box({5, 0.005})}).angle = kTilt;
+    setSurface(c.scene, 0.6, 0);
+    c.measures = {
+        {"height", "m", [](const Frames& frames) { return std::fabs(frames.back().bodies[1].position.y - 0.005); }},
+        jitter(c.scene)};
+    c.verdict = staysWithin(100);
+    return c;
+}
+
 }  // namespace
 
 std::vector<Case> sizeCases() {
     std::vector<Case> cases;
-    for (const double side : {1e-3, 1e-2, 0.1, 10.0, 100.0}) {
+    for (const double side : {1e-3, 1e-2, 0.1, 10.0, 100.0, 1000.0}) {
         cases.push_back(tenBoxes("size-" + powerOfTen(side), side, kGravity, 0));
     }
-    for (const double side : {1e-3, 1e3}) {
+    for (const double side : {1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3}) {
         cases.push_back(tenBoxes("units-" + powerOfTen(side), side, kGravity * side, 0));
     }
     for (const double x : {1e4, 1e5, 1e6, 1e7}) {
         cases.push_back(tenBoxes("stack-at-" + powerOfTen(x), 1, kGravity, x));
     }
-    for (const double x : {1e4, 1e6}) { cases.push_back(flightFarOut(x)); }
+    for (const double x : {1e4, 1e5, 1e6}) { cases.push_back(flightFarOut(x)); }
     cases.push_back(flatBars());
+    cases.push_back(barDrop("bar-drop-0.5", 0.5));
+    cases.push_back(barDrop("bar-drop-5", 5));
     return cases;
 }
 
