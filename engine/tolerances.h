@@ -47,8 +47,8 @@ inline constexpr Real kRestRoomRatio = kMinReachRatio / 2;
 /// Fast shapes whose farthest point is no farther from the centre than this part of their extent (squares: 0.71) have
 /// the boxes of their circles.
 inline constexpr Real kRoundRatio = Real(3) / 4;
-/// They also reach ahead along the body's velocity for so many steps, unless that is more than so many extents: a box
-/// of a bullet that reaches far ahead finds more than it saves.
+/// Of bodies without contacts they also reach ahead along the velocity for so many steps, unless that is more than so
+/// many extents: a box of a bullet, or in a crowd, that reaches far ahead finds more than it saves.
 inline constexpr Real kBoxStepsAhead = 2;
 inline constexpr Real kMaxAheadRatio = 4;
 /// Fastest push out of an overlap: this part of the pair's extent per step.

@@ -192,12 +192,17 @@ Aabb neededBox(const WorldState& world, const Shape& shape) {
 namespace {
 
 Aabb fattened(const WorldState& world, const Shape& shape, const Aabb& needed) {
-    if (world.bodies[shape.body].def.type == BodyType::fixed) { return needed; }
-    const Vec2 ahead = (kBoxStepsAhead * static_cast<Real>(world.lastDt)) * world.motions[shape.body].velocity;
+    const Body& body = world.bodies[shape.body];
+    if (body.def.type == BodyType::fixed) { return needed; }
+    const Vec2 way = static_cast<Real>(world.lastDt) * world.motions[shape.body].velocity;
+    const Real farthest = length(way);
+    const Real margin = kBoxMarginRatio * shape.extent;
     // What is too fast to look ahead leaves any margin in the next step.
-    if (!(length(ahead) <= kMaxAheadRatio * shape.extent)) { return needed; }
-    const Aabb enough = hullOf(needed, {needed.lower + ahead, needed.upper + ahead});
-    return grown(enough, kBoxMarginRatio * shape.extent);
+    if (!(kBoxStepsAhead * farthest <= kMaxAheadRatio * shape.extent)) { return needed; }
+    // Among others a box that reaches ahead finds more than it saves, and so does a margin that does not last.
+    if (body.hasContact) { return farthest > margin ? needed : grown(needed, margin); }
+    const Vec2 ahead = kBoxStepsAhead * way;
+    return grown(hullOf(needed, {needed.lower + ahead, needed.upper + ahead}), margin);
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ struct WorldState {
         0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
     std::vector<EventPlace> eventPlaces;     ///< scratch of `sortEvents`
     std::vector<ContactEvent> sortedEvents;  ///< likewise
-    std::vector<ChainTouch> chainTouches;  ///< scratch: pairs with a chain that touch, one entry per segment
+    std::vector<ChainTouch> chainTouches;    ///< scratch: pairs with a chain that touch, one entry per segment
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
