@@ -69,6 +69,52 @@ Case chain(double ratio, bool swung) {
     return c;
 }
 
+/// Twenty planks between two posts, a V to begin with, and what falls on them: loops of joints with contacts. The
+/// widest gap of a hinge between planks, m, at any time.
+Case loadedBridge(const std::string& name, double density) {
+    Case c{"mass", name, emptyScene(name), 600, {}, {}, false};
+    constexpr int kPlanks = 20;
+    constexpr double kHalf = 0.25;
+    constexpr double kSlope = 0.28;  // rad
+    const DVec2 down{std::cos(kSlope), -std::sin(kSlope)};
+    const auto corner = [down](int i) {
+        const int fromEnd = std::min(i, kPlanks - i);
+        return DVec2{2 * kHalf * i * down.x, 2 * kHalf * fromEnd * down.y};
+    };
+    addFixed(c.scene, "left", corner(0), {circle(0.02)}).shapes[0].filter.mask = 0;
+    addFixed(c.scene, "right", corner(kPlanks), {circle(0.02)}).shapes[0].filter.mask = 0;
+    const int first = lastBody(c.scene) + 1;
+    std::string before = "left";
+    for (int i = 0; i < kPlanks; ++i) {
+        const std::string plank = "plank" + std::to_string(i);
+        BodyDescription& body = addDynamic(c.scene, plank, 0.5 * (corner(i) + corner(i + 1)), {box({kHalf, 0.05})});
+        body.angle = i < kPlanks / 2 ? -kSlope : kSlope;
+        body.shapes[0].filter.group = -1;
+        hinge(c.scene, before, plank, corner(i));
+        before = plank;
+    }
+    hinge(c.scene, before, "right", corner(kPlanks));
+    for (int i = 0; i < 3; ++i) {
+        addDynamic(c.scene, "", {corner(kPlanks / 2).x, 0.8 * i}, {withDensity(box({0.3, 0.3}), density)});
+    }
+    setSurface(c.scene, 0.6, 0);
+    c.measures = {{"joint gap", "m", [first](const Frames& frames) {
+                       double widest = 0;
+                       for (const Frame& frame : frames) {
+                           for (int i = 0; i + 1 < kPlanks; ++i) {
+                               const BodyFrame& a = bodyAt(frame, first + i);
+                               const BodyFrame& b = bodyAt(frame, first + i + 1);
+                               const DVec2 ofA{kHalf * std::cos(a.angle), kHalf * std::sin(a.angle)};
+                               const DVec2 ofB{kHalf * std::cos(b.angle), kHalf * std::sin(b.angle)};
+                               widest = std::max(widest, length(b.position - ofB - (a.position + ofA)));
+                           }
+                       }
+                       return widest;
+                   }}};
+    c.verdict = staysWithin(100);
+    return c;
+}
+
 }  // namespace
 
 std::vector<Case> massCases() {
@@ -78,6 +124,8 @@ std::vector<Case> massCases() {
     }
     for (const double ratio : {10.0, 100.0, 1000.0, 1e4, 1e6}) { cases.push_back(chain(ratio, false)); }
     for (const double ratio : {100.0, 1000.0, 1e4, 1e6}) { cases.push_back(chain(ratio, true)); }
+    cases.push_back(loadedBridge("bridge", 1));
+    cases.push_back(loadedBridge("bridge-R100", 100));
     return cases;
 }
 
