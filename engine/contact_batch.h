@@ -17,7 +17,15 @@ public:
     /// @pre not full; the contact is of the kind
     void add(const WorldState& world, ContactProbe& probe, Contact& contact, const Transform& bInA,
              ManifoldReach reach) {
-        entries_[pairs_.size()] = {&probe, &contact, bInA, reach.points};
+        // One by one: together they would be read from where some of them were just written, and wait for that.
+        Entry& entry = entries_[pairs_.size()];
+        entry.probe = &probe;
+        entry.contact = &contact;
+        entry.bInA.translation.x = bInA.translation.x;
+        entry.bInA.translation.y = bInA.translation.y;
+        entry.bInA.rotation.c = bInA.rotation.c;
+        entry.bInA.rotation.s = bInA.rotation.s;
+        entry.margin = reach.points;
         pairs_.add(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon, bInA, reach);
     }
 
@@ -27,15 +35,21 @@ public:
     void renew(const WorldState& world, const Done& done) {
         if (pairs_.size() == 0) { return; }
         pairs_.collide();
+        std::array<Manifold, ManifoldBatch::kPairs>
+            closest;  // first all of them: copies wait for what was just written
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            pairs_.takeManifold(i, entries_[i].contact->memory, closest[i]);
+        }
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             const Entry& entry = entries_[i];
             Contact& contact = *entry.contact;
-            const Manifold closest = pairs_.manifold(i, contact.memory);
-            takeManifold(contact, entry.bInA,
-                         contact.dynamicA
-                             ? closest
-                             : turnedToGround(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB],
-                                              entry.bInA, entry.margin, closest));
+            if (contact.dynamicA) {
+                takeManifold(contact, entry.bInA, closest[i]);
+            } else {
+                takeManifold(contact, entry.bInA,
+                             turnedToGround(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB],
+                                            entry.bInA, entry.margin, closest[i]));
+            }
             done(*entry.probe, contact, entry.bInA);
         }
         pairs_.clear();

@@ -156,7 +156,9 @@ constexpr std::size_t kLine = 64;  ///< bytes of a cache; on other machines than
 
 template <class T>
 void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
-    for (std::size_t i = 0; i < bytes; i += kLine) { __builtin_prefetch(reinterpret_cast<const char*>(&thing) + i); }
+    const char* const first = reinterpret_cast<const char*>(&thing);
+    for (std::size_t i = 0; i < bytes; i += kLine) { __builtin_prefetch(first + i); }
+    __builtin_prefetch(first + (bytes - 1));  // it begins anywhere in a line
 }
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several

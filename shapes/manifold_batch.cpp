@@ -108,12 +108,13 @@ Manifold ManifoldBatch::otherManifold(std::size_t pair, ManifoldMemory& memory) 
     return manifold;
 }
 
-Manifold ManifoldBatch::manifold(std::size_t pair, ManifoldMemory& memory) const {
-    if ((pairs_.plain >> pair & 1U) == 0) { return otherManifold(pair, memory); }
-    Manifold manifold;
+void ManifoldBatch::takeManifold(std::size_t pair, ManifoldMemory& memory, Manifold& manifold) const {
+    if ((pairs_.plain >> pair & 1U) == 0) {
+        manifold = otherManifold(pair, memory);
+        return;
+    }
     copyPoints(pair, manifold);
     memory.verdict = ManifoldMemory::Verdict::none;
-    return manifold;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -24,9 +24,11 @@ public:
     void add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach);
     /// All that were added. @pre there is one; `canCollideInBatches`
     void collide();
-    /// @param memory  of the two shapes; keeps how far apart they are, where they are
+    /// @param memory    of the two shapes; keeps how far apart they are, where they are
+    /// @param manifold  as made; what becomes of it. (Not returned: a copy of what was just written has to wait for
+    /// it.)
     /// @pre collided
-    Manifold manifold(std::size_t pair, ManifoldMemory& memory) const;
+    void takeManifold(std::size_t pair, ManifoldMemory& memory, Manifold& manifold) const;
     void clear() { size_ = 0; }
 
 private:

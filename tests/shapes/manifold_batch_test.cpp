@@ -118,7 +118,8 @@ void compare(const std::vector<Query>& queries, Tally& tally) {
         ManifoldMemory memoryOfOne;
         ManifoldMemory memory;
         const Manifold one = collide(query.a, query.b, query.bInA, query.reach, memoryOfOne);
-        const Manifold lane = batch.manifold(i, memory);
+        Manifold lane;
+        batch.takeManifold(i, memory, lane);
         ASSERT_TRUE(sameBits(lane, one)) << "pair " << i << ": " << lane.count << " points, not " << one.count
                                          << ", normals " << lane.normal.x << ", " << lane.normal.y << " and "
                                          << one.normal.x << ", " << one.normal.y;
