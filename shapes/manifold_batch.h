@@ -12,8 +12,8 @@ bool collidesInBatches(const Polygon& polygon);
 /// Whether this machine, and this build, have registers for batches. Without them `collide` does as well.
 bool canCollideInBatches();
 
-/// Manifolds of as many pairs at once as there are lanes: bit for bit those of `collide` without a memory, at a third
-/// of the cost.
+/// Manifolds of as many pairs at once as there are lanes: bit for bit those of `collide` without a memory, at less than
+/// half the cost.
 class ManifoldBatch {
 public:
     static constexpr std::size_t kPairs = SharpPairs::kPairs;
