@@ -38,6 +38,7 @@ struct IslandRest {
     bool isRestless = false;  ///< some member moves, or a joint, a kinematic body or a force has a part in it
     bool isPushed = false;    ///< by forces for this step alone
     bool isDirect = false;    ///< its contacts were solved all at once
+    bool isLarge = false;     ///< likewise, in a large web (effort.h)
     std::uint32_t heldIn = 0xFFFFFFFFu;  ///< place in `HeldIslands`, once it has one
 };
 

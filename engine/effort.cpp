@@ -17,8 +17,10 @@ constexpr double kSubStepRatio = 0.1;
 /// in the first step, sank in under the springs of the next ones, and were never high again.
 constexpr double kHighStack = 1.5;
 constexpr Real kHeavyRatio = 8;
-/// Contacts that close loops: in larger webs the factor fills up.
-constexpr std::uint32_t kMostWebBodies = 256;
+/// So many rounds of the search cost a step of debt. A pyramid of 1275 boxes that finds its first impulses owes 10, and
+/// nothing after that; at most nine steps in a row are spent on rounds without end.
+constexpr int kRoundsOfDebt = 16;
+constexpr std::uint16_t kMostDebt = 96;
 /// Joints in an island that iteration brings together badly.
 constexpr std::uint32_t kLongChain = 16;
 /// Joints that close loops: in larger nets the factor fills up.
@@ -28,15 +30,29 @@ constexpr std::uint32_t kMostLoopBodies = 64;
 /// unless masses are far apart.
 constexpr std::int8_t kTowerDoublings = -3;
 constexpr double kRestRatioOfFall = 1.0 / 8;
+/// A large web that was solved so is given up later: its first impulses are found in a few steps. (1275 boxes side by
+/// side have 2.5 cm/s after the first.)
+constexpr double kStirRatioOfFall = 1.0 / 2;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
 constexpr int kFewestSubStepsForJoints = 8;
+/// What jostles: so many bodies at least (with all joints driven, a ragdoll's), this part of which is on the move, as
+/// fast as in a fall of 1/32 of its extent. Half of the sub-steps do there, with one pass of relaxation, as long as
+/// springs of those carry what may lie on the thinnest body with an error below this part of it. (With all that is
+/// faster than an eighth of what gravity gives in a step on the move, a pyramid that had been disturbed breathed by
+/// 5 cm for ever; a stack of twenty boxes that is dropped sinks in farther.)
+constexpr std::uint32_t kFewestInCrowd = 64;
+constexpr std::uint32_t kFewestInRagdoll = 8;
+constexpr std::uint32_t kMovingShare = 8;
+constexpr Real kMovingRatioOfFall = Real(1) / 16;
+constexpr double kCrowdErrorRatio = 1.0 / 32;
+constexpr Effort kCrowd{.doublings = -1, .isCrowd = true};
 /// Moving masses on joints farther apart than this need shorter sub-steps. A light link that the heavy body swings past
 /// whips round with a speed that goes by the root of the ratio, and joints are closed to the second order in the turn
 /// of a sub-step: beyond half a radian that tears them. `swept envelope`, map "chain": 16 sub-steps hold 560 : 1, not
 /// 1000 : 1; with 32 that, too, tore when it swung for ten seconds.
 constexpr Real kWhipRatio = 128;
 
-void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2 up) {
+void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2 up, Real gravity) {
     const double height = dot(up, motion.center);
     const auto mass = static_cast<Real>(body.mass);
     if (load.bodies++ == 0) {
@@ -44,7 +60,14 @@ void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2
         load.thinnest = body.extent;
         load.lowest = load.highest = height;
     }
-    load.fastest = std::max(load.fastest, lengthSquared(motion.velocity));
+    const Real speedSquared = lengthSquared(motion.velocity);
+    load.fastest = std::max(load.fastest, speedSquared);
+    load.moving += speedSquared > kMovingRatioOfFall * gravity * body.extent ? 1 : 0;
+    load.debt = std::max<std::uint32_t>(load.debt, body.searchDebt);
+    // The effort is still that of the last step.
+    const bool isStill = speedSquared == 0 && motion.angularVelocity == 0;
+    load.staysPut = load.staysPut && (isStill || body.effort.direct == DirectScope::all);
+    if (body.holdingJoints == 0) { load.heaviestLoose = std::max(load.heaviestLoose, mass); }
     load.lightest = std::min(load.lightest, mass);
     load.heaviest = std::max(load.heaviest, mass);
     load.thinnest = std::min(load.thinnest, body.extent);
@@ -56,9 +79,10 @@ void addBodies(WorldState& world) {
     const auto gravity = static_cast<double>(length(world.settings.gravity));
     const DVec2 up = gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
     for (const std::uint32_t slot : world.awake) {
-        const Body& body = world.bodies[slot];
+        Body& body = world.bodies[slot];
         if (body.role != BodyRole::solved) { continue; }
-        addBody(world.islandLoads[world.islands.find(slot)], body, world.motions[slot], up);
+        if (body.searchDebt > 0) { --body.searchDebt; }
+        addBody(world.islandLoads[world.islands.find(slot)], body, world.motions[slot], up, static_cast<Real>(gravity));
     }
 }
 
@@ -113,6 +137,18 @@ private:
 };
 bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
 
+/// Whether a joint has a motor or a spring: what it holds keeps no energy.
+struct DrivenJoints {
+    template <class Part>
+    bool operator()(const Part& part) const {
+        bool isDriven = false;
+        if constexpr (requires { part.def.motor.has_value(); }) { isDriven = part.def.motor.has_value(); }
+        if constexpr (requires { part.def.spring.has_value(); }) { isDriven |= part.def.spring.has_value(); }
+        return isDriven;
+    }
+};
+bool isDriven(const Joint& joint) { return std::visit(DrivenJoints{}, joint.parts); }
+
 void addJoints(WorldState& world) {
     tieJointed(world);
     for (const std::uint32_t i : world.activeJoints) {
@@ -132,6 +168,7 @@ void addJoints(WorldState& world) {
         }
         ++load.joints;
         load.plainJoints += isPlain(joint) ? 1 : 0;
+        load.driven += isDriven(joint) ? 1 : 0;
     }
 }
 
@@ -155,7 +192,33 @@ std::int8_t doublingsFor(const IslandLoad& load, std::int8_t fewest, double grav
 bool isTree(const IslandLoad& load) { return load.contacts + load.joints <= load.bodies; }
 
 /// Contact graphs of convex bodies in the plane are planar, and have fewer edges than three times the nodes.
-bool isWeb(const IslandLoad& load) { return load.bodies <= kMostWebBodies && load.contacts <= 3 * load.bodies; }
+bool isPlanar(const IslandLoad& load) { return load.contacts <= 3 * load.bodies; }
+
+/// Whether contacts that close loops are few enough to be solved all at once. (Heaps of 600 boxes that came to rest on
+/// springs asked for a hundred rounds in each step, and slipped whenever they changed from one to the other.)
+bool isWeb(const IslandLoad& load) {
+    const bool isSmall = load.bodies <= kSmallWebBodies;
+    return load.bodies <= kMostWebBodies && isPlanar(load) && (isSmall || (load.staysPut && load.debt < kMostDebt));
+}
+
+/// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
+/// island is high, and the heaviest that lies loose. The springs give way by about h²·|g| under the weight of the body
+/// that they hold.
+bool isCrowd(const IslandLoad& load, double gravity, double dt, int subSteps) {
+    // Joints that carry one another have to have a drive, or be a net: chains tighten.
+    const bool isRagdoll = load.joints > 0 && load.driven == load.joints;
+    const bool isNet = load.hasLoop && load.contacts == 0;
+    const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
+    const std::uint32_t fewest = isRagdoll ? kFewestInRagdoll : kFewestInCrowd;
+    // A net that is not at rest swings as a whole.
+    const bool isMany = load.bodies >= fewest && (isNet || kMovingShare * load.moving >= load.bodies);
+    if (!isMany || !(isRagdoll || isNet || isPile)) { return false; }
+    const double h = dt / subStepsFor(kCrowd, subSteps);
+    const auto thinnest = static_cast<double>(load.thinnest);
+    const double layers = (load.highest - load.lowest) / thinnest;
+    const double carried = layers + static_cast<double>(load.heaviestLoose / load.lightest);
+    return thinnest > 0 && carried * (gravity * h * h) <= kCrowdErrorRatio * thinnest;
+}
 
 /// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and
 /// joints that are exact each time are worth it only where iteration over them is hopeless.
@@ -192,22 +255,42 @@ DirectScope scopeForContacts(const IslandLoad& load, bool rests) {
     return isStack && needsIt && mayHaveIt ? DirectScope::all : DirectScope::none;
 }
 
-Effort effortFor(const IslandLoad& load, double gravity, double dt, int subSteps) {
-    const double restSpeed = kRestRatioOfFall * gravity * dt;
+/// What all islands share.
+struct StepScale {
+    double gravity = 0;     ///< m/s²
+    double dt = 0;          ///< s
+    int subSteps = 1;       ///< that the settings ask for
+    bool mayJostle = true;  ///< the number of sub-steps is the profile's own
+};
+
+Effort effortFor(const IslandLoad& load, const StepScale& step) {
+    const bool isKnown = load.staysPut && load.bodies > kSmallWebBodies;
+    const double restSpeed = (isKnown ? kStirRatioOfFall : kRestRatioOfFall) * step.gravity * step.dt;
     const bool rests = static_cast<double>(load.fastest) <= restSpeed * restSpeed;
     const bool isTouching = load.contacts > 0;
+    const bool jostles = step.mayJostle && !rests && isCrowd(load, step.gravity, step.dt, step.subSteps);
     if (load.joints > 0) {
-        const DirectScope scope = scopeForJoints(load, isTouching, subSteps);
+        const DirectScope scope = scopeForJoints(load, isTouching, step.subSteps);
+        // To solve joints all at once keeps energy, but not where drives take it.
+        if (jostles && (scope == DirectScope::none || scope == DirectScope::freeJoints)) { return kCrowd; }
         // Islands see to that themselves.
         const bool mayWhip = scope != DirectScope::none && scope != DirectScope::islands && !rests;
-        return {.doublings = mayWhip ? doublingsForWhips(load, subSteps) : std::int8_t{0}, .direct = scope};
+        return {.doublings = mayWhip ? doublingsForWhips(load, step.subSteps) : std::int8_t{0}, .direct = scope};
     }
     const DirectScope scope = scopeForContacts(load, rests);
+    if (jostles && scope == DirectScope::none) { return kCrowd; }
     const std::int8_t fewest = scope == DirectScope::all && rests ? kTowerDoublings : std::int8_t{0};
-    return {.doublings = doublingsFor(load, fewest, gravity, dt, subSteps), .direct = scope};
+    return {.doublings = doublingsFor(load, fewest, step.gravity, step.dt, step.subSteps),
+            .direct = scope,
+            .isLarge = scope == DirectScope::all && !isTree(load) && load.bodies > kSmallWebBodies};
 }
 
 }  // namespace
+
+std::uint16_t searchDebtAfter(std::uint16_t debt, int rounds, bool isSolved) {
+    const int owed = debt + rounds / kRoundsOfDebt;
+    return isSolved && owed < kMostDebt ? static_cast<std::uint16_t>(owed) : kMostDebt;
+}
 
 namespace {
 
@@ -219,11 +302,13 @@ void assignByLoad(WorldState& world, double dt) {
     addBodies(world);
     addContacts(world);
     if (!world.activeJoints.empty()) { addJoints(world); }
-    const auto gravity = static_cast<double>(length(world.settings.gravity));
-    const int subSteps = subStepsOf(world.settings);
+    const StepScale step{.gravity = static_cast<double>(length(world.settings.gravity)),
+                         .dt = dt,
+                         .subSteps = subStepsOf(world.settings),
+                         .mayJostle = !hasErrorBudget(world.settings) && world.settings.subSteps <= 0};
     for (const std::uint32_t slot : world.awake) {
         IslandLoad& load = loads[slot];
-        if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, gravity, dt, subSteps); }
+        if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, step); }
     }
 }
 

@@ -132,6 +132,38 @@ void addEffort(std::vector<Effort>& efforts, std::size_t place, Effort effort) {
                    effort);
 }
 
+/// As it was remembered: what `isTakenBack` tells of a body's slot.
+template <class IsTakenBack>
+void restore(WorldState& world, const IsTakenBack& isTakenBack) {
+    const EffortTrial& trial = world.trial;
+    for (const ContactOutcome& outcome : trial.contacts) {
+        Contact& contact = world.contacts[outcome.contact];
+        if (!isTakenBack(contact.dynamicA ? contact.bodyA : contact.bodyB)) { continue; }
+        contact.normalImpulse = outcome.normalImpulse;
+        contact.tangentImpulse = outcome.tangentImpulse;
+        contact.totalImpulse = outcome.totalImpulse;
+        contact.pressed = outcome.pressed;
+    }
+    for (std::size_t i = 0; i < trial.joints.size(); ++i) {
+        Joint& joint = world.joints[world.tiedJoints[i]];
+        const auto bodies = joint.allBodies();
+        if (std::any_of(bodies.begin(), bodies.end(), isTakenBack)) { joint = trial.joints[i]; }
+    }
+    const auto events = world.contactEvents.begin() + static_cast<std::ptrdiff_t>(trial.events);
+    world.contactEvents.erase(std::remove_if(events, world.contactEvents.end(),
+                                             [&](const ContactEvent& event) {
+                                                 return isTakenBack(event.bodyA.index) ||
+                                                        isTakenBack(event.bodyB.index);
+                                             }),
+                              world.contactEvents.end());
+    for (const std::uint32_t slot : trial.members) {
+        if (!isTakenBack(slot)) { continue; }
+        world.motions[slot] = trial.motions[slot];
+        world.bodies[slot].flung = false;
+        ++world.counters.bodiesAgain;
+    }
+}
+
 }  // namespace
 
 void rememberClass(WorldState& world, Effort effort) {
@@ -160,46 +192,27 @@ void rememberClass(WorldState& world, Effort effort) {
 
 void takeBackMissed(WorldState& world, std::size_t place, double dt) {
     const Effort effort = world.efforts[place];
-    EffortTrial& trial = world.trial;
     measureClass(world, effort, dt);
     if (!raiseMissed(world, effort)) { return; }
     const auto isTakenBack = [&world](std::uint32_t slot) {
         const Body& body = world.bodies[slot];
         return body.role == BodyRole::solved && world.islandErrors[world.islands.find(slot)].next != body.effort;
     };
-    for (const ContactOutcome& outcome : trial.contacts) {
-        Contact& contact = world.contacts[outcome.contact];
-        if (!isTakenBack(contact.dynamicA ? contact.bodyA : contact.bodyB)) { continue; }
-        contact.normalImpulse = outcome.normalImpulse;
-        contact.tangentImpulse = outcome.tangentImpulse;
-        contact.totalImpulse = outcome.totalImpulse;
-        contact.pressed = outcome.pressed;
-    }
-    for (std::size_t i = 0; i < trial.joints.size(); ++i) {
-        Joint& joint = world.joints[world.tiedJoints[i]];
-        const auto bodies = joint.allBodies();
-        if (std::any_of(bodies.begin(), bodies.end(), isTakenBack)) { joint = trial.joints[i]; }
-    }
-    const auto events = world.contactEvents.begin() + static_cast<std::ptrdiff_t>(trial.events);
-    world.contactEvents.erase(std::remove_if(events, world.contactEvents.end(),
-                                             [&](const ContactEvent& event) {
-                                                 return isTakenBack(event.bodyA.index) ||
-                                                        isTakenBack(event.bodyB.index);
-                                             }),
-                              world.contactEvents.end());
-    for (const std::uint32_t slot : trial.members) {
-        if (!isTakenBack(slot)) { continue; }
-        world.motions[slot] = trial.motions[slot];
-        world.bodies[slot].flung = false;
-        ++world.counters.bodiesAgain;
-    }
-    for (const std::uint32_t slot : trial.members) {
+    restore(world, isTakenBack);
+    for (const std::uint32_t slot : world.trial.members) {
         const Effort next = world.islandErrors[world.islands.find(slot)].next;
         Body& body = world.bodies[slot];
         if (next == body.effort) { continue; }
         body.effort = next;
         addEffort(world.efforts, place, next);
     }
+}
+
+void takeBackClass(WorldState& world, std::size_t place, Effort next) {
+    const Effort effort = world.efforts[place];
+    restore(world, [&world, effort](std::uint32_t slot) { return isMember(world, slot, effort); });
+    for (const std::uint32_t slot : world.trial.members) { world.bodies[slot].effort = next; }
+    addEffort(world.efforts, place, next);
 }
 
 bool raiseMissedJoints(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> joints,

@@ -43,6 +43,9 @@ void rememberClass(WorldState& world, Effort effort);
 /// @param place  of the effort there; what comes later has more sub-steps
 void takeBackMissed(WorldState& world, std::size_t place, double dt);
 
+/// After they were: all are as they were before, and have that effort, which comes later.
+void takeBackClass(WorldState& world, std::size_t place, Effort next);
+
 /// After an island with something fast advanced from impact to impact: whether its joints went beyond their budget, and
 /// more sub-steps, which its members then have, may mend that. (How deep it gets depends on where its parts end.)
 /// @param joints  of the island, slots; not empty

@@ -194,13 +194,15 @@ void addUpReactions(Island& island, double time) {
 }
 
 int subStepsFor(const Island& island, double time) {
-    const int asked = subStepsOf(island.world.settings);
+    const Effort effort = island.world.bodies[island.fast.members[0]].effort;
+    const int usual = subStepsOf(island.world.settings);
+    const int asked = effort.isCrowd ? swept::subStepsFor(effort, usual) : usual;
     const bool isJointed = !island.fast.jointSlots.empty();
     const bool isBudgeted = hasErrorBudget(island.world.settings);
     // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the
     // effort says of the whole step (doublingsForWhips) goes for its parts. With a budget it may be fewer sub-steps
     // than asked for: joints that then open too far are advanced again (effort_trial.h).
-    const int chosen = swept::subStepsFor(island.world.bodies[island.fast.members[0]].effort, asked);
+    const int chosen = swept::subStepsFor(effort, usual);
     const int atLeast = isJointed && isBudgeted ? 1 : asked;
     const int standard = isJointed || isBudgeted ? std::max(atLeast, chosen) : asked;
     const double share = std::ceil(standard * time / island.dt * (1 - kShortestPart));

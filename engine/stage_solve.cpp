@@ -139,6 +139,13 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time) {
     if (isWatched) { settleAccounts(world, group); }
 }
 
+void rememberSearch(WorldState& world, const TiedGroup& group, int rounds, bool isSolved) {
+    for (const std::uint32_t slot : group.bodies) {
+        Body& body = world.bodies[slot];
+        if (isMember(body, group)) { body.searchDebt = searchDebtAfter(body.searchDebt, rounds, isSolved); }
+    }
+}
+
 }  // namespace
 
 void moveFreeBodies(WorldState& world, double dt) {
@@ -156,7 +163,7 @@ void moveFreeBodies(WorldState& world, double dt) {
     world.counters.speedsLimited += limited;
 }
 
-void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part) {
+bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part) {
     const auto dt = static_cast<Real>(part.dt);
     const auto time = static_cast<Real>(part.length);
     const Real h = time / static_cast<Real>(part.subSteps);
@@ -180,7 +187,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     }
     const SolverSettings settings{.dt = time,
                                   .subSteps = part.subSteps,
-                                  .relaxPasses = relaxPassesOf(world.settings),
+                                  .relaxPasses = relaxPassesFor(group.effort, relaxPassesOf(world.settings)),
                                   .restitutionThreshold = threshold,
                                   .maxSpeed = world.settings.maxSpeed,
                                   .joints = !group.joints.empty(),
@@ -188,11 +195,14 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .bouncesInTurn = inTurn,
                                   .coarseImpacts = world.settings.profile == Profile::fast,
                                   .direct = scope,
+                                  .patient = group.effort.isLarge,
                                   .settled = group.effort.isSettled};
     const SolveReport report = settings.joints ? solveWithJoints(world, group, settings, dt)
                                                : world.solver.solve(world.batch, settings, *world.loops);
     if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group, time);
+    const bool isSolved = scope != DirectScope::all || (report.isDirect && report.direct.givenUp == 0);
+    if (group.effort.isLarge) { rememberSearch(world, group, report.direct.rounds, isSolved); }
     StepCounters& counters = world.counters;
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
     const bool ownSubSteps = report.mostSubSteps > 0;
@@ -209,6 +219,7 @@ void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     counters.bounceRounds += static_cast<std::uint64_t>(report.bounceRounds);
     counters.speedsLimited += static_cast<std::uint64_t>(report.speedsLimited);
     counters.constraints += contacts.count() + group.joints.size();
+    return isSolved;
 }
 
 void solveTiedBodies(WorldState& world, double dt) {
@@ -243,11 +254,15 @@ void solveTiedBodies(WorldState& world, double dt) {
             const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
             if (std::any_of(bodies.begin(), bodies.end(), isOfClass)) { world.tiedJoints.push_back(i); }
         }
-        if (isTried) { rememberClass(world, effort); }
-        solveGroup(world,
-                   {.effort = effort, .bodies = world.awake, .contacts = world.contacts, .joints = world.tiedJoints},
-                   {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
-        if (isTried) { takeBackMissed(world, place, dt); }
+        if (isTried || effort.isLarge) { rememberClass(world, effort); }
+        const bool isSolved = solveGroup(
+            world, {.effort = effort, .bodies = world.awake, .contacts = world.contacts, .joints = world.tiedJoints},
+            {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
+        if (effort.isLarge && !isSolved) {
+            takeBackClass(world, place, {});
+        } else if (isTried) {
+            takeBackMissed(world, place, dt);
+        }
     }
 }
 

@@ -22,6 +22,7 @@ inline bool isMember(const Body& body, const TiedGroup& group) {
 
 /// Moves the bodies of a group through a part of the step: the sub-stepped solve. Impulses, totals and hits go into the
 /// contacts and events. Contacts of which neither body has the role are skipped.
-void solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part);
+/// @return false when contacts were to be solved all at once, and at least once were left to iteration
+bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -54,9 +54,13 @@ void addScaled(Block3& to, double factor, const Block3& a) {
 
 }  // namespace
 
-bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope) {
-    if ((scope == DirectScope::freeJoints || scope == DirectScope::islands) && !batch.contacts.empty()) { return false; }
+bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient) {
+    if ((scope == DirectScope::freeJoints || scope == DirectScope::islands) && !batch.contacts.empty()) {
+        return false;
+    }
     scope_ = scope;
+    isPatient_ = isPatient;
+    hasGivenUp_ = false;
     isFactorised_ = false;
     joints_.clear();
     contacts_.clear();
@@ -302,11 +306,14 @@ void DirectSolver::applyToImpulses() {
 
 template <bool kJoints>
 bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
+    // Where rounds are many, a step that has used them up once does not try again.
+    if (isPatient_ && hasGivenUp_) { return false; }
     strength_ = 1;
     if constexpr (kJoints) { gatherJoints(batch, h, useBias, false); }
     gatherContacts(batch, h, useBias);
     if (!findImpulses<kJoints>(report)) {
         ++report.givenUp;
+        hasGivenUp_ = true;
         return false;
     }
     applyToImpulses<kJoints>();

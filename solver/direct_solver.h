@@ -37,8 +37,9 @@ enum class DirectScope : std::uint8_t {
 class DirectSolver {
 public:
     /// Once a step: bodies, islands, rows. @pre contacts stay where they are until the step ends
+    /// @param isPatient  of many bodies: more rounds
     /// @return false when there is nothing to do, or the system is too tangled to pay
-    bool prepare(SolverBatch& batch, DirectScope scope);
+    bool prepare(SolverBatch& batch, DirectScope scope, bool isPatient = false);
 
     /// Changes velocities and impulses. Contacts come with the impulses expected, not yet applied; joints with theirs
     /// applied.
@@ -150,6 +151,8 @@ private:
     void moveBodies(SolverBatch& batch) const;
 
     DirectScope scope_ = DirectScope::none;
+    bool isPatient_ = false;
+    bool hasGivenUp_ = false;  ///< in this step
     std::vector<std::uint32_t> nodeOf_;  ///< by slot
     std::vector<Node> nodes_;
     IslandFinder islands_;         ///< of nodes

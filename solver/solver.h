@@ -32,6 +32,7 @@ struct SolverSettings {
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
     /// then those of half a sub-step: one half before its motion and one after.
     DirectScope direct = DirectScope::none;
+    bool patient = false;  ///< of what is solved all at once: many bodies, more rounds
     /// All is at rest, with the right impulses: contacts hold what they have, without springs, in one sub-step.
     /// @pre no joints, nothing is solved all at once; separations are found, 0 where a point presses
     bool settled = false;
