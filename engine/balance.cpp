@@ -32,14 +32,14 @@ constexpr RestLimits kDirectLimits{.speed = Real(1) / (1 << 18),
                                    .torque = Real(1) / (1 << 13),
                                    .gap = Real(5) / (1 << 22),
                                    .overlap = Real(5) / (1 << 22)};
-/// The same for large islands, but for gaps and overlaps (a quarter more than a direct solve leaves there): to close
-/// what the search for their first impulses left takes 60 steps of 25 ms with 1275 boxes side by side, and the search
-/// as many more.
+/// The same for large islands, but for gaps and overlaps (what presses against others on all sides keeps more): to
+/// close what the search for their first impulses left takes 60 steps of 25 ms with 1275 boxes side by side, and the
+/// search as many more.
 constexpr RestLimits kLargeDirectLimits{.speed = kDirectLimits.speed,
                                         .pull = kDirectLimits.pull,
                                         .torque = kDirectLimits.torque,
-                                        .gap = Real(5) / (1 << 16),
-                                        .overlap = Real(5) / (1 << 16)};
+                                        .gap = Real(1) / (1 << 12),
+                                        .overlap = Real(1) / (1 << 12)};
 
 IslandRest& restOf(WorldState& world, std::uint32_t slot) { return world.islandRests[world.islands.find(slot)]; }
 
