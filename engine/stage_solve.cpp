@@ -31,8 +31,9 @@ constexpr std::size_t kMostReflected = 256;
 /// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner).
 constexpr std::size_t kMostReflectedOfFast = 24;
 
-/// Free bodies per block of a parallel loop.
+/// Bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
+constexpr std::size_t kReadGrain = 128;
 
 /// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its
 /// speed was cut
@@ -119,23 +120,40 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     return report;
 }
 
-/// Slots end here: no other solve must take them for its own.
+/// Slots end here: no other solve must take them for its own. @return whether the body was flung
+bool readBody(WorldState& world, std::uint32_t slot) {
+    const BodySlot place = std::exchange(world.solverSlots[slot], kFixedSlot);
+    if (!isMovable(world.batch.inertias[place])) { return false; }
+    Body& body = world.bodies[slot];
+    const BodyState& state = world.batch.states[place];
+    BodyMotion& motion = world.motions[slot];
+    const bool flung = isFlung(body, state);
+    if (flung) { body.flung = true; }
+    motion.center += toDouble(state.deltaPosition);
+    motion.angle += static_cast<double>(state.deltaAngle);
+    motion.velocity = state.velocity;
+    motion.angularVelocity = state.angularVelocity;
+    updatePose(world, slot);
+    return flung;
+}
+
+void bookBodies(WorldState& world, const TiedGroup& group, Real time) {
+    for (const std::uint32_t slot : group.bodies) {
+        const BodySlot place = world.solverSlots[slot];
+        if (isMovable(world.batch.inertias[place])) { book(world, slot, world.batch.states[place], time); }
+    }
+}
+
 void readBodies(WorldState& world, const TiedGroup& group, Real time) {
     const bool isWatched = openAccounts(world, group);
-    for (const std::uint32_t slot : group.bodies) {
-        const BodySlot place = std::exchange(world.solverSlots[slot], kFixedSlot);
-        if (!isMovable(world.batch.inertias[place])) { continue; }
-        Body& body = world.bodies[slot];
-        const BodyState& state = world.batch.states[place];
-        BodyMotion& motion = world.motions[slot];
-        if (isFlung(body, state)) { body.flung = world.anyFlung = true; }
-        if (isWatched) { book(world, slot, state, time); }
-        motion.center += toDouble(state.deltaPosition);
-        motion.angle += static_cast<double>(state.deltaAngle);
-        motion.velocity = state.velocity;
-        motion.angularVelocity = state.angularVelocity;
-        updatePose(world, slot);
-    }
+    if (isWatched) { bookBodies(world, group, time); }
+    std::atomic<bool> anyFlung = false;
+    world.loops->run(group.bodies.size(), kReadGrain, [&](std::size_t begin, std::size_t end, int) {
+        bool any = false;
+        for (std::size_t i = begin; i < end; ++i) { any = readBody(world, group.bodies[i]) || any; }
+        if (any) { anyFlung.store(true, std::memory_order_relaxed); }
+    });
+    world.anyFlung = world.anyFlung || anyFlung;
     if (isWatched) { settleAccounts(world, group); }
 }
 

@@ -176,16 +176,25 @@ void TiedContacts::anchorAhead() {
 
 void TiedContacts::readConstraints() {
     for (const ContactConstraint& constraint : world_.batch.contacts) { takeConstraint(constraint); }
+    end();
+}
+
+/// Hits become events in the order of their contacts, whoever found them.
+void TiedContacts::end() {
+    std::vector<ContactHit>& hits = world_.hits;
+    std::sort(hits.begin(), hits.end(), [](const ContactHit& a, const ContactHit& b) { return a.contact < b.contact; });
+    for (const ContactHit& hit : hits) { world_.contactEvents.push_back(hit.event); }
+    hits.clear();
 }
 
 std::size_t TiedContacts::count() const {
     return world_.batch.store != nullptr ? world_.batch.links.size() : world_.batch.contacts.size();
 }
 
-void TiedContacts::fill(std::span<const ContactPlace> places, const ContactArrays& to) {
+void TiedContacts::fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const ContactPlace& place = places[i];
-        const ContactLink& link = world_.batch.links[i];
+        const ContactLink& link = world_.batch.links[first + i];
         switch (place.points) {
             case 2:
                 fillContact(to.two[place.index], place.lane, link);
@@ -199,8 +208,8 @@ void TiedContacts::fill(std::span<const ContactPlace> places, const ContactArray
     }
 }
 
-void TiedContacts::take(std::span<const ContactPlace> places, const ContactArrays& from) {
-    const std::vector<ContactLink>& links = world_.batch.links;
+void TiedContacts::take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) {
+    const std::span<const ContactLink> links = std::span(world_.batch.links).subspan(first);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (i + kAhead < links.size()) { fetchOutcome(group_.contacts[links[i + kAhead].source]); }
         const ContactPlace& place = places[i];
@@ -265,16 +274,19 @@ void TiedContacts::noteHit(const Contact& contact, const Outcome& outcome) {
     // The gap closes at the approach speed: a first-order estimate of when in the step.
     const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
     const double wait = std::min(gap / static_cast<double>(speed), part_.length);
-    world_.contactEvents.push_back({.type = ContactEventType::hit,
-                                    .shapeA = world_.shapes.idOf(world_.shapes[contact.shapeA].head),
-                                    .shapeB = world_.shapes.idOf(world_.shapes[contact.shapeB].head),
-                                    .bodyA = world_.bodies.idOf(contact.bodyA),
-                                    .bodyB = world_.bodies.idOf(contact.bodyB),
-                                    .fraction = (part_.begin + wait) / part_.dt,
-                                    .point = apply(a.pose, contact.manifold.points[k].point),
-                                    .normal = outcome.normal,
-                                    .approachSpeed = speed,
-                                    .impulse = impulse});
+    const auto place = static_cast<std::uint32_t>(&contact - group_.contacts.data());
+    const ContactEvent hit{.type = ContactEventType::hit,
+                           .shapeA = world_.shapes.idOf(world_.shapes[contact.shapeA].head),
+                           .shapeB = world_.shapes.idOf(world_.shapes[contact.shapeB].head),
+                           .bodyA = world_.bodies.idOf(contact.bodyA),
+                           .bodyB = world_.bodies.idOf(contact.bodyB),
+                           .fraction = (part_.begin + wait) / part_.dt,
+                           .point = apply(a.pose, contact.manifold.points[k].point),
+                           .normal = outcome.normal,
+                           .approachSpeed = speed,
+                           .impulse = impulse};
+    const std::scoped_lock lock(hitting_);
+    world_.hits.push_back({place, hit});
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mutex>
+
 #include "constraint_builder.h"
 #include "tied_group.h"
 
@@ -25,8 +27,9 @@ public:
     void readConstraints();
     std::size_t count() const;
 
-    void fill(std::span<const ContactPlace> places, const ContactArrays& to) override;
-    void take(std::span<const ContactPlace> places, const ContactArrays& from) override;
+    void fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) override;
+    void take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) override;
+    void end() override;
 
 private:
     /// What a solve found out about a contact.
@@ -54,6 +57,7 @@ private:
     WorldState& world_;
     const TiedGroup& group_;
     const StepPart& part_;
+    std::mutex hitting_;  ///< held by who adds to `WorldState::hits`
     Real scale_;
     Real dt_;
     Real hitThreshold_;                                         ///< approach speed of what only rests, m/s

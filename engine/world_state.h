@@ -94,6 +94,12 @@ struct SensorSweeps {
 };
 
 /// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`.
+/// Found while a solve is read back.
+struct ContactHit {
+    std::uint32_t contact = 0;  ///< place among those of the group
+    ContactEvent event;
+};
+
 struct WorldState {
     WorldSettings settings;
     SerialTaskSystem serialTasks;
@@ -172,6 +178,7 @@ struct WorldState {
     std::vector<ClashScratch> clashScratch;    ///< likewise
 
     std::vector<ContactEvent> contactEvents;
+    std::vector<ContactHit> hits;  ///< of a solve, until it ends
     std::size_t eventsOfStep =
         0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
     std::vector<EventPlace> eventPlaces;     ///< scratch of `sortEvents`

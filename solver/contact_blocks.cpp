@@ -15,6 +15,9 @@ namespace {
 /// A block with fewer contacts costs more than they do one by one.
 constexpr std::uint32_t kFewestLanes = 2;
 constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
+/// Contacts, and blocks, per part of a parallel loop.
+constexpr std::size_t kPlaceGrain = 64;
+constexpr std::size_t kBlockGrain = 8;
 
 /// Visits each contact of blocks in the batch with its block and lane.
 template <class Block, class Visit>
@@ -128,21 +131,41 @@ void ContactBlocks::fillFrom(const SolverBatch& batch) {
     }
 }
 
-void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, bool prepared) {
-    kernels_ = wide ? contactKernels() : nullptr;
+/// Ends what the lanes began, and finds masses, in ranges that any worker may take.
+template <std::size_t kPoints>
+void ContactBlocks::finishBlocks(Blocks<kPoints>& blocks, bool prepared, TaskSystem& loops) {
+    if (blocks.count == 0) { return; }
+    loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+        const std::span<WideContact<kPoints>> some = std::span(blocks.blocks).subspan(begin, end - begin);
+        for (WideContact<kPoints>& block : some) { closeBlock(block); }
+        if (prepared) { return; }
+        if constexpr (kPoints == 2) {
+            kernels_->prepareTwo(some);
+        } else {
+            kernels_->prepareOne(some);
+        }
+    });
+}
+
+void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, const BuildSettings& settings,
+                          TaskSystem& loops) {
+    kernels_ = settings.wide ? contactKernels() : nullptr;
     listKinds(batch, graph.contactColours());
     layOut(graph);
     listPlaces(batch, graph.contactColours());
     if (batch.store != nullptr) {
         anyBounces_ = false;
-        batch.store->fill(places_, arrays(batch));
+        const ContactArrays to = arrays(batch);
+        loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
+            batch.store->fill(begin, std::span(places_).subspan(begin, end - begin), to);
+        });
     } else {
         fillFrom(batch);
     }
-    if (prepared) { return; }
+    finishBlocks(two_, settings.prepared, loops);
+    finishBlocks(one_, settings.prepared, loops);
+    if (settings.prepared) { return; }
     for (const std::uint32_t place : rest_) { prepareContact(batch.contacts[place], batch.inertias); }
-    if (two_.count > 0) { kernels_->prepareTwo(std::span(two_.blocks).first(two_.count)); }
-    if (one_.count > 0) { kernels_->prepareOne(std::span(one_.blocks).first(one_.count)); }
 }
 
 std::size_t ContactBlocks::countOf(int colour) const {
@@ -203,9 +226,13 @@ void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
     addUpAll(one_);
 }
 
-void ContactBlocks::readBack(SolverBatch& batch) {
+void ContactBlocks::readBack(SolverBatch& batch, TaskSystem& loops) {
     if (batch.store != nullptr) {
-        batch.store->take(places_, arrays(batch));
+        const ContactArrays from = arrays(batch);
+        loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
+            batch.store->take(begin, std::span(places_).subspan(begin, end - begin), from);
+        });
+        batch.store->end();
         return;
     }
     const auto read = [](ContactConstraint& contact, const auto& block, std::size_t lane) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shapes/task_system.h"
 #include "constraint_graph.h"
 #include "range_cut.h"
 #include "solver_batch.h"
@@ -16,9 +17,13 @@ namespace swept::inline SWEPT_PRECISION {
 /// with the store of its contacts).
 class ContactBlocks {
 public:
-    /// @pre coloured. @param wide  false: everything is solved one by one
-    /// @param prepared  whether all contacts are (`prepareContact`); else what stands in blocks is prepared there alone
-    void build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, bool prepared);
+    struct BuildSettings {
+        bool wide = true;  ///< false: everything is solved one by one
+        bool prepared =
+            false;  ///< whether all contacts are (`prepareContact`); else what stands in blocks is there alone
+    };
+    /// @pre coloured
+    void build(SolverBatch& batch, const ConstraintGraph& graph, const BuildSettings& settings, TaskSystem& loops);
     int blockCount() const { return static_cast<int>(one_.count + two_.count); }
     /// Blocks, and contacts on their own, of a colour. Those of a range may be solved beside those of another one.
     std::size_t countOf(int colour) const;
@@ -29,7 +34,7 @@ public:
     /// Ends a sub-step for contacts with restitution, whose totals are in the batch; the others had theirs by the last
     /// pass.
     void addUpBouncing(SolverBatch& batch) const;
-    void readBack(SolverBatch& batch);
+    void readBack(SolverBatch& batch, TaskSystem& loops);
 
 private:
     /// Places in the arrays of one colour.
@@ -53,6 +58,8 @@ private:
     template <std::size_t kPoints>
     ColourRange reserve(std::uint32_t contacts, Blocks<kPoints>& blocks);
     void layOut(const ConstraintGraph& graph);
+    template <std::size_t kPoints>
+    void finishBlocks(Blocks<kPoints>& blocks, bool prepared, TaskSystem& loops);
     ContactPlace placeFor(Kind kind, std::size_t colour);
     void listPlaces(SolverBatch& batch, std::span<const std::uint8_t> colours);
     void fillFrom(const SolverBatch& batch);

@@ -23,15 +23,13 @@ struct ContactHead {
     Real restitution = 0;
 };
 
+/// Touches nothing but the lane: others of the block may be filled at the same time.
 /// @pre the block was emptied
 template <std::size_t kPoints>
 inline void fillHead(WideContact<kPoints>& block, std::size_t lane, const ContactHead& head, const BodyInertia& a,
                      const BodyInertia& b) {
     block.slotA[lane] = head.slotA;
     block.slotB[lane] = head.slotB;
-    block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
-    block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
-    block.anyBounces = block.anyBounces || head.restitution > 0;
     block.normalX[lane] = head.normal.x;
     block.normalY[lane] = head.normal.y;
     block.friction[lane] = head.friction;
@@ -96,14 +94,30 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
     for (std::size_t i = 0; i < kPoints; ++i) { fillPoint(block.points[i], lane, contact.points[i]); }
 }
 
+/// What all lanes together tell. @pre they were filled
+template <std::size_t kPoints>
+inline void closeBlock(WideContact<kPoints>& block) {
+    std::uint32_t movableA = 0;
+    std::uint32_t movableB = 0;
+    bool anyBounces = false;
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        const BodyInertia a{block.inverseMassA[lane], block.inverseInertiaA[lane]};
+        const BodyInertia b{block.inverseMassB[lane], block.inverseInertiaB[lane]};
+        movableA |= (isMovable(a) ? 1U : 0U) << lane;
+        movableB |= (isMovable(b) ? 1U : 0U) << lane;
+        anyBounces = anyBounces || block.restitution[lane] > 0;
+    }
+    block.movableA = movableA;
+    block.movableB = movableB;
+    block.anyBounces = anyBounces;
+}
+
 /// What no contact has written yet, and most never do. @param lanes  of the block that will be; the others hold the
 /// fixed world to itself, which is all zeros
 template <std::size_t kPoints>
 inline void emptyBlock(WideContact<kPoints>& block, std::uint32_t lanes) {
     static_assert(std::is_trivially_copyable_v<WideContact<kPoints>> && kFixedSlot == 0);
     if (lanes < kBlockLanes) { std::memset(static_cast<void*>(&block), 0, sizeof(block)); }
-    block.movableA = block.movableB = 0;
-    block.anyBounces = false;
     block.lanes = lanes;
     block.bounceSpeed.fill(std::numeric_limits<Real>::infinity());
     block.restitution = {};

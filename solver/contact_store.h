@@ -37,11 +37,13 @@ class ContactStore {
 public:
     virtual ~ContactStore() = default;
 
-    /// @param places  of the links of the batch, in their order. All lanes that are in use are among them; blocks are
-    /// empty
-    virtual void fill(std::span<const ContactPlace> places, const ContactArrays& to) = 0;
-    /// Takes the impulses back from there.
-    virtual void take(std::span<const ContactPlace> places, const ContactArrays& from) = 0;
+    /// Blocks are empty before, and closed after (`closeBlock`). Parts of the links may be filled at the same time.
+    /// @param places  of the links of the batch from the first one on, in their order
+    virtual void fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) = 0;
+    /// Takes the impulses back from there. Likewise.
+    virtual void take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) = 0;
+    /// All were taken back.
+    virtual void end() {}
 
 protected:
     ContactStore() = default;

@@ -29,6 +29,8 @@ constexpr std::size_t kBodyGrain = 128;
 /// cores, per step: 1000 boxes 5 % slower when shared, 2000 boxes (50 blocks per colour) 8 % faster, 4000 boxes 18 %,
 /// 8000 boxes 30 %.
 constexpr std::size_t kFewestPerColour = 48;
+/// Contacts that blocks are filled with from several threads, some tens of nanoseconds each.
+constexpr std::size_t kFewestToFill = 512;
 /// Over what is settled: they take out the rounding of impulses.
 constexpr int kSettledPasses = 1;
 /// Of contacts that bounce in turn.
@@ -348,20 +350,24 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         if constexpr (kJoints) { makeJointsRigid(batch); }
     }
     const bool contactsAreDirect = report.isDirect && settings.direct == DirectScope::all;
-    contacts_.build(batch, graph_, settings.wide && !contactsAreDirect, needsContactsPrepared(settings));
+    const bool isAtOnce = loops.startSeconds() < TaskSystem::kAtOnce;
+    const bool hasMany = isAtOnce || graph_.contactColours().size() >= kFewestToFill;
+    TaskSystem& ofMany = hasMany ? loops : serial_;
+    contacts_.build(batch, graph_,
+                    {.wide = settings.wide && !contactsAreDirect, .prepared = needsContactsPrepared(settings)}, ofMany);
     report.contactBlocks = contacts_.blockCount();
     if constexpr (kJoints) {
         hinges_.build(batch, graph_, settings.wide && !report.isDirect);
         report.hingeBlocks = hinges_.blockCount();
     }
-    const bool isShared = loops.startSeconds() < TaskSystem::kAtOnce || isWorthSharing<kJoints>(batch);
+    const bool isShared = isAtOnce || isWorthSharing<kJoints>(batch);
     loops_ = isShared ? &loops : &serial_;
     if (bouncing_.empty()) {
         runSubSteps<kJoints, false>(batch, settings, report);
     } else {
         runSubSteps<kJoints, true>(batch, settings, report);
     }
-    contacts_.readBack(batch);
+    contacts_.readBack(batch, ofMany);
     if constexpr (kJoints) { hinges_.readBack(batch); }
     return report;
 }

@@ -94,10 +94,10 @@ public:
         batch.store = this;
     }
 
-    void fill(std::span<const ContactPlace> places, const ContactArrays& to) override {
+    void fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) override {
         for (std::size_t i = 0; i < places.size(); ++i) {
             const auto fillIn = [&](auto& block) {
-                const ContactConstraint& contact = contacts_[i];
+                const ContactConstraint& contact = contacts_[first + i];
                 fillLane(block, places[i].lane, contact, batch_.inertias[contact.slotA],
                          batch_.inertias[contact.slotB]);
             };
@@ -109,16 +109,16 @@ public:
                     fillIn(to.one[places[i].index]);
                     break;
                 default:
-                    to.rest[places[i].index] = contacts_[i];
+                    to.rest[places[i].index] = contacts_[first + i];
                     ++alone;
             }
         }
     }
-    void take(std::span<const ContactPlace> places, const ContactArrays& from) override {
+    void take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) override {
         for (std::size_t i = 0; i < places.size(); ++i) {
             const auto takeFrom = [&](const auto& block) {
                 for (std::size_t k = 0; k < block.points.size(); ++k) {
-                    ContactConstraintPoint& point = contacts_[i].points[k];
+                    ContactConstraintPoint& point = contacts_[first + i].points[k];
                     point.normalImpulse = block.points[k].normalImpulse[places[i].lane];
                     point.tangentImpulse = block.points[k].tangentImpulse[places[i].lane];
                     point.totalNormalImpulse = block.points[k].totalNormalImpulse[places[i].lane];
@@ -132,7 +132,7 @@ public:
                     takeFrom(from.one[places[i].index]);
                     break;
                 default:
-                    contacts_[i] = from.rest[places[i].index];
+                    contacts_[first + i] = from.rest[places[i].index];
             }
         }
     }
@@ -227,7 +227,7 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     ASSERT_STREQ(contactKernels()->name, hwy::TargetName(GetParam()));
     EXPECT_GT(expectSameBits(1, 300).contacts, 300) << "too few blocks to prove anything";
     const BlockCounts blocks = expectSameBits(16, 60);
-    EXPECT_GT(blocks.contacts, 600);
+    EXPECT_GT(blocks.contacts, 600);  // of sixteen lanes in float: fewer than when there were eight
     EXPECT_GT(blocks.hinges, 150);
 }
 
