@@ -17,6 +17,7 @@ namespace {
 /// Contacts per block: enough work, some microseconds, to pay for handing it over.
 constexpr std::size_t kContactGrain = 32;
 constexpr std::size_t kProbeGrain = 256;
+constexpr std::size_t kBodyGrain = 128;
 
 /// As the stage began.
 bool isAwake(const BodyGlance& body) { return !(body.motion < 0); }
@@ -24,9 +25,12 @@ bool isAwake(const WorldState& world, std::uint32_t body) { return isAwake(world
 
 /// So that the contacts of a body need not ask it one by one.
 void noteMotions(WorldState& world) {
-    for (const std::uint32_t slot : world.awake) {
-        world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
-    }
+    world.loops->run(world.awake.size(), kBodyGrain, [&world](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t slot = world.awake[i];
+            world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
+        }
+    });
 }
 
 /// `contactReach` of one side. @tparam kWatched  whether the world is: that of speculative bodies is not what was noted
@@ -324,7 +328,9 @@ void collideContacts(WorldState& world) {
     if (world.activeContacts == 0 && world.candidates.empty()) {
         if (mayWakeByJoints) { wakeAcrossJoints(world); }
     } else {
-        for (const std::uint32_t slot : world.awake) { noteMotion(world, slot); }
+        world.loops->run(world.awake.size(), kBodyGrain, [&world](std::size_t begin, std::size_t end, int) {
+            for (std::size_t i = begin; i < end; ++i) { noteMotion(world, world.awake[i]); }
+        });
         promoteCandidates(world);
         if (world.watched) {
             updateContacts<true>(world);

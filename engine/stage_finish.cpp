@@ -187,20 +187,19 @@ void mergeChainEvents(WorldState& world) {
 
 }  // namespace
 
-/// Few boxes are outgrown in a step, but all are looked at.
+/// Boxes are made side by side, and given to the broadphase one by one, in order.
 void moveProxies(WorldState& world) {
     if (world.loops->workerCount() <= 1) {
         for (const std::uint32_t slot : world.awake) { updateProxies(world, slot, false); }
         return;
     }
     world.outgrew.resize(world.awake.size());
+    world.fatBoxes.resize(world.neededBoxes.size());
     world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) {
-            world.outgrew[i] = hasOutgrownProxy(world, world.awake[i]) ? 1 : 0;
-        }
+        for (std::size_t i = begin; i < end; ++i) { world.outgrew[i] = renewBoxes(world, world.awake[i]) ? 1 : 0; }
     });
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        if (world.outgrew[i] != 0) { updateProxies(world, world.awake[i], false); }
+        if (world.outgrew[i] != 0) { moveOutgrownProxies(world, world.awake[i]); }
     }
 }
 

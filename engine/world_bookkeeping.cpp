@@ -257,17 +257,27 @@ const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion) {
 
 }  // namespace
 
-bool hasOutgrownProxy(WorldState& world, std::uint32_t body) {
+bool renewBoxes(WorldState& world, std::uint32_t body) {
     if (keepsBoxes(world, body)) { return false; }
     const Real motion = noteBoxes(world, body);
     bool hasOutgrown = false;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
-        const bool fits = contains(world.broadphase->box(shape.proxy), renewNeededBox(world, shape, motion));
-        hasOutgrown = hasOutgrown || !fits;
+        const Aabb& needed = renewNeededBox(world, shape, motion);
+        if (contains(world.broadphase->box(shape.proxy), needed)) { continue; }
+        world.fatBoxes[static_cast<std::size_t>(shape.proxy)] = fattened(world, shape, needed);
+        hasOutgrown = true;
     }
-    if (hasOutgrown) { world.travels[body].boxRoom = 0; }  // not before they have been made anew
     return hasOutgrown;
+}
+
+void moveOutgrownProxies(WorldState& world, std::uint32_t body) {
+    for (const std::uint32_t slot : world.bodies[body].shapes) {
+        const ProxyId proxy = world.shapes[slot].proxy;
+        const auto place = static_cast<std::size_t>(proxy);
+        if (contains(world.broadphase->box(proxy), world.neededBoxes[place])) { continue; }
+        world.counters.proxiesMoved += world.broadphase->move(proxy, world.fatBoxes[place]).ok() ? 1 : 0;
+    }
 }
 
 void updateProxies(WorldState& world, std::uint32_t body, bool always) {

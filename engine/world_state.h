@@ -168,6 +168,7 @@ struct WorldState {
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
     std::vector<std::uint8_t> outgrew;         ///< by place in `awake`: a box no longer holds its shape
+    std::vector<Aabb> fatBoxes;                ///< by proxy: what takes its place then
     std::vector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     bool watched = false;       ///< this step: some body has such a mode (modes.h)
@@ -228,8 +229,11 @@ void updatePose(WorldState& world, std::uint32_t body);
 /// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
 Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
-/// Whether some box is too small for where its shape may be next.
-bool hasOutgrownProxy(WorldState& world, std::uint32_t body);
+/// Makes boxes anew that are too small for where the shapes may be next, in `WorldState::fatBoxes`; of different bodies
+/// also at the same time. @return whether there are any
+bool renewBoxes(WorldState& world, std::uint32_t body);
+/// Hands them to the broadphase.
+void moveOutgrownProxies(WorldState& world, std::uint32_t body);
 /// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are
 /// found anew (teleports).
 void updateProxies(WorldState& world, std::uint32_t body, bool always);
