@@ -247,7 +247,9 @@ Manifold collide(const Polygon& a, const Polygon& b, const Transform& bInA, Mani
     PairVerdict verdict;
     if (memory.verdict == Verdict::face && memory.motionTo(bInA) < memory.room) {
         const Manifold manifold = clipAgainstKnown(pair, memory, margins.points);
-        if (manifold.count > 0 && deepestSeparation(manifold) <= reach.nearest) { return manifold; }
+        // As near as `nearest` to rounding, a search may say that they are apart.
+        const Real certain = static_cast<Real>(margins.nearest) - kVerdictRounding * memory.lever;
+        if (manifold.count > 0 && deepestSeparation(manifold) <= certain) { return manifold; }
     }
     if (RescaledPair(a, b, bInA).isNeeded()) {  // rare enough not to remember anything
         memory.verdict = Verdict::none;

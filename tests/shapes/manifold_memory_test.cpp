@@ -166,6 +166,40 @@ TEST(ManifoldMemory, ChangesNoBitOnChains) {
     EXPECT_GT(tally.touching, tally.queries / 10);
 }
 
+/// As near as the limit to rounding: clipping, in double, finds them within it, and the search for faces apart.
+TEST(ManifoldMemory, ChangesNothingWhereRoundingDecides) {
+    int apart = 0;
+    int touching = 0;
+    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
+        SCOPED_TRACE(seed);
+        Chance chance(seed);
+        const Polygon a = roundCloud(chance, 3 + chance.below(4), 1, 0);
+        const Polygon b = roundCloud(chance, 3 + chance.below(4), 1, 0);
+        Transform pose = besides(chance, a, b, 1);
+        const Vec2 away = normalized(pose.translation).unit;
+        Real near = 0;
+        Real far = 8;
+        const Real limit = chance.below(2) == 0 ? Real(0) : static_cast<Real>(chance.range(0, 0.05));
+        for (int i = 0; i < 60; ++i) {
+            const Real middle = Real(0.5) * (near + far);
+            pose.translation = middle * away;
+            (collide(a, b, pose, limit).count > 0 ? near : far) = middle;
+        }
+        ManifoldMemory memory;
+        pose.translation = (near - Real(0.01)) * away;
+        collide(a, b, pose, limit, memory);
+        for (int ulps = -8; ulps <= 8; ++ulps) {
+            pose.translation = (near + static_cast<Real>(ulps) * kEpsilon) * away;
+            ManifoldMemory copy = memory;
+            const Manifold fresh = collide(a, b, pose, limit);
+            ASSERT_TRUE(isSame(collide(a, b, pose, limit, copy), fresh)) << ulps << " units, limit " << limit;
+            (fresh.count > 0 ? touching : apart) += 1;
+        }
+    }
+    EXPECT_GT(apart, 20000);
+    EXPECT_GT(touching, 20000);
+}
+
 TEST(ManifoldMemory, BoxesAtRestAreNotSearchedAgain) {
     const Polygon box = makeBox({Real(0.5), Real(0.5)}).value();
     ManifoldMemory memory;
