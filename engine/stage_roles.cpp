@@ -40,7 +40,8 @@ void startle(WorldState& world, const Contact& contact, Real dt) {
     wake(world, other);
     for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], dt); }
     body.fast = body.startled = true;
-    world.traits[other] |= kIsFast;
+    // Nor is it held (held_islands.h): what passes over it in this step may not touch it yet.
+    world.traits[other] = static_cast<BodyTraits>((world.traits[other] | kIsFast) & ~kIsStill);
 }
 
 /// A moving kinematic body passes over what rests as fast as that could pass under it: everything in the box of its

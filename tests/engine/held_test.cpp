@@ -147,6 +147,38 @@ TEST(Held, AnythingThatConcernsItReleasesIt) {
         def.velocity = vec(1, 0);
         addBody(pile.world, def, box(0.5, 0.4));
     });
+    // One at rest wakes nobody, but what is awake has to get out of it.
+    const DVec2 inside{-2.3, 0.5};
+    expectReleases("kinematic body put into it",
+                   [inside](Pile& pile) { addBody(pile.world, bodyAt(BodyType::kinematic, inside), box(0.5, 0.4)); });
+    expectReleases("kinematic body teleported into it", [inside](Pile& pile) {
+        const BodyId body = addBody(pile.world, bodyAt(BodyType::kinematic, {-8, 0.5}), box(0.5, 0.4));
+        run(pile.world, 1);
+        ASSERT_TRUE(pile.isHeld());
+        must(pile.world.setPose(body, inside, 0));
+    });
+    expectReleases("shape of a kinematic body put into it", [inside](Pile& pile) {
+        const BodyId body = must(pile.world.createBody(bodyAt(BodyType::kinematic, inside)));
+        run(pile.world, 1);
+        ASSERT_TRUE(pile.isHeld());
+        must(pile.world.addShape(body, box(0.5, 0.4)));
+    });
+}
+
+/// A kinematic body that passes over it within one step, and touches it at neither end, takes it along.
+TEST(Held, IsInTheWayOfFastKinematicBodies) {
+    for (const Profile profile : kProfiles) {
+        for (const double speed : {400.0, 1000.0}) {
+            Pile pile(profile);
+            ASSERT_TRUE(pile.isHeld());
+            BodyDef def = bodyAt(BodyType::kinematic, {-20, 0.5});
+            def.velocity = vec(speed, 0);
+            addBody(pile.world, def, box(0.5, 0.4));
+            run(pile.world, static_cast<int>(30 * kRate / speed) + 1);  // 10 m beyond it
+            EXPECT_FALSE(pile.isHeld());
+            EXPECT_GT(momentumOf(pile.world, pile.boxes).x, 0.5 * speed);
+        }
+    }
 }
 
 /// In the very step in which what carried them goes, the others fall.
