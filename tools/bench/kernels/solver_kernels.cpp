@@ -55,7 +55,8 @@ struct Wall {
         }
         points = 2 * batch.contacts.size();
         graph.colourContacts(batch);
-        contacts.build(batch, graph, true, false);
+        SerialTaskSystem loops;
+        contacts.build(batch, graph, {}, loops);
     }
 
     void addContact(BenchRandom& random, int above, int below) {
