@@ -254,7 +254,8 @@ bool DirectSolver::followLimits() {
     bool isFar = false;
     for (ContactPoint& contact : contacts_) {
         if (contact.normalHold == Hold::free) { continue; }
-        const double limit = static_cast<double>(contact.contact->friction) * contact.normal.impulse;
+        // What is at the brink may be held by a trace less than nothing.
+        const double limit = static_cast<double>(contact.contact->friction) * std::max(contact.normal.impulse, 0.0);
         const double rubbed = std::fabs(contact.tangent.impulse);
         const double slack = kLimitTolerance * limit + noise_[contact.island];
         const bool isTooStrong = rubbed > limit + slack;
