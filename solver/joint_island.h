@@ -195,6 +195,7 @@ private:
     // joint_island_tree.cpp
     void growTree();
     void gatherBranch(const Branch& branch, BranchRows& rows) const;
+    double leastResponse(const Block3& pushes, const Block3& moves, const Branch& branch) const;
     void factoriseTree();
     void solveTree(double time);
     void applyChanges(double part);

@@ -13,6 +13,8 @@ namespace {
 
 /// A body's resistance to turning is never made less than this part of it by forces that push it together.
 constexpr double kLeastInertia = 1.0 / 8;
+/// Of a row by its parent, where its body cannot be moved.
+constexpr double kLeastResponse = 1.0 / (1 << 10);
 /// Radians by which a round may change the turn of a sub-step: farther away rows are not what they are here.
 constexpr double kMostTurn = 1;
 
@@ -130,6 +132,16 @@ void JointIsland::gatherBranch(const Branch& branch, BranchRows& rows) const {
     }
 }
 
+/// Of a row that cannot move its body, such as the angle of one that is held to its rotation: a damper beside which the
+/// parent is light. No number that does not go with the masses may stand here, but where there is nothing at all.
+double JointIsland::leastResponse(const Block3& pushes, const Block3& moves, const Branch& branch) const {
+    if (branch.parent == kNone) { return 1; }
+    const IslandBody& parent = bodies_[branch.parent];
+    const double response = parent.inverseMass * std::fabs(pushes[0] * moves[0] + pushes[1] * moves[1]) +
+                            parent.inverseInertia * std::fabs(pushes[2] * moves[2]);
+    return response > 0 ? kLeastResponse * response : 1;
+}
+
 void JointIsland::factoriseTree() {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const IslandBody& body = bodies_[i];
@@ -152,7 +164,8 @@ void JointIsland::factoriseTree() {
             }
             double& itself = branch.response[3 * k + k];
             itself += rows.each[k].yields;
-            if (!(itself > 0)) { itself = 1; }  // nothing that could be moved
+            // It may be negative: where a sub-step ends rows may lie the other way than their forces push.
+            if (itself == 0) { itself = leastResponse(rows.each[k].pushesParent, rows.each[k].movesParent, branch); }
         }
         factoriseBlock(branch.response);
         if (branch.parent == kNone) { continue; }
