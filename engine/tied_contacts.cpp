@@ -18,7 +18,7 @@ Softness softnessFor(const WorldState& world, const TiedGroup& group, Real dt, R
 
 /// Contacts that are fetched from memory ahead of time when they get their impulses: a cache line or two of each, which
 /// the solver has displaced.
-constexpr std::size_t kAhead = 8;
+constexpr std::size_t kOutcomesAhead = 8;
 
 void fetchOutcome(const Contact& contact) {
     __builtin_prefetch(&contact.normalImpulse);
@@ -211,7 +211,7 @@ void TiedContacts::fill(std::size_t first, std::span<const ContactPlace> places,
 void TiedContacts::take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) {
     const std::span<const ContactLink> links = std::span(world_.batch.links).subspan(first);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (i + kAhead < links.size()) { fetchOutcome(group_.contacts[links[i + kAhead].source]); }
+        if (i + kOutcomesAhead < links.size()) { fetchOutcome(group_.contacts[links[i + kOutcomesAhead].source]); }
         const ContactPlace& place = places[i];
         Contact& contact = group_.contacts[links[i].source];
         switch (place.points) {

@@ -7,7 +7,7 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// Hinges that are fetched from memory ahead of time: joints are large, and a step asks one or two cache lines of each.
-constexpr std::size_t kAhead = 8;
+constexpr std::size_t kHingesAhead = 8;
 
 void fetch(const Joint& joint) {
     __builtin_prefetch(&joint);
@@ -62,7 +62,7 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
 
 void TiedHinges::fetchAhead(std::size_t i) const {
     const std::vector<HingeLink>& links = world_.batch.hingeLinks;
-    if (i + kAhead < links.size()) { fetch(world_.joints[links[i + kAhead].source]); }
+    if (i + kHingesAhead < links.size()) { fetch(world_.joints[links[i + kHingesAhead].source]); }
 }
 
 void TiedHinges::fill(std::span<const HingePlace> places, const HingeArrays& to) {
