@@ -324,9 +324,8 @@ void collideContacts(WorldState& world) {
     parkContacts(world);
     noteMotions(world);
     world.touching.clear();
-    const bool mayWakeByJoints = world.joints.size() > 0 && anyAsleep(world);
     if (world.activeContacts == 0 && world.candidates.empty()) {
-        if (mayWakeByJoints) { wakeAcrossJoints(world); }
+        if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
     } else {
         world.loops->run(world.awake.size(), kBodyGrain, [&world](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i) { noteMotion(world, world.awake[i]); }
@@ -338,7 +337,7 @@ void collideContacts(WorldState& world) {
             updateContacts<false>(world);
         }
         dropGhosts(world, world.contacts, world.nearContacts, world.awake);
-        if (mayWakeByJoints) { wakeAcrossJoints(world); }
+        if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
         world.counters.manifolds += world.nearContacts.size();
         if (world.watched) { countAhead(world); }
         removeApartContacts(world);
