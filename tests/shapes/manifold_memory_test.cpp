@@ -4,26 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <random>
 #include <vector>
 
 #include <swept/shapes/hull.h>
 #include <swept/shapes/manifold.h>
 
+#include "chance.h"
+
 /// A query that remembers gives the manifold of one that does not, bit for bit, wherever the shapes go.
 
 namespace swept {
 namespace {
-
-class Chance {
-public:
-    explicit Chance(std::uint32_t seed) : engine_(seed) {}
-    double range(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-    int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(engine_); }
-
-private:
-    std::mt19937 engine_;
-};
 
 Polygon roundCloud(Chance& chance, int points, double size, double radius) {
     std::vector<Vec2> cloud;
