@@ -45,6 +45,7 @@ void noteRest(WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     glance.motion = -1;
     world.travels[slot].boxRoom = 0;
+    world.travels[slot].boxMotion = 0;
     glance.isFast = false;
     glance.ahead = 0;
     glance.turned = world.travels[slot].turned;

@@ -89,11 +89,19 @@ void clearForces(WorldState& world) {
     }
 }
 
+/// What is held was in balance with the other step, and boxes that were made for a shorter one do not reach far enough.
+void changeStep(WorldState& world, double dt) {
+    releaseAllHeld(world);
+    const bool isLonger = world.lastDt > 0 && dt > world.lastDt;
+    world.lastDt = dt;
+    if (!isLonger) { return; }
+    for (const std::uint32_t slot : world.awake) { reachWithVelocity(world, slot); }
+}
+
 /// The pipeline. A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
 void advance(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
-    if (dt != world.lastDt) { releaseAllHeld(world); }
-    world.lastDt = dt;
+    if (dt != world.lastDt) { changeStep(world, dt); }
     StageClock clock(world.settings.measureStageTimes);
     world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
     if (world.watched) {

@@ -168,6 +168,7 @@ Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
     wake(world, id.index);
     world.motions[id.index].velocity = velocity;
     world.motions[id.index].angularVelocity = angularVelocity;
+    reachWithVelocity(world, id.index);
     return Status::success();
 }
 
@@ -215,6 +216,7 @@ Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
     wake(world, id.index);
     motion.velocity = velocity;
     motion.angularVelocity = spin;
+    reachWithVelocity(world, id.index);
     return Status::success();
 }
 

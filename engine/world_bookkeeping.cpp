@@ -293,6 +293,11 @@ void updateProxies(WorldState& world, std::uint32_t body, bool always) {
     }
 }
 
+void reachWithVelocity(WorldState& world, std::uint32_t body) {
+    const Real bound = motionBound(world, body, static_cast<Real>(world.lastDt));
+    if (bound > world.travels[body].boxMotion) { updateProxies(world, body, false); }
+}
+
 void removeJoint(WorldState& world, JointId id) {
     while (const std::optional<JointId> gear = gearOn(world, id)) { removeJoint(world, *gear); }
     const Joint joint = world.joints[id.index];

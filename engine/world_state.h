@@ -237,6 +237,8 @@ void moveOutgrownProxies(WorldState& world, std::uint32_t body);
 /// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are
 /// found anew (teleports).
 void updateProxies(WorldState& world, std::uint32_t body, bool always);
+/// After its velocity changed between steps, or the step became longer: boxes reach as far as the coming step asks.
+void reachWithVelocity(WorldState& world, std::uint32_t body);
 /// Removes contacts, and candidates, for which `doomed` is true; reports the end of those that touched.
 void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doomed);
 /// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
