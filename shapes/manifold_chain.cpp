@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "gjk.h"
 #include "manifold.h"
 #include "manifold_clip_inline.h"
@@ -17,14 +20,16 @@ enum class CornerKind : std::uint8_t { open, convex, flatOrConcave };
 /// One end of the segment, seen from its neighbour.
 struct Corner {
     CornerKind kind = CornerKind::open;
-    DVec2 neighbourNormal;  ///< unit; only when there is a neighbour
+    DVec2 neighbourNormal;  ///< unit; only of a convex one
 };
 
 Corner cornerBetween(bool exists, DVec2 firstEdge, DVec2 secondEdge, DVec2 neighbourEdge) {
     if (!exists || !(dot(neighbourEdge, neighbourEdge) >= std::numeric_limits<double>::min())) { return {}; }
     const double turn = cross(firstEdge, secondEdge);
-    const bool isConvex = turn > kSeamAngle * length(firstEdge) * length(secondEdge);
-    return {isConvex ? CornerKind::convex : CornerKind::flatOrConcave, unitOf(rightPerp(neighbourEdge))};
+    if (turn <= 0 || !(turn > kSeamAngle * length(firstEdge) * length(secondEdge))) {
+        return {CornerKind::flatOrConcave, {}};
+    }
+    return {CornerKind::convex, unitOf(rightPerp(neighbourEdge))};
 }
 
 enum class NormalVerdict : std::uint8_t {
@@ -149,6 +154,87 @@ Manifold collideBeside(const PairView& pair, const ChainFace& chain, const GjkRe
                        featureId({false, gjk.simplex[0].a}, {false, gjk.simplex[0].b}), pair.a, pair.b, margin);
 }
 
+/// Heights above a segment and ways along it, of the vertices of B's core: most of what is asked about a segment they
+/// tell without a search, in a third of the instructions. What is not certain, up to all that rounding may have done,
+/// they leave to the search; so every answer is the search's, bit for bit.
+class CoreOverSegment {
+public:
+    /// @param lowest  vertex of B
+    CoreOverSegment(const PairView& pair, const ReferenceFace& face, int lowest) : length_(face.length) {
+        count_ = pair.b.count;
+        double farthest = 0;
+        for (int i = 0; i < count_; ++i) {
+            const DVec2 v = pair.vertexB(i) - face.start;
+            const double height = at(heights_, i) = dot(face.normal, v);
+            const double along = at(alongs_, i) = dot(face.tangent, v);
+            least_ = std::min(least_, height);
+            first_ = std::min(first_, along);
+            last_ = std::max(last_, along);
+            farthest = std::max(farthest, std::fabs(height) + std::fabs(along));
+        }
+        foot_ = at(alongs_, lowest);
+        constexpr double kRoundings = 64;
+        doubt_ = kRoundings * kResolution * (length_ + sumNorm(face.start) + sumNorm(pair.translation) + farthest);
+    }
+
+    bool isAbove() const { return least_ > doubt_; }
+
+    /// From the segment, at most. @pre above it
+    double leastDistance() const {
+        const double beside = std::max({first_ - length_, -last_, 0.0});
+        return std::sqrt(least_ * least_ + beside * beside) - doubt_;
+    }
+
+    /// Whether the closest direction is that of the segment, or will be turned to it. @pre above it
+    bool facesOwn(const ChainFace& chain) const {
+        if (foot_ > doubt_ && foot_ < length_ - doubt_) { return true; }
+        const bool isTurnedAtStart = first_ > doubt_ || chain.atStart.kind == CornerKind::flatOrConcave;
+        return isTurnedAtStart && (last_ < length_ - doubt_ || chain.atEnd.kind == CornerKind::flatOrConcave);
+    }
+
+    /// Whether some of it lies on either side, and some on the segment.
+    bool crosses() const {
+        double first = std::numeric_limits<double>::infinity();
+        double last = -first;
+        for (int i = 0; i < count_; ++i) {
+            const int next = i + 1 < count_ ? i + 1 : 0;
+            const double height = at(heights_, i);
+            const double fall = height - at(heights_, next);
+            const bool fallsThrough = height > doubt_ && at(heights_, next) < -doubt_;
+            const bool risesThrough = height < -doubt_ && at(heights_, next) > doubt_;
+            if (!fallsThrough && !risesThrough) { continue; }
+            const double way = at(alongs_, next) - at(alongs_, i);
+            const double along = at(alongs_, i) + height / fall * way;
+            const double doubt = doubt_ * (1 + std::fabs(way / fall));
+            first = std::min(first, along + doubt);
+            last = std::max(last, along - doubt);
+        }
+        return last > doubt_ && first < length_ - doubt_;
+    }
+
+private:
+    using Numbers = std::array<double, kMaxPolygonVertices>;
+    static double& at(Numbers& numbers, int i) { return numbers[static_cast<std::size_t>(i)]; }
+    static double at(const Numbers& numbers, int i) { return numbers[static_cast<std::size_t>(i)]; }
+
+    Numbers heights_;
+    Numbers alongs_;
+    int count_ = 0;
+    double length_;
+    double least_ = std::numeric_limits<double>::infinity();
+    double first_ = std::numeric_limits<double>::infinity();
+    double last_ = -std::numeric_limits<double>::infinity();
+    double foot_ = 0;   ///< along the segment, of the lowest vertex
+    double doubt_ = 0;  ///< what rounding may make of any of these, and of the search; metres
+};
+
+/// Whether the points are near enough for the search to have found the distance within reach: a vertex that counts as
+/// over the segment, though it is beyond its end by the seam angle, is a little farther away.
+bool isSurelyWithin(const Manifold& manifold, double radii, double reach) {
+    constexpr double kPart = 1 - kSeamAngle * kSeamAngle;
+    return manifold.count == 0 || static_cast<double>(deepestSeparation(manifold)) + radii <= kPart * reach;
+}
+
 Manifold collideChain(const ChainSegment& segment, const PairView& pair, double margin, PairVerdict& verdict) {
     ChainFace chain;
     chain.face = faceOfA(pair, 0);
@@ -158,18 +244,22 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
     // Most that is not in contact lies above the segment, which a dot product for each vertex tells.
     const int lowest = extremeVertex<-1>(pair.b, pair.toB(chain.face.normal));
     const double above = dot(chain.face.normal, pair.vertexB(lowest) - chain.face.start);
-    if (above > reach) {
+    const auto apart = [&verdict, radii](double distance) -> Manifold {
         verdict.verdict = ManifoldMemory::Verdict::apart;
-        verdict.room = above - radii;
+        verdict.room = distance - radii;
         return {};
-    }
-    const GjkResult gjk = closestFeatures(pair, nullptr);
-    if (gjk.outcome != GjkOutcome::touching && gjk.distance > reach) {
-        verdict.verdict = ManifoldMemory::Verdict::apart;
-        verdict.room = gjk.distance - radii;
-        return {};
-    }
+    };
+    if (above > reach) { return apart(above); }
+    const CoreOverSegment core(pair, chain.face, lowest);
+    if (core.isAbove() && core.leastDistance() > reach) { return apart(core.leastDistance()); }
     addCorners(pair, segment, chain);
+    if (core.isAbove() && core.facesOwn(chain)) {
+        const Manifold manifold = clipOnSegment(pair, chain, margin);
+        if (isSurelyWithin(manifold, radii, reach)) { return manifold; }
+    }
+    if (core.crosses()) { return collideCrossing(pair, chain, margin); }
+    const GjkResult gjk = closestFeatures(pair, nullptr);
+    if (gjk.outcome != GjkOutcome::touching && gjk.distance > reach) { return apart(gjk.distance); }
     if (gjk.outcome == GjkOutcome::touching) { return collideCrossing(pair, chain, margin); }
     return collideBeside(pair, chain, gjk, margin);
 }
