@@ -34,7 +34,8 @@ std::uint32_t memberIndex(std::span<const std::uint32_t> members, std::uint32_t 
 /// @return false: what meets there does not bounce
 bool listPairs(Clash& clash, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts) {
     for (const std::uint32_t index : contacts) {
-        const Contact& contact = clash.world.contacts[index];
+        const std::uint32_t place = clash.world.probes[index].contact;
+        const Contact& contact = clash.world.contacts[place];
         const std::uint32_t first = memberIndex(members, contact.bodyA);
         const std::uint32_t second = memberIndex(members, contact.bodyB);
         if (first == members.size() || second == members.size()) {
@@ -42,7 +43,7 @@ bool listPairs(Clash& clash, std::span<const std::uint32_t> members, std::span<c
             if (contact.isSolid() && grounded < members.size()) { clash.work.isNearGround[grounded] = 1; }
             continue;
         }
-        ClashPair pair{.contact = index, .first = first, .second = second};
+        ClashPair pair{.contact = place, .first = first, .second = second};
         pair.isRide = !(contact.restitution > 0);
         const bool isBullets =
             clash.world.bodies[contact.bodyA].def.bullet || clash.world.bodies[contact.bodyB].def.bullet;

@@ -86,17 +86,22 @@ struct ContactPair {
 };
 
 /// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
+/// Probes stand in the order in which their pairs came near; contacts stay where they are for as long as they live.
 struct ContactProbe : ContactPair {
     double apartUntil =
         0;          ///< there are no points as long as the bodies moved less since (travel.h), metres; 0: not known
     Vec2 offset{};  ///< from centre of mass to centre of mass at that time, world
+    std::uint32_t contact = 0;  ///< place in `WorldState::contacts`
     ContactState state = ContactState::asleep;
-    bool isIdle = false;      ///< it is no sensor, and had no points when they were renewed last: while they are apart
-                              ///< nothing changes
-    bool isPlain = false;     ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
-    bool bounces = false;     ///< has restitution
-    bool turns = false;       ///< of state `near`: touching begins or ends
     std::uint8_t points = 0;  ///< of state `near`
+    bool isIdle : 1 = false;  ///< it is no sensor, and had no points when they were renewed last, so it does not touch:
+                              ///< while they are apart nothing changes
+    bool isPlain : 1 =
+        false;  ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
+    bool bounces : 1 = false;  ///< has restitution
+    bool turns : 1 = false;    ///< of state `near`: touching begins or ends
+    bool isOpen : 1 = false;   ///< of state `near`: `TouchingPair::isOpen`
 };
+static_assert(sizeof(ContactProbe) <= 48, "a step reads all of them");
 
 }  // namespace swept::inline SWEPT_PRECISION

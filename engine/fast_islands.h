@@ -35,7 +35,7 @@ struct FastIslands {
     std::vector<TriedContact> triedContacts;  ///< and of their contacts
     std::size_t eventsBefore = 0;
     IslandItems bodies;                         ///< slots, in order of waking
-    IslandItems contacts;                       ///< indices
+    IslandItems contacts;                       ///< indices of their probes
     IslandItems joints;                         ///< slots
     std::vector<std::uint32_t> kinematics;      ///< awake ones
     std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
@@ -46,8 +46,9 @@ struct FastIslands {
     std::vector<std::uint32_t> jointSlots;
     std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
     std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
-    std::vector<std::uint32_t> sources;      ///< by held contact: its index in the world, or none
-    std::vector<std::uint64_t> heldPairs;    ///< of shape slots, sorted
+    std::vector<std::uint32_t> sources;      ///< by held contact: its place in the world, or none
+    std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe
+    std::vector<std::uint64_t> heldPairs;     ///< of shape slots, sorted
     std::vector<std::uint32_t> found;
     std::vector<BodyMotion> membersAtStart;  ///< of the step
     std::vector<BodyMotion> membersBefore;   ///< before the part that is being tried

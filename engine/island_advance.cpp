@@ -336,7 +336,7 @@ void finish(Island& island) {
     for (std::size_t i = 0; i < fast.held.size(); ++i) {
         if (fast.sources[i] == kNoIndex) { continue; }
         island.world.contacts[fast.sources[i]] = fast.held[i];
-        ContactProbe& probe = island.world.probes[fast.sources[i]];
+        ContactProbe& probe = island.world.probes[fast.sourceProbes[i]];
         probe.apartUntil = 0;  // what it has now is that of another pose
         probe.isIdle = false;
     }

@@ -127,7 +127,7 @@ void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, d
 void remember(WorldState& world, const SensorPair& pair, Contact* contact, bool inside) {
     if (contact == nullptr) {
         if (!inside || !addContact(world, pair.sensor, pair.other)) { return; }
-        contact = &world.contacts[world.activeContacts - 1];
+        contact = &world.contacts[world.probes[world.activeContacts - 1].contact];
     }
     contact->touching = inside;
 }
@@ -160,10 +160,12 @@ void findPairsOnWay(WorldState& world, std::uint32_t slot) {
 }
 
 Contact* contactOfPair(WorldState& world, const SensorPair& pair) {
-    const auto found = std::find_if(world.contacts.begin(), world.contacts.end(), [&](const Contact& contact) {
-        return contact.shapeA == pair.sensor && contact.shapeB == pair.other;
-    });
-    return found != world.contacts.end() ? &*found : nullptr;
+    for (const ContactProbe& probe : world.probes) {
+        if (probe.isPlain) { continue; }
+        Contact& contact = world.contacts[probe.contact];
+        if (contact.shapeA == pair.sensor && contact.shapeB == pair.other) { return &contact; }
+    }
+    return nullptr;
 }
 
 void watchPair(WorldState& world, const SensorPair& pair, double dt) {

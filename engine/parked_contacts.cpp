@@ -20,12 +20,13 @@ void noteWhoIsUp(WorldState& world) {
 /// As much as the others have: what has room for all of it once needs no more.
 void reserveAll(WorldState& world) {
     ParkedContacts& parked = world.parked;
-    parked.contacts.reserve(world.contacts.capacity());
     parked.probes.reserve(world.probes.capacity());
     const std::size_t pairs = std::max(world.candidates.capacity(), parked.candidates.capacity());
     world.candidates.reserve(pairs);
     parked.candidates.reserve(pairs);
 }
+
+bool isSolid(const WorldState& world, const ContactProbe& probe) { return world.contacts[probe.contact].isSolid(); }
 
 }  // namespace
 
@@ -38,26 +39,19 @@ void parkContacts(WorldState& world) {
         return (parked.isUp[pair.bodyA] | parked.isUp[pair.bodyB]) == 0;
     };
     reserveAll(world);
-    parked.contacts.clear();
     parked.probes.clear();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < world.activeContacts; ++i) {
         if (rests(world.probes[i])) {
-            parked.touching += world.contacts[i].isSolid() ? 1 : 0;
-            parked.contacts.push_back(world.contacts[i]);
+            parked.touching += isSolid(world, world.probes[i]) ? 1 : 0;
             parked.probes.push_back(world.probes[i]);
             parked.probes.back().state = ContactState::asleep;
             continue;
         }
-        if (kept != i) {
-            world.contacts[kept] = world.contacts[i];
-            world.probes[kept] = world.probes[i];
-        }
+        if (kept != i) { world.probes[kept] = world.probes[i]; }
         ++kept;
     }
     world.activeContacts = kept;
-    std::copy(parked.contacts.begin(), parked.contacts.end(),
-              world.contacts.begin() + static_cast<std::ptrdiff_t>(kept));
     std::copy(parked.probes.begin(), parked.probes.end(), world.probes.begin() + static_cast<std::ptrdiff_t>(kept));
     std::erase_if(world.candidates, [&](const ContactPair& pair) {
         if (!rests(pair)) { return false; }
@@ -70,7 +64,7 @@ std::size_t unparkContacts(WorldState& world) {
     ParkedContacts& parked = world.parked;
     if (!parked.woke) { return 0; }
     parked.woke = false;
-    if (world.activeContacts == world.contacts.size() && parked.candidates.empty()) { return 0; }
+    if (world.activeContacts == world.probes.size() && parked.candidates.empty()) { return 0; }
     noteWhoIsUp(world);
     const auto isUp = [&parked](const ContactPair& pair) {
         return (parked.isUp[pair.bodyA] | parked.isUp[pair.bodyB]) != 0;
@@ -78,11 +72,9 @@ std::size_t unparkContacts(WorldState& world) {
     const std::size_t before = world.activeContacts;
     for (std::size_t i = before; i < world.probes.size(); ++i) {
         if (!isUp(world.probes[i])) { continue; }
-        parked.touching -= world.contacts[i].isSolid() ? 1 : 0;
+        parked.touching -= isSolid(world, world.probes[i]) ? 1 : 0;
         const std::size_t place = world.activeContacts++;
-        if (place == i) { continue; }
-        std::swap(world.probes[place], world.probes[i]);
-        std::swap(world.contacts[place], world.contacts[i]);
+        if (place != i) { std::swap(world.probes[place], world.probes[i]); }
     }
     std::erase_if(parked.candidates, [&](const ContactPair& pair) {
         if (!isUp(pair)) { return false; }

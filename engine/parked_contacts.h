@@ -9,8 +9,8 @@ namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
 
-/// Contacts of which neither body is awake stand behind the others, where no loop of a step gets to; candidates
-/// likewise, in a list of their own. Those of bodies that wake come back, to the end of the others.
+/// The probes of contacts of which neither body is awake stand behind the others, where no loop of a step gets to;
+/// candidates likewise, in a list of their own. Those of bodies that wake come back, to the end of the others.
 struct ParkedContacts {
     std::uint32_t rested = 0;    ///< bodies that came to rest since contacts were parked last
     bool woke = false;           ///< bodies woke, whose contacts may be parked
@@ -18,7 +18,6 @@ struct ParkedContacts {
     std::vector<ContactPair> candidates;
     // Scratch.
     std::vector<std::uint8_t> isUp;  ///< by body slot: awake
-    std::vector<Contact> contacts;
     std::vector<ContactProbe> probes;
 };
 

@@ -6,7 +6,6 @@
 #include "contact_manifold.h"
 #include "ghosts.h"
 #include "modes.h"
-#include "pair_boxes.h"
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
@@ -16,12 +15,9 @@ namespace {
 
 /// Contacts per block: enough work, some microseconds, to pay for handing it over.
 constexpr std::size_t kContactGrain = 32;
-constexpr std::size_t kProbeGrain = 256;
 constexpr std::size_t kBodyGrain = 128;
 
-/// As the stage began.
-bool isAwake(const BodyGlance& body) { return !(body.motion < 0); }
-bool isAwake(const WorldState& world, std::uint32_t body) { return isAwake(world.glances[body]); }
+bool isAwake(const WorldState& world, std::uint32_t body) { return world.glances[body].isAwake(); }
 
 /// So that the contacts of a body need not ask it one by one.
 void noteMotions(WorldState& world) {
@@ -67,6 +63,8 @@ bool isTouching(const Contact& contact) {
     return deepestSeparation(contact.manifold) <= limit;
 }
 
+bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold) > kEndRatio * contact.extent; }
+
 /// A contact that may have points has its manifold.
 void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact, const Transform& bInA) {
     contact.totalImpulse = {};
@@ -77,6 +75,7 @@ void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact, 
     }
     probe.points = static_cast<std::uint8_t>(contact.manifold.count);
     probe.turns = isTouching(contact) != contact.touching;
+    probe.isOpen = isOpen(contact);
 }
 
 /// Gives contacts that may have points their manifolds, in any order: writes only to them and their probes.
@@ -133,26 +132,6 @@ private:
     ContactBatch many_;
 };
 
-/// @tparam kWatched  speculative bodies reach farther than was noted
-template <bool kWatched>
-ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const ContactProbe& probe, Real dt) {
-    const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
-    if (!isAwake(bodies.a) && !isAwake(bodies.b)) { return ContactState::asleep; }
-    if (!boxesOverlap(boxes, probe)) { return ContactState::boxesApart; }
-    const bool isTold = !kWatched && probe.isIdle;
-    if (isTold && (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar() || bodies.areApart(probe, dt))) {
-        return ContactState::apart;
-    }
-    return ContactState::near;
-}
-
-void listNearContacts(WorldState& world) {
-    world.nearContacts.clear();
-    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {
-        if (world.probes[i].state == ContactState::near) { world.nearContacts.push_back(i); }
-    }
-}
-
 /// Near contacts that are fetched from memory ahead of time: first themselves, then what they refer to.
 constexpr std::size_t kContactsAhead = 8;
 constexpr std::size_t kShapesAhead = 4;
@@ -168,9 +147,9 @@ void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
 /// times.
 void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
-    if (coming.size() > kContactsAhead) { fetch(world.contacts[coming[kContactsAhead]]); }
+    if (coming.size() > kContactsAhead) { fetch(world.contacts[world.probes[coming[kContactsAhead]].contact]); }
     if (coming.size() > kShapesAhead) {
-        const Contact& contact = world.contacts[coming[kShapesAhead]];
+        const Contact& contact = world.contacts[world.probes[coming[kShapesAhead]].contact];
         fetch(world.shapes[contact.shapeA].polygon);
         fetch(world.shapes[contact.shapeB].polygon);
         fetch(world.motions[contact.bodyA]);
@@ -181,20 +160,13 @@ void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) 
 /// Writes only to the contacts and their probes: they may be updated in any order.
 template <bool kWatched>
 void updateContacts(WorldState& world) {
-    const std::span<const Aabb> boxes = world.broadphase->boxes();
-    world.loops->run(world.activeContacts, kProbeGrain, [&world, boxes](std::size_t begin, std::size_t end, int) {
-        const auto dt = static_cast<Real>(world.lastDt);
-        for (std::size_t i = begin; i < end; ++i) {
-            world.probes[i].state = stateOf<kWatched>(world, boxes, world.probes[i], dt);
-        }
-    });
-    listNearContacts(world);
-    const std::span<const std::uint32_t> near = world.nearContacts;
+    const std::span<const std::uint32_t> near = world.lists.near;
     world.loops->run(near.size(), kContactGrain, [&world, near](std::size_t begin, std::size_t end, int) {
         NearUpdate<kWatched> update(world);
         for (std::size_t i = begin; i < end; ++i) {
             fetchAhead(world, near.subspan(i, end - i));
-            update.add(world.probes[near[i]], world.contacts[near[i]]);
+            ContactProbe& probe = world.probes[near[i]];
+            update.add(probe, world.contacts[probe.contact]);
         }
         update.finish();
     });
@@ -259,10 +231,23 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
     return {.contact = place,
             .bodyA = contact.bodyA,
             .bodyB = contact.bodyB,
+            .points = static_cast<std::uint8_t>(contact.manifold.count),
             .dynamicA = contact.dynamicA,
             .dynamicB = contact.dynamicB,
             .bounces = contact.restitution > 0,
-            .points = static_cast<std::uint8_t>(contact.manifold.count)};
+            .isOpen = isOpen(contact)};
+}
+
+/// Of what `isTold`.
+TouchingPair touchingPair(const ContactProbe& probe) {
+    return {.contact = probe.contact,
+            .bodyA = probe.bodyA,
+            .bodyB = probe.bodyB,
+            .points = probe.points,
+            .dynamicA = true,
+            .dynamicB = true,
+            .bounces = probe.bounces,
+            .isOpen = probe.isOpen};
 }
 
 /// Whether the probe of a near contact tells all: mostly. (Ghosts of others lost their points since.)
@@ -273,39 +258,32 @@ bool isTold(const WorldState& world, const ContactProbe& probe) {
 
 /// Events, waking, and the list for the stages that follow.
 void listTouching(WorldState& world) {
-    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {
+    for (const std::uint32_t i : world.lists.noted) {
         ContactProbe& probe = world.probes[i];
+        if (probe.state == ContactState::boxesApart) { continue; }
         if (probe.state == ContactState::near) {
             if (isTold(world, probe)) {
                 probe.isIdle = probe.points == 0;
-                if (probe.isIdle) { continue; }
-                world.touching.push_back({.contact = i,
-                                          .bodyA = probe.bodyA,
-                                          .bodyB = probe.bodyB,
-                                          .dynamicA = true,
-                                          .dynamicB = true,
-                                          .bounces = probe.bounces,
-                                          .points = probe.points});
+                if (!probe.isIdle) { world.touching.push_back(touchingPair(probe)); }
                 continue;
             }
-            noticeTouching(world, world.contacts[i]);
-            probe.isIdle = world.contacts[i].manifold.count == 0 && !world.contacts[i].sensor;
+            noticeTouching(world, world.contacts[probe.contact]);
+            probe.isIdle = world.contacts[probe.contact].manifold.count == 0 && !world.contacts[probe.contact].sensor;
         }
-        if (probe.isIdle) { continue; }
-        const Contact& contact = world.contacts[i];
-        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, i)); }
+        const Contact& contact = world.contacts[probe.contact];
+        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
     }
 }
 
 void countAhead(WorldState& world) {
-    for (const std::uint32_t i : world.nearContacts) {
-        const Contact& contact = world.contacts[i];
+    for (const std::uint32_t i : world.lists.near) {
+        const Contact& contact = world.contacts[world.probes[i].contact];
         world.counters.aheadContacts += contact.isSolid() && isAhead(world, contact) ? 1 : 0;
     }
 }
 
 void countContacts(WorldState& world) {
-    world.counters.contacts = world.contacts.size() + world.candidates.size() + world.parked.candidates.size();
+    world.counters.contacts = world.probes.size() + world.candidates.size() + world.parked.candidates.size();
     world.counters.touching = world.touching.size() + world.parked.touching;
 }
 
@@ -314,8 +292,8 @@ void countContacts(WorldState& world) {
 void listUnparked(WorldState& world) {
     const std::size_t count = unparkContacts(world);
     for (std::size_t i = world.activeContacts - count; i < world.activeContacts; ++i) {
-        const Contact& contact = world.contacts[i];
-        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, static_cast<std::uint32_t>(i))); }
+        const Contact& contact = world.contacts[world.probes[i].contact];
+        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, world.probes[i].contact)); }
     }
 }
 
@@ -331,17 +309,18 @@ void collideContacts(WorldState& world) {
             for (std::size_t i = begin; i < end; ++i) { noteMotion(world, world.awake[i]); }
         });
         promoteCandidates(world);
+        listContacts(world);
         if (world.watched) {
             updateContacts<true>(world);
         } else {
             updateContacts<false>(world);
         }
-        dropGhosts(world, world.contacts, world.nearContacts, world.awake);
+        dropGhosts(world, world.contacts, world.lists.ground, world.awake);
         if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
-        world.counters.manifolds += world.nearContacts.size();
+        world.counters.manifolds += world.lists.near.size();
         if (world.watched) { countAhead(world); }
-        removeApartContacts(world);
         listTouching(world);
+        removeApartContacts(world);
     }
     if (world.parked.woke) { listUnparked(world); }
     countContacts(world);

@@ -52,7 +52,9 @@ bool movesKinematically(const WorldState& world, std::uint32_t slot) {
 
 /// Marks the islands that a moving kinematic body keeps awake.
 void keepAwakeByKinematic(WorldState& world) {
-    for (const Contact& contact : std::span(world.contacts).first(world.activeContacts)) {
+    for (const ContactProbe& probe : std::span(world.probes).first(world.activeContacts)) {
+        if (probe.isPlain) { continue; }
+        const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
         if (movesKinematically(world, contact.bodyA)) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
         if (movesKinematically(world, contact.bodyB)) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
@@ -130,9 +132,9 @@ bool isChainOrGone(const WorldState& world, ShapeId id) {
 
 void listChainTouches(WorldState& world) {
     world.chainTouches.clear();
-    for (std::size_t i = 0; i < world.probes.size(); ++i) {
-        if (world.probes[i].isPlain) { continue; }  // chains do not move
-        const Contact& contact = world.contacts[i];
+    for (const ContactProbe& probe : world.probes) {
+        if (probe.isPlain) { continue; }  // chains do not move
+        const Contact& contact = world.contacts[probe.contact];
         if (!contact.touching) { continue; }
         const Shape& a = world.shapes[contact.shapeA];
         const Shape& b = world.shapes[contact.shapeB];

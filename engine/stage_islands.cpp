@@ -77,15 +77,19 @@ void promoteClashing(WorldState& world) {
     });
 }
 
+bool isSensor(const WorldState& world, const ContactProbe& probe) {
+    return !probe.isPlain && world.contacts[probe.contact].sensor;
+}
+
 void listContactsAndJoints(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.contacts.clear();
     fast.joints.clear();
-    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {  // contacts are large, and most are of other islands
+    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {
         const ContactProbe& probe = world.probes[i];
         const std::uint32_t ofA = fast.numbers[probe.bodyA];
         const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[probe.bodyB];
-        if (number != kNoIndex && !world.contacts[i].sensor) { fast.contacts.add(number, i); }
+        if (number != kNoIndex && !isSensor(world, probe)) { fast.contacts.add(number, i); }
     }
     for (const std::uint32_t i : world.activeJoints) {
         for (const std::uint32_t slot : world.joints[i].allBodies()) {
@@ -133,10 +137,13 @@ void gather(WorldState& world, std::size_t island) {
     fast.jointSlots.assign(joints.begin(), joints.end());
     fast.held.clear();
     fast.sources.clear();
+    fast.sourceProbes.clear();
     for (const std::uint32_t index : fast.contacts.of(island)) {
-        if (!isInside(world, world.contacts[index])) { continue; }
-        fast.held.push_back(world.contacts[index]);
-        fast.sources.push_back(index);
+        const std::uint32_t source = world.probes[index].contact;
+        if (!isInside(world, world.contacts[source])) { continue; }
+        fast.held.push_back(world.contacts[source]);
+        fast.sources.push_back(source);
+        fast.sourceProbes.push_back(index);
     }
 }
 

@@ -57,14 +57,25 @@ void dropPair(WorldState& world, const ContactPair& pair) {
 
 namespace {
 
+/// @return a place among the contacts
+std::uint32_t takePlace(WorldState& world) {
+    if (world.freeContacts.empty()) {
+        world.contacts.emplace_back();
+        world.freeContacts.reserve(world.contacts.capacity());  // once, not when they end
+        return static_cast<std::uint32_t>(world.contacts.size() - 1);
+    }
+    const std::uint32_t place = world.freeContacts.back();
+    world.freeContacts.pop_back();
+    return place;
+}
+
 void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const std::size_t place = world.activeContacts++;  // a parked one makes room
-    world.contacts.emplace_back();
     world.probes.emplace_back();
-    std::swap(world.contacts[place], world.contacts.back());
-    std::swap(world.probes[place], world.probes.back());
-    const Contact& contact = world.contacts[place] = contactOf(world, a, b);
-    ContactProbe& probe = world.probes[place];
+    if (place + 1 < world.probes.size()) { world.probes.back() = world.probes[place]; }
+    ContactProbe& probe = world.probes[place] = {};
+    probe.contact = takePlace(world);
+    const Contact& contact = world.contacts[probe.contact] = contactOf(world, a, b);
     probe.bodyA = contact.bodyA;
     probe.bodyB = contact.bodyB;
     probe.proxyA = world.shapes[contact.shapeA].proxy;

@@ -50,9 +50,10 @@ void startleNearKinematicBodies(WorldState& world, Real dt) {
     const auto isAwakeKinematic = [&world](std::uint32_t slot) {
         return (world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake;
     };
-    for (std::size_t i = 0; i < world.activeContacts; ++i) {  // contacts are large, and most are of others
+    for (std::size_t i = 0; i < world.activeContacts; ++i) {
         const ContactProbe& probe = world.probes[i];
-        if (isAwakeKinematic(probe.bodyA) || isAwakeKinematic(probe.bodyB)) { startle(world, world.contacts[i], dt); }
+        if (probe.isPlain || !(isAwakeKinematic(probe.bodyA) || isAwakeKinematic(probe.bodyB))) { continue; }
+        startle(world, world.contacts[probe.contact], dt);
     }
 }
 
@@ -95,9 +96,9 @@ Footing footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t oth
 }
 
 /// Dynamic bodies that are near each other, one of them fast, but will not meet in this step do not hold each other.
+/// @pre `TouchingPair::isOpen`
 bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
     const Real gap = deepestSeparation(contact.manifold);
-    if (gap <= kEndRatio * contact.extent) { return false; }
     const Body& a = world.bodies[contact.bodyA];
     const Body& b = world.bodies[contact.bodyB];
     const BodyMotion& motionA = world.motions[contact.bodyA];
@@ -135,7 +136,7 @@ void noteTouching(WorldState& world, Real dt) {
             const Contact& contact = world.contacts[pair.contact];
             if (pair.dynamicA && awakeA) { noteGround(world, pair.bodyA, pair.bodyB, contact, dt); }
             if (pair.dynamicB && awakeB) { noteGround(world, pair.bodyB, pair.bodyA, contact, dt); }
-        } else if (((a | b) & kIsFast) != 0 && passEachOther(world, world.contacts[pair.contact], dt)) {
+        } else if (pair.isOpen && ((a | b) & kIsFast) != 0 && passEachOther(world, world.contacts[pair.contact], dt)) {
             world.contacts[pair.contact].manifold.count = 0;
             --world.counters.touching;
             continue;

@@ -7,13 +7,14 @@ namespace swept {
 /// A contact with points, as far as roles and islands are about it: most of what they ask they then find here, in
 /// order, instead of all over memory.
 struct TouchingPair {
-    std::uint32_t contact = 0;  ///< index
+    std::uint32_t contact = 0;  ///< place in `WorldState::contacts`
     std::uint32_t bodyA = 0;    ///< slots
     std::uint32_t bodyB = 0;
-    bool dynamicA = false;  ///< the body is
-    bool dynamicB = false;
-    bool bounces = false;  ///< has restitution
     std::uint8_t points = 0;
+    bool dynamicA : 1 = false;  ///< the body is
+    bool dynamicB : 1 = false;
+    bool bounces : 1 = false;  ///< has restitution
+    bool isOpen : 1 = false;   ///< its points are farther apart than those of touching shapes (`kEndRatio`)
 
     bool areDynamic() const { return dynamicA && dynamicB; }
 };

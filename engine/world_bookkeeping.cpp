@@ -81,7 +81,8 @@ void restAnew(WorldState& world) {
 }
 
 void wakeNeighbours(WorldState& world, std::uint32_t body) {
-    for (const Contact& contact : world.contacts) {
+    for (const ContactProbe& probe : world.probes) {
+        const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
         if (contact.bodyA == body) { wake(world, contact.bodyB); }
         if (contact.bodyB == body) { wake(world, contact.bodyA); }
@@ -313,9 +314,12 @@ void removeJoint(WorldState& world, JointId id) {
 
 namespace {
 
-/// Before a contact is overwritten: its end is reported if it touches.
-void dropContact(WorldState& world, const Contact& contact) {
-    world.pairs.erase(contact.shapeA, contact.shapeB);
+/// Its place is free; its end is reported if it touches.
+void dropContact(WorldState& world, const ContactProbe& probe) {
+    dropPair(world, probe);
+    world.freeContacts.push_back(probe.contact);
+    if (probe.isIdle) { return; }
+    const Contact& contact = world.contacts[probe.contact];
     if (!contact.touching) { return; }
     world.contactEvents.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
                                    .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
@@ -324,10 +328,6 @@ void dropContact(WorldState& world, const Contact& contact) {
                                    .bodyB = world.bodies.idOf(contact.bodyB)});
 }
 
-}  // namespace
-
-namespace {
-
 /// Of a range of contacts those that stay, in their order (who comes first is solved first), to another place.
 /// @return where they end
 template <class Doomed>
@@ -335,32 +335,24 @@ std::size_t compactContacts(WorldState& world, std::size_t begin, std::size_t en
                             const Doomed& doomed) {
     for (std::size_t i = begin; i < end; ++i) {
         if (doomed(world.probes[i])) {
-            dropContact(world, world.contacts[i]);
+            dropContact(world, world.probes[i]);
             continue;
         }
-        if (kept != i) {
-            world.probes[kept] = world.probes[i];
-            world.contacts[kept] = world.contacts[i];
-        }
+        if (kept != i) { world.probes[kept] = world.probes[i]; }
         ++kept;
     }
     return kept;
-}
-
-void cutContacts(WorldState& world, std::size_t size) {
-    world.probes.resize(size);
-    world.contacts.resize(size);
 }
 
 }  // namespace
 
 void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doomed) {
     const std::size_t active = compactContacts(world, 0, world.activeContacts, 0, doomed);
-    cutContacts(world, compactContacts(world, world.activeContacts, world.probes.size(), active, doomed));
+    world.probes.resize(compactContacts(world, world.activeContacts, world.probes.size(), active, doomed));
     world.activeContacts = active;
-    const auto isSolid = [](const Contact& contact) { return contact.isSolid(); };
-    const auto firstParked = world.contacts.begin() + static_cast<std::ptrdiff_t>(active);
-    world.parked.touching = static_cast<std::uint32_t>(std::count_if(firstParked, world.contacts.end(), isSolid));
+    const auto isSolid = [&world](const ContactProbe& probe) { return world.contacts[probe.contact].isSolid(); };
+    const auto firstParked = world.probes.begin() + static_cast<std::ptrdiff_t>(active);
+    world.parked.touching = static_cast<std::uint32_t>(std::count_if(firstParked, world.probes.end(), isSolid));
     for (std::vector<ContactPair>* const candidates : {&world.candidates, &world.parked.candidates}) {
         std::erase_if(*candidates, [&world, &doomed](const ContactPair& pair) {
             if (!doomed(pair)) { return false; }
@@ -371,17 +363,20 @@ void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doo
 }
 
 void removeApartContacts(WorldState& world) {
-    const auto isApart = [](const ContactProbe& probe) { return probe.state == ContactState::boxesApart; };
-    const std::size_t end = world.activeContacts;
-    world.activeContacts = compactContacts(world, 0, end, 0, isApart);
-    // What is parked has no order: its last ones close the gap.
-    std::size_t last = world.probes.size();
-    for (std::size_t place = world.activeContacts; place < end && last > end; ++place) {
-        --last;
-        world.probes[place] = world.probes[last];
-        world.contacts[place] = world.contacts[last];
+    const std::vector<std::uint32_t>& apart = world.lists.apart;
+    if (apart.empty()) { return; }
+    std::vector<ContactProbe>& probes = world.probes;
+    const auto at = [&probes](std::size_t place) { return probes.begin() + static_cast<std::ptrdiff_t>(place); };
+    auto kept = at(apart.front());
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+        dropContact(world, probes[apart[i]]);
+        kept = std::copy(at(apart[i] + 1), at(i + 1 < apart.size() ? apart[i + 1] : world.activeContacts), kept);
     }
-    cutContacts(world, world.probes.size() - (end - world.activeContacts));
+    // What is parked has no order: its last ones close the gap.
+    const std::size_t left = std::min(apart.size(), probes.size() - world.activeContacts);
+    std::copy(probes.end() - static_cast<std::ptrdiff_t>(left), probes.end(), kept);
+    probes.resize(probes.size() - apart.size());
+    world.activeContacts -= apart.size();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

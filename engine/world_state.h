@@ -12,6 +12,7 @@
 #include "bullet_work.h"
 #include "clash.h"
 #include "contact.h"
+#include "contact_lists.h"
 #include "crew.h"
 #include "effort_budget.h"
 #include "effort_trial.h"
@@ -71,6 +72,9 @@ struct BodyGlance {
     Vec2 pull{};      ///< its acceleration without contacts and joints
     Real swing = 0;   ///< no point moves faster about the centre of mass, m/s
     Real widest = 0;  ///< `Body::widest`
+
+    /// As the stage of contacts began.
+    bool isAwake() const { return !(motion < 0); }
 };
 
 /// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted
@@ -129,19 +133,20 @@ struct WorldState {
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
     std::vector<ProxyPair> newPairs;
 
-    std::vector<Contact> contacts;
-    std::size_t activeContacts = 0;  ///< the first ones; the others are parked
+    std::vector<Contact> contacts;            ///< in no order; reached through their probes
+    std::vector<std::uint32_t> freeContacts;  ///< places in it that have no contact
+    std::vector<ContactProbe> probes;         ///< one for each contact
+    std::size_t activeContacts = 0;           ///< whose probes are the first ones; the others are parked
     ParkedContacts parked;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
-    std::vector<ContactProbe> probes;     ///< one for each contact, in the same order
-    std::vector<std::uint32_t> nearContacts;        ///< indices of those whose manifold is of this step, ascending
-    std::vector<BodyGlance> glances;                ///< by body slot
-    std::vector<BodyTravel> travels;                ///< by body slot
-    std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
+    ContactLists lists;                   ///< of this step
+    std::vector<BodyGlance> glances;      ///< by body slot
+    std::vector<BodyTravel> travels;      ///< by body slot
+    std::vector<Aabb> neededBoxes;        ///< by proxy: `neededBox` as of this step, or more
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
     PairTable pairs;                                ///< of shape slots that have a contact
-    std::vector<TouchingPair> touching;             ///< in order of the contacts; of this step, until the solve
+    std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step
     std::vector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking

@@ -1,0 +1,97 @@
+#include "contact_lists.h"
+
+#include <algorithm>
+
+#include "pair_boxes.h"
+#include "travel.h"
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Probes per block, each of which one worker lists: enough work to pay for handing it over.
+constexpr std::size_t kProbesPerBlock = 256;
+
+/// @tparam kWatched  speculative bodies reach farther than was noted
+template <bool kWatched>
+ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const ContactProbe& probe, Real dt) {
+    const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
+    if (!bodies.a.isAwake() && !bodies.b.isAwake()) { return ContactState::asleep; }
+    if (!boxesOverlap(boxes, probe)) { return ContactState::boxesApart; }
+    const bool isTold = !kWatched && probe.isIdle;
+    if (isTold && (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar() || bodies.areApart(probe, dt))) {
+        return ContactState::apart;
+    }
+    return ContactState::near;
+}
+
+bool isNoted(const ContactProbe& probe, ContactState state) {
+    return state == ContactState::asleep ? !probe.isIdle : state != ContactState::apart;
+}
+
+/// @param noted  room for all of the block
+/// @return how many are noted
+template <bool kWatched>
+std::uint32_t listBlock(WorldState& world, std::span<const Aabb> boxes, std::size_t begin, std::size_t end,
+                        std::uint32_t* noted) {
+    const auto dt = static_cast<Real>(world.lastDt);
+    std::uint32_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        ContactProbe& probe = world.probes[i];
+        const ContactState state = stateOf<kWatched>(world, boxes, probe, dt);
+        if (!isNoted(probe, state)) { continue; }
+        if (probe.state != state) { probe.state = state; }  // else its cache line need not go back to memory
+        noted[count++] = static_cast<std::uint32_t>(i);
+    }
+    return count;
+}
+
+template <bool kWatched>
+void listBlocks(WorldState& world) {
+    ContactLists& lists = world.lists;
+    const std::span<const Aabb> boxes = world.broadphase->boxes();
+    const std::size_t count = world.activeContacts;
+    const std::size_t blocks = (count + kProbesPerBlock - 1) / kProbesPerBlock;
+    lists.noted.resize(count);
+    lists.counts.resize(blocks);
+    world.loops->run(blocks, 1, [&world, &lists, boxes, count](std::size_t first, std::size_t last, int) {
+        for (std::size_t block = first; block < last; ++block) {
+            const std::size_t begin = block * kProbesPerBlock;
+            lists.counts[block] = listBlock<kWatched>(world, boxes, begin, std::min(begin + kProbesPerBlock, count),
+                                                      lists.noted.data() + begin);
+        }
+    });
+}
+
+/// One block behind the other, and each contact in the lists of what is to be done for it.
+void joinBlocks(WorldState& world) {
+    ContactLists& lists = world.lists;
+    lists.near.clear();
+    lists.ground.clear();
+    lists.apart.clear();
+    std::size_t size = 0;
+    for (std::size_t block = 0; block < lists.counts.size(); ++block) {
+        for (std::size_t i = block * kProbesPerBlock; i < block * kProbesPerBlock + lists.counts[block]; ++i) {
+            const std::uint32_t place = lists.noted[size++] = lists.noted[i];
+            const ContactProbe& probe = world.probes[place];
+            if (probe.state == ContactState::boxesApart) { lists.apart.push_back(place); }
+            if (probe.state != ContactState::near) { continue; }
+            lists.near.push_back(place);
+            if (!probe.isPlain) { lists.ground.push_back(probe.contact); }
+        }
+    }
+    lists.noted.resize(size);
+}
+
+}  // namespace
+
+void listContacts(WorldState& world) {
+    if (world.watched) {
+        listBlocks<true>(world);
+    } else {
+        listBlocks<false>(world);
+    }
+    joinBlocks(world);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
