@@ -2,7 +2,7 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-std::uint64_t AllPairs::join(PairSink& sink) {
+std::uint64_t AllPairs::join(PairSink& sink, TaskSystem& /*loops*/) {
     std::uint64_t tests = 0;
     for (const std::uint32_t a : table().sortedMoved()) {
         const Aabb box = table().boxAt(a);

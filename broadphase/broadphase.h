@@ -10,6 +10,7 @@
 #include "../shapes/dvec2.h"
 #include "../shapes/function_ref.h"
 #include "../shapes/status.h"
+#include "../shapes/task_system.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -80,8 +81,13 @@ public:
 
     /// Writes every new pair: boxes of kinds that can meet, which overlap now and did not at the last call, or of which
     /// one was inserted or renewed since. Each pair once, in ascending order. `out` is cleared first and keeps its
-    /// capacity.
-    virtual void pairs(std::vector<ProxyPair>& out) = 0;
+    /// capacity. The same pairs and counts for every task system; the default method shares its search.
+    virtual void pairs(std::vector<ProxyPair>& out, TaskSystem& loops) = 0;
+    /// On the calling thread.
+    void pairs(std::vector<ProxyPair>& out) {
+        SerialTaskSystem serial;
+        pairs(out, serial);
+    }
     /// The next call of `pairs` reports all pairs of this proxy, as if it had just been inserted. Error: `staleId`.
     virtual Status renewPairs(ProxyId id) = 0;
 

@@ -19,7 +19,7 @@ void Bvh::onPairsDone() {
     }
 }
 
-std::uint64_t Bvh::join(PairSink& sink) {
+std::uint64_t Bvh::join(PairSink& sink, TaskSystem& /*loops*/) {
     std::uint64_t tests = 0;
     const auto report = [&sink](std::uint32_t a, std::uint32_t b) { sink.add(a, b); };
     for (int first = 0; first < kProxyKindCount; ++first) {

@@ -23,7 +23,7 @@ private:
     void onRenew(std::uint32_t slot) override { onMove(slot); }
     void onRemove(std::uint32_t slot) override;
     void onPairsDone() override;
-    std::uint64_t join(PairSink& sink) override;
+    std::uint64_t join(PairSink& sink, TaskSystem& loops) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     void visitAlong(SweepVisit& visit) const override;
     std::size_t structureBytes() const override;

@@ -149,7 +149,7 @@ void Grid::offerAround(const Aabb& box, const Offer& offer) const {
     }
 }
 
-std::uint64_t Grid::join(PairSink& sink) {
+std::uint64_t Grid::join(PairSink& sink, TaskSystem& /*loops*/) {
     if (isRefilingDue()) { refileAll(); }
     std::uint64_t tests = 0;
     for (const std::uint32_t a : table().sortedMoved()) {

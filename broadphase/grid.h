@@ -31,7 +31,7 @@ private:
     void onInsert(std::uint32_t slot) override;
     void onMove(std::uint32_t slot) override;
     void onRemove(std::uint32_t slot) override { takeOut(slot); }
-    std::uint64_t join(PairSink& sink) override;
+    std::uint64_t join(PairSink& sink, TaskSystem& loops) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     void visitAlong(SweepVisit& visit) const override;
     std::size_t structureBytes() const override;

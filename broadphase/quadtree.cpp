@@ -161,7 +161,7 @@ bool Quadtree::offerBelow(SquareIndex index, const Aabb& box, const Offer& offer
     return true;
 }
 
-std::uint64_t Quadtree::join(PairSink& sink) {
+std::uint64_t Quadtree::join(PairSink& sink, TaskSystem& /*loops*/) {
     std::uint64_t tests = 0;
     for (const std::uint32_t a : table().sortedMoved()) {
         const Aabb box = table().boxAt(a);

@@ -24,7 +24,7 @@ Real SortAndSweep::keyOf(std::uint32_t slot) const {
     return alongY_ ? lower.y : lower.x;
 }
 
-std::uint64_t SortAndSweep::join(PairSink& sink) {
+std::uint64_t SortAndSweep::join(PairSink& sink, TaskSystem& /*loops*/) {
     renewEntries();
     chooseAxis();
     repairOrder();

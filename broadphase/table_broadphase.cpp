@@ -41,11 +41,11 @@ const Aabb& TableBroadphase::box(ProxyId id) const {
     return table_.boxAt(static_cast<std::uint32_t>(id));
 }
 
-void TableBroadphase::pairs(std::vector<ProxyPair>& out) {
+void TableBroadphase::pairs(std::vector<ProxyPair>& out, TaskSystem& loops) {
     out.clear();
     if (table_.listedMoved().empty()) { return; }
     PairSink sink(table_, out);
-    counters_.boxTests += join(sink);
+    counters_.boxTests += join(sink, loops);
     order_.sort(out, table_.slotCount());
     onPairsDone();
     table_.finishPairs();
@@ -53,11 +53,11 @@ void TableBroadphase::pairs(std::vector<ProxyPair>& out) {
 }
 
 void TableBroadphase::query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
-    queryTests_.fetch_add(visitOverlaps(box, visit), std::memory_order_relaxed);
+    queryTests_.add(visitOverlaps(box, visit));
 }
 
 void TableBroadphase::queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
-    queryTests_.fetch_add(visitGround(box, visit), std::memory_order_relaxed);
+    queryTests_.add(visitGround(box, visit));
 }
 
 void TableBroadphase::ray(DVec2 origin, DVec2 direction, Real maxFraction,
@@ -73,12 +73,12 @@ void TableBroadphase::sweep(const Aabb& box, DVec2 translation, Real maxFraction
 void TableBroadphase::castAlong(const BoxSweep& sweep, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const {
     SweepVisit along(sweep, maxFraction, visit);
     visitAlong(along);
-    queryTests_.fetch_add(along.tests(), std::memory_order_relaxed);
+    queryTests_.add(along.tests());
 }
 
 BroadphaseCounters TableBroadphase::counters() const {
     BroadphaseCounters sum = counters_;
-    sum.boxTests += queryTests_.load(std::memory_order_relaxed);
+    sum.boxTests += queryTests_.sum();
     return sum;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 
 #include "box_sweep.h"
 #include "pair_order.h"
 #include "proxy_table.h"
+#include "shared_count.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -67,7 +67,8 @@ public:
     Status renewPairs(ProxyId id) final;
     const Aabb& box(ProxyId id) const final;
     std::span<const Aabb> boxes() const final { return table_.boxes(); }
-    void pairs(std::vector<ProxyPair>& out) final;
+    using Broadphase::pairs;
+    void pairs(std::vector<ProxyPair>& out, TaskSystem& loops) final;
     void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
     void queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
     void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const final;
@@ -91,7 +92,7 @@ private:
     /// The known boxes of what has moved are about to become those of now.
     virtual void onPairsDone() {}
     /// Gives every overlapping pair of which one has moved to the sink. Returns the number of box tests.
-    virtual std::uint64_t join(PairSink& sink) = 0;
+    virtual std::uint64_t join(PairSink& sink, TaskSystem& loops) = 0;
     /// Returns the number of box tests.
     virtual std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
     /// Likewise, of static and kinematic proxies at least.
@@ -107,7 +108,7 @@ private:
     ProxyTable table_;
     PairOrder order_;
     BroadphaseCounters counters_;
-    mutable std::atomic<std::uint64_t> queryTests_ = 0;  // queries may run at the same time as each other
+    mutable SharedCount queryTests_;  // queries may run at the same time as each other
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

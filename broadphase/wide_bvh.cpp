@@ -1,6 +1,24 @@
 #include "wide_bvh.h"
 
+#include <algorithm>
+
 namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// A search among fewer nodes than these is over before another worker has begun: some 10 µs.
+constexpr std::size_t kFewestToCut = 128;
+constexpr std::size_t kFewestPieces = 32;
+
+/// Level of the nodes below which the pieces of a search are.
+std::size_t levelToCut(const WideTree& moving) {
+    std::size_t level = moving.height() - 1;
+    if (moving.moved(0).size() <= kFewestToCut) { return level; }
+    while (level > 0 && moving.moved(level).size() <= kFewestPieces) { --level; }
+    return level;
+}
+
+}  // namespace
+
 void WideBvh::onInsert(std::uint32_t slot) {
     if (slot == places_.size()) { places_.push_back(0); }
     treeAt(slot).insert(slot, table().boxAt(slot), places_);
@@ -10,23 +28,50 @@ void WideBvh::onMove(std::uint32_t slot) { treeAt(slot).move(places_[slot], tabl
 
 void WideBvh::onRemove(std::uint32_t slot) { treeAt(slot).remove(places_[slot]); }
 
-std::uint64_t WideBvh::join(PairSink& sink) {
-    for (WideTree& tree : trees_) {
-        if (tree.prepareJoin(places_)) { countRebuild(); }
-    }
-    std::uint64_t tests = 0;
+/// Each kind with each: in one piece where little has moved, else cut where so many nodes are that several workers find
+/// work, whether there are several or not. (Each piece goes down from the top of the other tree by itself: that costs
+/// some tests more.)
+void WideBvh::listJoins() {
+    joins_.clear();
     for (int first = 0; first < kProxyKindCount; ++first) {
         for (int second = 0; second < kProxyKindCount; ++second) {
             const WideTree& moving = trees_[static_cast<std::size_t>(first)];
             const WideTree& other = trees_[static_cast<std::size_t>(second)];
             const bool canMeetAny = canMeet(static_cast<ProxyKind>(first), static_cast<ProxyKind>(second));
             if (!canMeetAny || !moving.anyMoved() || other.height() == 0) { continue; }
-            tests += kernels_.join({.moving = &moving,
-                                    .other = &other,
-                                    .skipMoved = first > second,
-                                    .scratch = &scratch_,
-                                    .out = &sink.newPairs()});
+            const std::size_t level = levelToCut(moving);
+            const std::size_t nodes = moving.moved(level).size() - 1;  // a sentinel ends them
+            for (std::size_t place = 0; place < nodes; ++place) {
+                joins_.push_back(
+                    {.moving = &moving, .other = &other, .skipMoved = first > second, .level = level, .place = place});
+            }
         }
+    }
+}
+
+std::uint64_t WideBvh::join(PairSink& sink, TaskSystem& loops) {
+    for (WideTree& tree : trees_) {
+        if (tree.prepareJoin(places_)) { countRebuild(); }
+    }
+    listJoins();
+    scratch_.resize(std::max(scratch_.size(), static_cast<std::size_t>(loops.workerCount())));
+    for (WideScratch& scratch : scratch_) {
+        scratch.found.clear();
+        scratch.tests = 0;
+    }
+    loops.run(joins_.size(), 1, [&](std::size_t begin, std::size_t end, int worker) {
+        WideScratch& scratch = scratch_[static_cast<std::size_t>(worker)];
+        for (std::size_t i = begin; i < end; ++i) {
+            WideJoin piece = joins_[i];
+            piece.scratch = &scratch;
+            piece.out = worker == 0 ? &sink.newPairs() : &scratch.found;
+            scratch.tests += kernels_.join(piece);
+        }
+    });
+    std::uint64_t tests = 0;
+    for (const WideScratch& scratch : scratch_) {  // in any order: pairs are sorted
+        sink.newPairs().insert(sink.newPairs().end(), scratch.found.begin(), scratch.found.end());
+        tests += scratch.tests;
     }
     return tests;
 }
@@ -62,7 +107,11 @@ void WideBvh::visitAlong(SweepVisit& visit) const {
 std::size_t WideBvh::structureBytes() const {
     std::size_t sum = bytesOf(places_);
     for (const WideTree& tree : trees_) { sum += tree.memoryBytes(); }
-    for (const auto& list : scratch_.candidates) { sum += bytesOf(list); }
+    for (const WideScratch& scratch : scratch_) {
+        sum += bytesOf(scratch.found);
+        for (const auto& list : scratch.candidates) { sum += bytesOf(list); }
+    }
+    sum += bytesOf(scratch_) + bytesOf(joins_);
     return sum;
 }
 

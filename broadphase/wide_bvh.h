@@ -26,7 +26,7 @@ private:
     void onRenew(std::uint32_t slot) override { treeAt(slot).forget(places_[slot]); }
     void onRemove(std::uint32_t slot) override;
     void onPairsDone() override;
-    std::uint64_t join(PairSink& sink) override;
+    std::uint64_t join(PairSink& sink, TaskSystem& loops) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     std::uint64_t visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     void visitAlong(SweepVisit& visit) const override;
@@ -36,10 +36,13 @@ private:
         return trees_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
     }
 
+    void listJoins();
+
     const WideKernels& kernels_;
     std::array<WideTree, kProxyKindCount> trees_;
     std::vector<std::uint32_t> places_;  // one per slot: the place in the tree of the slot's kind
-    WideScratch scratch_;
+    std::vector<WideJoin> joins_;        // the pieces of a search, none of which needs another
+    std::vector<WideScratch> scratch_;   // one per worker
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -2,21 +2,27 @@
 
 #include <vector>
 
+#include "../shapes/cache_line.h"
 #include "table_broadphase.h"
 #include "wide_tree.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Room for the walks, kept from call to call.
-struct WideScratch {
+/// What one worker needs for the walks, and what it found. Kept for its capacity; nothing of it shares a cache line
+/// with another worker's.
+struct alignas(kCacheLine) WideScratch {
     std::array<std::vector<std::uint32_t>, WideTree::kMaxLevels> candidates;  ///< by level: nodes still to be compared
+    std::vector<ProxyPair> found;
+    std::uint64_t tests = 0;
 };
 
-/// What moved in one tree against everything in another, or in itself.
+/// What moved below one node of a tree against everything in another tree, or in the same one.
 struct WideJoin {
     const WideTree* moving = nullptr;  ///< something in it has moved
     const WideTree* other = nullptr;   ///< not empty
     bool skipMoved = false;            ///< leave out what moved in `other`: the join the other way round has it already
+    std::size_t level = 0;             ///< of the node, in `moving`
+    std::size_t place = 0;             ///< among what has moved there
     WideScratch* scratch = nullptr;
     std::vector<ProxyPair>* out = nullptr;  ///< new pairs are added, each once
 };

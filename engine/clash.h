@@ -23,7 +23,7 @@ struct ClashPair {
 };
 
 /// What one worker needs for a clash. Kept for its capacity.
-struct ClashScratch {
+struct alignas(kCacheLine) ClashScratch {
     std::vector<Flight> flights;
     std::vector<Sweep> paths;                ///< by flight: the rest of its step
     std::vector<std::uint8_t> isNearGround;  ///< by flight: something static or kinematic is beside its path

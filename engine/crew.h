@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "../shapes/cache_line.h"
 #include "../shapes/real.h"
 #include "../shapes/task_system.h"
 
@@ -41,7 +42,6 @@ private:
     std::size_t blockLength_ = 1;
 
     // Each on a cache line of its own: the first two are written for every block.
-    static constexpr std::size_t kCacheLine = 64;
     alignas(kCacheLine) std::atomic<std::uint64_t> ticket_ = 0;  ///< which loop, and which of its blocks are free
     std::atomic<std::uint64_t> share_ = 1;                       ///< blocks of a claim
     alignas(kCacheLine) std::atomic<std::uint32_t> done_ = 0;    ///< blocks of the present loop

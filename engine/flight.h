@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shapes/cache_line.h"
 #include "../solver/impact.h"
 #include "../toi/time_of_impact.h"
 #include "body.h"
@@ -38,8 +39,9 @@ struct NearObstacle {
     auto operator<=>(const NearObstacle&) const = default;
 };
 
-/// What one worker needs for sweeps, and what it found: kept for its capacity, merged after the parallel loop.
-struct FlightScratch {
+/// What one worker needs for sweeps, and what it found: kept for its capacity, merged after the parallel loop. Nothing
+/// of it shares a cache line with another worker's: they lie side by side, and are written all the time.
+struct alignas(kCacheLine) FlightScratch {
     std::vector<FlightObstacle> obstacles;
     std::vector<NearObstacle> nearest;
     std::vector<MetGround> met;  ///< since the flyer moved last

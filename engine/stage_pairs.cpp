@@ -128,7 +128,7 @@ bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) { return ad
 
 void findPairs(WorldState& world) {
     const std::uint64_t testsBefore = world.broadphase->counters().boxTests;
-    world.broadphase->pairs(world.newPairs);
+    world.broadphase->pairs(world.newPairs, *world.loops);
     world.counters.boxTests = world.broadphase->counters().boxTests - testsBefore;
     for (const ProxyPair& pair : world.newPairs) {
         addPair(world, world.proxyShapes[static_cast<std::uint32_t>(pair.a)],

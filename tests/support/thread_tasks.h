@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include <swept/engine/task_system.h>
+#include <swept/shapes/task_system.h>
 
 namespace swept::test {
 
