@@ -78,9 +78,8 @@ void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2
 void addBodies(WorldState& world) {
     const auto gravity = static_cast<double>(length(world.settings.gravity));
     const DVec2 up = gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         Body& body = world.bodies[slot];
-        if (body.role != BodyRole::solved) { continue; }
         if (body.searchDebt > 0) { --body.searchDebt; }
         addBody(world.islandLoads[world.islands.find(slot)], body, world.motions[slot], up, static_cast<Real>(gravity));
     }
@@ -298,7 +297,7 @@ void assignByLoad(WorldState& world, double dt) {
     const bool fast = world.settings.profile == Profile::fast;
     std::vector<IslandLoad>& loads = world.islandLoads;
     loads.resize(std::max<std::size_t>(loads.size(), world.bodies.slotCount()));
-    for (const std::uint32_t slot : world.awake) { loads[slot] = {}; }
+    for (const std::uint32_t slot : world.tied) { loads[slot] = {}; }
     addBodies(world);
     addContacts(world);
     if (!world.activeJoints.empty()) { addJoints(world); }
@@ -306,7 +305,7 @@ void assignByLoad(WorldState& world, double dt) {
                          .dt = dt,
                          .subSteps = subStepsOf(world.settings),
                          .mayJostle = !hasErrorBudget(world.settings) && world.settings.subSteps <= 0};
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         IslandLoad& load = loads[slot];
         if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, step); }
     }
@@ -329,7 +328,7 @@ void assignEfforts(WorldState& world, double dt) {
         return;
     }
     if (!budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         world.bodies[slot].effort = world.islandLoads[world.islands.find(slot)].effort;
     }
 }

@@ -172,7 +172,7 @@ void keepErrorBudgets(WorldState& world, double dt) {
     measureBodies(world, static_cast<Real>(dt));
     measureContacts(world, static_cast<Real>(dt));
     measureJoints(world);
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         IslandLoad& load = world.islandLoads[slot];
         if (load.bodies == 0) { continue; }
         load.effort.doublings = doublingsFor(world.settings, world.islandErrors[slot], load.effort);

@@ -61,11 +61,11 @@ void slowHangingIslands(WorldState& world, double dt) {
     // Their effort tells what is still in question: those that move keep theirs.
     world.islandPulls.resize(std::max<std::size_t>(world.islandPulls.size(), world.bodies.slotCount()));
     world.chainLengths.assign(world.bodies.slotCount(), 0);  // now: 1 where an island hangs still
-    for (const std::uint32_t slot : world.awake) { world.chainLengths[slot] = isDirectChain(world.islandLoads[slot]); }
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) { world.chainLengths[slot] = isDirectChain(world.islandLoads[slot]); }
+    for (const std::uint32_t slot : world.tied) {
         const Body& body = world.bodies[slot];
         std::uint32_t& hangs = world.chainLengths[world.islands.find(slot)];
-        if (hangs == 0 || body.role != BodyRole::solved) { continue; }
+        if (hangs == 0) { continue; }
         hangs = isStill(body, world.motions[slot], speed) ? 1 : 0;
         world.islandPulls[slot].force = (static_cast<Real>(body.mass) * step) * accelerationOf(world, body);
     }
@@ -75,13 +75,13 @@ void slowHangingIslands(WorldState& world, double dt) {
         std::uint32_t& hangs = world.chainLengths[world.islands.find(moved)];
         hangs = hangs != 0 && weighHinge(world, joint, step) ? 1 : 0;
     }
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         const Body& body = world.bodies[slot];
         std::uint32_t& hangs = world.chainLengths[world.islands.find(slot)];
-        if (hangs == 0 || body.role != BodyRole::solved) { continue; }
+        if (hangs == 0) { continue; }
         hangs = lengthSquared(world.islandPulls[slot].force) <= square(static_cast<Real>(body.mass) * speed) ? 1 : 0;
     }
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         if (world.chainLengths[slot] != 0) { world.islandLoads[slot].effort.doublings = kHangingDoublings; }
     }
 }

@@ -217,7 +217,11 @@ void assignRoles(WorldState& world, Real dt) {
         body.role = roleOf(world, body);
         world.anyFast = world.anyFast || body.fast || body.def.bullet || body.role == BodyRole::flyer;
         if (body.role == BodyRole::flyer) { world.flyers.push_back(slot); }
-        if (body.role == BodyRole::solved) { world.tied.push_back(slot); }
+        if (body.role == BodyRole::solved) {
+            world.tied.push_back(slot);
+        } else {
+            body.effort = {};
+        }
         world.counters.freeBodies += body.role == BodyRole::free ? 1 : 0;
     }
     world.counters.solvedBodies = world.tied.size();
