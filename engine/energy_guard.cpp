@@ -31,7 +31,9 @@ void forEachGainer(WorldState& world, const TiedGroup& group, const Visit& visit
         const Body& body = world.bodies[slot];
         if (!body.isDynamic() || !isMember(body, group)) { continue; }
         EnergyAccount& account = accountOf(world, slot);
-        if (account.solve == world.energySolve && !account.isDriven && hasGained(account)) { visit(slot, account); }
+        if (account.solve == group.desk.energySolve && !account.isDriven && hasGained(account)) {
+            visit(slot, account);
+        }
     }
 }
 
@@ -69,14 +71,13 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
 
 double inertiaOf(const Body& body) { return body.inverseInertia > 0 ? body.inertia : 0; }
 
-DVec2 armOf(const WorldState& world, const EnergyAccount& account, std::uint32_t slot) {
-    const IslandMotion& island = world.islandMotions[account.motion];
+DVec2 armOf(const WorldState& world, const IslandMotion& island, std::uint32_t slot) {
     return world.motions[slot].center - world.motions[island.root].center - island.center;
 }
 
 /// Their centres of mass, and how these move and they turn.
 void findIslandMotions(WorldState& world, const TiedGroup& group) {
-    std::vector<IslandMotion>& islands = world.islandMotions;
+    std::vector<IslandMotion>& islands = group.desk.islandMotions;
     islands.clear();
     forEachGainer(world, group, [&](std::uint32_t slot, EnergyAccount& account) {
         const std::uint32_t root = world.islands.find(slot);
@@ -97,7 +98,7 @@ void findIslandMotions(WorldState& world, const TiedGroup& group) {
     forEachGainer(world, group, [&](std::uint32_t slot, const EnergyAccount& account) {
         IslandMotion& island = islands[account.motion];
         const Body& body = world.bodies[slot];
-        const DVec2 arm = armOf(world, account, slot);
+        const DVec2 arm = armOf(world, island, slot);
         island.inertia += body.mass * dot(arm, arm) + inertiaOf(body);
         island.spin += body.mass * cross(arm, toDouble(world.motions[slot].velocity) - island.velocity) +
                        inertiaOf(body) * static_cast<double>(world.motions[slot].angularVelocity);
@@ -114,8 +115,8 @@ DVec2 alongGround(DVec2 velocity, DVec2 push) {
 /// What is left of the motion relative to that of the island takes back what was gained. The ground pushes an island
 /// away from it; how it slides along it, that is none of the ground's doing, and stays: a stack that landed on ice lost
 /// most of its momentum otherwise.
-void findShares(WorldState& world) {
-    for (IslandMotion& island : world.islandMotions) {
+void findShares(WorldState& world, SolveDesk& desk) {
+    for (IslandMotion& island : desk.islandMotions) {
         const EnergyAccount& account = world.energyAccounts[island.root];
         if (account.isGrounded) {
             island.velocity = alongGround(island.velocity, account.push);
@@ -132,18 +133,18 @@ void findShares(WorldState& world) {
 
 bool openAccounts(WorldState& world, const TiedGroup& group) {
     if (group.effort.isSettled) { return false; }
-    ++world.energySolve;
-    world.energyRoots.clear();
+    group.desk.energySolve = world.energySolves.fetch_add(1, std::memory_order_relaxed) + 1;
+    group.desk.energyRoots.clear();
     world.energyAccounts.resize(world.bodies.slotCount());
     return true;
 }
 
-void book(WorldState& world, std::uint32_t slot, const BodyState& state, Real time) {
+void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const BodyState& state, Real time) {
     const std::uint32_t root = world.islands.find(slot);
     EnergyAccount& account = world.energyAccounts[root];
-    if (account.solve != world.energySolve) {
-        account = {.solve = world.energySolve};
-        world.energyRoots.push_back(root);
+    if (account.solve != desk.energySolve) {
+        account = {.solve = desk.energySolve};
+        desk.energyRoots.push_back(root);
     }
     const Body& body = world.bodies[slot];
     const BodyMotion& before = world.motions[slot];
@@ -167,14 +168,14 @@ void book(WorldState& world, std::uint32_t slot, const BodyState& state, Real ti
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {
     const auto gained = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
-    if (std::none_of(world.energyRoots.begin(), world.energyRoots.end(), gained)) { return; }
+    if (std::none_of(group.desk.energyRoots.begin(), group.desk.energyRoots.end(), gained)) { return; }
     noteOthers(world, group);
     findIslandMotions(world, group);
-    findShares(world);
+    findShares(world, group.desk);
     forEachGainer(world, group, [&](std::uint32_t slot, const EnergyAccount& account) {
-        const IslandMotion& island = world.islandMotions[account.motion];
+        const IslandMotion& island = group.desk.islandMotions[account.motion];
         BodyMotion& motion = world.motions[slot];
-        const DVec2 arm = armOf(world, account, slot);
+        const DVec2 arm = armOf(world, island, slot);
         const DVec2 rigid = island.velocity + island.spin * DVec2{-arm.y, arm.x};
         motion.velocity = toReal(rigid + island.share * (toDouble(motion.velocity) - rigid));
         if (!(world.bodies[slot].inverseInertia > 0)) { return; }

@@ -15,7 +15,7 @@ namespace swept::inline SWEPT_PRECISION {
 bool openAccounts(WorldState& world, const TiedGroup& group);
 /// Books a member of the group, before its motion is overwritten with what the solver made of it.
 /// @param time  that was solved for, s
-void book(WorldState& world, std::uint32_t slot, const BodyState& state, Real time);
+void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const BodyState& state, Real time);
 /// Takes back what islands gained. @pre all members were booked, and have their new motions
 void settleAccounts(WorldState& world, const TiedGroup& group);
 

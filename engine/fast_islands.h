@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "body.h"
@@ -23,7 +24,7 @@ struct TriedContact {
     bool pressedOn = false;
 };
 
-/// Islands with something fast in them, and what one of them needs while it advances. Kept for its capacity.
+/// Islands with something fast in them. Kept for its capacity.
 struct FastIslands {
     bool any = false;  ///< this step
     std::vector<std::uint32_t>
@@ -34,15 +35,19 @@ struct FastIslands {
     std::vector<BodyMotion> triedMotions;     ///< of the members of these islands, before
     std::vector<TriedContact> triedContacts;  ///< and of their contacts
     std::size_t eventsBefore = 0;
-    IslandItems bodies;                         ///< slots, in order of waking
-    IslandItems contacts;                       ///< indices of their probes
-    IslandItems joints;                         ///< slots
-    std::vector<std::uint32_t> kinematics;      ///< awake ones
-    std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
+    IslandItems bodies;                     ///< slots, in order of waking
+    IslandItems contacts;                   ///< indices of their probes
+    IslandItems joints;                     ///< slots
+    std::vector<std::uint32_t> kinematics;  ///< awake ones
+    std::vector<std::uint32_t> waiting;     ///< islands that are still to advance
+};
 
-    // One island at a time.
-    std::vector<std::uint32_t> members;  ///< dynamic, slots
-    std::vector<std::uint32_t> group;    ///< members, then kinematic bodies
+/// What one island needs while it advances. Kept for its capacity.
+struct FastIsland {
+    std::span<const std::uint32_t> kinematics;  ///< awake ones, of the world
+    std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
+    std::vector<std::uint32_t> members;         ///< dynamic, slots
+    std::vector<std::uint32_t> group;           ///< members, then kinematic bodies
     std::vector<std::uint32_t> jointSlots;
     std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
     std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
@@ -55,6 +60,7 @@ struct FastIslands {
     std::vector<Contact> heldBefore;
     std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
+    std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

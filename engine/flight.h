@@ -60,6 +60,7 @@ struct alignas(kCacheLine) FlightScratch {
     std::uint64_t toiIterations = 0;
     std::uint64_t impacts = 0;
     std::uint64_t speedsLimited = 0;
+    std::uint64_t sweeps = 0;
 };
 
 /// A body in flight: its own copy of its motion, and how much of the step has passed.

@@ -36,10 +36,10 @@ bool isFaceContact(const GroundContact& contact) {
 }
 
 /// @return whether the contact is hidden by another one of the same body
-bool isGhost(const WorldState& world, std::span<const Contact> contacts, std::uint32_t index,
-             const GroundContact& contact, std::uint32_t first) {
-    for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-        const Contact& stands = contacts[i];
+bool isGhost(const WorldState& world, const GroundContacts& contacts, std::uint32_t index,
+             const GroundContact& contact) {
+    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
+        const Contact& stands = contacts.all[i];
         if (i == index || !stands.isSolid()) { continue; }
         if (deepestSeparation(stands.manifold) > kEndRatio * stands.extent) { continue; }
         if (hides(groundContactOf(world, stands), contact)) { return true; }
@@ -47,14 +47,14 @@ bool isGhost(const WorldState& world, std::span<const Contact> contacts, std::ui
     return false;
 }
 
-void dropGhostsOf(const WorldState& world, std::span<Contact> contacts, std::uint32_t first) {
+void dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
     // What was dropped hides nothing, so one of each pair stays.
     for (int rank = 0; rank < kGhostRanks; ++rank) {
-        for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-            Contact& contact = contacts[i];
+        for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
+            Contact& contact = contacts.all[i];
             if (!contact.isSolid()) { continue; }
             const GroundContact seen = groundContactOf(world, contact);
-            if (ghostRank(seen) == rank && isGhost(world, contacts, i, seen, first)) { contact.manifold.count = 0; }
+            if (ghostRank(seen) == rank && isGhost(world, contacts, i, seen)) { contact.manifold.count = 0; }
         }
     }
 }
@@ -80,26 +80,27 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
 }
 
 void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                std::span<const std::uint32_t> bodies) {
+                std::span<const std::uint32_t> bodies, std::vector<std::uint32_t>& next) {
     // Lists of the ground contacts of each body, through arrays that keep their capacity; empty before and after.
     std::vector<std::uint32_t>& firstOf = world.firstGroundContact;
     firstOf.resize(world.bodies.slotCount(), kNoIndex);
-    world.nextGroundContact.resize(contacts.size());
+    next.resize(contacts.size());
     const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
     for (const std::uint32_t i : renewed) {
         if (!isGroundContact(contacts[i]) && !(contacts[i].slide.impulse > 0)) { continue; }
         std::uint32_t& first = firstOf[bodyOf(contacts[i])];
         anyTwo = anyTwo || first != kNoIndex;
-        world.nextGroundContact[i] = first;
+        next[i] = first;
         first = i;
     }
     if (anyTwo) {
         for (const std::uint32_t slot : bodies) {
             const std::uint32_t first = firstOf[slot];
-            if (first != kNoIndex && world.nextGroundContact[first] != kNoIndex) {
-                dropGhostsOf(world, contacts, first);
-                carryAlong(world, contacts, first);
+            if (first != kNoIndex && next[first] != kNoIndex) {
+                const GroundContacts ofBody{contacts, next, first};
+                dropGhostsOf(world, ofBody);
+                carryAlong(world, ofBody);
             }
         }
     }

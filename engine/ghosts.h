@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "world_state.h"
 
@@ -42,7 +43,8 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
 
 /// Drops the ghosts among new contacts of these bodies (slots) with static and kinematic shapes.
 /// @param renewed  indices of the contacts whose manifold is new, ascending
+/// @param next  scratch: by contact, the next one of the same body
 void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                std::span<const std::uint32_t> bodies);
+                std::span<const std::uint32_t> bodies, std::vector<std::uint32_t>& next);
 
 }  // namespace swept::inline SWEPT_PRECISION

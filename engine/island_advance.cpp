@@ -44,7 +44,8 @@ constexpr double kGrowth = 4;
 
 struct Island {
     WorldState& world;
-    FastIslands& fast;
+    SolveDesk& desk;
+    FastIsland& fast;
     FlightScratch& scratch;
     double dt;
     double elapsed = 0;
@@ -59,7 +60,7 @@ std::uint64_t pairKey(std::uint32_t a, std::uint32_t b) {
     return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
 }
 
-void listHeldPairs(FastIslands& fast) {
+void listHeldPairs(FastIsland& fast) {
     fast.heldPairs.clear();
     for (const Contact& contact : fast.held) { fast.heldPairs.push_back(pairKey(contact.shapeA, contact.shapeB)); }
     std::sort(fast.heldPairs.begin(), fast.heldPairs.end());
@@ -103,7 +104,7 @@ Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
 /// step.
 void findGround(Island& island, const Shape& own, std::uint32_t slot, Real time) {
     WorldState& world = island.world;
-    FastIslands& fast = island.fast;
+    FastIsland& fast = island.fast;
     const Aabb box = boundsOf(own.polygon, world.motions[own.body].pose);
     fast.found.clear();
     world.broadphase->queryGround(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
@@ -139,8 +140,9 @@ void collideHeld(Island& island, double time) {
     }
     std::vector<std::uint32_t>& all = island.fast.heldIndices;
     while (all.size() < island.fast.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
-    dropGhosts(world, island.fast.held, std::span(all).first(island.fast.held.size()), island.fast.members);
-    world.counters.manifolds += island.fast.held.size();
+    dropGhosts(world, island.fast.held, std::span(all).first(island.fast.held.size()), island.fast.members,
+               island.fast.nextGroundContact);
+    island.desk.counters.manifolds += island.fast.held.size();
 }
 
 /// Normal impulse that a point of a held contact had at the start of the step, N·s in a sub-step of the usual length.
@@ -213,7 +215,7 @@ int subStepsFor(const Island& island, double time) {
 }
 
 void solvePart(Island& island, double time) {
-    FastIslands& fast = island.fast;
+    FastIsland& fast = island.fast;
     const StepPart part{
         .begin = island.elapsed, .length = time, .dt = island.dt, .subSteps = subStepsFor(island, time)};
     setSubStep(island, time / part.subSteps);
@@ -223,7 +225,8 @@ void solvePart(Island& island, double time) {
         contact.totalImpulse = {};
     }
     solveGroup(island.world,
-               {.role = BodyRole::together,
+               {.desk = island.desk,
+                .role = BodyRole::together,
                 .effort = island.world.bodies[fast.members[0]].effort,
                 .bodies = fast.group,
                 .contacts = fast.held,
@@ -234,7 +237,7 @@ void solvePart(Island& island, double time) {
 
 /// @param isTried  whether the part may be taken back
 void remember(Island& island, bool isTried) {
-    FastIslands& fast = island.fast;
+    FastIsland& fast = island.fast;
     fast.membersBefore.clear();
     for (const std::uint32_t slot : fast.members) {
         const BodyMotion& motion = island.world.motions[slot];
@@ -246,11 +249,11 @@ void remember(Island& island, bool isTried) {
     island.subStepBefore = island.subStep;
     fast.jointsBefore.clear();
     for (const std::uint32_t slot : fast.jointSlots) { fast.jointsBefore.push_back(island.world.joints[slot]); }
-    island.eventsBefore = island.world.contactEvents.size();
+    island.eventsBefore = island.desk.events.size();
 }
 
 void takeBack(Island& island) {
-    FastIslands& fast = island.fast;
+    FastIsland& fast = island.fast;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
         island.world.motions[fast.members[i]] = fast.membersBefore[i];
     }
@@ -260,7 +263,7 @@ void takeBack(Island& island) {
     fast.held = fast.heldBefore;
     island.subStep = island.subStepBefore;
     fast.sources.resize(fast.held.size());
-    auto& events = island.world.contactEvents;
+    auto& events = island.desk.events;
     events.erase(events.begin() + static_cast<std::ptrdiff_t>(island.eventsBefore), events.end());
 }
 
@@ -272,7 +275,7 @@ bool isSweptMember(const WorldState& world, std::uint32_t slot, double share) {
 
 /// All members stand where they were at a fraction of the part, and did not fall in the rest of it.
 void cutPart(Island& island, double time, double fraction) {
-    FastIslands& fast = island.fast;
+    FastIsland& fast = island.fast;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
         const BodyMotion& before = fast.membersBefore[i];
         BodyMotion& motion = island.world.motions[fast.members[i]];
@@ -299,14 +302,14 @@ void holdMembers(Island& island, double time) {
     const StepPart part{.begin = island.elapsed, .length = time, .dt = island.dt};
     for (const std::uint32_t slot : island.fast.members) {
         if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
-        ++island.world.counters.sweeps;
+        ++island.scratch.sweeps;
         const bool stops = modeOf(island.world, island.world.bodies[slot]) == ContinuousMode::stop;
         clampAtImpact(island.world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, island.scratch);
     }
 }
 
 void begin(Island& island) {
-    FastIslands& fast = island.fast;
+    FastIsland& fast = island.fast;
     island.shortest = kShortestPart * island.dt;
     island.usualSubStep = island.subStep = island.dt / subStepsOf(island.world.settings);
     fast.kinematicsAtStart.clear();
@@ -323,7 +326,7 @@ void begin(Island& island) {
 
 /// What the next step and its report need: poses at the start of the step, kinematic bodies there, contacts.
 void finish(Island& island) {
-    FastIslands& fast = island.fast;
+    FastIsland& fast = island.fast;
     for (std::size_t i = 0; i < fast.kinematics.size(); ++i) {
         island.world.motions[fast.kinematics[i]] = fast.kinematicsAtStart[i];
     }
@@ -379,7 +382,7 @@ double tryPart(Island& island, double time, bool fits, double& next) {
 /// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow
 /// among floor and wall less well, and may throw it up.
 bool fliesInstead(const Island& island) {
-    const FastIslands& fast = island.fast;
+    const FastIsland& fast = island.fast;
     if (island.elapsed > 0 || fast.members.size() != 1 || !fast.jointSlots.empty()) { return false; }
     const Body& body = island.world.bodies[fast.members[0]];
     return !body.deepContact && !body.touchesDynamic && body.holdingJoints == 0;
@@ -396,7 +399,7 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
     double first = 1;
     for (const std::uint32_t slot : members) {
         if (!isSweptMember(world, slot, part.length / part.dt)) { continue; }
-        ++world.counters.sweeps;
+        ++scratch.sweeps;
         const FirstImpact impact = impactOfPath(world, slot, part.length, first, scratch);
         if (impact.hit) { first = impact.fraction; }
     }
@@ -405,8 +408,8 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
 
 std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }
 
-void advanceIsland(WorldState& world, double dt, FlightScratch& scratch, double met) {
-    Island island{world, world.fastIslands, scratch, dt};
+void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch& scratch, double met) {
+    Island island{world, desk, desk.island, scratch, dt};
     begin(island);
     const bool wasTried = met < 1;
     if (wasTried && fliesInstead(island)) {

@@ -17,10 +17,11 @@ std::size_t mostTogether(const WorldSettings& settings);
 /// part in the next solve. Parts get no shorter than a certain share of the step: in those a member is held at its
 /// impact on its own, and what it loses enters the ledger. A body on its own flies (flight.h) when it would meet
 /// something.
-/// @pre members, joints and held contacts of the island are in `world.fastIslands`
+/// Islands may advance at the same time, each at a desk of its own, while no kinematic body is awake.
+/// @pre members, joints and held contacts of the island are in `SolveDesk::island`; kinematic bodies, too
 /// @param met  fraction of the step at which it meets something when all of that is one part, as was tried already; 1:
 /// it was not
-void advanceIsland(WorldState& world, double dt, FlightScratch& scratch, double met = 1);
+void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch& scratch, double met = 1);
 
 /// Whether the first part of an island without joints, and at most one of its parts, is the whole step.
 bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, double dt);

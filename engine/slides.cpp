@@ -37,16 +37,17 @@ struct Load {
     bool isAlong(Vec2 other) const { return dot(normal, other) > kSameNormal; }
 };
 
-Load loadOf(const WorldState& world, std::span<const Contact> contacts, std::uint32_t first) {
+Load loadOf(const WorldState& world, const GroundContacts& contacts) {
     Load load;
-    for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-        const Slide& slide = contacts[i].slide;
+    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
+        const Contact& contact = contacts.all[i];
+        const Slide& slide = contact.slide;
         if (!(slide.impulse > 0)) {
-            const std::array<Real, 2>& stays = contacts[i].normalImpulse;
-            if (contacts[i].isSolid() && (stays[0] > 0 || stays[1] > 0)) { return {}; }
+            const std::array<Real, 2>& stays = contact.normalImpulse;
+            if (contact.isSolid() && (stays[0] > 0 || stays[1] > 0)) { return {}; }
             continue;
         }
-        const Vec2 normal = toWorld(world, contacts[i], slide.normal);
+        const Vec2 normal = toWorld(world, contact, slide.normal);
         if (!(load.impulse > 0)) { load.normal = normal; }
         if (!load.isAlong(normal)) { continue; }
         load.impulse += slide.impulse;
@@ -62,10 +63,10 @@ struct Feet {
     Foot right;
 };
 
-Feet findFeet(const WorldState& world, std::span<Contact> contacts, std::uint32_t first, const Load& load) {
+Feet findFeet(const WorldState& world, const GroundContacts& contacts, const Load& load) {
     Feet feet;
-    for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-        Contact& contact = contacts[i];
+    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
+        Contact& contact = contacts.all[i];
         const Manifold& manifold = contact.manifold;
         if (manifold.count == 0 || !load.isAlong(toWorld(world, contact, manifold.normal))) { continue; }
         const Transform bInA = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
@@ -103,13 +104,13 @@ void noteSlide(Contact& contact, const Transform& bInA) {
     }
 }
 
-void carryAlong(const WorldState& world, std::span<Contact> contacts, std::uint32_t first) {
-    for (std::uint32_t i = first; i != kNoIndex; i = world.nextGroundContact[i]) {
-        if (!isOnStatic(world, contacts[i])) { return; }  // moves by itself
+void carryAlong(const WorldState& world, const GroundContacts& contacts) {
+    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
+        if (!isOnStatic(world, contacts.all[i])) { return; }  // moves by itself
     }
-    const Load load = loadOf(world, contacts, first);
+    const Load load = loadOf(world, contacts);
     if (!(load.impulse > 0)) { return; }
-    const Feet feet = findFeet(world, contacts, first, load);
+    const Feet feet = findFeet(world, contacts, load);
     if (feet.left.contact == nullptr) { return; }
     const Real apart = feet.right.lever - feet.left.lever;
     const Real right =

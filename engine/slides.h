@@ -14,8 +14,15 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Before the manifold of a contact is renewed: notes what it carried if B has slid along A since.
 void noteSlide(Contact& contact, const Transform& bInA);
-/// Hands it on among the new points of contacts of one body with static shapes: those linked from `first` on
-/// (`WorldState::nextGroundContact`).
-void carryAlong(const WorldState& world, std::span<Contact> contacts, std::uint32_t first);
+
+/// The contacts of one body with ground, among others: linked from the first one on.
+struct GroundContacts {
+    std::span<Contact> all;
+    std::span<const std::uint32_t> next;  ///< by contact
+    std::uint32_t first = 0;
+};
+
+/// Hands it on among the new points of contacts of one body with static shapes.
+void carryAlong(const WorldState& world, const GroundContacts& contacts);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -315,7 +315,7 @@ void collideContacts(WorldState& world) {
         } else {
             updateContacts<false>(world);
         }
-        dropGhosts(world, world.contacts, world.lists.ground, world.awake);
+        dropGhosts(world, world.contacts, world.lists.ground, world.awake, world.nextGroundContact);
         if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
         world.counters.manifolds += world.lists.near.size();
         if (world.watched) { countAhead(world); }

@@ -40,7 +40,8 @@ void merge(WorldState& world, FlightScratch& scratch) {
     world.counters.toiIterations += scratch.toiIterations;
     world.counters.impacts += scratch.impacts;
     world.counters.speedsLimited += scratch.speedsLimited;
-    scratch.toiCalls = scratch.toiIterations = scratch.impacts = scratch.speedsLimited = 0;
+    world.counters.sweeps += scratch.sweeps;
+    scratch.toiCalls = scratch.toiIterations = scratch.impacts = scratch.speedsLimited = scratch.sweeps = 0;
 }
 
 }  // namespace

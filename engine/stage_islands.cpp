@@ -104,6 +104,8 @@ void listContactsAndJoints(WorldState& world) {
 
 /// Islands per task: each has several sweeps.
 constexpr std::size_t kClashGrain = 2;
+/// Each is solved at least once.
+constexpr std::size_t kIslandGrain = 1;
 
 /// What bounces off each other in flight.
 void clashAll(WorldState& world, double dt) {
@@ -129,16 +131,17 @@ bool isInside(const WorldState& world, const Contact& contact) {
     return !a.isDynamic() || !b.isDynamic() || contact.isSolid();
 }
 
-void gather(WorldState& world, std::size_t island) {
-    FastIslands& fast = world.fastIslands;
-    const std::span<const std::uint32_t> bodies = fast.bodies.of(island);
+void gather(WorldState& world, FastIsland& fast, std::size_t island) {
+    const FastIslands& islands = world.fastIslands;
+    fast.kinematics = islands.kinematics;
+    const std::span<const std::uint32_t> bodies = islands.bodies.of(island);
     fast.members.assign(bodies.begin(), bodies.end());
-    const std::span<const std::uint32_t> joints = fast.joints.of(island);
+    const std::span<const std::uint32_t> joints = islands.joints.of(island);
     fast.jointSlots.assign(joints.begin(), joints.end());
     fast.held.clear();
     fast.sources.clear();
     fast.sourceProbes.clear();
-    for (const std::uint32_t index : fast.contacts.of(island)) {
+    for (const std::uint32_t index : islands.contacts.of(island)) {
         const std::uint32_t source = world.probes[index].contact;
         if (!isInside(world, world.contacts[source])) { continue; }
         fast.held.push_back(world.contacts[source]);
@@ -153,8 +156,8 @@ struct Traces {
     std::size_t poses;
     std::size_t losses;
 };
-Traces tracesOf(const WorldState& world, const FlightScratch& scratch) {
-    return {world.contactEvents.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
+Traces tracesOf(const SolveDesk& desk, const FlightScratch& scratch) {
+    return {desk.events.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
 }
 
 template <class Items>
@@ -163,8 +166,8 @@ void cutTo(Items& items, std::size_t size) {
 }
 
 /// As the island was before it advanced, but for the effort of its members.
-void takeBack(WorldState& world, const Traces& before, FlightScratch& scratch) {
-    const FastIslands& fast = world.fastIslands;
+void takeBack(WorldState& world, SolveDesk& desk, const Traces& before, FlightScratch& scratch) {
+    const FastIsland& fast = desk.island;
     const EffortTrial& trial = world.trial;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
         world.motions[fast.members[i]] = fast.membersAtStart[i];
@@ -172,27 +175,75 @@ void takeBack(WorldState& world, const Traces& before, FlightScratch& scratch) {
     }
     for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
     for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }
-    cutTo(world.contactEvents, before.events);
+    cutTo(desk.events, before.events);
     cutTo(scratch.impactPoses, before.poses);
     cutTo(scratch.lostTime, before.losses);
 }
 
-void advanceWithinBudget(WorldState& world, std::size_t island, double dt) {
-    FlightScratch& scratch = world.flightScratch[0];
-    FastIslands& fast = world.fastIslands;
-    const bool isTried = hasErrorBudget(world.settings) && !fast.joints.of(island).empty();
-    gather(world, island);
-    if (!isTried) { return advanceIsland(world, dt, scratch, fast.meets[island]); }
+/// One after the other.
+void advanceWithinBudget(WorldState& world, SolveDesk& desk, std::size_t island, double dt, FlightScratch& scratch) {
+    FastIsland& fast = desk.island;
     world.trial.joints.clear();
     for (const std::uint32_t slot : fast.jointSlots) { world.trial.joints.push_back(world.joints[slot]); }
     world.trial.held = fast.held;
-    const Traces before = tracesOf(world, scratch);
-    advanceIsland(world, dt, scratch);
+    const Traces before = tracesOf(desk, scratch);
+    advanceIsland(world, desk, dt, scratch);
     while (raiseMissedJoints(world, fast.members, fast.jointSlots, dt)) {
-        takeBack(world, before, scratch);
-        gather(world, island);
-        advanceIsland(world, dt, scratch);
+        takeBack(world, desk, before, scratch);
+        gather(world, fast, island);
+        advanceIsland(world, desk, dt, scratch);
     }
+}
+
+void advanceOne(WorldState& world, SolveDesk& desk, std::size_t island, double dt, FlightScratch& scratch) {
+    const FastIslands& islands = world.fastIslands;
+    gather(world, desk.island, island);
+    const bool isTried = hasErrorBudget(world.settings) && !islands.joints.of(island).empty();
+    if (isTried) {
+        advanceWithinBudget(world, desk, island, dt, scratch);
+    } else {
+        advanceIsland(world, desk, dt, scratch, islands.meets[island]);
+    }
+}
+
+/// Those that did not bounce off each other in flight, and not get through the step with all else.
+void listWaiting(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    fast.waiting.clear();
+    for (std::uint32_t island = 0; island < fast.isDone.size(); ++island) {
+        if (fast.isDone[island] != 0) {
+            ++world.counters.clashes;
+            world.counters.sweeps += fast.bodies.of(island).size();
+            continue;
+        }
+        if (fast.isTried[island] == 0 || fast.meets[island] < 1) { fast.waiting.push_back(island); }
+    }
+}
+
+/// Each on a worker of its own; what they share has its size before.
+void advanceAtOnce(WorldState& world, double dt) {
+    const std::size_t slots = world.bodies.slotCount();
+    world.energyAccounts.resize(slots);
+    world.firstGroundContact.resize(slots, kNoIndex);
+    const auto workers = static_cast<std::size_t>(world.loops->workerCount());
+    while (world.desks.size() < workers) { world.desks.emplace_back(); }
+    world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
+    const std::vector<std::uint32_t>& waiting = world.fastIslands.waiting;
+    world.loops->run(waiting.size(), kIslandGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        const auto w = static_cast<std::size_t>(worker);
+        world.desks[w].loops = &world.serialTasks;
+        for (std::size_t i = begin; i < end; ++i) {
+            advanceOne(world, world.desks[w], waiting[i], dt, world.flightScratch[w]);
+        }
+    });
+    for (SolveDesk& desk : world.desks) { clearDesk(world, desk); }
+}
+
+/// Their order does not matter but to their budgets, and where kinematic bodies are put to where they are in the time
+/// that one of them is at.
+bool areApart(const WorldState& world) {
+    const FastIslands& fast = world.fastIslands;
+    return fast.waiting.size() > 1 && fast.kinematics.empty() && !hasErrorBudget(world.settings);
 }
 
 }  // namespace
@@ -212,18 +263,15 @@ void beginFastIslands(WorldState& world, double dt) {
 }
 
 void advanceFastIslands(WorldState& world, double dt) {
-    FastIslands& fast = world.fastIslands;
     judgeFirstTry(world, dt, world.flightScratch[0]);
-    for (std::size_t island = 0; island < fast.isDone.size(); ++island) {
-        const std::span<const std::uint32_t> bodies = fast.bodies.of(island);
-        if (fast.isDone[island] != 0) {
-            ++world.counters.clashes;
-            world.counters.sweeps += bodies.size();
-            continue;
-        }
-        if (fast.isTried[island] != 0 && !(fast.meets[island] < 1)) { continue; }
-        advanceWithinBudget(world, island, dt);
+    listWaiting(world);
+    if (areApart(world)) { return advanceAtOnce(world, dt); }
+    SolveDesk& desk = world.desks[0];
+    desk.loops = world.loops;
+    for (const std::uint32_t island : world.fastIslands.waiting) {
+        advanceOne(world, desk, island, dt, world.flightScratch[0]);
     }
+    clearDesk(world, desk);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

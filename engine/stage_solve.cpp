@@ -77,14 +77,15 @@ void setDrive(BodyDrive& drive, const WorldState& world, const Body& body, Real 
 /// one takes part with its velocity and its pose at the start of the step. Made in place: what is written down in
 /// pieces and copied as a whole has to wait for the pieces, which took half of the time here.
 void addBodies(WorldState& world, const TiedGroup& group, Real h) {
-    world.localCenters.assign(1, {});
+    SolverBatch& batch = group.desk.batch;
+    std::vector<Vec2>& localCenters = group.desk.localCenters;
+    localCenters.assign(1, {});
     for (const std::uint32_t slot : group.bodies) {
         const Body& body = world.bodies[slot];
         if (!isMember(body, group) && body.def.type != BodyType::kinematic) { continue; }
         const BodyMotion& motion = world.motions[slot];
-        SolverBatch& batch = world.batch;
         world.solverSlots[slot] = static_cast<BodySlot>(batch.states.size());
-        world.localCenters.push_back(body.localCenter);
+        localCenters.push_back(body.localCenter);
         BodyState& state = batch.states.emplace_back();
         state.velocity = motion.velocity;
         state.angularVelocity = motion.angularVelocity;
@@ -105,27 +106,28 @@ bool isFlung(const Body& body, const BodyState& state) {
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    TiedHinges hinges(world, group.effort, h, dt, settings.dt);
+    SolverBatch& batch = group.desk.batch;
+    TiedHinges hinges(world, group, h, dt, settings.dt);
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
         if (tie.isHinge && settings.direct == DirectScope::none) {
             hinges.link(i, tie);
         } else {
-            addConstraint(world.batch, world, i, h, dt);
+            addConstraint(batch, world, i, h, dt);
         }
     }
-    const SolveReport report = world.solver.solve(world.batch, settings, *world.loops);
-    readConstraints(world.batch, world, settings.dt);
-    world.batch.clearJoints();  // so that nobody need look for any in a solve without
+    const SolveReport report = group.desk.solver.solve(batch, settings, *group.desk.loops);
+    readConstraints(batch, world, settings.dt);
+    batch.clearJoints();  // so that nobody need look for any in a solve without
     return report;
 }
 
 /// Slots end here: no other solve must take them for its own. @return whether the body was flung
-bool readBody(WorldState& world, std::uint32_t slot) {
+bool readBody(WorldState& world, const SolverBatch& batch, std::uint32_t slot) {
     const BodySlot place = std::exchange(world.solverSlots[slot], kFixedSlot);
-    if (!isMovable(world.batch.inertias[place])) { return false; }
+    if (!isMovable(batch.inertias[place])) { return false; }
     Body& body = world.bodies[slot];
-    const BodyState& state = world.batch.states[place];
+    const BodyState& state = batch.states[place];
     BodyMotion& motion = world.motions[slot];
     const bool flung = isFlung(body, state);
     if (flung) { body.flung = true; }
@@ -138,9 +140,10 @@ bool readBody(WorldState& world, std::uint32_t slot) {
 }
 
 void bookBodies(WorldState& world, const TiedGroup& group, Real time) {
+    const SolverBatch& batch = group.desk.batch;
     for (const std::uint32_t slot : group.bodies) {
         const BodySlot place = world.solverSlots[slot];
-        if (isMovable(world.batch.inertias[place])) { book(world, slot, world.batch.states[place], time); }
+        if (isMovable(batch.inertias[place])) { book(world, group.desk, slot, batch.states[place], time); }
     }
 }
 
@@ -148,12 +151,12 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time) {
     const bool isWatched = openAccounts(world, group);
     if (isWatched) { bookBodies(world, group, time); }
     std::atomic<bool> anyFlung = false;
-    world.loops->run(group.bodies.size(), kReadGrain, [&](std::size_t begin, std::size_t end, int) {
+    group.desk.loops->run(group.bodies.size(), kReadGrain, [&](std::size_t begin, std::size_t end, int) {
         bool any = false;
-        for (std::size_t i = begin; i < end; ++i) { any = readBody(world, group.bodies[i]) || any; }
+        for (std::size_t i = begin; i < end; ++i) { any = readBody(world, group.desk.batch, group.bodies[i]) || any; }
         if (any) { anyFlung.store(true, std::memory_order_relaxed); }
     });
-    world.anyFlung = world.anyFlung || anyFlung;
+    group.desk.anyFlung = group.desk.anyFlung || anyFlung;
     if (isWatched) { settleAccounts(world, group); }
 }
 
@@ -186,7 +189,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const auto time = static_cast<Real>(part.length);
     const Real h = time / static_cast<Real>(part.subSteps);
     const Real threshold = length(world.settings.gravity) * dt;
-    world.batch.clearAllButJoints();  // those went when they had been read
+    SolveDesk& desk = group.desk;
+    desk.batch.clearAllButJoints();  // those went when they had been read
     const DirectScope scope = group.effort.isSettled ? DirectScope::none : group.effort.direct;
     addBodies(world, group, scope == DirectScope::none ? h : h / 2);
     const int usual = subStepsOf(world.settings);
@@ -216,21 +220,21 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .patient = group.effort.isLarge,
                                   .settled = group.effort.isSettled};
     const SolveReport report = settings.joints ? solveWithJoints(world, group, settings, dt)
-                                               : world.solver.solve(world.batch, settings, *world.loops);
+                                               : desk.solver.solve(desk.batch, settings, *desk.loops);
     if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group, time);
     const bool isSolved = scope != DirectScope::all || (report.isDirect && report.direct.givenUp == 0);
     if (group.effort.isLarge) { rememberSearch(world, group, report.direct.rounds, isSolved); }
-    StepCounters& counters = world.counters;
+    StepCounters& counters = desk.counters;
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
     const bool ownSubSteps = report.mostSubSteps > 0;
     const auto subSteps = static_cast<std::uint64_t>(ownSubSteps ? report.mostSubSteps : part.subSteps);
-    counters.bodySubSteps += ownSubSteps ? report.bodySubSteps : (world.batch.states.size() - 1) * subSteps;
+    counters.bodySubSteps += ownSubSteps ? report.bodySubSteps : (desk.batch.states.size() - 1) * subSteps;
     counters.subSteps += subSteps;
     ++counters.effortClasses;
     counters.mostSubSteps = std::max(counters.mostSubSteps, subSteps);
-    counters.directBodies += report.isDirect ? world.batch.states.size() - 1 : 0;
-    counters.settledBodies += group.effort.isSettled ? world.batch.states.size() - 1 : 0;
+    counters.directBodies += report.isDirect ? desk.batch.states.size() - 1 : 0;
+    counters.settledBodies += group.effort.isSettled ? desk.batch.states.size() - 1 : 0;
     counters.factorisations += static_cast<std::uint64_t>(report.direct.factorisations);
     counters.directRounds += static_cast<std::uint64_t>(report.direct.rounds);
     counters.directGivenUp += static_cast<std::uint64_t>(report.direct.givenUp);
@@ -251,6 +255,8 @@ void solveTiedBodies(WorldState& world, double dt) {
         if (body.role != BodyRole::solved) { continue; }
         if (std::find(efforts.begin(), efforts.end(), body.effort) == efforts.end()) { efforts.push_back(body.effort); }
     }
+    SolveDesk& desk = world.desks[0];
+    desk.loops = world.loops;
     const bool budgeted = hasErrorBudget(world.settings);
     if (budgeted) {
         std::stable_sort(efforts.begin(), efforts.end(), [](Effort a, Effort b) { return a.doublings < b.doublings; });
@@ -273,9 +279,15 @@ void solveTiedBodies(WorldState& world, double dt) {
             if (std::any_of(bodies.begin(), bodies.end(), isOfClass)) { world.tiedJoints.push_back(i); }
         }
         if (isTried || effort.isLarge) { rememberClass(world, effort); }
-        const bool isSolved = solveGroup(
-            world, {.effort = effort, .bodies = world.awake, .contacts = world.contacts, .joints = world.tiedJoints},
-            {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
+        const bool isSolved =
+            solveGroup(world,
+                       {.desk = desk,
+                        .effort = effort,
+                        .bodies = world.awake,
+                        .contacts = world.contacts,
+                        .joints = world.tiedJoints},
+                       {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
+        clearDesk(world, desk);
         if (effort.isLarge && !isSolved) {
             takeBackClass(world, place, {});
         } else if (isTried) {

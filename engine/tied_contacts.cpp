@@ -58,7 +58,7 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
 /// Of all contacts with points of which the group moves a body, in their order, and whether they bounce.
 template <class Visit>
 void TiedContacts::forEachLink(Visit&& visit) const {
-    const std::vector<BodyInertia>& inertias = world_.batch.inertias;
+    const std::vector<BodyInertia>& inertias = group_.desk.batch.inertias;
     const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, bool bounces) {
         link.slotA = world_.solverSlots[bodyA];
         link.slotB = world_.solverSlots[bodyB];
@@ -96,7 +96,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
         constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
         if (group_.effort.isSettled) { holdAsItIs(constraint.points[k]); }
     }
-    contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
+    contact.approachSpeed = approachSpeedOf(constraint, group_.desk.batch);
     return constraint;
 }
 
@@ -104,12 +104,12 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
 template <std::size_t kPoints>
 void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link) {
     Contact& contact = group_.contacts[link.source];
-    const SolverBatch& batch = world_.batch;
+    const SolverBatch& batch = group_.desk.batch;
     const BodyMotion& a = world_.motions[contact.bodyA];
     // Of the bodies of a solve it stands in an array of their own; what does not move in it is most often one and the
     // same.
     const Vec2 localCenterA =
-        link.slotA != kFixedSlot ? world_.localCenters[link.slotA] : world_.bodies[contact.bodyA].localCenter;
+        link.slotA != kFixedSlot ? group_.desk.localCenters[link.slotA] : world_.bodies[contact.bodyA].localCenter;
     const Vec2 fromAToB = toReal(world_.motions[contact.bodyB].center - a.center);
     const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);
     Real approach = 0;
@@ -152,49 +152,49 @@ std::size_t TiedContacts::countBouncing() const {
 }
 
 void TiedContacts::link(bool bounce) {
-    SolverBatch& batch = world_.batch;
+    SolverBatch& batch = group_.desk.batch;
     if (bounce) { bounceSpeed_ = hitThreshold_; }
     forEachLink([&batch](const ContactLink& link, bool) { batch.links.push_back(link); });
     batch.store = this;
 }
 
 void TiedContacts::addConstraints() {
-    SolverBatch& batch = world_.batch;
+    SolverBatch& batch = group_.desk.batch;
     forEachLink([&](const ContactLink& link, bool) { batch.contacts.push_back(constraintFor(link)); });
     if (world_.watched) { anchorAhead(); }
 }
 
 /// What was made ahead is held by its cores (mode `speculative`).
 void TiedContacts::anchorAhead() {
-    for (ContactConstraint& constraint : world_.batch.contacts) {
+    for (ContactConstraint& constraint : group_.desk.batch.contacts) {
         Contact& contact = group_.contacts[constraint.source];
         if (!isAhead(world_, contact)) { continue; }
         anchorAtCores(constraint, contact.radiusA, contact.radiusB);
-        contact.approachSpeed = approachSpeedOf(constraint, world_.batch);
+        contact.approachSpeed = approachSpeedOf(constraint, group_.desk.batch);
     }
 }
 
 void TiedContacts::readConstraints() {
-    for (const ContactConstraint& constraint : world_.batch.contacts) { takeConstraint(constraint); }
+    for (const ContactConstraint& constraint : group_.desk.batch.contacts) { takeConstraint(constraint); }
     end();
 }
 
 /// Hits become events in the order of their contacts, whoever found them.
 void TiedContacts::end() {
-    std::vector<ContactHit>& hits = world_.hits;
+    std::vector<ContactHit>& hits = group_.desk.hits;
     std::sort(hits.begin(), hits.end(), [](const ContactHit& a, const ContactHit& b) { return a.contact < b.contact; });
-    for (const ContactHit& hit : hits) { world_.contactEvents.push_back(hit.event); }
+    for (const ContactHit& hit : hits) { group_.desk.events.push_back(hit.event); }
     hits.clear();
 }
 
 std::size_t TiedContacts::count() const {
-    return world_.batch.store != nullptr ? world_.batch.links.size() : world_.batch.contacts.size();
+    return group_.desk.batch.store != nullptr ? group_.desk.batch.links.size() : group_.desk.batch.contacts.size();
 }
 
 void TiedContacts::fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const ContactPlace& place = places[i];
-        const ContactLink& link = world_.batch.links[first + i];
+        const ContactLink& link = group_.desk.batch.links[first + i];
         switch (place.points) {
             case 2:
                 fillContact(to.two[place.index], place.lane, link);
@@ -209,7 +209,7 @@ void TiedContacts::fill(std::size_t first, std::span<const ContactPlace> places,
 }
 
 void TiedContacts::take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) {
-    const std::span<const ContactLink> links = std::span(world_.batch.links).subspan(first);
+    const std::span<const ContactLink> links = std::span(group_.desk.batch.links).subspan(first);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (i + kOutcomesAhead < links.size()) { fetchOutcome(group_.contacts[links[i + kOutcomesAhead].source]); }
         const ContactPlace& place = places[i];
@@ -286,7 +286,7 @@ void TiedContacts::noteHit(const Contact& contact, const Outcome& outcome) {
                            .approachSpeed = speed,
                            .impulse = impulse};
     const std::scoped_lock lock(hitting_);
-    world_.hits.push_back({place, hit});
+    group_.desk.hits.push_back({place, hit});
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

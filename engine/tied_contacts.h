@@ -57,7 +57,7 @@ private:
     WorldState& world_;
     const TiedGroup& group_;
     const StepPart& part_;
-    std::mutex hitting_;  ///< held by who adds to `WorldState::hits`
+    std::mutex hitting_;  ///< held by who adds to `SolveDesk::hits`
     Real scale_;
     Real dt_;
     Real hitThreshold_;                                         ///< approach speed of what only rests, m/s

@@ -26,11 +26,16 @@ HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {
 
 }  // namespace
 
-TiedHinges::TiedHinges(WorldState& world, Effort effort, Real h, Real dt, Real length)
-    : world_(world), h_(h), dt_(dt), length_(length), softness_(jointSoftness(world.settings, effort, h, dt)) {}
+TiedHinges::TiedHinges(WorldState& world, const TiedGroup& group, Real h, Real dt, Real length)
+    : world_(world),
+      desk_(group.desk),
+      h_(h),
+      dt_(dt),
+      length_(length),
+      softness_(jointSoftness(world.settings, group.effort, h, dt)) {}
 
 void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
-    SolverBatch& batch = world_.batch;
+    SolverBatch& batch = desk_.batch;
     batch.hingeLinks.push_back({.slotA = world_.solverSlots[tie.bodyA],
                                 .slotB = world_.solverSlots[tie.bodyB],
                                 .source = joint,
@@ -40,14 +45,14 @@ void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
 
 /// Of the bodies of a solve centres stand in an array of their own.
 Vec2 TiedHinges::armOf(BodySlot slot, std::uint32_t body, Vec2 localAnchor) const {
-    const Vec2 localCenter = slot != kFixedSlot ? world_.localCenters[slot] : world_.bodies[body].localCenter;
+    const Vec2 localCenter = slot != kFixedSlot ? desk_.localCenters[slot] : world_.bodies[body].localCenter;
     return rotate(world_.motions[body].pose.rotation, localAnchor - localCenter);
 }
 
 /// What `addConstraint` puts into a constraint.
 void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink& link) const {
     const Joint& joint = world_.joints[link.source];
-    const SolverBatch& batch = world_.batch;
+    const SolverBatch& batch = desk_.batch;
     fillHead(block, lane,
              {.slotA = link.slotA,
               .slotB = link.slotB,
@@ -61,14 +66,14 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
 }
 
 void TiedHinges::fetchAhead(std::size_t i) const {
-    const std::vector<HingeLink>& links = world_.batch.hingeLinks;
+    const std::vector<HingeLink>& links = desk_.batch.hingeLinks;
     if (i + kHingesAhead < links.size()) { fetch(world_.joints[links[i + kHingesAhead].source]); }
 }
 
 void TiedHinges::fill(std::span<const HingePlace> places, const HingeArrays& to) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const HingePlace& place = places[i];
-        const HingeLink& link = world_.batch.hingeLinks[i];
+        const HingeLink& link = desk_.batch.hingeLinks[i];
         fetchAhead(i);
         if (place.isInBlock) {
             fillLane(to.blocks[place.index], place.lane, link);
@@ -82,7 +87,7 @@ void TiedHinges::take(std::span<const HingePlace> places, const HingeArrays& fro
     for (std::size_t i = 0; i < places.size(); ++i) {
         const HingePlace& place = places[i];
         fetchAhead(i);
-        Joint& joint = world_.joints[world_.batch.hingeLinks[i].source];
+        Joint& joint = world_.joints[desk_.batch.hingeLinks[i].source];
         if (!place.isInBlock) {
             takeHinge(joint, from.rest[place.index], length_);
             continue;

@@ -10,8 +10,8 @@ namespace swept::inline SWEPT_PRECISION {
 class TiedHinges final : public HingeStore {
 public:
     /// @param h  seconds of a sub-step; @param dt  of the step; @param length  of the part of it that is solved
-    /// @pre the bodies of the group have their slots. Holds on to the world
-    TiedHinges(WorldState& world, Effort effort, Real h, Real dt, Real length);
+    /// @pre the bodies of the group have their slots. Holds on to the world and the desk
+    TiedHinges(WorldState& world, const TiedGroup& group, Real h, Real dt, Real length);
 
     /// Gives the batch the link of a hinge, which it takes from here when it is solved.
     void link(std::uint32_t joint, const JointTie& tie);
@@ -25,6 +25,7 @@ private:
     void fillLane(WideRevolute& block, std::size_t lane, const HingeLink& link) const;
 
     WorldState& world_;
+    SolveDesk& desk_;
     Real h_;
     Real dt_;
     Real length_;

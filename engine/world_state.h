@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,7 +19,6 @@
 #include "effort_budget.h"
 #include "effort_trial.h"
 #include "energy_account.h"
-#include "fast_islands.h"
 #include "flight.h"
 #include "held_islands.h"
 #include "joint.h"
@@ -25,6 +26,7 @@
 #include "parked_contacts.h"
 #include "shape.h"
 #include "slot_pool.h"
+#include "solve_desk.h"
 #include "touching.h"
 #include "world.h"
 
@@ -98,12 +100,6 @@ struct SensorSweeps {
 };
 
 /// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`.
-/// Found while a solve is read back.
-struct ContactHit {
-    std::uint32_t contact = 0;  ///< place among those of the group
-    ContactEvent event;
-};
-
 struct WorldState {
     WorldSettings settings;
     SerialTaskSystem serialTasks;
@@ -113,8 +109,7 @@ struct WorldState {
 
     SlotPool<Body, BodyId> bodies;
     std::vector<BodyMotion> motions;    ///< by body slot
-    std::vector<BodySlot> solverSlots;  ///< by body slot: in the present solve, of what it moves or may meet
-    std::vector<Vec2> localCenters;     ///< of the bodies of the present solve, by their slot there
+    std::vector<BodySlot> solverSlots;  ///< by body slot: in its present solve, of what that moves or may meet
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
     std::vector<JointTie> jointTies;          ///< by joint slot
@@ -153,20 +148,17 @@ struct WorldState {
 
     std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
     FastIslands fastIslands;
-    SolverBatch batch;
-    Solver solver;
+    std::deque<SolveDesk> desks = std::deque<SolveDesk>(1);  ///< one per worker
     IslandFinder islands;
-    std::vector<EnergyAccount> energyAccounts;  ///< by root: of the last solve that it was part of
-    std::vector<std::uint32_t> energyRoots;     ///< of the present solve
-    std::vector<IslandMotion> islandMotions;    ///< of the present solve
-    std::uint64_t energySolve = 0;              ///< number of the present solve
-    std::vector<Effort> efforts;                ///< classes of the present step
-    std::vector<IslandLoad> islandLoads;        ///< by root, of this step
-    IslandFinder jointChains;                   ///< bodies that joints tie, contacts aside (effort.cpp)
-    std::vector<std::uint32_t> chainLengths;    ///< their joints, by root
-    std::vector<std::uint32_t> chainBodies;     ///< their bodies, by root
-    std::vector<Pull> islandPulls;              ///< by slot: what is left of pulls and impulses of a step
-    std::vector<IslandRest> islandRests;        ///< by root, of this step
+    std::vector<EnergyAccount> energyAccounts;    ///< by root: of the last solve that it was part of
+    std::atomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
+    std::vector<Effort> efforts;                  ///< classes of the present step
+    std::vector<IslandLoad> islandLoads;          ///< by root, of this step
+    IslandFinder jointChains;                     ///< bodies that joints tie, contacts aside (effort.cpp)
+    std::vector<std::uint32_t> chainLengths;      ///< their joints, by root
+    std::vector<std::uint32_t> chainBodies;       ///< their bodies, by root
+    std::vector<Pull> islandPulls;                ///< by slot: what is left of pulls and impulses of a step
+    std::vector<IslandRest> islandRests;          ///< by root, of this step
     HeldIslands held;
     std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
     EffortTrial trial;                         ///< likewise
@@ -184,7 +176,6 @@ struct WorldState {
     std::vector<ClashScratch> clashScratch;    ///< likewise
 
     std::vector<ContactEvent> contactEvents;
-    std::vector<ContactHit> hits;  ///< of a solve, until it ends
     std::size_t eventsOfStep =
         0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
     std::vector<EventPlace> eventPlaces;     ///< scratch of `sortEvents`

@@ -238,6 +238,65 @@ TEST(Parallel, FlyersDoNotCareWhoWasMadeFirst) {
     EXPECT_GT(impacts, 500U);
 }
 
+/// Flails that are thrown about a room, each an island that advances by itself from impact to impact.
+struct Flails {
+    World world;
+    KnownIds known;
+    explicit Flails(Profile profile) {
+        WorldSettings settings = awakeSettings();
+        settings.profile = profile;
+        world = makeWorld(settings);
+        for (int side = 0; side < 4; ++side) {
+            const double turn = side * kPi / 2;
+            addStatic(world, segment(0, -20, 0, 20), material(0.3, 0.2), turned({20, 0}, turn), turn);
+        }
+        Random random(77);
+        for (int i = 0; i < 24; ++i) {
+            const DVec2 place{6.0 * (i % 6) - 15, 6.0 * (i / 6) - 9};
+            const Vec2 velocity = vec(random.range(-90, 90), random.range(-90, 90));
+            for (int link = 0; link < 3; ++link) {
+                const DVec2 center = place + DVec2{0.8 * link, 0};
+                known.bodies.push_back(addBody(world, dynamicAt(center, velocity, random.range(-9, 9)), box(0.4, 0.1)));
+                if (link == 0) { continue; }
+                RevoluteJointDef hinge;
+                hinge.base.bodyA = known.bodies[known.bodies.size() - 2];
+                hinge.base.bodyB = known.bodies.back();
+                hinge.anchor = center - DVec2{0.4, 0};
+                known.joints.push_back(must(world.createJoint(hinge)));
+            }
+        }
+    }
+};
+
+TEST(Parallel, IslandsThatAdvanceByThemselves) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        Flails serial(profile);
+        Flails parallel(profile);
+        Flails shuffled(profile);
+        ThreadTasks tasks(3);
+        ShuffledTasks others;
+        parallel.world.setTaskSystem(&tasks);
+        shuffled.world.setTaskSystem(&others);
+        std::uint64_t most = 0;
+        for (int step = 0; step < kCrowdSteps; ++step) {
+            must(serial.world.step(kStep));
+            must(parallel.world.step(kStep));
+            must(shuffled.world.step(kStep));
+            const std::uint64_t wanted = digestOf(serial.world, serial.known);
+            ASSERT_EQ(digestOf(parallel.world, parallel.known), wanted) << "step " << step;
+            ASSERT_EQ(digestOf(shuffled.world, shuffled.known), wanted) << "step " << step;
+            const StepCounters& counters = serial.world.counters();
+            for (const World* world : {&parallel.world, &shuffled.world}) {
+                ASSERT_EQ(world->counters().bodySubSteps, counters.bodySubSteps) << "step " << step;
+                ASSERT_EQ(world->counters().sweeps, counters.sweeps) << "step " << step;
+                ASSERT_EQ(world->counters().constraints, counters.constraints) << "step " << step;
+            }
+            most = std::max(most, counters.effortClasses);
+        }
+        EXPECT_GT(most, 12U) << "too few islands advanced to prove anything";
+    }
+}
+
 TEST(Parallel, EveryMode) {
     for (const ContinuousMode mode :
          {ContinuousMode::off, ContinuousMode::speedLimit, ContinuousMode::speculative, ContinuousMode::stop}) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../shapes/cache_line.h"
+#include "../shapes/task_system.h"
+#include "../solver/solver.h"
+#include "counters.h"
+#include "energy_account.h"
+#include "events.h"
+#include "fast_islands.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct WorldState;
+
+/// Found while a solve is read back.
+struct ContactHit {
+    std::uint32_t contact = 0;  ///< place among those of the group
+    ContactEvent event;
+};
+
+/// Where a group is solved. Several may be at the same time, each at a desk of its own, as long as no body moves in two
+/// of them. What a solve leaves for the whole step stays here until `clearDesk`. Kept for its capacity.
+struct alignas(kCacheLine) SolveDesk {
+    TaskSystem* loops = nullptr;  ///< where its parallel loops run
+    SolverBatch batch;
+    Solver solver;
+    std::vector<Vec2> localCenters;           ///< of the bodies of the present solve, by their slot there
+    std::vector<ContactHit> hits;             ///< of the present solve
+    std::vector<std::uint32_t> energyRoots;   ///< likewise
+    std::vector<IslandMotion> islandMotions;  ///< likewise
+    std::uint64_t energySolve = 0;            ///< its number
+    FastIsland island;                        ///< that advances here
+
+    std::vector<ContactEvent> events;
+    StepCounters counters;
+    bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
+};
+
+/// What it left becomes that of the step.
+void clearDesk(WorldState& world, SolveDesk& desk);
+
+}  // namespace swept::inline SWEPT_PRECISION
