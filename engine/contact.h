@@ -30,8 +30,11 @@ struct Slide {
 /// Which contacts have their manifolds found together (contact_batch.h).
 enum class BatchKind : std::uint8_t {
     none,  ///< found one by one
-    few,   ///< of shapes with `kFewVertices` at most
+    few,   ///< of sharp shapes with `kFewVertices` at most
     many,
+    roundTwo,  ///< of cores with two vertices at most
+    roundFew,
+    roundMany,
 };
 
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or

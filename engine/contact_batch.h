@@ -11,6 +11,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// Contacts whose manifolds are found together, of one kind (`BatchKind`): the bits that each would have by itself.
 class ContactBatch {
 public:
+    explicit ContactBatch(PairKind kind) : pairs_(kind) {}
+
     bool isFull() const { return pairs_.isFull(); }
 
     /// @param probe, contact  stay where they are until they are renewed

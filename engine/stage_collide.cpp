@@ -106,8 +106,7 @@ public:
 
     /// What is left in batches.
     void finish() {
-        renew(few_);
-        renew(many_);
+        for (ContactBatch& batch : batches_) { renew(batch); }
     }
 
 private:
@@ -116,7 +115,7 @@ private:
             takeManifold(contact, bInA, {});
             return finishNear(world_, probe, contact, bInA);
         }
-        ContactBatch& batch = contact.batch == BatchKind::few ? few_ : many_;
+        ContactBatch& batch = batches_[static_cast<std::size_t>(contact.batch) - 1];
         batch.add(world_, probe, contact, bInA, reach);
         if (batch.isFull()) { renew(batch); }
     }
@@ -128,8 +127,9 @@ private:
 
     const WorldState& world_;
     bool haveBatches_;
-    ContactBatch few_;
-    ContactBatch many_;
+    std::array<ContactBatch, 5> batches_{ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp),
+                                         ContactBatch(PairKind::round), ContactBatch(PairKind::round),
+                                         ContactBatch(PairKind::round)};  ///< by `BatchKind`, but for `none`
 };
 
 /// Near contacts that are fetched from memory ahead of time: first themselves, then what they refer to.

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "../shapes/sharp_pairs.h"
+#include "../shapes/manifold_batch.h"
 #include "pair_boxes.h"
 #include "step.h"
 #include "travel.h"
@@ -19,6 +19,14 @@ bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const bool aYields = world.bodies[shapeA.body].isDynamic();
     if (aYields != world.bodies[shapeB.body].isDynamic()) { return !aYields; }
     return a < b;
+}
+
+BatchKind batchKindOf(const Polygon& a, const Polygon& b) {
+    const int vertices = std::max(a.count, b.count);
+    const bool areFew = vertices <= kFewVertices;
+    if (pairKindOf(a, b) == PairKind::sharp) { return areFew ? BatchKind::few : BatchKind::many; }
+    if (vertices <= 2) { return BatchKind::roundTwo; }
+    return areFew ? BatchKind::roundFew : BatchKind::roundMany;
 }
 
 }  // namespace
@@ -43,10 +51,7 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.dynamicA = world.bodies[a.body].isDynamic();
     contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;
-    if (a.isBatched && b.isBatched) {
-        const bool areFew = std::max(a.polygon.count, b.polygon.count) <= kFewVertices;
-        contact.batch = areFew ? BatchKind::few : BatchKind::many;
-    }
+    if (a.isBatched && b.isBatched) { contact.batch = batchKindOf(a.polygon, b.polygon); }
     return contact;
 }
 

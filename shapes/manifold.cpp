@@ -9,13 +9,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Sine of the angle below which a closest direction counts as a face normal: up to there, the separation along the
-/// face normal is the distance, up to one rounding of `Real` (the cosine differs from 1 by half its square).
-const double kFaceAngle = std::sqrt(static_cast<double>(kEpsilon));
-
-/// Cosine of the angle (about 1/8) up to which an edge lies across the line between two closest vertices.
-constexpr double kFlatCosine = 1 - 0x1p-7;
-
 ManifoldBuilder builderFor(const PairView& pair, double margin, bool referenceIsA, DVec2 normal) {
     return {static_cast<double>(pair.a.radius), static_cast<double>(pair.b.radius), margin, referenceIsA, normal};
 }
@@ -154,17 +147,20 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
     const SupportPair& p = gjk.simplex[0];
     const SupportPair& q = gjk.simplex[static_cast<std::size_t>(gjk.count - 1)];
     // Of several nearly parallel faces only the one under the closest point will do: one as deep as the distance, up to
-    // the rounding of `Real`.
+    // the rounding of `Real`, and of heights above a face that begins far away.
     const double rounding = gjk.resolution * (2 * static_cast<double>(kEpsilon) / kResolution);
-    const double separation =
-        gjk.distance - static_cast<double>(pair.a.radius) - static_cast<double>(pair.b.radius) + 2 * rounding;
+    const auto limit = [&](DVec2 edge) {
+        constexpr double kRoundings = 4;
+        return gjk.distance - static_cast<double>(pair.a.radius) - static_cast<double>(pair.b.radius) + 2 * rounding +
+               kRoundings * kResolution * sumNorm(edge);
+    };
     int edgeA = 0;
     int edgeB = 0;
     if (pair.a.count > 1) {
         edgeA = closestEdge(pair.a, p.a, q.a, gjk.normal);
         if (isFaceNormal(pair.normalA(edgeA), gjk.normal)) {
             const Manifold manifold = clipAgainstA(pair, edgeA, margin, slack);
-            if (isAsDeepAs(manifold, separation)) { return manifold; }
+            if (isAsDeepAs(manifold, limit(pair.edgeA(edgeA)))) { return manifold; }
         }
     }
     if (pair.b.count > 1) {
@@ -172,7 +168,7 @@ Manifold collideApart(const PairView& pair, const GjkResult& gjk, double margin)
         edgeB = closestEdge(pair.b, p.b, q.b, direction);
         if (isFaceNormal(pair.localNormalB(edgeB), direction)) {
             const Manifold manifold = clipAgainstB(pair, edgeB, margin, slack);
-            if (isAsDeepAs(manifold, separation)) { return manifold; }
+            if (isAsDeepAs(manifold, limit(pair.edgeB(edgeB)))) { return manifold; }
         }
     }
     Manifold manifold = singlePoint(witnessOf(pair, gjk, gjk.distance * gjk.normal), gjk.distance, gjk.normal,

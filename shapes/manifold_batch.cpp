@@ -11,11 +11,14 @@ namespace {
 /// Of the squares of edges, which are divided by.
 constexpr double kLeastSquare = 0x1p-900;
 
+/// Vertices of the core of a capsule.
+constexpr std::size_t kTwo = 2;
+
 bool isOrdinary(Real coordinate) { return std::fabs(coordinate) <= kLargestShift; }
 
-SharpPairKernels kernels() {
+PairKernels kernelsFor([[maybe_unused]] PairKind kind) {
 #ifdef SWEPT_SIMD
-    return sharpPairKernels();
+    return kind == PairKind::sharp ? sharpPairKernels() : roundPairKernels();
 #else
     return {};
 #endif
@@ -24,20 +27,23 @@ SharpPairKernels kernels() {
 }  // namespace
 
 bool collidesInBatches(const Polygon& polygon) {
-    if (polygon.count < 3 || polygon.radius > 0) { return false; }
-    Real largest = 0;
+    if (!isOrdinary(polygon.radius)) { return false; }
+    Real largest = polygon.radius;
     for (int i = 0; i < polygon.count; ++i) {
         const Vec2 p = polygon.vertices[static_cast<std::size_t>(i)];
         const Vec2 q = polygon.vertices[static_cast<std::size_t>(polygon.next(i))];
         const DVec2 edge = toDouble(q) - toDouble(p);
-        if (!isOrdinary(p.x) || !isOrdinary(p.y) || !(dot(edge, edge) >= kLeastSquare)) { return false; }
-        if (hasNearlyParallelNeighbour(polygon, i)) { return false; }
+        if (!isOrdinary(p.x) || !isOrdinary(p.y)) { return false; }
+        if (polygon.count > 1 && !(dot(edge, edge) >= kLeastSquare)) { return false; }
+        if (polygon.count > 2 && hasNearlyParallelNeighbour(polygon, i)) { return false; }
         largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
     }
     return largest >= 1 / kLargestShift;
 }
 
-bool canCollideInBatches() { return kernels().ofFew != nullptr; }
+bool canCollideInBatches() {
+    return kernelsFor(PairKind::sharp).ofFew != nullptr && kernelsFor(PairKind::round).ofFew != nullptr;
+}
 
 void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach) {
     const std::size_t i = size_++;
@@ -49,6 +55,8 @@ void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Transform& bIn
     pairs_.y[i] = bInA.translation.y;
     pairs_.points[i] = reach.points;
     pairs_.nearest[i] = std::min(reach.points, reach.nearest);
+    pairs_.radiusA[i] = a.radius;
+    pairs_.radiusB[i] = b.radius;
     pairs_.vertices = std::max(i > 0 ? pairs_.vertices : 0, static_cast<std::size_t>(std::max(a.count, b.count)));
 }
 
@@ -56,19 +64,26 @@ void ManifoldBatch::collide() {
     for (std::size_t i = size_; i < kPairs; ++i) {  // what is left over does what the first does
         pairs_.a[i] = pairs_.a[0];
         pairs_.b[i] = pairs_.b[0];
-        for (SharpPairs::Lanes* const lanes :
-             {&pairs_.c, &pairs_.s, &pairs_.x, &pairs_.y, &pairs_.points, &pairs_.nearest}) {
+        for (WidePairs::Lanes* const lanes : {&pairs_.c, &pairs_.s, &pairs_.x, &pairs_.y, &pairs_.points,
+                                              &pairs_.nearest, &pairs_.radiusA, &pairs_.radiusB}) {
             (*lanes)[i] = (*lanes)[0];
         }
     }
-    (pairs_.vertices > kFewVertices ? kernels().ofMany : kernels().ofFew)(pairs_);
+    const PairKernels kernels = kernelsFor(kind_);
+    if (pairs_.vertices > kFewVertices) {
+        kernels.ofMany(pairs_);
+    } else if (pairs_.vertices > kTwo || kind_ == PairKind::sharp) {
+        kernels.ofFew(pairs_);
+    } else {
+        kernels.ofTwo(pairs_);
+    }
 }
 
 /// Those of its two points that are there. @pre one of them is
 void ManifoldBatch::copyPoints(std::size_t pair, Manifold& manifold) const {
     const std::uint32_t bit = 1U << pair;
     const auto pointOf = [this, pair](std::size_t k) {
-        const SharpPairs::Point& point = pairs_.point[k];
+        const WidePairs::Point& point = pairs_.point[k];
         return ManifoldPoint{{point.x[pair], point.y[pair]},
                              point.separation[pair],
                              static_cast<FeatureId>(static_cast<std::int32_t>(point.id[pair]))};
@@ -88,12 +103,13 @@ Manifold ManifoldBatch::otherManifold(std::size_t pair, ManifoldMemory& memory) 
     const Polygon& a = *pairs_.a[pair];
     const Polygon& b = *pairs_.b[pair];
     const Transform bInA{{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
-    if (!isOrdinary(bInA.translation.x) || !isOrdinary(bInA.translation.y)) {
+    const bool isApart = (pairs_.apart & bit) != 0;
+    if (isLeft(pair) || !isOrdinary(bInA.translation.x) || !isOrdinary(bInA.translation.y)) {
         return swept::collide(a, b, bInA, {pairs_.points[pair], pairs_.nearest[pair]}, memory);
     }
     PairVerdict verdict;
     Manifold manifold;
-    if ((pairs_.apart & bit) != 0) {
+    if (isApart) {
         verdict.verdict = ManifoldMemory::Verdict::apart;
         verdict.room = static_cast<double>(pairs_.room[pair]);
     } else if (((pairs_.isThere[0] | pairs_.isThere[1]) & bit) != 0) {

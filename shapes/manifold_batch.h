@@ -1,13 +1,23 @@
 #pragma once
 
 #include "manifold.h"
-#include "sharp_pairs.h"
+#include "wide_pairs.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Whether pairs of such polygons may be collided in batches: without radius, no two neighbouring faces nearly
-/// parallel, coordinates neither so small nor so large that products of them are lost.
+/// Whether pairs of such polygons may be collided in batches: no two neighbouring faces nearly parallel, coordinates
+/// neither so small nor so large that products of them are lost.
 bool collidesInBatches(const Polygon& polygon);
+
+/// What may be in a batch together.
+enum class PairKind : std::uint8_t {
+    sharp,  ///< two polygons without radius, of three vertices at least
+    round,  ///< any others
+};
+inline bool isSharp(const Polygon& polygon) { return polygon.count > 2 && !(polygon.radius > 0); }
+inline PairKind pairKindOf(const Polygon& a, const Polygon& b) {
+    return isSharp(a) && isSharp(b) ? PairKind::sharp : PairKind::round;
+}
 
 /// Whether this machine, and this build, have registers for batches. Without them `collide` does as well.
 bool canCollideInBatches();
@@ -16,12 +26,18 @@ bool canCollideInBatches();
 /// half the cost.
 class ManifoldBatch {
 public:
-    static constexpr std::size_t kPairs = SharpPairs::kPairs;
+    static constexpr std::size_t kPairs = WidePairs::kPairs;
+
+    explicit ManifoldBatch(PairKind kind) : kind_(kind) {}
 
     std::size_t size() const { return size_; }
     bool isFull() const { return size_ == kPairs; }
-    /// @pre not full; `collidesInBatches` both, which stay where they are until the batch is cleared
+    /// @pre not full; of the kind; `collidesInBatches` both, which stay where they are until the batch is cleared
     void add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach);
+    /// Whether a pair was too doubtful for the batch, and is collided by itself. @pre collided
+    bool isLeft(std::size_t pair) const {
+        return kind_ == PairKind::round && ((pairs_.plain | pairs_.apart) >> pair & 1U) == 0;
+    }
     /// All that were added. @pre there is one; `canCollideInBatches`
     void collide();
     /// @param memory    of the two shapes; keeps how far apart they are, where they are
@@ -35,8 +51,9 @@ private:
     void copyPoints(std::size_t pair, Manifold& manifold) const;
     Manifold otherManifold(std::size_t pair, ManifoldMemory& memory) const;
 
-    SharpPairs pairs_;
+    WidePairs pairs_;
     std::size_t size_ = 0;
+    PairKind kind_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

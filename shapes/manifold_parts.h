@@ -14,6 +14,14 @@ inline constexpr double kFlushRounding = 8 * static_cast<double>(kEpsilon);
 /// reference does not change sides from step to step.
 inline constexpr double kFacePreference = 0x1p-10;
 
+/// Sine of the angle below which a closest direction counts as a face normal: up to there, the separation along the
+/// face normal is the distance, up to one rounding of `Real` (the cosine differs from 1 by half its square). The root
+/// of `kEpsilon`.
+inline constexpr double kFaceAngle = std::numeric_limits<Real>::digits == 24 ? 0x1.6a09e667f3bcdp-12 : 0x1p-26;
+
+/// Cosine of the angle (about 1/8) up to which an edge lies across the line between two closest vertices.
+inline constexpr double kFlatCosine = 1 - 0x1p-7;
+
 /// Manifold against one face. @param slack  as of `clip`
 Manifold clipAgainstA(const PairView& pair, int edge, double margin, double slack);
 Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slack);

@@ -1,6 +1,6 @@
 // Compiled once per instruction set: foreach_target.h reads this file again for each.
 #include "manifold_parts.h"
-#include "sharp_pairs.h"
+#include "wide_pairs.h"
 #include "wide_targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -11,95 +11,16 @@
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
-SharpPairKernels kernelsForSharpPairs() { return {}; }
+PairKernels kernelsForSharpPairs() { return {}; }
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION
 #else
 
 HWY_BEFORE_NAMESPACE();
+#include "wide_polygons.inc"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr std::size_t kPairs = SharpPairs::kPairs;
-
-// --- in `Real`, as face_search.h
-
-using Reals = hn::CappedTag<Real, kPairs>;
-using RealLanes = hn::Vec<Reals>;
-
-/// Polygons side by side, coordinates apart. Beyond the last vertex the first one is repeated: it changes no choice.
-template <int kVertices>
-struct alignas(64) Polygons {
-    Real x[kVertices][kPairs];
-    Real y[kVertices][kPairs];
-    Real normalX[kVertices][kPairs];
-    Real normalY[kVertices][kPairs];
-    Real count[kPairs];
-};
-
-/// As many pairs, and half as many points of each, as 16 bytes hold numbers.
-constexpr std::size_t kSquare = 16 / sizeof(Real);
-
-/// Vertices, or normals, of as many pairs as a square has rows.
-using Rows = std::array<const Real*, kSquare>;
-
-/// The points of a square from row to row, to coordinates from lane to lane.
-/// @param first  of the points
-HWY_INLINE void transpose(const Rows& rows, std::size_t first, Real (*x)[kPairs], Real (*y)[kPairs], std::size_t lane) {
-    const hn::FixedTag<Real, kSquare> tag;
-    const auto row = [&rows, first](std::size_t k)
-                         HWY_ATTR { return hn::LoadU(hn::FixedTag<Real, kSquare>(), rows[k] + 2 * first); };
-    const auto low = hn::InterleaveLower(tag, row(0), row(1));
-    const auto high = hn::InterleaveUpper(tag, row(0), row(1));
-    if constexpr (kSquare == 2) {
-        hn::Store(low, tag, x[first] + lane);
-        hn::Store(high, tag, y[first] + lane);
-    } else {
-        const auto otherLow = hn::InterleaveLower(tag, row(2), row(3));
-        const auto otherHigh = hn::InterleaveUpper(tag, row(2), row(3));
-        hn::Store(hn::ConcatLowerLower(tag, otherLow, low), tag, x[first] + lane);
-        hn::Store(hn::ConcatUpperUpper(tag, otherLow, low), tag, y[first] + lane);
-        hn::Store(hn::ConcatLowerLower(tag, otherHigh, high), tag, x[first + 1] + lane);
-        hn::Store(hn::ConcatUpperUpper(tag, otherHigh, high), tag, y[first + 1] + lane);
-    }
-}
-
-HWY_INLINE void repeatFirst(Real (*rows)[kPairs], std::size_t row, std::size_t lane, hn::Mask<Reals> isThere) {
-    const Reals tag;
-    const RealLanes own = hn::Load(tag, rows[row] + lane);
-    hn::Store(hn::IfThenElse(isThere, own, hn::Load(tag, rows[0] + lane)), tag, rows[row] + lane);
-}
-
-template <int kVertices>
-HWY_INLINE void gather(const std::array<const Polygon*, kPairs>& from, std::size_t vertices, Polygons<kVertices>& to) {
-    const Reals tag;
-    constexpr std::size_t kPoints = kSquare / 2;
-    for (std::size_t lane = 0; lane < kPairs; lane += kSquare) {
-        Rows corners;
-        Rows normals;
-        for (std::size_t k = 0; k < kSquare; ++k) {
-            corners[k] = &from[lane + k]->vertices[0].x;
-            normals[k] = &from[lane + k]->normals[0].x;
-        }
-        for (std::size_t i = 0; i < vertices; i += kPoints) {
-            transpose(corners, i, to.x, to.y, lane);
-            transpose(normals, i, to.normalX, to.normalY, lane);
-        }
-    }
-    for (std::size_t lane = 0; lane < kPairs; ++lane) { to.count[lane] = static_cast<Real>(from[lane]->count); }
-    for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(tag)) {
-        const RealLanes count = hn::Load(tag, to.count + lane);
-        for (std::size_t i = 3; i < vertices; ++i) {
-            const auto isThere = hn::Gt(count, hn::Set(tag, static_cast<Real>(i)));
-            repeatFirst(to.x, i, lane, isThere);
-            repeatFirst(to.y, i, lane, isThere);
-            repeatFirst(to.normalX, i, lane, isThere);
-            repeatFirst(to.normalY, i, lane, isThere);
-        }
-    }
-}
 
 /// Of one polygon of each pair: the best face, and its ends.
 struct Faces {
@@ -163,16 +84,9 @@ HWY_INLINE void findFace(const Polygons<kVertices>& polygons, const Placed<kVert
     hn::Store(endY, tag, faces.endY + lane);
 }
 
-template <class Tag>
-HWY_INLINE std::uint32_t bitsOf(Tag tag, hn::Mask<Tag> mask, std::size_t lane) {
-    std::uint8_t bytes[8];  // as many as are written at once
-    hn::StoreMaskBits(tag, mask, bytes);
-    return std::uint32_t{bytes[0]} << lane;
-}
-
 template <int kVertices>
 HWY_INLINE void findFaces(const Polygons<kVertices>& a, const Polygons<kVertices>& b, std::size_t vertices,
-                          SharpPairs& pairs, Faces& ofA, Faces& ofB) {
+                          WidePairs& pairs, Faces& ofA, Faces& ofB) {
     const Reals tag;
     pairs.apart = pairs.ordinary = 0;
     const RealLanes largest = hn::Set(tag, kLargestShift);
@@ -208,61 +122,6 @@ HWY_INLINE void findFaces(const Polygons<kVertices>& a, const Polygons<kVertices
 
 // --- in double, as manifold_clip_inline.h
 
-using Doubles = hn::CappedTag<double, kPairs>;
-using DoubleLanes = hn::Vec<Doubles>;
-using DoubleMask = hn::Mask<Doubles>;
-
-struct Points {
-    DoubleLanes x;
-    DoubleLanes y;
-};
-
-HWY_INLINE DoubleLanes load(const double* from) { return hn::Load(Doubles(), from); }
-HWY_INLINE DoubleLanes load(const float* from) {
-    return hn::PromoteTo(Doubles(), hn::Load(hn::Rebind<float, Doubles>(), from));
-}
-HWY_INLINE void store(DoubleLanes v, double* to) { hn::Store(v, Doubles(), to); }
-HWY_INLINE void store(DoubleLanes v, float* to) {
-    const hn::Rebind<float, Doubles> tag;
-    hn::Store(hn::DemoteTo(tag, v), tag, to);
-}
-HWY_INLINE DoubleLanes constant(double x) { return hn::Set(Doubles(), x); }
-
-HWY_INLINE Points add(Points p, Points q) { return {hn::Add(p.x, q.x), hn::Add(p.y, q.y)}; }
-HWY_INLINE Points sub(Points p, Points q) { return {hn::Sub(p.x, q.x), hn::Sub(p.y, q.y)}; }
-HWY_INLINE Points scale(DoubleLanes s, Points p) { return {hn::Mul(s, p.x), hn::Mul(s, p.y)}; }
-HWY_INLINE DoubleLanes dot(Points p, Points q) { return hn::Add(hn::Mul(p.x, q.x), hn::Mul(p.y, q.y)); }
-HWY_INLINE Points select(DoubleMask mask, Points p, Points q) {
-    return {hn::IfThenElse(mask, p.x, q.x), hn::IfThenElse(mask, p.y, q.y)};
-}
-
-/// `PairView` without the shapes.
-struct Poses {
-    DoubleLanes c;
-    DoubleLanes s;
-    Points translation;
-
-    HWY_INLINE Points toA(Points v) const {
-        return {hn::Sub(hn::Mul(c, v.x), hn::Mul(s, v.y)), hn::Add(hn::Mul(s, v.x), hn::Mul(c, v.y))};
-    }
-    HWY_INLINE Points toB(Points v) const {
-        return {hn::Add(hn::Mul(c, v.x), hn::Mul(s, v.y)), hn::Sub(hn::Mul(c, v.y), hn::Mul(s, v.x))};
-    }
-};
-
-/// An edge of one polygon of each pair, in the frame of that polygon.
-struct Edges {
-    DoubleLanes index;
-    DoubleLanes next;  ///< index of the vertex at the end; that at the start has the index of the edge
-    Points start;
-    Points end;
-};
-
-HWY_INLINE DoubleLanes nextOf(DoubleLanes index, DoubleLanes count) {
-    const DoubleLanes next = hn::Add(index, constant(1));
-    return hn::IfThenElseZero(hn::Lt(next, count), next);
-}
-
 HWY_INLINE Edges edgesOf(const Faces& faces, const Real* counts, std::size_t lane) {
     const DoubleLanes index = load(faces.face + lane);
     return {index,
@@ -288,101 +147,9 @@ HWY_INLINE DoubleMask takesA(const Faces& ofA, const Faces& ofB, const Edges& ed
     return hn::Le(hn::IfThenElse(areApart, ahead, beyond), constant(0));
 }
 
-/// `edgeFacing` of that polygon which has not the reference face.
-template <int kVertices>
-HWY_INLINE Edges facing(const Polygons<kVertices>& a, const Polygons<kVertices>& b, DoubleMask isOfB, Points direction,
-                        std::size_t vertices, std::size_t lane) {
-    const auto vertex = [&](std::size_t i) HWY_ATTR {
-        return select(isOfB, {load(b.x[i] + lane), load(b.y[i] + lane)}, {load(a.x[i] + lane), load(a.y[i] + lane)});
-    };
-    const auto normal = [&](std::size_t i) HWY_ATTR {
-        return select(isOfB, {load(b.normalX[i] + lane), load(b.normalY[i] + lane)},
-                      {load(a.normalX[i] + lane), load(a.normalY[i] + lane)});
-    };
-    const Points first = vertex(0);
-    Points next = vertex(1);
-    Edges edges{constant(0), constant(0), first, next};
-    DoubleLanes best = dot(direction, normal(0));
-    for (std::size_t i = 1; i < vertices; ++i) {
-        const Points own = next;
-        next = i + 1 < vertices ? vertex(i + 1) : first;
-        const DoubleLanes along = dot(direction, normal(i));
-        const DoubleMask isBetter = hn::Gt(along, best);
-        best = hn::IfThenElse(isBetter, along, best);
-        edges.index = hn::IfThenElse(isBetter, constant(static_cast<double>(i)), edges.index);
-        edges.start = select(isBetter, own, edges.start);
-        edges.end = select(isBetter, next, edges.end);
-    }
-    edges.next = nextOf(edges.index, hn::IfThenElse(isOfB, load(b.count + lane), load(a.count + lane)));
-    return edges;
-}
-
-/// `ReferenceFace`.
-struct References {
-    Points start;
-    Points tangent;
-    Points normal;
-    DoubleLanes length;
-    DoubleLanes edge;
-    DoubleLanes next;
-    DoubleMask isOfA;
-};
-
-HWY_INLINE References referencesOf(const Edges& a, const Edges& b, DoubleMask isOfA, const Poses& poses) {
-    const Points edge = select(isOfA, sub(a.end, a.start), poses.toA(sub(b.end, b.start)));
-    const Points start = select(isOfA, a.start, add(poses.toA(b.start), poses.translation));
-    const DoubleLanes inverse = hn::Div(constant(1), hn::Sqrt(dot(edge, edge)));
-    const Points normal = scale(inverse, {edge.y, hn::Neg(edge.x)});
-    const Points tangent{hn::Neg(normal.y), normal.x};
-    return {start,
-            tangent,
-            normal,
-            dot(edge, tangent),
-            hn::IfThenElse(isOfA, a.index, b.index),
-            hn::IfThenElse(isOfA, a.next, b.next),
-            isOfA};
-}
-
-/// An end of the incident edge: a vertex, how far along the reference face, and its index.
-struct Ends {
-    Points vertex;
-    DoubleLanes along;
-    DoubleLanes index;
-};
-
-/// `ClippedPoint`.
-struct Clipped {
-    Points core;
-    DoubleLanes separation;
-    DoubleLanes id;
-    DoubleMask isThere;
-};
-
-/// One call of `clip`'s `add`, without slack.
-HWY_INLINE Clipped clip(const References& face, const Ends& own, const Ends& other, DoubleLanes incidentEdge) {
-    constexpr double kEdge = 0x80;  // `featureId`
-    constexpr double kShift = 0x100;
-    const DoubleLanes zero = constant(0);
-    const DoubleMask isBefore = hn::Lt(own.along, zero);
-    const DoubleMask isBeyond = hn::Gt(own.along, face.length);
-    const DoubleMask isOutside = hn::Or(isBefore, isBeyond);
-    const DoubleLanes bound = hn::IfThenElse(isBefore, zero, face.length);
-    const DoubleMask isNothingLeft =
-        hn::Or(hn::And(isBefore, hn::Le(other.along, bound)), hn::AndNot(isBefore, hn::Ge(other.along, bound)));
-    const DoubleLanes part = hn::Div(hn::Sub(bound, own.along), hn::Sub(other.along, own.along));
-    const Points core = select(isOutside, add(own.vertex, scale(part, sub(other.vertex, own.vertex))), own.vertex);
-    const DoubleLanes reference =
-        hn::IfThenElse(isOutside, hn::IfThenElse(isBefore, face.edge, face.next), hn::Add(face.edge, constant(kEdge)));
-    const DoubleLanes incident = hn::IfThenElse(isOutside, hn::Add(incidentEdge, constant(kEdge)), own.index);
-    const DoubleLanes ofA = hn::IfThenElse(face.isOfA, reference, incident);
-    const DoubleLanes ofB = hn::IfThenElse(face.isOfA, incident, reference);
-    return {core, dot(face.normal, sub(core, face.start)), hn::Add(hn::Mul(ofA, constant(kShift)), ofB),
-            hn::Not(hn::And(isOutside, isNothingLeft))};
-}
-
 /// `ManifoldBuilder::build` for one point. @return whether it is there
 HWY_INLINE DoubleMask build(const References& face, const Clipped& p, DoubleLanes margin, std::size_t lane,
-                            SharpPairs::Point& out) {
+                            WidePairs::Point& out) {
     const DoubleLanes toMiddle = hn::Mul(constant(0.5), hn::Sub(constant(0), p.separation));
     const Points middle = add(p.core, scale(toMiddle, face.normal));
     store(middle.x, out.x.data() + lane);
@@ -394,7 +161,7 @@ HWY_INLINE DoubleMask build(const References& face, const Clipped& p, DoubleLane
 
 template <int kVertices>
 HWY_INLINE void clipPairs(const Polygons<kVertices>& a, const Polygons<kVertices>& b, const Faces& ofA,
-                          const Faces& ofB, std::size_t vertices, std::size_t lane, SharpPairs& pairs) {
+                          const Faces& ofB, std::size_t vertices, std::size_t lane, WidePairs& pairs) {
     const Doubles tag;
     const Poses poses{load(pairs.c.data() + lane),
                       load(pairs.s.data() + lane),
@@ -412,8 +179,8 @@ HWY_INLINE void clipPairs(const Polygons<kVertices>& a, const Polygons<kVertices
     const Points toEnd = sub(end, face.start);
     const Ends first{start, dot(face.tangent, toStart), incident.index};
     const Ends second{end, dot(face.tangent, toEnd), incident.next};
-    const Clipped p = clip(face, first, second, incident.index);
-    const Clipped q = clip(face, second, first, incident.index);
+    const Clipped p = clip(face, first, second, incident.index, isOutside(face, first));
+    const Clipped q = clip(face, second, first, incident.index, isOutside(face, second));
 
     // `hasLowest`
     const DoubleLanes lowest = hn::Min(dot(face.normal, toStart), dot(face.normal, toEnd));
@@ -439,12 +206,12 @@ HWY_INLINE void clipPairs(const Polygons<kVertices>& a, const Polygons<kVertices
 }
 
 template <int kVertices>
-void collideSharpPairs(SharpPairs& pairs) {
+void collideSharpPairs(WidePairs& pairs) {
     Polygons<kVertices> a;
     Polygons<kVertices> b;
     const std::size_t vertices = kVertices == kFewVertices ? kVertices : pairs.vertices;
-    gather(pairs.a, vertices, a);
-    gather(pairs.b, vertices, b);
+    gather<3>(pairs.a, vertices, a);
+    gather<3>(pairs.b, vertices, b);
     Faces ofA;
     Faces ofB;
     findFaces(a, b, vertices, pairs, ofA, ofB);
@@ -457,8 +224,8 @@ void collideSharpPairs(SharpPairs& pairs) {
     pairs.plain &= pairs.ordinary & ~pairs.apart;
 }
 
-SharpPairKernels kernelsForSharpPairs() {
-    return {collideSharpPairs<kFewVertices>, collideSharpPairs<kMaxPolygonVertices>};
+PairKernels kernelsForSharpPairs() {
+    return {nullptr, collideSharpPairs<kFewVertices>, collideSharpPairs<kMaxPolygonVertices>};
 }
 
 }  // namespace HWY_NAMESPACE
@@ -473,7 +240,7 @@ namespace {
 HWY_EXPORT(kernelsForSharpPairs);
 }
 
-SharpPairKernels sharpPairKernels() { return HWY_DYNAMIC_DISPATCH(kernelsForSharpPairs)(); }
+PairKernels sharpPairKernels() { return HWY_DYNAMIC_DISPATCH(kernelsForSharpPairs)(); }
 
 }  // namespace swept::inline SWEPT_PRECISION
 #endif

@@ -47,6 +47,21 @@ Polygon someShape(Chance& chance, double size, int most) {
     }
 }
 
+/// At most `most` vertices, with a radius or less than three of them.
+Polygon someRoundShape(Chance& chance, double size, int most) {
+    const Real radius = real(size * std::pow(10, -chance.range(0, 3)));
+    const Vec2 at = chance.below(2) == 0 ? Vec2{} : Vec2{real(0.3 * size), real(-0.1 * size)};
+    const int kind = chance.below(most > 2 ? 5 : 3);
+    if (kind == 0) { return makeCircle(at, radius).value(); }
+    if (kind < 3) {
+        const Vec2 half{real(size * chance.range(0.1, 1)), chance.below(2) == 0 ? Real(0) : real(0.5 * size)};
+        return makeSegment(at - half, at + half, chance.below(4) == 0 ? Real(0) : radius).value();
+    }
+    Polygon polygon = someShape(chance, size, most);
+    polygon.radius = radius;
+    return polygon;
+}
+
 struct Query {
     Polygon a;
     Polygon b;
@@ -55,9 +70,15 @@ struct Query {
 };
 
 /// Touching, nearly so, deep in each other or apart; flush every third time.
-Query someQuery(Chance& chance, int most) {
+Query someQuery(Chance& chance, PairKind kind, int most) {
     const double size = std::ldexp(1.0, chance.below(9) - 4);
-    Query query{someShape(chance, size, most), someShape(chance, size, most), {}, {}};
+    const auto shape = [&chance, kind, size, most](bool mayBeSharp) {
+        const bool isRound = kind == PairKind::round && (!mayBeSharp || most < 3 || chance.below(3) > 0);
+        return isRound ? someRoundShape(chance, size, most) : someShape(chance, size, most);
+    };
+    Query query;
+    query.a = shape(true);
+    query.b = shape(!isSharp(query.a) || kind == PairKind::sharp);
     const bool isFlush = chance.below(3) == 0;
     const double turn = isFlush ? 1.5707963267948966 * chance.below(4) : chance.range(0, 7);
     const double angle = chance.below(3) == 0 ? 1.5707963267948966 * chance.below(4) : chance.range(0, 7);
@@ -98,10 +119,11 @@ struct Tally {
     int withTwo = 0;
     int ofB = 0;
     int apart = 0;
+    int left = 0;  ///< to a search, though they touch or nearly do
 };
 
-void compare(const std::vector<Query>& queries, Tally& tally) {
-    ManifoldBatch batch;
+void compare(const std::vector<Query>& queries, PairKind kind, Tally& tally) {
+    ManifoldBatch batch(kind);
     for (const Query& query : queries) { batch.add(query.a, query.b, query.bInA, query.reach); }
     batch.collide();
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -123,22 +145,23 @@ void compare(const std::vector<Query>& queries, Tally& tally) {
         tally.withTwo += one.count == 2 ? 1 : 0;
         tally.ofB += one.count > 0 && one.isNormalOfB ? 1 : 0;
         tally.apart += isApart ? 1 : 0;
+        tally.left += batch.isLeft(i) ? 1 : 0;
     }
 }
 
-Tally compareAll(int most, std::uint32_t batches) {
+Tally compareAll(PairKind kind, int most, std::uint32_t batches) {
     Tally tally;
     for (std::uint32_t seed = 0; seed < batches && !testing::Test::HasFatalFailure(); ++seed) {
         Chance chance(seed);
         std::vector<Query> queries;
         const int size = 1 + chance.below(static_cast<int>(ManifoldBatch::kPairs));
         while (static_cast<int>(queries.size()) < size) {
-            Query query = someQuery(chance, most);
+            Query query = someQuery(chance, kind, most);
             if (!collidesInBatches(query.a) || !collidesInBatches(query.b)) { continue; }
             queries.push_back(query);
         }
         SCOPED_TRACE(seed);
-        compare(queries, tally);
+        compare(queries, kind, tally);
     }
     return tally;
 }
@@ -158,11 +181,23 @@ TEST_P(ManifoldBatches, GiveTheBitsOfPairsOneByOne) {
         return;
     }
     for (const int most : {kFewVertices, kMaxPolygonVertices}) {
-        const Tally tally = compareAll(most, 1000);
+        const Tally tally = compareAll(PairKind::sharp, most, 1000);
         if (HasFatalFailure()) { return; }
         EXPECT_GT(tally.withTwo, tally.pairs / 8) << "of at most " << most << " vertices";
         EXPECT_GT(tally.ofB, tally.pairs / 20);
         EXPECT_GT(tally.apart, tally.pairs / 20);
+    }
+}
+
+TEST_P(ManifoldBatches, GiveTheBitsOfTheSearchToRoundPairs) {
+    if (!canCollideInBatches()) { return; }
+    for (const int most : {2, kFewVertices, kMaxPolygonVertices}) {
+        const Tally tally = compareAll(PairKind::round, most, 2000);
+        if (HasFatalFailure()) { return; }
+        EXPECT_GT(tally.withTwo, tally.pairs / 40) << "of at most " << most << " vertices";
+        EXPECT_GT(tally.ofB, tally.pairs / 20);
+        EXPECT_GT(tally.apart, tally.pairs / 20);
+        EXPECT_LT(tally.left, tally.pairs / 5) << "cores overlap, and little else";
     }
 }
 
@@ -171,13 +206,14 @@ INSTANTIATE_TEST_SUITE_P(OfThisMachine, ManifoldBatches, testing::ValuesIn(hwy::
 
 #endif
 
-TEST(ManifoldBatch, TakesSharpPolygonsOfOrdinarySizeOnly) {
+TEST(ManifoldBatch, TakesPolygonsOfOrdinarySizeOnly) {
     EXPECT_TRUE(collidesInBatches(makeBox({1, 2}).value()));
-    EXPECT_FALSE(collidesInBatches(makeCircle({0, 0}, 1).value()));
-    EXPECT_FALSE(collidesInBatches(makeSegment({0, 0}, {1, 0}).value()));
-    EXPECT_FALSE(collidesInBatches(makeBox({1, 1}, {}, 0, Real(0.1)).value())) << "has a radius";
+    EXPECT_TRUE(collidesInBatches(makeCircle({0, 0}, 1).value()));
+    EXPECT_TRUE(collidesInBatches(makeSegment({0, 0}, {1, 0}).value()));
+    EXPECT_TRUE(collidesInBatches(makeBox({1, 1}, {}, 0, Real(0.1)).value()));
     const Real huge = std::numeric_limits<Real>::max() / 16;
     EXPECT_FALSE(collidesInBatches(makeBox({huge, huge}).value()));
+    EXPECT_FALSE(collidesInBatches(makeCircle({0, 0}, huge).value()));
     const std::vector<Vec2> flat{{-1, 0}, {1, 0}, {1, 1}, {0, Real(1.001)}, {-1, 1}};
     EXPECT_FALSE(collidesInBatches(makePolygon(flat).value())) << "two faces are nearly parallel";
 }

@@ -9,9 +9,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Pairs of polygons without radius side by side: what is asked about them, and what a kernel answers
-/// (manifold_batch.h is what others use). One bit for each pair in the sets.
-struct alignas(64) SharpPairs {
+/// Pairs of polygons side by side: what is asked about them, and what a kernel answers (manifold_batch.h is what others
+/// use). One bit for each pair in the sets.
+struct alignas(64) WidePairs {
     static constexpr std::size_t kPairs = 8;
     using Lanes = std::array<Real, kPairs>;
 
@@ -34,28 +34,35 @@ struct alignas(64) SharpPairs {
     // `ManifoldReach`; `nearest` is at most `points`.
     Lanes points;
     Lanes nearest;
+    Lanes radiusA;
+    Lanes radiusB;
 
     Lanes normalX;
     Lanes normalY;
     std::array<Point, 2> point;
-    Lanes face;              ///< clipped against
+    Lanes face;              ///< clipped against; of sharp pairs
     Lanes room;              ///< of those that are apart
     std::uint32_t apart;     ///< farther than `nearest`
     std::uint32_t ordinary;  ///< B is not shifted farther than `kLargestShift`
     std::uint32_t plain;     ///< there are points, one of them as near as that; nothing else is to be asked
-    std::uint32_t ofA;       ///< the face is
+    std::uint32_t ofA;       ///< the face is; or it is none
     std::array<std::uint32_t, 2> isThere;  ///< the point is, and within reach. Neither: it is not what they touch with
 };
 
-/// Answers what is asked about all pairs: the bits of `collideSharp`. @pre as `collidesInBatches`
-using CollideSharpPairs = void (*)(SharpPairs&);
+/// Answers what is asked about all pairs. @pre as `collidesInBatches`
+using CollidePairs = void (*)(WidePairs&);
 
 /// For the widest registers that this machine has; null where there are none.
-struct SharpPairKernels {
-    CollideSharpPairs ofFew = nullptr;   ///< polygons of at most `kFewVertices`
-    CollideSharpPairs ofMany = nullptr;  ///< any, in proportion to the square of their vertices
+struct PairKernels {
+    CollidePairs ofTwo = nullptr;   ///< cores of at most two vertices; not of sharp pairs
+    CollidePairs ofFew = nullptr;   ///< of at most `kFewVertices`
+    CollidePairs ofMany = nullptr;  ///< any, in proportion to the square of their vertices
 };
-SharpPairKernels sharpPairKernels();
+/// Of polygons without radius: the bits of `collideSharp`.
+PairKernels sharpPairKernels();
+/// Of all others, where cores are apart and nothing is doubtful: the bits of `collideByGjk`. Pairs that are neither
+/// `apart` nor `plain` are left to that.
+PairKernels roundPairKernels();
 
 inline constexpr int kFewVertices = 4;
 /// Largest shift of B against A: beyond it a double pair is brought to another scale first (rescaled_pair.h), and a
