@@ -10,6 +10,7 @@ constexpr double kPerManifold = 1.5e-7;
 constexpr double kPerConstraint = 1.5e-7;
 constexpr double kPerBodySubStep = 3e-8;
 constexpr double kPerToiCall = 5e-7;
+constexpr double kPerSolve = 2e-6;
 /// So many times as long as starting it takes is what a step must last on one thread.
 constexpr double kWorthStarting = 10;
 
@@ -20,7 +21,8 @@ double workOf(const StepCounters& counters) {
            kPerManifold * static_cast<double>(counters.manifolds) +
            kPerConstraint * static_cast<double>(counters.constraints) +
            kPerBodySubStep * static_cast<double>(counters.bodySubSteps) +
-           kPerToiCall * static_cast<double>(counters.toiCalls);
+           kPerToiCall * static_cast<double>(counters.toiCalls) +
+           kPerSolve * static_cast<double>(counters.effortClasses);
 }
 
 void shareStep(WorldState& world, double work, FunctionRef<void()> pipeline) {

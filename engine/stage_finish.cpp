@@ -195,13 +195,20 @@ void moveProxies(WorldState& world) {
         for (const std::uint32_t slot : world.awake) { updateProxies(world, slot, false); }
         return;
     }
-    world.outgrew.resize(world.awake.size());
+    world.outgrown.resize(world.awake.size());
     world.fatBoxes.resize(world.neededBoxes.size());
     world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { world.outgrew[i] = renewBoxes(world, world.awake[i]) ? 1 : 0; }
+        for (std::size_t i = begin; i < end; ++i) { world.outgrown[i] = renewBoxes(world, world.awake[i]); }
     });
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        if (world.outgrew[i] != 0) { moveOutgrownProxies(world, world.awake[i]); }
+        const std::uint32_t proxy = world.outgrown[i];
+        if (proxy == kNoIndex) { continue; }
+        if (proxy == kManyBoxes) {
+            moveOutgrownProxies(world, world.awake[i]);
+        } else {  // as mostly: nothing need be looked up
+            const Status moved = world.broadphase->move(static_cast<ProxyId>(proxy), world.fatBoxes[proxy]);
+            world.counters.proxiesMoved += moved.ok() ? 1 : 0;
+        }
     }
 }
 

@@ -1,8 +1,14 @@
+#include <algorithm>
+#include <atomic>
+
 #include "number_range.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
+
+/// Bodies per block of a parallel loop.
+constexpr std::size_t kGuardGrain = 256;
 
 bool isSound(const BodyMotion& motion) {
     return isInRange(motion.center) && isInRange(motion.angle) && isInRange(motion.velocity) &&
@@ -28,6 +34,18 @@ void forgetImpulses(WorldState& world, std::uint32_t slot) {
     }
 }
 
+/// As always, but for input at the ends of what can be written.
+bool areSound(const WorldState& world) {
+    std::atomic<bool> isAnyUnsound = false;
+    world.loops->run(world.awake.size(), kGuardGrain, [&](std::size_t begin, std::size_t end, int) {
+        const auto first = world.awake.begin() + static_cast<std::ptrdiff_t>(begin);
+        const bool areAll = std::all_of(first, first + static_cast<std::ptrdiff_t>(end - begin),
+                                        [&world](std::uint32_t slot) { return isSound(world.motions[slot]); });
+        if (!areAll) { isAnyUnsound.store(true, std::memory_order_relaxed); }
+    });
+    return !isAnyUnsound;
+}
+
 void putBack(WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
@@ -43,11 +61,10 @@ void putBack(WorldState& world, std::uint32_t slot) {
 }  // namespace
 
 void putBackOverflown(WorldState& world) {
-    const std::uint64_t before = world.counters.putBack;
+    if (areSound(world)) { return; }
     for (const std::uint32_t slot : world.awake) {
         if (!isSound(world.motions[slot])) { putBack(world, slot); }
     }
-    if (world.counters.putBack == before) { return; }
     std::erase_if(world.contactEvents, [](const ContactEvent& event) {
         return !isInRange(event.point) || !isInRange(event.normal) || !isInRange(event.fraction) ||
                !isInRange(static_cast<double>(event.approachSpeed)) || !isInRange(static_cast<double>(event.impulse));

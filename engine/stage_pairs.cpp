@@ -141,25 +141,45 @@ void findPairs(WorldState& world) {
     }
 }
 
+namespace {
+
+/// Pairs per block of a parallel loop.
+constexpr std::size_t kCandidateGrain = 512;
+
+CandidateFate fateOf(const WorldState& world, std::span<const Aabb> boxes, const ContactPair& pair) {
+    const bool isNear = boxesOverlap(world.neededBoxes, pair);
+    if (!world.watched && !isNear && boxesOverlap(boxes, pair)) { return CandidateFate::waits; }  // as nearly always
+    const BodyGlances bodies{world.glances[pair.bodyA], world.glances[pair.bodyB]};
+    const bool isAsleep = bodies.a.motion < 0 && bodies.b.motion < 0;
+    if (!isAsleep && !boxesOverlap(boxes, pair)) { return CandidateFate::goes; }
+    const bool isContact = world.watched || (isNear && !isAsleep && !bodies.areFar());
+    return isContact ? CandidateFate::becomesContact : CandidateFate::waits;
+}
+
+}  // namespace
+
 void promoteCandidates(WorldState& world) {
     const std::span<const Aabb> boxes = world.broadphase->boxes();
-    const std::span<const Aabb> needed = world.neededBoxes;
-    std::size_t kept = 0;
-    for (const ContactPair pair : world.candidates) {
-        const bool isNear = boxesOverlap(needed, pair);
-        if (!world.watched && !isNear && boxesOverlap(boxes, pair)) {  // as nearly always
-            world.candidates[kept++] = pair;
-            continue;
+    world.candidateFates.resize(world.candidates.size());
+    world.loops->run(world.candidates.size(), kCandidateGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            world.candidateFates[i] = fateOf(world, boxes, world.candidates[i]);
         }
-        const BodyGlances bodies{world.glances[pair.bodyA], world.glances[pair.bodyB]};
-        const bool isAsleep = bodies.a.motion < 0 && bodies.b.motion < 0;
-        if (!isAsleep && !boxesOverlap(boxes, pair)) {
-            dropPair(world, pair);
-        } else if (world.watched || (isNear && !isAsleep && !bodies.areFar())) {
-            makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
-                        world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
-        } else {
-            world.candidates[kept++] = pair;
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < world.candidateFates.size(); ++i) {
+        const ContactPair pair = world.candidates[i];
+        switch (world.candidateFates[i]) {
+            case CandidateFate::waits:
+                world.candidates[kept++] = pair;
+                break;
+            case CandidateFate::goes:
+                dropPair(world, pair);
+                break;
+            case CandidateFate::becomesContact:
+                makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
+                            world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
+                break;
         }
     }
     world.candidates.resize(kept);

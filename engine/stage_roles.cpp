@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "modes.h"
@@ -160,6 +161,32 @@ BodyRole roleOf(const WorldState& world, const Body& body) {
     return body.holdingJoints == 0 && !body.hasContact ? BodyRole::free : BodyRole::solved;
 }
 
+/// What it can tell from the traits, which are small, is left to who lists the bodies in order.
+void giveRoles(WorldState& world) {
+    std::atomic<std::uint32_t> bullets = 0;
+    std::atomic<bool> isAnyFast = false;
+    world.loops->run(world.awake.size(), kResetGrain, [&](std::size_t begin, std::size_t end, int) {
+        std::uint32_t some = 0;
+        bool isOneFast = false;
+        for (std::size_t i = begin; i < end; ++i) {
+            BodyTraits& traits = world.traits[world.awake[i]];
+            Body& body = world.bodies[world.awake[i]];
+            body.hasContact = (traits & kHasContact) != 0;
+            body.touchesDynamic = (traits & kTouchesDynamic) != 0;
+            body.role = roleOf(world, body);
+            if (body.role != BodyRole::solved) { body.effort = {}; }
+            if (body.role == BodyRole::flyer) { traits |= kIsFlyer; }
+            if (body.role == BodyRole::solved) { traits |= kIsTied; }
+            some += body.def.bullet ? 1 : 0;
+            isOneFast = isOneFast || body.fast || body.def.bullet || body.role == BodyRole::flyer;
+        }
+        if (some > 0) { bullets.fetch_add(some, std::memory_order_relaxed); }
+        if (isOneFast) { isAnyFast.store(true, std::memory_order_relaxed); }
+    });
+    world.bullets = bullets;
+    world.anyFast = isAnyFast;
+}
+
 bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
 
 /// The same where nothing sleeps: each joint has something dynamic.
@@ -207,22 +234,12 @@ void assignRoles(WorldState& world, Real dt) {
     noteTouching(world, dt);
     world.flyers.clear();
     world.tied.clear();
-    world.bullets = 0;
-    world.anyFast = false;
+    giveRoles(world);
     for (const std::uint32_t slot : world.awake) {
-        Body& body = world.bodies[slot];
-        world.bullets += body.def.bullet ? 1 : 0;
-        body.hasContact = (world.traits[slot] & kHasContact) != 0;
-        body.touchesDynamic = (world.traits[slot] & kTouchesDynamic) != 0;
-        body.role = roleOf(world, body);
-        world.anyFast = world.anyFast || body.fast || body.def.bullet || body.role == BodyRole::flyer;
-        if (body.role == BodyRole::flyer) { world.flyers.push_back(slot); }
-        if (body.role == BodyRole::solved) {
-            world.tied.push_back(slot);
-        } else {
-            body.effort = {};
-        }
-        world.counters.freeBodies += body.role == BodyRole::free ? 1 : 0;
+        const BodyTraits role = world.traits[slot] & (kIsFlyer | kIsTied);
+        if (role == kIsFlyer) { world.flyers.push_back(slot); }
+        if (role == kIsTied) { world.tied.push_back(slot); }
+        world.counters.freeBodies += role == 0 ? 1 : 0;
     }
     world.counters.solvedBodies = world.tied.size();
     world.counters.settledBodies = world.held.bodies;

@@ -250,7 +250,7 @@ void solveTiedBodies(WorldState& world, double dt) {
     // Class after class, in the order in which the first of their bodies woke up.
     std::vector<Effort>& efforts = world.efforts;
     efforts.clear();
-    for (const std::uint32_t slot : world.awake) {
+    for (const std::uint32_t slot : world.tied) {
         const Body& body = world.bodies[slot];
         if (body.role != BodyRole::solved) { continue; }
         if (std::find(efforts.begin(), efforts.end(), body.effort) == efforts.end()) { efforts.push_back(body.effort); }
@@ -283,7 +283,7 @@ void solveTiedBodies(WorldState& world, double dt) {
             solveGroup(world,
                        {.desk = desk,
                         .effort = effort,
-                        .bodies = world.awake,
+                        .bodies = world.kinematicBodies > 0 ? world.awake : world.tied,
                         .contacts = world.contacts,
                         .joints = world.tiedJoints},
                        {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});

@@ -70,11 +70,11 @@ void TiedHinges::fetchAhead(std::size_t i) const {
     if (i + kHingesAhead < links.size()) { fetch(world_.joints[links[i + kHingesAhead].source]); }
 }
 
-void TiedHinges::fill(std::span<const HingePlace> places, const HingeArrays& to) {
+void TiedHinges::fill(std::size_t first, std::span<const HingePlace> places, const HingeArrays& to) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const HingePlace& place = places[i];
-        const HingeLink& link = desk_.batch.hingeLinks[i];
-        fetchAhead(i);
+        const HingeLink& link = desk_.batch.hingeLinks[first + i];
+        fetchAhead(first + i);
         if (place.isInBlock) {
             fillLane(to.blocks[place.index], place.lane, link);
         } else {
@@ -83,11 +83,11 @@ void TiedHinges::fill(std::span<const HingePlace> places, const HingeArrays& to)
     }
 }
 
-void TiedHinges::take(std::span<const HingePlace> places, const HingeArrays& from) {
+void TiedHinges::take(std::size_t first, std::span<const HingePlace> places, const HingeArrays& from) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const HingePlace& place = places[i];
-        fetchAhead(i);
-        Joint& joint = world_.joints[desk_.batch.hingeLinks[i].source];
+        fetchAhead(first + i);
+        Joint& joint = world_.joints[desk_.batch.hingeLinks[first + i].source];
         if (!place.isInBlock) {
             takeHinge(joint, from.rest[place.index], length_);
             continue;

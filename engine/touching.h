@@ -19,6 +19,9 @@ struct TouchingPair {
     bool areDynamic() const { return dynamicA && dynamicB; }
 };
 
+/// What becomes in this step of a pair of dynamic bodies that was never near (`WorldState::candidates`).
+enum class CandidateFate : std::uint8_t { waits, goes, becomesContact };
+
 /// What the contacts of a step ask of bodies, and tell about them: bits of one byte per body slot, so that those of all
 /// bodies fit into the nearest cache. What others need of them `Body` has, too.
 using BodyTraits = std::uint8_t;
@@ -28,5 +31,7 @@ inline constexpr BodyTraits kHasContact = 4;
 inline constexpr BodyTraits kTouchesDynamic = 8;
 inline constexpr BodyTraits kIsDynamic = 16;  ///< and awake
 inline constexpr BodyTraits kIsStill = 32;    ///< as far as its own motion tells (balance.h)
+inline constexpr BodyTraits kIsFlyer = 64;    ///< the role that it was given
+inline constexpr BodyTraits kIsTied = 128;    ///< likewise: `BodyRole::solved`
 
 }  // namespace swept

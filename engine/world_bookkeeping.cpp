@@ -258,18 +258,18 @@ const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion) {
 
 }  // namespace
 
-bool renewBoxes(WorldState& world, std::uint32_t body) {
-    if (keepsBoxes(world, body)) { return false; }
+std::uint32_t renewBoxes(WorldState& world, std::uint32_t body) {
+    if (keepsBoxes(world, body)) { return kNoIndex; }
     const Real motion = noteBoxes(world, body);
-    bool hasOutgrown = false;
+    std::uint32_t outgrown = kNoIndex;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
         const Aabb& needed = renewNeededBox(world, shape, motion);
         if (contains(world.broadphase->box(shape.proxy), needed)) { continue; }
         world.fatBoxes[static_cast<std::size_t>(shape.proxy)] = fattened(world, shape, needed);
-        hasOutgrown = true;
+        outgrown = outgrown == kNoIndex ? static_cast<std::uint32_t>(shape.proxy) : kManyBoxes;
     }
-    return hasOutgrown;
+    return outgrown;
 }
 
 void moveOutgrownProxies(WorldState& world, std::uint32_t body) {

@@ -134,10 +134,11 @@ struct WorldState {
     std::size_t activeContacts = 0;           ///< whose probes are the first ones; the others are parked
     ParkedContacts parked;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
-    ContactLists lists;                   ///< of this step
-    std::vector<BodyGlance> glances;      ///< by body slot
-    std::vector<BodyTravel> travels;      ///< by body slot
-    std::vector<Aabb> neededBoxes;        ///< by proxy: `neededBox` as of this step, or more
+    std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
+    ContactLists lists;                             ///< of this step
+    std::vector<BodyGlance> glances;                ///< by body slot
+    std::vector<BodyTravel> travels;                ///< by body slot
+    std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
     PairTable pairs;                                ///< of shape slots that have a contact
@@ -164,7 +165,7 @@ struct WorldState {
     EffortTrial trial;                         ///< likewise
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
-    std::vector<std::uint8_t> outgrew;         ///< by place in `awake`: a box no longer holds its shape
+    std::vector<std::uint32_t> outgrown;       ///< by place in `awake`: see `renewBoxes`
     std::vector<Aabb> fatBoxes;                ///< by proxy: what takes its place then
     std::vector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
@@ -226,8 +227,9 @@ void updatePose(WorldState& world, std::uint32_t body);
 Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
 /// Makes boxes anew that are too small for where the shapes may be next, in `WorldState::fatBoxes`; of different bodies
-/// also at the same time. @return whether there are any
-bool renewBoxes(WorldState& world, std::uint32_t body);
+/// also at the same time. @return the proxy whose box it is; `kNoIndex`: none; `kManyBoxes`: several
+std::uint32_t renewBoxes(WorldState& world, std::uint32_t body);
+inline constexpr std::uint32_t kManyBoxes = kNoIndex - 1;
 /// Hands them to the broadphase.
 void moveOutgrownProxies(WorldState& world, std::uint32_t body);
 /// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are

@@ -16,6 +16,8 @@ namespace {
 
 /// A block with fewer joints costs more than they do one by one.
 constexpr std::uint32_t kFewestLanes = 2;
+/// Hinges of a block of a parallel loop.
+constexpr std::size_t kPlaceGrain = 128;
 constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
 
 HingeParts partsOf(const RevoluteConstraint& joint) { return {joint.hasSpring, joint.hasMotor, joint.hasLimits}; }
@@ -149,7 +151,7 @@ void HingeBlocks::fillFrom(const SolverBatch& batch) {
     }
 }
 
-void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide) {
+void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, TaskSystem& loops) {
     kernels_ = wide ? revoluteKernels() : nullptr;
     count_ = 0;
     if (!batch.hasHinges()) { return; }
@@ -158,9 +160,14 @@ void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool w
     listPlaces(batch);
     if (batch.hingeStore == nullptr) {
         fillFrom(batch);
-        return;
+    } else {
+        const HingeArrays to{std::span(blocks_).first(count_), batch.revolutes};
+        loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
+            batch.hingeStore->fill(begin, std::span(places_).subspan(begin, end - begin), to);
+        });
     }
-    batch.hingeStore->fill(places_, {std::span(blocks_).first(count_), batch.revolutes});
+    for (WideRevolute& block : std::span(blocks_).first(count_)) { closeBlock(block); }
+    if (batch.hingeStore == nullptr) { return; }
     for (RevoluteConstraint& joint : batch.revolutes) {
         joint.total = {};
         prepare(joint, batch.inertias);
@@ -201,10 +208,13 @@ void HingeBlocks::addUpRest(SolverBatch& batch) const {
     for (const std::uint32_t place : rest_) { addUpReactions(std::span(&batch.revolutes[place], 1)); }
 }
 
-void HingeBlocks::readBack(SolverBatch& batch) {
+void HingeBlocks::readBack(SolverBatch& batch, TaskSystem& loops) {
     if (!batch.hasHinges()) { return; }
     if (batch.hingeStore != nullptr) {
-        batch.hingeStore->take(places_, {std::span(blocks_).first(count_), batch.revolutes});
+        const HingeArrays from{std::span(blocks_).first(count_), batch.revolutes};
+        loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
+            batch.hingeStore->take(begin, std::span(places_).subspan(begin, end - begin), from);
+        });
         batch.revolutes.clear();
         return;
     }

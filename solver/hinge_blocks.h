@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shapes/task_system.h"
 #include "constraint_graph.h"
 #include "range_cut.h"
 #include "solver_batch.h"
@@ -17,7 +18,7 @@ namespace swept::inline SWEPT_PRECISION {
 class HingeBlocks {
 public:
     /// @pre coloured; joints of the batch are prepared. @param wide  false: everything is solved one by one
-    void build(SolverBatch& batch, const ConstraintGraph& graph, bool wide);
+    void build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, TaskSystem& loops);
     int blockCount() const { return static_cast<int>(count_); }
     /// Blocks, and hinges on their own, of a colour. Those of a range may be solved beside those of another one.
     std::size_t countOf(int colour) const;
@@ -27,7 +28,7 @@ public:
     void solve(SolverBatch& batch, int colour, RangeCut& cut, const ContactPass& pass);
     /// Ends a sub-step for what is solved one by one; blocks had theirs by the last pass.
     void addUpRest(SolverBatch& batch) const;
-    void readBack(SolverBatch& batch);
+    void readBack(SolverBatch& batch, TaskSystem& loops);
 
 private:
     struct Colour {

@@ -18,13 +18,11 @@ struct HingeHead {
     Vec2 impulse{};  ///< of the sub-step before
 };
 
-/// @pre the block was emptied
+/// Lanes of one block may be filled at the same time. @pre the block was emptied
 inline void fillHead(WideRevolute& block, std::size_t lane, const HingeHead& head, const BodyInertia& a,
                      const BodyInertia& b) {
     block.slotA[lane] = head.slotA;
     block.slotB[lane] = head.slotB;
-    block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
-    block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
     block.anchorAX[lane] = head.anchorA.x;
     block.anchorAY[lane] = head.anchorA.y;
     block.anchorBX[lane] = head.anchorB.x;
@@ -40,6 +38,17 @@ inline void fillHead(WideRevolute& block, std::size_t lane, const HingeHead& hea
     block.inverseInertiaB[lane] = b.inverseInertia;
     block.impulseX[lane] = head.impulse.x;
     block.impulseY[lane] = head.impulse.y;
+}
+
+/// Ends what the heads of the lanes began.
+inline void closeBlock(WideRevolute& block) {
+    block.movableA = block.movableB = 0;
+    for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+        const BodyInertia a{.inverseMass = block.inverseMassA[lane], .inverseInertia = block.inverseInertiaA[lane]};
+        const BodyInertia b{.inverseMass = block.inverseMassB[lane], .inverseInertia = block.inverseInertiaB[lane]};
+        block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
+        block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
+    }
 }
 
 /// Of a block with parts. @param baseAngle  of the joint at the start of the step

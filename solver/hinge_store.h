@@ -38,11 +38,11 @@ class HingeStore {
 public:
     virtual ~HingeStore() = default;
 
-    /// @param places  of the links of the batch, in their order. All lanes that are in use are among them; blocks are
-    /// empty
-    virtual void fill(std::span<const HingePlace> places, const HingeArrays& to) = 0;
-    /// Takes impulses and totals back from there.
-    virtual void take(std::span<const HingePlace> places, const HingeArrays& from) = 0;
+    /// Blocks are empty before, and closed after (`closeBlock`). Parts of the links may be filled at the same time.
+    /// @param places  of the links of the batch from the first one on, in their order
+    virtual void fill(std::size_t first, std::span<const HingePlace> places, const HingeArrays& to) = 0;
+    /// Takes impulses and totals back from there. Likewise.
+    virtual void take(std::size_t first, std::span<const HingePlace> places, const HingeArrays& from) = 0;
 
 protected:
     HingeStore() = default;

@@ -356,8 +356,10 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     contacts_.build(batch, graph_,
                     {.wide = settings.wide && !contactsAreDirect, .prepared = needsContactsPrepared(settings)}, ofMany);
     report.contactBlocks = contacts_.blockCount();
+    const bool hasManyHinges = isAtOnce || batch.hingeLinks.size() >= kFewestToFill;
+    TaskSystem& ofManyHinges = hasManyHinges ? loops : serial_;
     if constexpr (kJoints) {
-        hinges_.build(batch, graph_, settings.wide && !report.isDirect);
+        hinges_.build(batch, graph_, settings.wide && !report.isDirect, ofManyHinges);
         report.hingeBlocks = hinges_.blockCount();
     }
     const bool isShared = isAtOnce || isWorthSharing<kJoints>(batch);
@@ -368,7 +370,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         runSubSteps<kJoints, true>(batch, settings, report);
     }
     contacts_.readBack(batch, ofMany);
-    if constexpr (kJoints) { hinges_.readBack(batch); }
+    if constexpr (kJoints) { hinges_.readBack(batch, ofManyHinges); }
     return report;
 }
 

@@ -29,9 +29,9 @@ public:
         batch.hingeStore = this;
     }
 
-    void fill(std::span<const HingePlace> places, const HingeArrays& to) override {
+    void fill(std::size_t first, std::span<const HingePlace> places, const HingeArrays& to) override {
         for (std::size_t i = 0; i < places.size(); ++i) {
-            const RevoluteConstraint& joint = hinges_[i];
+            const RevoluteConstraint& joint = hinges_[first + i];
             if (!places[i].isInBlock) {
                 to.rest[places[i].index] = joint;
                 ++alone;
@@ -46,12 +46,12 @@ public:
             ++inBlocks;
         }
     }
-    void take(std::span<const HingePlace> places, const HingeArrays& from) override {
+    void take(std::size_t first, std::span<const HingePlace> places, const HingeArrays& from) override {
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (places[i].isInBlock) {
-                takeLane(from.blocks[places[i].index], places[i].lane, hinges_[i]);
+                takeLane(from.blocks[places[i].index], places[i].lane, hinges_[first + i]);
             } else {
-                hinges_[i] = from.rest[places[i].index];
+                hinges_[first + i] = from.rest[places[i].index];
             }
         }
     }
