@@ -16,15 +16,6 @@ struct KeptManifold {
     Transform bInA{};
     Vec2 normal{};
     std::array<Real, 2> separations{};
-    bool isThere = false;
-};
-
-/// What a contact carried whose points slid along the ground since its manifold was found last (slides.h). Frame of A.
-struct Slide {
-    Vec2 normal{};
-    Real impulse = 0;         ///< along the normal, N·s; 0: it did not slide, or carried nothing
-    Real tangentImpulse = 0;  ///< N·s
-    Real moment = 0;          ///< of the normal impulses about the origin of body B, N·s·m
 };
 
 /// Which contacts have their manifolds found together (contact_batch.h).
@@ -38,19 +29,18 @@ enum class BatchKind : std::uint8_t {
 };
 
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or
-/// kinematic).
-struct Contact {
+/// kinematic). Of cache lines of its own, and in each what is asked for together: in `Real` float the points, what a
+/// solve adds to them and takes from them, and what spares a search for points.
+struct alignas(64) Contact {
     std::uint32_t shapeA = 0;  ///< slots
     std::uint32_t shapeB = 0;
     std::uint32_t bodyA = 0;
     std::uint32_t bodyB = 0;
-    Manifold manifold;      ///< at the start of the present step, frame of body A
-    ManifoldMemory memory;  ///< of the shapes' last query: spares work, changes nothing
-    KeptManifold kept;
+    Manifold manifold;  ///< at the start of the present step, frame of body A
+
     std::array<Real, 2> normalImpulse{};  ///< warm start, by point of the manifold
     std::array<Real, 2> tangentImpulse{};
     std::array<Real, 2> totalImpulse{};  ///< normal impulse over the last step, N·s
-    Slide slide;                         ///< of this step
     Real friction = 0;
     Real restitution = 0;
     Real extent = 0;         ///< of the pair
@@ -68,9 +58,14 @@ struct Contact {
     bool touching = false;   ///< begin was reported, end was not
     bool pressed = false;    ///< carried an impulse in the last step
     bool pressedOn = false;  ///< and in the one before: it is no blow that the next step would repeat
+    bool isKept = false;     ///< there is a `KeptManifold`
+
+    KeptManifold kept;
+    ManifoldMemory memory;  ///< of the shapes' last query: spares work, changes nothing
 
     bool isSolid() const { return !sensor && manifold.count > 0; }
 };
+static_assert(sizeof(Contact) <= 48 * sizeof(Real), "a step reads most of some thousands");
 
 /// What the stage of contacts found of one in this step.
 enum class ContactState : std::uint8_t {
@@ -89,7 +84,7 @@ struct ContactPair {
 };
 
 /// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
-/// Probes stand in the order in which their pairs came near; contacts stay where they are for as long as they live.
+/// Probes stand in the order in which their pairs came near; contacts stay where they are while a step goes on.
 struct ContactProbe : ContactPair {
     double apartUntil =
         0;          ///< there are no points as long as the bodies moved less since (travel.h), metres; 0: not known

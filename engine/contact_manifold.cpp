@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "shape_manifold.h"
-#include "slides.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -72,7 +71,7 @@ void carryImpulses(const OldPoints& before, Contact& now) {
 
 bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach) {
     const KeptManifold& kept = contact.kept;
-    if (!kept.isThere || contact.manifold.count != 2) { return false; }  // ghosts and passers lose their points
+    if (!contact.isKept || contact.manifold.count != 2) { return false; }  // ghosts and passers lose their points
     const Rotation turn = bInA.rotation * inverse(kept.bInA.rotation);
     if (!(turn.c > 0) || !(std::fabs(turn.s) <= kKeepRatio)) { return false; }
     const Vec2 shift = bInA.translation - kept.bInA.translation;
@@ -93,9 +92,8 @@ bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach)
 }
 
 void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manifold) {
-    noteSlide(contact, bInA);
-    contact.kept = {
-        bInA, manifold.normal, {manifold.points[0].separation, manifold.points[1].separation}, manifold.count == 2};
+    contact.kept = {bInA, manifold.normal, {manifold.points[0].separation, manifold.points[1].separation}};
+    contact.isKept = manifold.count == 2;
     if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
         contact.manifold = manifold;
         for (auto i = static_cast<std::size_t>(manifold.count); i < contact.normalImpulse.size(); ++i) {
@@ -108,22 +106,10 @@ void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manif
     carryImpulses(before, contact);
 }
 
-namespace {
-
 void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach) {
     const Shape& a = world.shapes[contact.shapeA];
     const Shape& b = world.shapes[contact.shapeB];
     takeManifold(contact, bInA, shapeManifold(world, a, b, bInA, reach, contact.memory));
-}
-
-}  // namespace
-
-void updateManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach) {
-    if (!keepsManifold(contact, bInA, reach)) { renewManifold(world, contact, bInA, reach); }
-}
-
-void refreshManifold(const WorldState& world, Contact& contact, Real margin) {
-    renewManifold(world, contact, relativePoseOf(world, contact), {margin, margin});
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

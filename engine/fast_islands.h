@@ -9,6 +9,7 @@
 #include "contact.h"
 #include "island_items.h"
 #include "joint.h"
+#include "slide.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -50,6 +51,7 @@ struct FastIsland {
     std::vector<std::uint32_t> group;           ///< members, then kinematic bodies
     std::vector<std::uint32_t> jointSlots;
     std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
+    std::vector<Slide> heldSlides;           ///< of these
     std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
     std::vector<std::uint32_t> sources;      ///< by held contact: its place in the world, or none
     std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe

@@ -79,8 +79,9 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
     return dot(direction, toReal(poseB.position - poseA.position) + (bottom - top)) - a.radius - b.radius;
 }
 
-void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                std::span<const std::uint32_t> bodies, std::vector<std::uint32_t>& next) {
+void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
+                std::span<const std::uint32_t> renewed, std::span<const std::uint32_t> bodies,
+                std::vector<std::uint32_t>& next) {
     // Lists of the ground contacts of each body, through arrays that keep their capacity; empty before and after.
     std::vector<std::uint32_t>& firstOf = world.firstGroundContact;
     firstOf.resize(world.bodies.slotCount(), kNoIndex);
@@ -88,7 +89,7 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const 
     const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
     for (const std::uint32_t i : renewed) {
-        if (!isGroundContact(contacts[i]) && !(contacts[i].slide.impulse > 0)) { continue; }
+        if (!isGroundContact(contacts[i]) && !(slides[i].impulse > 0)) { continue; }
         std::uint32_t& first = firstOf[bodyOf(contacts[i])];
         anyTwo = anyTwo || first != kNoIndex;
         next[i] = first;
@@ -98,7 +99,7 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const 
         for (const std::uint32_t slot : bodies) {
             const std::uint32_t first = firstOf[slot];
             if (first != kNoIndex && next[first] != kNoIndex) {
-                const GroundContacts ofBody{contacts, next, first};
+                const GroundContacts ofBody{contacts, slides, next, first};
                 dropGhostsOf(world, ofBody);
                 carryAlong(world, ofBody);
             }
@@ -106,7 +107,7 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const 
     }
     for (const std::uint32_t i : renewed) {
         if (contacts[i].dynamicA != contacts[i].dynamicB) { firstOf[bodyOf(contacts[i])] = kNoIndex; }
-        contacts[i].slide.impulse = 0;
+        slides[i].impulse = 0;
     }
 }
 

@@ -42,9 +42,12 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
                      Vec2 direction);
 
 /// Drops the ghosts among new contacts of these bodies (slots) with static and kinematic shapes.
-/// @param renewed  indices of the contacts whose manifold is new, ascending
+/// @param slides   of each contact; forgotten
+/// @param renewed  indices of the contacts whose manifold is new, in their order; those of dynamic bodies alone may be
+/// left out
 /// @param next  scratch: by contact, the next one of the same body
-void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                std::span<const std::uint32_t> bodies, std::vector<std::uint32_t>& next);
+void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
+                std::span<const std::uint32_t> renewed, std::span<const std::uint32_t> bodies,
+                std::vector<std::uint32_t>& next);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_manifold.h"
 #include "ghosts.h"
 #include "modes.h"
 #include "profile.h"
 #include "rod_turn.h"
+#include "slides.h"
 #include "sweep_obstacles.h"
 #include "tied_group.h"
 #include "tolerances.h"
@@ -133,15 +135,19 @@ void collideHeld(Island& island, double time) {
             if (!own.def.sensor) { findGround(island, own, slot, length); }
         }
     }
-    for (Contact& contact : island.fast.held) {
+    island.fast.heldSlides.resize(island.fast.held.size());
+    for (std::size_t i = 0; i < island.fast.held.size(); ++i) {
+        Contact& contact = island.fast.held[i];
+        const Transform bInA = relativePoseOf(world, contact);
         const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
                            reachWithin(world, world.shapes[contact.shapeB], length);
-        refreshManifold(world, contact, reach);
+        island.fast.heldSlides[i] = slideOf(contact, bInA);
+        renewManifold(world, contact, bInA, {reach, reach});
     }
     std::vector<std::uint32_t>& all = island.fast.heldIndices;
     while (all.size() < island.fast.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
-    dropGhosts(world, island.fast.held, std::span(all).first(island.fast.held.size()), island.fast.members,
-               island.fast.nextGroundContact);
+    dropGhosts(world, island.fast.held, island.fast.heldSlides, std::span(all).first(island.fast.held.size()),
+               island.fast.members, island.fast.nextGroundContact);
     island.desk.counters.manifolds += island.fast.held.size();
 }
 

@@ -41,7 +41,7 @@ Load loadOf(const WorldState& world, const GroundContacts& contacts) {
     Load load;
     for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
         const Contact& contact = contacts.all[i];
-        const Slide& slide = contact.slide;
+        const Slide& slide = contacts.slides[i];
         if (!(slide.impulse > 0)) {
             const std::array<Real, 2>& stays = contact.normalImpulse;
             if (contact.isSolid() && (stays[0] > 0 || stays[1] > 0)) { return {}; }
@@ -89,19 +89,20 @@ void press(const Foot& foot, Real share, const Load& load) {
 
 }  // namespace
 
-void noteSlide(Contact& contact, const Transform& bInA) {
-    contact.slide = {};
-    if (contact.dynamicA || !contact.dynamicB || contact.manifold.count == 0 || !contact.pressedOn) { return; }
+Slide slideOf(const Contact& contact, const Transform& bInA) {
+    Slide slide;
+    if (contact.dynamicA || !contact.dynamicB || contact.manifold.count == 0 || !contact.pressedOn) { return slide; }
     const Vec2 normal = contact.manifold.normal;
     const Transform& before = contact.kept.bInA;
     const Vec2 moved = bInA.translation - before.translation;
-    if (!(lengthSquared(moved) > square(kSamePlaceRatio * contact.extent))) { return; }
-    contact.slide.normal = normal;
+    if (!(lengthSquared(moved) > square(kSamePlaceRatio * contact.extent))) { return slide; }
+    slide.normal = normal;
     for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
-        contact.slide.impulse += contact.normalImpulse[k];
-        contact.slide.tangentImpulse += contact.tangentImpulse[k];
-        contact.slide.moment += contact.normalImpulse[k] * leverOf(contact.manifold.points[k].point, before, normal);
+        slide.impulse += contact.normalImpulse[k];
+        slide.tangentImpulse += contact.tangentImpulse[k];
+        slide.moment += contact.normalImpulse[k] * leverOf(contact.manifold.points[k].point, before, normal);
     }
+    return slide;
 }
 
 void carryAlong(const WorldState& world, const GroundContacts& contacts) {

@@ -12,12 +12,13 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Before the manifold of a contact is renewed: notes what it carried if B has slid along A since.
-void noteSlide(Contact& contact, const Transform& bInA);
+/// What a contact whose manifold is about to be renewed carried if B has slid along A since.
+Slide slideOf(const Contact& contact, const Transform& bInA);
 
 /// The contacts of one body with ground, among others: linked from the first one on.
 struct GroundContacts {
     std::span<Contact> all;
+    std::span<const Slide> slides;        ///< by contact
     std::span<const std::uint32_t> next;  ///< by contact
     std::uint32_t first = 0;
 };

@@ -6,6 +6,7 @@
 #include "contact_manifold.h"
 #include "ghosts.h"
 #include "modes.h"
+#include "slides.h"
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
@@ -78,11 +79,13 @@ void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact, 
     probe.isOpen = isOpen(contact);
 }
 
-/// Gives contacts that may have points their manifolds, in any order: writes only to them and their probes.
+/// Gives contacts that may have points their manifolds, in any order: writes only to them, their probes and their
+/// slides.
 template <bool kWatched>
 class NearUpdate {
 public:
-    explicit NearUpdate(const WorldState& world) : world_(world), haveBatches_(canCollideInBatches()) {}
+    explicit NearUpdate(WorldState& world)
+        : world_(world), slides_(world.slides), haveBatches_(canCollideInBatches()) {}
 
     void add(ContactProbe& probe, Contact& contact) {
         if (contact.sensor) {
@@ -93,13 +96,10 @@ public:
         }
         const Transform bInA = relativePoseOf(world_, contact);
         const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact);
-        if (haveBatches_ && contact.batch != BatchKind::none) {
-            if (!keepsManifold(contact, bInA, reach)) {
-                addToBatch(probe, contact, bInA, reach);
-                return;
-            }
-        } else {
-            updateManifold(world_, contact, bInA, reach);
+        if (!keepsManifold(contact, bInA, reach)) {
+            if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
+            if (haveBatches_ && contact.batch != BatchKind::none) { return addToBatch(probe, contact, bInA, reach); }
+            renewManifold(world_, contact, bInA, reach);
         }
         finishNear(world_, probe, contact, bInA);
     }
@@ -126,6 +126,7 @@ private:
     }
 
     const WorldState& world_;
+    std::span<Slide> slides_;
     bool haveBatches_;
     std::array<ContactBatch, 5> batches_{ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp),
                                          ContactBatch(PairKind::round), ContactBatch(PairKind::round),
@@ -141,7 +142,7 @@ template <class T>
 void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
     const char* const first = reinterpret_cast<const char*>(&thing);
     for (std::size_t i = 0; i < bytes; i += kLine) { __builtin_prefetch(first + i); }
-    __builtin_prefetch(first + (bytes - 1));  // it begins anywhere in a line
+    if constexpr (alignof(T) < kLine) { __builtin_prefetch(first + (bytes - 1)); }  // it begins anywhere in a line
 }
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
@@ -161,6 +162,7 @@ void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) 
 template <bool kWatched>
 void updateContacts(WorldState& world) {
     const std::span<const std::uint32_t> near = world.lists.near;
+    world.slides.resize(world.contacts.size());
     world.loops->run(near.size(), kContactGrain, [&world, near](std::size_t begin, std::size_t end, int) {
         NearUpdate<kWatched> update(world);
         for (std::size_t i = begin; i < end; ++i) {
@@ -300,6 +302,7 @@ void listUnparked(WorldState& world) {
 void collideContacts(WorldState& world) {
     unparkContacts(world);
     parkContacts(world);
+    closeGaps(world);
     noteMotions(world);
     world.touching.clear();
     if (world.activeContacts == 0 && world.candidates.empty()) {
@@ -315,7 +318,7 @@ void collideContacts(WorldState& world) {
         } else {
             updateContacts<false>(world);
         }
-        dropGhosts(world, world.contacts, world.lists.ground, world.awake, world.nextGroundContact);
+        dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake, world.nextGroundContact);
         if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
         world.counters.manifolds += world.lists.near.size();
         if (world.watched) { countAhead(world); }

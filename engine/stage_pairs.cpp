@@ -10,6 +10,10 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Gaps stay between contacts until there are so many: then two contacts are moved for each that ended.
+constexpr std::size_t kContactsPerGap = 2;
+constexpr std::size_t kFewGaps = 64;
+
 /// Sensors come first, then chain segments, then what does not yield, else the lower slot.
 bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Shape& shapeA = world.shapes[a];
@@ -55,6 +59,20 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     return contact;
 }
 
+void closeGaps(WorldState& world) {
+    if (world.contacts.size() <= world.probes.size() + world.probes.size() / kContactsPerGap + kFewGaps) { return; }
+    world.probesThere.assign(world.contacts.size(), kNoIndex);
+    for (std::uint32_t i = 0; i < world.probes.size(); ++i) { world.probesThere[world.probes[i].contact] = i; }
+    std::uint32_t kept = 0;
+    for (std::uint32_t place = 0; place < world.contacts.size(); ++place) {
+        if (world.probesThere[place] == kNoIndex) { continue; }
+        world.probes[world.probesThere[place]].contact = kept;
+        if (kept != place) { world.contacts[kept] = world.contacts[place]; }
+        ++kept;
+    }
+    world.contacts.resize(kept);
+}
+
 void dropPair(WorldState& world, const ContactPair& pair) {
     world.pairs.erase(world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
                       world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
@@ -62,25 +80,13 @@ void dropPair(WorldState& world, const ContactPair& pair) {
 
 namespace {
 
-/// @return a place among the contacts
-std::uint32_t takePlace(WorldState& world) {
-    if (world.freeContacts.empty()) {
-        world.contacts.emplace_back();
-        world.freeContacts.reserve(world.contacts.capacity());  // once, not when they end
-        return static_cast<std::uint32_t>(world.contacts.size() - 1);
-    }
-    const std::uint32_t place = world.freeContacts.back();
-    world.freeContacts.pop_back();
-    return place;
-}
-
 void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const std::size_t place = world.activeContacts++;  // a parked one makes room
     world.probes.emplace_back();
     if (place + 1 < world.probes.size()) { world.probes.back() = world.probes[place]; }
     ContactProbe& probe = world.probes[place] = {};
-    probe.contact = takePlace(world);
-    const Contact& contact = world.contacts[probe.contact] = contactOf(world, a, b);
+    probe.contact = static_cast<std::uint32_t>(world.contacts.size());
+    const Contact& contact = world.contacts.emplace_back(contactOf(world, a, b));
     probe.bodyA = contact.bodyA;
     probe.bodyB = contact.bodyB;
     probe.proxyA = world.shapes[contact.shapeA].proxy;

@@ -314,10 +314,9 @@ void removeJoint(WorldState& world, JointId id) {
 
 namespace {
 
-/// Its place is free; its end is reported if it touches.
+/// Its end is reported if it touches.
 void dropContact(WorldState& world, const ContactProbe& probe) {
     dropPair(world, probe);
-    world.freeContacts.push_back(probe.contact);
     if (probe.isIdle) { return; }
     const Contact& contact = world.contacts[probe.contact];
     if (!contact.touching) { return; }

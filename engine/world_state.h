@@ -25,6 +25,7 @@
 #include "pair_table.h"
 #include "parked_contacts.h"
 #include "shape.h"
+#include "slide.h"
 #include "slot_pool.h"
 #include "solve_desk.h"
 #include "touching.h"
@@ -128,10 +129,10 @@ struct WorldState {
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
     std::vector<ProxyPair> newPairs;
 
-    std::vector<Contact> contacts;            ///< in no order; reached through their probes
-    std::vector<std::uint32_t> freeContacts;  ///< places in it that have no contact
-    std::vector<ContactProbe> probes;         ///< one for each contact
-    std::size_t activeContacts = 0;           ///< whose probes are the first ones; the others are parked
+    std::vector<Contact> contacts;           ///< in the order in which they began, with gaps where some ended
+    std::vector<ContactProbe> probes;        ///< one for each contact, by which it is reached
+    std::size_t activeContacts = 0;          ///< whose probes are the first ones; the others are parked
+    std::vector<std::uint32_t> probesThere;  ///< scratch of `closeGaps`: by place of a contact
     ParkedContacts parked;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
     std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
@@ -141,6 +142,7 @@ struct WorldState {
     std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
+    std::vector<Slide> slides;                      ///< by contact, of this step, until ghosts are dropped
     PairTable pairs;                                ///< of shape slots that have a contact
     std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step
@@ -196,6 +198,8 @@ struct WorldState {
 
 /// A contact of two shapes, still without manifold; which of them is A is decided here.
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
+/// Moves contacts together when there are many gaps between them. Before anything refers to their places.
+void closeGaps(WorldState& world);
 /// Removes the contacts whose boxes came apart (`ContactState`).
 void removeApartContacts(WorldState& world);
 /// So that the broadphase may find the pair anew.
@@ -204,8 +208,6 @@ void dropPair(WorldState& world, const ContactPair& pair);
 void promoteCandidates(WorldState& world);
 /// Those that are meant become contacts, without points until the next step looks at them.
 void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant);
-/// Manifold at the present poses; points that were there before keep their impulses.
-void refreshManifold(const WorldState& world, Contact& contact, Real margin);
 
 // --- bookkeeping shared by the stages (world_bookkeeping.cpp)
 
