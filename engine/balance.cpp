@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "load_paths.h"
 #include "profile.h"
 #include "step.h"
 #include "travel.h"
@@ -41,13 +42,6 @@ constexpr RestLimits kLargeDirectLimits{.speed = kDirectLimits.speed,
                                         .gap = Real(1) / (1 << 12),
                                         .overlap = Real(1) / (1 << 12)};
 
-IslandRest& restOf(WorldState& world, std::uint32_t slot) { return world.islandRests[world.islands.find(slot)]; }
-
-RestLimits limitsOf(const WorldState& world, const IslandRest& rest) {
-    if (!rest.isDirect) { return restLimitsFor(world.settings.profile); }
-    return rest.isLarge ? kLargeDirectLimits : kDirectLimits;
-}
-
 bool isSlow(const Body& body, const BodyMotion& motion, Real speed) {
     return lengthSquared(motion.velocity) <= square(speed) && std::fabs(motion.angularVelocity) * body.radius <= speed;
 }
@@ -85,20 +79,13 @@ bool listPulls(WorldState& world, Real dt, Real gravityStep) {
             rest.isLarge = world.islandLoads[root].effort.isLarge;
         }
         rest.isPushed = rest.isPushed || body.force != Vec2{};
+        rest.soughtSteps = std::max(rest.soughtSteps, body.soughtSteps);
         rest.isRestless = body.torque != 0 || body.role != BodyRole::solved ||
                           (rest.isDirect && !isSlow(body, world.motions[slot], kDirectLimits.speed * gravityStep));
         world.islandPulls[slot] = {(static_cast<Real>(body.mass) * dt) * accelerationOf(world, body), 0};
         any = true;
     }
     return any;
-}
-
-/// Radius of the smaller one of the bodies that can move, metres.
-Real movedRadius(const WorldState& world, const TouchingPair& pair) {
-    const Real a = world.bodies[pair.bodyA].radius;
-    const Real b = world.bodies[pair.bodyB].radius;
-    if (pair.areDynamic()) { return std::min(a, b); }
-    return pair.dynamicA ? a : b;
 }
 
 /// Adds what a contact gave the bodies in the last step. @return whether it may stay as it is
@@ -139,7 +126,8 @@ void weighContacts(WorldState& world) {
         if (rest.isRestless) { continue; }
         const bool onKinematic =
             !pair.areDynamic() && world.bodies[pair.dynamicA ? pair.bodyB : pair.bodyA].def.type == BodyType::kinematic;
-        rest.isRestless = onKinematic || !weighContact(world, pair, limitsOf(world, rest), subSteps);
+        rest.isRestless = onKinematic;
+        rest.isOff = rest.isOff || !weighContact(world, pair, limitsOf(world, rest), subSteps);
     }
 }
 
@@ -150,7 +138,57 @@ bool isBalanced(const Body& body, const Pull& pull, const RestLimits& limits, Re
            (!turns || std::fabs(pull.torque) <= limits.torque * weight * body.radius);
 }
 
+/// @return whether some of the islands that are still are in balance
+bool weighIslands(WorldState& world, Real step, Real gravityStep) {
+    if (!listPulls(world, step, gravityStep)) { return false; }
+    weighContacts(world);
+    for (const std::uint32_t slot : world.tied) {
+        IslandRest& rest = restOf(world, slot);
+        if (rest.isRestless || rest.isOff) { continue; }
+        rest.isOff = !isBalanced(world.bodies[slot], world.islandPulls[slot], limitsOf(world, rest), gravityStep);
+    }
+    return std::any_of(world.tied.begin(), world.tied.end(), [&world](std::uint32_t slot) {
+        const IslandRest& rest = restOf(world, slot);
+        return !rest.isRestless && !rest.isOff;
+    });
+}
+
+/// After so many steps in which an island was still without being in balance others are sought: at once, unless it was
+/// held until now and something concerns it, then after pauses that double.
+bool isTimeToSeek(std::uint16_t steps) { return steps == 0 || (steps > kJustReleased && (steps & (steps - 1U)) == 0); }
+/// Round and round at the longest pause.
+std::uint16_t stepsAfter(std::uint16_t steps) {
+    return static_cast<std::uint16_t>(steps + 1 < 2 * kLongestPause ? steps + 1 : kLongestPause);
+}
+
+/// Chooses the islands for which a balance is sought. @return whether there are any
+bool chooseSought(WorldState& world) {
+    bool any = false;
+    for (const std::uint32_t slot : world.tied) {
+        IslandRest& rest = restOf(world, slot);
+        if (rest.isRestless || !rest.isOff) { continue; }
+        rest.isSought = !rest.isPushed && isTimeToSeek(rest.soughtSteps);
+        any = any || rest.isSought;
+        world.bodies[slot].soughtSteps = stepsAfter(rest.soughtSteps);
+    }
+    return any;
+}
+
 }  // namespace
+
+IslandRest& restOf(WorldState& world, std::uint32_t slot) { return world.islandRests[world.islands.find(slot)]; }
+
+RestLimits limitsOf(const WorldState& world, const IslandRest& rest) {
+    if (!rest.isDirect) { return restLimitsFor(world.settings.profile); }
+    return rest.isLarge ? kLargeDirectLimits : kDirectLimits;
+}
+
+Real movedRadius(const WorldState& world, const TouchingPair& pair) {
+    const Real a = world.bodies[pair.bodyA].radius;
+    const Real b = world.bodies[pair.bodyB].radius;
+    if (pair.areDynamic()) { return std::min(a, b); }
+    return pair.dynamicA ? a : b;
+}
 
 RestLimits restLimitsFor(Profile profile) { return profile == Profile::fast ? kFastLimits : kAccurateLimits; }
 
@@ -165,14 +203,18 @@ bool isStill(const WorldState& world, const Body& body, const BodyMotion& motion
 bool findBalancedIslands(WorldState& world, double dt) {
     const auto step = static_cast<Real>(dt);
     const Real gravityStep = length(world.settings.gravity) * step;
-    if (!markRestless(world) || !listPulls(world, step, gravityStep)) { return false; }
-    weighContacts(world);
-    bool any = false;
+    if (!markRestless(world)) { return false; }
+    bool any = weighIslands(world, step, gravityStep);
+    if (chooseSought(world) && handLoadsDown(world, dt)) {
+        for (const std::uint32_t slot : world.tied) {
+            IslandRest& rest = restOf(world, slot);
+            rest.isOff = rest.isOff && !rest.isSought;
+        }
+        any = weighIslands(world, step, gravityStep);
+    }
     for (const std::uint32_t slot : world.tied) {
         IslandRest& rest = restOf(world, slot);
-        if (rest.isRestless) { continue; }
-        rest.isRestless = !isBalanced(world.bodies[slot], world.islandPulls[slot], limitsOf(world, rest), gravityStep);
-        any = any || !rest.isRestless;
+        rest.isRestless = rest.isRestless || rest.isOff;
     }
     return any;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "../shapes/vec2.h"
+#include "touching.h"
 #include "world_settings.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -27,6 +28,11 @@ RestLimits restLimitsFor(Profile profile);
 /// Of islands that are solved all at once: a few times what that leaves.
 RestLimits restLimitsOfDirect();
 
+/// `Body::soughtSteps` of what was held until now: what concerns it takes place, before another balance is sought.
+inline constexpr std::uint16_t kJustReleased = 1;
+/// Steps from one search in vain to the next, at most; a power of two.
+inline constexpr std::uint16_t kLongestPause = 64;
+
 /// What contacts and pulls leave of each other on a body in a step.
 struct Pull {
     Vec2 force{};     ///< N·s
@@ -35,12 +41,22 @@ struct Pull {
 
 /// Of an island, in a step.
 struct IslandRest {
-    bool isRestless = false;  ///< some member moves, or a joint, a kinematic body or a force has a part in it
-    bool isPushed = false;    ///< by forces for this step alone
-    bool isDirect = false;    ///< its contacts were solved all at once
-    bool isLarge = false;     ///< likewise, in a large web (effort.h)
+    bool isRestless = false;        ///< some member moves, or a joint, a kinematic body or a force has a part in it
+    bool isPushed = false;          ///< by forces for this step alone
+    bool isOff = false;             ///< impulses leave something of the pulls, or press where nothing touches
+    bool isSought = false;          ///< likewise, and others are sought (load_paths.h)
+    bool isDirect = false;          ///< its contacts were solved all at once
+    bool isLarge = false;           ///< likewise, in a large web (effort.h)
+    std::uint16_t soughtSteps = 0;  ///< largest `Body::soughtSteps`
     std::uint32_t heldIn = 0xFFFFFFFFu;  ///< place in `HeldIslands`, once it has one
 };
+
+/// Of the island of a body, by slot. @pre `findBalancedIslands` is at work, or found some
+IslandRest& restOf(WorldState& world, std::uint32_t slot);
+/// Those that an island has to keep.
+RestLimits limitsOf(const WorldState& world, const IslandRest& rest);
+/// Radius of the smaller one of the bodies of a contact that can move, metres.
+Real movedRadius(const WorldState& world, const TouchingPair& pair);
 
 /// Whether no point of a body was faster, at the end of the last step, than what rests may be, and none moved farther
 /// in it (overlap is pushed out of without speed). @pre `Body::startCenter` and angle are those of the last step
@@ -48,7 +64,8 @@ bool isStill(const WorldState& world, const Body& body, const BodyMotion& motion
 
 /// Finds out which islands are still and in balance: what acts on each body in this step is, but for `RestLimits`,
 /// undone by the impulses that its contacts had in the last one. These are impulses that contacts and friction can
-/// give, so that to stay where it is, is a solution of the equations of motion, whatever method found it.
+/// give, so that to stay where it is, is a solution of the equations of motion, whatever method found it. Where they
+/// leave something, others are sought (load_paths.h), now and then.
 /// @return whether there are any: those that are not restless in `WorldState::islandRests`, by root
 bool findBalancedIslands(WorldState& world, double dt);
 

@@ -52,9 +52,10 @@ struct Body {
     bool fast = false;            ///< this step: startled, or some point may move more than a quarter of the extent
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
-    std::uint16_t searchDebt = 0;  ///< what solving its large island all at once cost lately (effort.h)
-    Effort effort;        ///< of its island, this step
-    DVec2 startCenter{};  ///< at the start of this step
+    std::uint16_t searchDebt = 0;   ///< what solving its large island all at once cost lately (effort.h)
+    std::uint16_t soughtSteps = 0;  ///< in which it was still, and its island not in balance (balance.h)
+    Effort effort;                  ///< of its island, this step
+    DVec2 startCenter{};            ///< at the start of this step
     double startAngle = 0;
 
     BodyDef def;                        ///< as given; pose and velocity there are not kept up to date

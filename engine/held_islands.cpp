@@ -86,7 +86,7 @@ void keepTotals(WorldState& world) {
 void holdBalancedIslands(WorldState& world) {
     const std::uint32_t before = world.held.bodies;
     for (const std::uint32_t slot : world.tied) {
-        IslandRest& rest = world.islandRests[world.islands.find(slot)];
+        IslandRest& rest = restOf(world, slot);
         if (!maySetAside(world, rest)) { continue; }
         if (rest.heldIn == kNoIndex) { rest.heldIn = openIsland(world.held, slot); }
         addBody(world, rest.heldIn, slot);
@@ -110,6 +110,7 @@ void releaseHeld(WorldState& world, std::uint32_t start) {
         Body& body = world.bodies[slot];
         body.heldIn = kNoIndex;
         body.awake = true;
+        body.soughtSteps = kJustReleased;
         body.restSteps += island.restSteps;
         body.restTime += island.restTime;
         world.awake.push_back(slot);

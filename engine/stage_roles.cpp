@@ -21,9 +21,10 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     const Real known = world.glances[slot].motion;
     const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
     body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
-    world.traits[slot] =
-        static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) | (body.fast ? kIsFast : 0) |
-                                (isStill(world, body, motion, dt) ? kIsStill : 0));
+    const bool isAtRest = isStill(world, body, motion, dt);
+    if (!isAtRest) { body.soughtSteps = 0; }
+    world.traits[slot] = static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) |
+                                                 (body.fast ? kIsFast : 0) | (isAtRest ? kIsStill : 0));
     body.startCenter = motion.center;
     body.startAngle = motion.angle;
 }

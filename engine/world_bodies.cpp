@@ -57,6 +57,8 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     WorldState& world = *state_;
     Body body;
     body.def = def;
+    body.startCenter = def.position;  // it did not move so far
+    body.startAngle = def.angle;
     const std::optional<BodyId> id = world.bodies.insert(std::move(body));
     if (!id) { return Status{StatusCode::outOfMemory, "body"}; }
     world.motions.resize(world.bodies.slotCount());

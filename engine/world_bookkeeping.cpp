@@ -111,6 +111,7 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     // The velocity given is that of the centre of mass: it stays, wherever the centre moves to.
     const DVec2 before = motion.center;
     motion.center = apply(motion.pose, center);
+    body.startCenter += motion.center - before;
     noteNewCenter(world, slot, motion.center - before);
     body.localCenter = center;
     body.mass = body.isDynamic() ? total.mass : 0;

@@ -22,6 +22,7 @@
 #include "flight.h"
 #include "held_islands.h"
 #include "joint.h"
+#include "load_paths.h"
 #include "pair_table.h"
 #include "parked_contacts.h"
 #include "shape.h"
@@ -162,6 +163,7 @@ struct WorldState {
     std::vector<std::uint32_t> chainBodies;       ///< their bodies, by root
     std::vector<Pull> islandPulls;                ///< by slot: what is left of pulls and impulses of a step
     std::vector<IslandRest> islandRests;          ///< by root, of this step
+    LoadPaths loadPaths;
     HeldIslands held;
     std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
     EffortTrial trial;                         ///< likewise

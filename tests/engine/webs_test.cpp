@@ -90,8 +90,14 @@ Structure stack(int count) {
     return s;
 }
 
-/// Runs, and holds the structure to its place.
+/// Runs, and holds the structure to its place. First impulses that stand are sought all at once: what begins at rest
+/// and nothing pushes, however weakly, might have them without (load_paths_test.cpp).
 void expectStands(const std::string& name, Structure s, double seconds, double side, double limit) {
+    for (int i = 0; i < 10; ++i) {
+        must(s.world.applyForce(s.bodies[0], vec(1e-12, 0), s.world.centerOfMass(s.bodies[0])));
+        run(s.world, 1);
+        if (i == 0) { EXPECT_EQ(s.world.counters().directBodies, s.bodies.size()) << name; }
+    }
     runFor(s.world, seconds);
     expectAtMost(name + " move", s.worstMove() / side, limit);
     expectAtMost(name + " speed", s.fastest(), 1e-3 * std::sqrt(kGravity * side));
@@ -165,7 +171,6 @@ TEST(Webs, SettledUntilSomethingChanges) {
               }),
               0U);
     EXPECT_EQ(settledAfter([](Structure& s) { must(s.world.applyTorque(s.bodies[5], real(0.01))); }), 0U);
-    EXPECT_EQ(settledAfter([](Structure& s) { must(s.world.step(kStep / 2)); }), 0U) << "the next step is longer";
     EXPECT_EQ(settledAfter([](Structure& s) { must(s.world.destroyBody(s.bodies.back())); }), 0U);
     EXPECT_EQ(settledAfter([](Structure& s) {
                   addBody(s.world, dynamicAt({0, 4.5}), box(0.5, 0.5), material(0.6));

@@ -1,0 +1,154 @@
+#include "world_support.h"
+
+/// What stands when it begins is found to be in balance before it moves; what does not stand never is.
+
+namespace swept::test {
+namespace {
+
+constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
+
+struct Pile {
+    World world;
+    BodyId ground;
+    std::vector<BodyId> bodies;
+    std::vector<DVec2> places;
+
+    explicit Pile(Profile profile) : world(makeWorld(settingsOf(profile))) {
+        ground = addStatic(world, box(100, 0.5), material(0.6), {0, -0.5});
+    }
+    static WorldSettings settingsOf(Profile profile) {
+        WorldSettings settings = awakeSettings();
+        settings.profile = profile;
+        return settings;
+    }
+    void add(DVec2 place, const Polygon& shape, double friction = 0.6) {
+        bodies.push_back(addBody(world, dynamicAt(place), shape, material(friction)));
+        places.push_back(place);
+    }
+    bool isHeld() const { return world.counters().settledBodies == bodies.size(); }
+    double worstMove() const {
+        double worst = 0;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            worst = std::max(worst, length(world.position(bodies[i]) - places[i]));
+        }
+        return worst;
+    }
+    /// N·s a step.
+    double carriedByGround() const {
+        double carried = 0;
+        world.visitContacts([&](const ContactView& contact) {
+            carried += contact.bodyA == ground ? static_cast<double>(contact.impulse) : 0;
+        });
+        return carried;
+    }
+    double weight() const {
+        double mass = 0;
+        for (const BodyId id : bodies) { mass += world.mass(id); }
+        return mass * kGravity * kStep;
+    }
+};
+
+using Build = void (*)(Pile&);
+
+void buildPyramid(Pile& pile) {
+    for (int row = 0; row < 20; ++row) {
+        for (int i = 0; i < 20 - row; ++i) { pile.add({i - 0.5 * (19 - row), row + 0.5}, box(0.5, 0.5)); }
+    }
+}
+void buildWall(Pile& pile) {
+    for (int row = 0; row < 12; ++row) {
+        for (int i = 0; i < 10; ++i) {
+            pile.add({2 * i + (row % 2 != 0 ? 0.5 : 0), 0.5 * row + 0.25}, box(0.984375, 0.25));
+        }
+    }
+}
+void buildTower(Pile& pile) {
+    for (int i = 0; i < 60; ++i) { pile.add({i % 2 != 0 ? 0.125 : 0, i + 0.5}, box(0.5, 0.5)); }
+}
+/// A table, its legs of unlike strength and one beside the middle of its load.
+void buildTable(Pile& pile) {
+    pile.add({-1.5, 0.5}, box(0.25, 0.5));
+    pile.add({1, 0.5}, box(0.125, 0.5));
+    pile.add({0, 1.125}, box(2, 0.125));
+    pile.add({-0.5, 1.75}, box(0.5, 0.5));
+    pile.add({-0.5, 2.75}, circle(0.5));
+}
+
+/// In the first step, without having moved, and for good.
+TEST(LoadPaths, WhatBeginsAtRestStands) {
+    for (const Profile profile : kProfiles) {
+        for (const Build build : {buildPyramid, buildWall, buildTower, buildTable}) {
+            Pile pile(profile);
+            build(pile);
+            run(pile.world, 1);
+            EXPECT_TRUE(pile.isHeld()) << pile.world.counters().settledBodies << " of " << pile.bodies.size();
+            EXPECT_EQ(pile.world.counters().subSteps, 0U);
+            EXPECT_NEAR(pile.carriedByGround(), pile.weight(), 1e-4 * pile.weight());
+            run(pile.world, 60);
+            EXPECT_EQ(pile.worstMove(), 0);
+        }
+    }
+}
+
+/// What finds the balance is a balance of the solver, too: solved on from there it stays but for the give of contacts.
+TEST(LoadPaths, TheSolverAgrees) {
+    Pile pile(Profile::accurate);
+    buildPyramid(pile);
+    run(pile.world, 1);
+    ASSERT_TRUE(pile.isHeld());
+    for (int i = 0; i < 30; ++i) {
+        must(pile.world.applyForce(pile.bodies[0], vec(1e-9, 0), pile.world.centerOfMass(pile.bodies[0])));
+        run(pile.world, 1);
+        ASSERT_EQ(pile.world.counters().solvedBodies, pile.bodies.size());
+        EXPECT_LE(pile.world.counters().factorisations, 8U) << "step " << i << ": the impulses are right as they are";
+    }
+    expectAtMost("pyramid-20 move, m", pile.worstMove(), 1e-5);
+}
+
+/// Blocks of a metre, each as far beyond the one below as can be: the k-th from above by 1/(2k) m.
+Pile overhang(Profile profile, double share) {
+    constexpr int kBlocks = 8;
+    Pile pile(profile);
+    double place = 0;
+    for (int below = kBlocks; below > 0; --below) {
+        pile.add({place, 0.25 * (kBlocks - below) + 0.125}, box(0.5, 0.125));
+        if (below > 1) { place += share / (2.0 * (below - 1)); }
+    }
+    return pile;
+}
+
+TEST(LoadPaths, OverhangsStandUpToTheirLimit) {
+    for (const Profile profile : kProfiles) {
+        Pile stands = overhang(profile, 0.99);
+        run(stands.world, 1);
+        EXPECT_TRUE(stands.isHeld());
+        run(stands.world, 120);
+        EXPECT_EQ(stands.worstMove(), 0);
+        Pile falls = overhang(profile, 1.02);
+        for (int i = 0; i < 120; ++i) {
+            run(falls.world, 1);
+            ASSERT_LT(falls.world.counters().settledBodies, falls.bodies.size()) << "step " << i;
+        }
+        EXPECT_GT(falls.worstMove(), 0.1);
+    }
+}
+
+/// A plank on a post, with a weight at each end: twice the weight at half of the lever.
+TEST(LoadPaths, ScalesTellUnlikeWeights) {
+    for (const Profile profile : kProfiles) {
+        for (const double excess : {0.0, 0.125}) {
+            Pile pile(profile);
+            pile.add({0, 0.5}, box(0.03125, 0.5));
+            pile.add({0, 1.0625}, box(2, 0.0625));
+            pile.add({-1.5, 1.375}, box(0.25, 0.25));
+            pile.add({0.75 + excess, 1.625}, box(0.25, 0.5));
+            run(pile.world, 1);
+            EXPECT_EQ(pile.isHeld(), excess == 0);
+            run(pile.world, 60);
+            EXPECT_EQ(pile.worstMove() == 0, excess == 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace swept::test
