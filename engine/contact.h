@@ -72,6 +72,7 @@ enum class ContactState : std::uint8_t {
     asleep,      ///< nothing: neither body is awake
     boxesApart,  ///< it ends
     apart,       ///< shapes too far apart for contact points, as was known: the contact was not looked at
+    passing,     ///< likewise, but only as long as nothing stops either of them (hemmed_pairs.h)
     near,        ///< its manifold is new
 };
 

@@ -18,11 +18,9 @@ ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const
     const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
     if (!bodies.a.isAwake() && !bodies.b.isAwake()) { return ContactState::asleep; }
     if (!boxesOverlap(boxes, probe)) { return ContactState::boxesApart; }
-    const bool isTold = !kWatched && probe.isIdle;
-    if (isTold && (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar() || bodies.areApart(probe, dt))) {
-        return ContactState::apart;
-    }
-    return ContactState::near;
+    if (kWatched || !probe.isIdle) { return ContactState::near; }
+    if (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar()) { return ContactState::apart; }
+    return bodies.stateOfIdle(probe, dt);
 }
 
 bool isNoted(const ContactProbe& probe, ContactState state) {
@@ -68,6 +66,7 @@ void joinBlocks(WorldState& world) {
     ContactLists& lists = world.lists;
     lists.near.clear();
     lists.ground.clear();
+    lists.passing.clear();
     lists.apart.clear();
     std::size_t size = 0;
     for (std::size_t block = 0; block < lists.counts.size(); ++block) {
@@ -75,6 +74,7 @@ void joinBlocks(WorldState& world) {
             const std::uint32_t place = lists.noted[size++] = lists.noted[i];
             const ContactProbe& probe = world.probes[place];
             if (probe.state == ContactState::boxesApart) { lists.apart.push_back(place); }
+            if (probe.state == ContactState::passing) { lists.passing.push_back(place); }
             if (probe.state != ContactState::near) { continue; }
             lists.near.push_back(place);
             if (!probe.isPlain) { lists.ground.push_back(probe.contact); }

@@ -12,11 +12,12 @@ struct WorldState;
 /// The contacts that a step has something to do for, as found in one pass over their probes: all others, most of them,
 /// are not asked again. Each list is ascending, however many threads found it.
 struct ContactLists {
-    std::vector<std::uint32_t> noted;   ///< probes: near, asleep with points, or boxes apart
-    std::vector<std::uint32_t> near;    ///< of these, probes whose contacts get manifolds
-    std::vector<std::uint32_t> ground;  ///< contacts of these, in the same order, that are not `isPlain`
-    std::vector<std::uint32_t> apart;   ///< of these, probes whose boxes are apart
-    std::vector<std::uint32_t> counts;  ///< scratch: of each block of probes, how many are noted
+    std::vector<std::uint32_t> noted;    ///< probes: near, passing, asleep with points, or boxes apart
+    std::vector<std::uint32_t> near;     ///< of these, probes whose contacts get manifolds
+    std::vector<std::uint32_t> ground;   ///< contacts of these, in the same order, that are not `isPlain`
+    std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other
+    std::vector<std::uint32_t> apart;    ///< of these, probes whose boxes are apart
+    std::vector<std::uint32_t> counts;   ///< scratch: of each block of probes, how many are noted
 };
 
 /// Fills the lists, and the states of what is noted. @pre glances and boxes are those of this step

@@ -46,13 +46,20 @@ void updateSensor(const WorldState& world, Contact& contact) {
     contact.manifold.points[0] = {.point = Real(0.5) * (closest.pointA + closest.pointB)};
 }
 
+/// Which points are asked for.
+enum class NearestPoints : std::uint8_t {
+    unlessPassing,  ///< those of bodies that pass each other are not
+    all
+};
+
 /// Of a contact that may have points. @tparam kWatched  as above
 template <bool kWatched>
-ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const Contact& contact) {
+ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const Contact& contact, NearestPoints asked) {
     const Real margin = reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
                         reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB);
     // What touched or pressed has points as long as it may, so that its end is told where it was.
-    if (kWatched || !probe.isPlain || contact.touching || contact.pressed) { return {margin, margin}; }
+    const bool mayPass = probe.isPlain && !contact.touching && !contact.pressed;
+    if (kWatched || asked == NearestPoints::all || !mayPass) { return {margin, margin}; }
     const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
     return {margin, bodies.passesBeyond(static_cast<Real>(world.lastDt))};
 }
@@ -84,8 +91,8 @@ void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact, 
 template <bool kWatched>
 class NearUpdate {
 public:
-    explicit NearUpdate(WorldState& world)
-        : world_(world), slides_(world.slides), haveBatches_(canCollideInBatches()) {}
+    NearUpdate(WorldState& world, NearestPoints asked)
+        : world_(world), asked_(asked), slides_(world.slides), haveBatches_(canCollideInBatches()) {}
 
     void add(ContactProbe& probe, Contact& contact) {
         if (contact.sensor) {
@@ -95,7 +102,7 @@ public:
             return;
         }
         const Transform bInA = relativePoseOf(world_, contact);
-        const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact);
+        const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact, asked_);
         if (!keepsManifold(contact, bInA, reach)) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
             if (haveBatches_ && contact.batch != BatchKind::none) { return addToBatch(probe, contact, bInA, reach); }
@@ -126,6 +133,7 @@ private:
     }
 
     const WorldState& world_;
+    NearestPoints asked_;
     std::span<Slide> slides_;
     bool haveBatches_;
     std::array<ContactBatch, 5> batches_{ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp),
@@ -160,11 +168,10 @@ void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) 
 
 /// Writes only to the contacts and their probes: they may be updated in any order.
 template <bool kWatched>
-void updateContacts(WorldState& world) {
-    const std::span<const std::uint32_t> near = world.lists.near;
+void updateContacts(WorldState& world, std::span<const std::uint32_t> near, NearestPoints asked) {
     world.slides.resize(world.contacts.size());
-    world.loops->run(near.size(), kContactGrain, [&world, near](std::size_t begin, std::size_t end, int) {
-        NearUpdate<kWatched> update(world);
+    world.loops->run(near.size(), kContactGrain, [&world, near, asked](std::size_t begin, std::size_t end, int) {
+        NearUpdate<kWatched> update(world, asked);
         for (std::size_t i = begin; i < end; ++i) {
             fetchAhead(world, near.subspan(i, end - i));
             ContactProbe& probe = world.probes[near[i]];
@@ -258,22 +265,27 @@ bool isTold(const WorldState& world, const ContactProbe& probe) {
     return probe.isPlain && areAwake && !probe.turns;
 }
 
+/// A contact whose manifold is new, or which sleeps with points.
+void listTouching(WorldState& world, ContactProbe& probe) {
+    if (probe.state == ContactState::near) {
+        if (isTold(world, probe)) {
+            probe.isIdle = probe.points == 0;
+            if (!probe.isIdle) { world.touching.push_back(touchingPair(probe)); }
+            return;
+        }
+        noticeTouching(world, world.contacts[probe.contact]);
+        probe.isIdle = world.contacts[probe.contact].manifold.count == 0 && !world.contacts[probe.contact].sensor;
+    }
+    const Contact& contact = world.contacts[probe.contact];
+    if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
+}
+
 /// Events, waking, and the list for the stages that follow.
 void listTouching(WorldState& world) {
     for (const std::uint32_t i : world.lists.noted) {
         ContactProbe& probe = world.probes[i];
-        if (probe.state == ContactState::boxesApart) { continue; }
-        if (probe.state == ContactState::near) {
-            if (isTold(world, probe)) {
-                probe.isIdle = probe.points == 0;
-                if (!probe.isIdle) { world.touching.push_back(touchingPair(probe)); }
-                continue;
-            }
-            noticeTouching(world, world.contacts[probe.contact]);
-            probe.isIdle = world.contacts[probe.contact].manifold.count == 0 && !world.contacts[probe.contact].sensor;
-        }
-        const Contact& contact = world.contacts[probe.contact];
-        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
+        const bool isListed = probe.state == ContactState::near || probe.state == ContactState::asleep;
+        if (isListed) { listTouching(world, probe); }
     }
 }
 
@@ -299,6 +311,17 @@ void listUnparked(WorldState& world) {
     }
 }
 
+void collideHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
+    updateContacts<false>(world, probes, NearestPoints::all);
+    const std::size_t before = world.touching.size();
+    for (const std::uint32_t place : probes) {
+        world.probes[place].state = ContactState::near;
+        listTouching(world, world.probes[place]);
+    }
+    world.counters.manifolds += probes.size();
+    world.counters.touching += world.touching.size() - before;
+}
+
 void collideContacts(WorldState& world) {
     unparkContacts(world);
     parkContacts(world);
@@ -314,9 +337,9 @@ void collideContacts(WorldState& world) {
         promoteCandidates(world);
         listContacts(world);
         if (world.watched) {
-            updateContacts<true>(world);
+            updateContacts<true>(world, world.lists.near, NearestPoints::unlessPassing);
         } else {
-            updateContacts<false>(world);
+            updateContacts<false>(world, world.lists.near, NearestPoints::unlessPassing);
         }
         dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake, world.nextGroundContact);
         if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }

@@ -112,6 +112,17 @@ bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
     return closing * dt < gap;
 }
 
+/// What passes stays without points, unless it turns out to be hemmed in.
+void passBy(WorldState& world, const TouchingPair& pair, bool areAwake) {
+    Contact& contact = world.contacts[pair.contact];
+    if (areAwake && deepestSeparation(contact.manifold) <= kHemRatio * contact.extent) {
+        world.hemmed.passing.push_back(pair);
+        return;
+    }
+    contact.manifold.count = 0;
+    --world.counters.touching;
+}
+
 /// What a contact with something static or kinematic tells about a dynamic body.
 void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact, Real dt) {
     Body& body = world.bodies[slot];
@@ -127,6 +138,7 @@ void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, 
 /// What the contacts tell about their bodies, and which bodies they tie together. Forgets what sleeps or passes by.
 void noteTouching(WorldState& world, Real dt) {
     std::vector<BodyTraits>& traits = world.traits;
+    world.hemmed.passing.clear();
     auto keep = world.touching.begin();
     for (const TouchingPair& pair : world.touching) {
         BodyTraits& a = traits[pair.bodyA];
@@ -139,8 +151,7 @@ void noteTouching(WorldState& world, Real dt) {
             if (pair.dynamicA && awakeA) { noteGround(world, pair.bodyA, pair.bodyB, contact, dt); }
             if (pair.dynamicB && awakeB) { noteGround(world, pair.bodyB, pair.bodyA, contact, dt); }
         } else if (pair.isOpen && ((a | b) & kIsFast) != 0 && passEachOther(world, world.contacts[pair.contact], dt)) {
-            world.contacts[pair.contact].manifold.count = 0;
-            --world.counters.touching;
+            passBy(world, pair, awakeA && awakeB);
             continue;
         } else if (awakeA && awakeB) {
             world.islands.unite(pair.bodyA, pair.bodyB);
@@ -150,6 +161,7 @@ void noteTouching(WorldState& world, Real dt) {
         *keep++ = pair;
     }
     world.touching.erase(keep, world.touching.end());
+    holdHemmedPairs(world);
 }
 
 BodyRole roleOf(const WorldState& world, const Body& body) {

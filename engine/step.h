@@ -22,6 +22,8 @@ bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
 /// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is
 /// touched (stage_collide.cpp).
 void collideContacts(WorldState& world);
+/// Of probes that were told to pass each other: their manifolds, and what has points becomes part of what touches.
+void collideHemmed(WorldState& world, std::span<const std::uint32_t> probes);
 /// Of what a later stage woke: its contacts are listed, too.
 void listUnparked(WorldState& world);
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).

@@ -51,6 +51,9 @@ inline constexpr Real kRoundRatio = Real(3) / 4;
 /// many extents: a box of a bullet, or in a crowd, that reaches far ahead finds more than it saves.
 inline constexpr Real kBoxStepsAhead = 2;
 inline constexpr Real kMaxAheadRatio = 4;
+/// Bodies that pass each other are no farther apart than this part of their extent where they may be stopped by one
+/// another within the step (hemmed_pairs.h).
+inline constexpr Real kHemRatio = Real(1) / 8;
 /// Fastest push out of an overlap: this part of the pair's extent per step.
 inline constexpr Real kPushRatio = Real(1) / 16;
 /// A flyer that overlaps something by up to this part of the extent is set back to the surface before it flies on.

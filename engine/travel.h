@@ -34,8 +34,9 @@ struct BodyGlances {
         return dot(offset, offset) > reach * reach;
     }
     /// Whether the shapes of a contact without points are known to be so far from each other that they have none in
-    /// this step either, or only such as are dropped because the bodies pass each other.
-    bool areApart(const ContactProbe& probe, Real dt) const;
+    /// this step either (`apart`), or only such as are dropped unless something stops the bodies, which pass each other
+    /// (`passing`; `apart` where that is too far away to matter); else `near`.
+    ContactState stateOfIdle(const ContactProbe& probe, Real dt) const;
     /// How far the bodies have moved, compared with `ContactProbe::apartUntil`: metres.
     double movedSince(const ContactProbe& probe) const;
     /// Dynamic bodies that are awake, one of them fast, pass each other where their shapes are farther apart than this,
@@ -62,10 +63,12 @@ inline double BodyGlances::movedSince(const ContactProbe& probe) const {
     return lengthAtMost((b.center - a.center) - toDouble(probe.offset)) + (a.turned + b.turned);
 }
 
-inline bool BodyGlances::areApart(const ContactProbe& probe, Real dt) const {
-    const double least = movedSince(probe);
-    if (least + (static_cast<double>(a.ahead) + static_cast<double>(b.ahead)) < probe.apartUntil) { return true; }
-    return probe.isPlain && least + static_cast<double>(passesBeyond(dt)) < probe.apartUntil;
+inline ContactState BodyGlances::stateOfIdle(const ContactProbe& probe, Real dt) const {
+    const double gap = probe.apartUntil - movedSince(probe);  // at least; what was rounded is left out of it
+    if (static_cast<double>(a.ahead) + static_cast<double>(b.ahead) < gap) { return ContactState::apart; }
+    if (!(probe.isPlain && static_cast<double>(passesBeyond(dt)) < gap)) { return ContactState::near; }
+    return static_cast<double>(kHemRatio * std::min(a.widest, b.widest)) < gap ? ContactState::apart
+                                                                               : ContactState::passing;
 }
 
 inline Real BodyGlances::passesBeyond(Real dt) const {

@@ -21,6 +21,7 @@
 #include "energy_account.h"
 #include "flight.h"
 #include "held_islands.h"
+#include "hemmed_pairs.h"
 #include "joint.h"
 #include "load_paths.h"
 #include "pair_table.h"
@@ -146,6 +147,7 @@ struct WorldState {
     std::vector<Slide> slides;                      ///< by contact, of this step, until ghosts are dropped
     PairTable pairs;                                ///< of shape slots that have a contact
     std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
+    HemmedPairs hemmed;                             ///< likewise
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step
     std::vector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
