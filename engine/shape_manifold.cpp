@@ -29,7 +29,7 @@ Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, 
 
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA,
                        ManifoldReach reach, ManifoldMemory& memory) {
-    if (a.isChainSegment) { return collide(a.segment, b.polygon, bInA, reach.points, memory); }
+    if (a.isChainSegment) { return collide(a.segment, a.polygon, b.polygon, bInA, reach.points, memory); }
     return turnedToGround(world, a, b, bInA, reach.points, collide(a.polygon, b.polygon, bInA, reach, memory));
 }
 

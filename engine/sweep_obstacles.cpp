@@ -126,7 +126,7 @@ DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Swee
 /// Normal, in the frame of its body, of the face of the obstacle that a place is farthest above; of a chain, of its
 /// side. 0: there are no faces.
 Vec2 faceTowards(const WorldState& world, const Shape& other, DVec2 place) {
-    if (other.isChainSegment) { return normalOf(other.segment); }
+    if (other.isChainSegment) { return other.polygon.normals[0]; }
     const Vec2 local = applyInverse(world.motions[other.body].pose, place);
     Vec2 best{};
     Real highest = -std::numeric_limits<Real>::infinity();

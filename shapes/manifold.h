@@ -60,6 +60,9 @@ Manifold collideOnFace(const Polygon& a, int face, const Polygon& b, const Trans
 /// inner vertices without catching.
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin);
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory);
+/// @param core  `polygonOf(a)`, of who has it at hand
+Manifold collide(const ChainSegment& a, const Polygon& core, const Polygon& b, const Transform& bInA, Real margin,
+                 ManifoldMemory& memory);
 
 /// @pre there is a point
 inline Real deepestSeparation(const Manifold& manifold) {

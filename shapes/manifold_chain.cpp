@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gjk.h"
-#include "manifold.h"
 #include "manifold_clip_inline.h"
+#include "manifold_parts.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -11,9 +10,6 @@ namespace {
 /// Sine of the angle up to which a corner counts as flat and a direction as the segment's own normal. The separation
 /// along the normal then differs from the distance by 2⁻²¹ of it.
 constexpr double kSeamAngle = 0x1p-10;
-
-/// As in manifold.cpp: the segment's own face wins against a face of B that is better by less.
-constexpr double kFacePreference = 0x1p-10;
 
 enum class CornerKind : std::uint8_t { open, convex, flatOrConcave };
 
@@ -235,6 +231,8 @@ bool isSurelyWithin(const Manifold& manifold, double radii, double reach) {
     return manifold.count == 0 || static_cast<double>(deepestSeparation(manifold)) + radii <= kPart * reach;
 }
 
+/// @tparam kSearches  always
+template <bool kSearches>
 Manifold collideChain(const ChainSegment& segment, const PairView& pair, double margin, PairVerdict& verdict) {
     ChainFace chain;
     chain.face = faceOfA(pair, 0);
@@ -250,14 +248,18 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
         return {};
     };
     if (above > reach) { return apart(above); }
-    const CoreOverSegment core(pair, chain.face, lowest);
-    if (core.isAbove() && core.leastDistance() > reach) { return apart(core.leastDistance()); }
-    addCorners(pair, segment, chain);
-    if (core.isAbove() && core.facesOwn(chain)) {
-        const Manifold manifold = clipOnSegment(pair, chain, margin);
-        if (isSurelyWithin(manifold, radii, reach)) { return manifold; }
+    if constexpr (kSearches) {
+        addCorners(pair, segment, chain);
+    } else {
+        const CoreOverSegment core(pair, chain.face, lowest);
+        if (core.isAbove() && core.leastDistance() > reach) { return apart(core.leastDistance()); }
+        addCorners(pair, segment, chain);
+        if (core.isAbove() && core.facesOwn(chain)) {
+            const Manifold manifold = clipOnSegment(pair, chain, margin);
+            if (isSurelyWithin(manifold, radii, reach)) { return manifold; }
+        }
+        if (core.crosses()) { return collideCrossing(pair, chain, margin); }
     }
-    if (core.crosses()) { return collideCrossing(pair, chain, margin); }
     const GjkResult gjk = closestFeatures(pair, nullptr);
     if (gjk.outcome != GjkOutcome::touching && gjk.distance > reach) { return apart(gjk.distance); }
     if (gjk.outcome == GjkOutcome::touching) { return collideCrossing(pair, chain, margin); }
@@ -266,6 +268,12 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
 
 }  // namespace
 
+Manifold collideChainBySearch(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin) {
+    PairVerdict verdict;
+    const Polygon core = polygonOf(a);
+    return collideChain<true>(a, PairView(core, b, bInA), static_cast<double>(margin), verdict);
+}
+
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin) {
     ManifoldMemory memory;
     return collide(a, b, bInA, margin, memory);
@@ -273,11 +281,16 @@ Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA,
 
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin, ManifoldMemory& memory) {
     if (memory.isApart(bInA, margin)) { return {}; }
+    return collide(a, polygonOf(a), b, bInA, margin, memory);
+}
+
+Manifold collide(const ChainSegment& a, const Polygon& core, const Polygon& b, const Transform& bInA, Real margin,
+                 ManifoldMemory& memory) {
+    if (memory.isApart(bInA, margin)) { return {}; }
     PairVerdict verdict;
-    const Polygon core = polygonOf(a);
     const RescaledPair scaled(core, b, bInA, {a.before, a.after});
     if (!scaled.isNeeded()) {
-        const Manifold manifold = collideChain(a, PairView(core, b, bInA), static_cast<double>(margin), verdict);
+        const Manifold manifold = collideChain<false>(a, PairView(core, b, bInA), static_cast<double>(margin), verdict);
         remember(memory, verdict, core, b, bInA);
         return manifold;
     }
@@ -289,7 +302,7 @@ Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA,
     scaledA.radius = scaled.scaled(a.radius);
     scaledB.radius = scaled.scaled(b.radius);
     const PairView pair(scaledA, scaledB, scaled.bInA());
-    return restored(scaled, collideChain(segment, pair, static_cast<double>(scaled.scaled(margin)), verdict));
+    return restored(scaled, collideChain<false>(segment, pair, static_cast<double>(scaled.scaled(margin)), verdict));
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -43,6 +43,9 @@ inline Manifold within(const Manifold& manifold, Real nearest, PairVerdict& verd
 /// Any two shapes. @param warm  features to begin at, or null
 Manifold collideByGjk(const PairView& pair, Margins margins, const SimplexCache* warm, PairVerdict& verdict);
 
+/// A chain segment, `collide` without its ways around the search: tests compare both. @pre of ordinary size
+Manifold collideChainBySearch(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin);
+
 /// Polygons without radius (manifold_sharp.cpp).
 Manifold collideSharp(const PairView& pair, Margins margins, PairVerdict& verdict);
 /// The same where what they touch with is not the best face, but most likely next to it.
