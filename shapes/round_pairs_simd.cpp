@@ -20,7 +20,7 @@ PairKernels kernelsForRoundPairs() { return {}; }
 #else
 
 HWY_BEFORE_NAMESPACE();
-#include "wide_polygons.inc"
+#include "round_cores.inc"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
@@ -41,97 +41,6 @@ constexpr double kRoundings = 64;
 constexpr double kDoubtfulDistance = 2 * static_cast<double>(kEpsilon);
 /// Below it squares of lengths are lost: the search brings them to another scale.
 constexpr double kLeastLength = 0x1p-180;
-
-HWY_INLINE DoubleLanes sumNorm(Points p) { return hn::Add(hn::Abs(p.x), hn::Abs(p.y)); }
-HWY_INLINE Points negative(Points p) { return {hn::Neg(p.x), hn::Neg(p.y)}; }
-HWY_INLINE DoubleLanes cross(Points p, Points q) { return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x)); }
-HWY_INLINE Edges select(DoubleMask mask, const Edges& p, const Edges& q) {
-    return {hn::IfThenElse(mask, p.index, q.index), hn::IfThenElse(mask, p.next, q.next),
-            select(mask, p.start, q.start), select(mask, p.end, q.end)};
-}
-
-/// One polygon of each pair: as it is, and in the frame of A.
-template <int kVertices>
-struct Cores {
-    HWY_INLINE Cores() {}
-
-    DoubleLanes count;
-    Points local[kVertices];
-    Points vertices[kVertices];
-    Points normals[kVertices];
-};
-
-template <int kVertices>
-HWY_INLINE void loadCores(const Polygons<kVertices>& from, std::size_t vertices, std::size_t lane,
-                          Cores<kVertices>& to) {
-    to.count = load(from.count + lane);
-    for (std::size_t i = 0; i < vertices; ++i) {
-        to.local[i] = to.vertices[i] = {load(from.x[i] + lane), load(from.y[i] + lane)};
-        to.normals[i] = {load(from.normalX[i] + lane), load(from.normalY[i] + lane)};
-    }
-}
-
-template <int kVertices>
-HWY_INLINE void place(const Poses& poses, std::size_t vertices, Cores<kVertices>& cores) {
-    for (std::size_t i = 0; i < vertices; ++i) {
-        cores.vertices[i] = add(poses.toA(cores.local[i]), poses.translation);
-        cores.normals[i] = poses.toA(cores.normals[i]);
-    }
-}
-
-/// Of a polygon, the face along which another one is farthest away. Of circles, none, and the separation is the least
-/// there is.
-struct BestFaces {
-    DoubleLanes separation;
-    Edges edge;  ///< in the frame of the polygon
-};
-
-template <int kVertices>
-HWY_INLINE BestFaces bestFaceOf(const Cores<kVertices>& cores, const Cores<kVertices>& others, std::size_t vertices) {
-    const auto separationOf = [&](std::size_t i) HWY_ATTR {
-        DoubleLanes lowest = dot(cores.normals[i], others.vertices[0]);
-        for (std::size_t j = 1; j < vertices; ++j) {
-            lowest = hn::Min(lowest, dot(cores.normals[i], others.vertices[j]));
-        }
-        return hn::Sub(lowest, dot(cores.normals[i], cores.vertices[i]));
-    };
-    BestFaces best{separationOf(0), {constant(0), constant(0), cores.local[0], cores.local[1]}};
-    for (std::size_t i = 1; i < vertices; ++i) {
-        const DoubleLanes separation = separationOf(i);
-        const DoubleMask isBetter = hn::Gt(separation, best.separation);
-        best.separation = hn::IfThenElse(isBetter, separation, best.separation);
-        best.edge.index = hn::IfThenElse(isBetter, constant(static_cast<double>(i)), best.edge.index);
-        best.edge.start = select(isBetter, cores.local[i], best.edge.start);
-        best.edge.end = select(isBetter, cores.local[i + 1 < vertices ? i + 1 : 0], best.edge.end);
-    }
-    best.edge.next = nextOf(best.edge.index, cores.count);
-    const DoubleLanes least = constant(std::numeric_limits<double>::lowest());
-    best.separation = hn::IfThenElse(hn::Gt(cores.count, constant(1)), best.separation, least);
-    return best;
-}
-
-/// `edgeFacing` of B or of A.
-template <int kVertices>
-HWY_INLINE Edges facing(const Cores<kVertices>& a, const Cores<kVertices>& b, const Polygons<kVertices>& polygonsB,
-                        DoubleMask isOfB, Points direction, std::size_t vertices, std::size_t lane) {
-    const auto normal = [&](std::size_t i) HWY_ATTR {
-        const Points ofB{load(polygonsB.normalX[i] + lane), load(polygonsB.normalY[i] + lane)};
-        return select(isOfB, ofB, a.normals[i]);
-    };
-    const auto vertex = [&](std::size_t i) HWY_ATTR { return select(isOfB, b.local[i], a.local[i]); };
-    Edges edges{constant(0), constant(0), vertex(0), vertex(1)};
-    DoubleLanes best = dot(direction, normal(0));
-    for (std::size_t i = 1; i < vertices; ++i) {
-        const DoubleLanes along = dot(direction, normal(i));
-        const DoubleMask isBetter = hn::Gt(along, best);
-        best = hn::IfThenElse(isBetter, along, best);
-        edges.index = hn::IfThenElse(isBetter, constant(static_cast<double>(i)), edges.index);
-        edges.start = select(isBetter, vertex(i), edges.start);
-        edges.end = select(isBetter, vertex(i + 1 < vertices ? i + 1 : 0), edges.end);
-    }
-    edges.next = nextOf(edges.index, hn::IfThenElse(isOfB, b.count, a.count));
-    return edges;
-}
 
 /// What becomes of a pair.
 struct Outcome {
