@@ -1,9 +1,11 @@
 // Compiled once per instruction set: foreach_target.h reads this file again for each.
 #include "wide_kernels.h"
 
-// Vectors are members here, which needs a size known to the compiler; what no machine of ours can test is left out.
-#define HWY_DISABLED_TARGETS \
-    (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3 | HWY_AVX3_DL | HWY_SSSE3)
+// Vectors are members here, which needs a size known to the compiler.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3 | HWY_AVX3_DL)
+#if defined(__wasm__) && defined(SWEPT_F64)
+#define HWY_COMPILE_ONLY_SCALAR  // no doubles side by side
+#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wide_kernels_simd.cpp"
 #include <hwy/foreach_target.h>

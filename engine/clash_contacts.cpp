@@ -152,7 +152,7 @@ bool allLeave(const Clash& clash) {
         const BodyMotion& b = clash.work.flights[pair.second].motion;
         for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
             const ContactConstraintPoint& point = constraint.points[k];
-            const Real depth = -(point.baseSeparation + dot(point.anchorB - point.anchorA, constraint.normal));
+            const Real depth = -point.baseSeparation;
             const Vec2 velocity = b.velocity + cross(b.angularVelocity, point.anchorB) - a.velocity -
                                   cross(a.angularVelocity, point.anchorA);
             const Real way = static_cast<Real>(clash.dt) * dot(velocity, constraint.normal);

@@ -1,6 +1,7 @@
 #include "tied_contacts.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 #include "../solver/contact_lanes.h"
@@ -16,9 +17,15 @@ Softness softnessFor(const WorldState& world, const TiedGroup& group, Real dt, R
     return softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
 }
 
-/// Contacts that are fetched from memory ahead of time when they get their impulses: a cache line or two of each, which
-/// the solver has displaced.
+/// Contacts that are fetched from memory ahead of time: before a solve, and after it, which has displaced
+/// them.
 constexpr std::size_t kOutcomesAhead = 8;
+
+void fetchForSolve(const Contact& contact) {
+    constexpr std::size_t kLine = 64;
+    const char* const first = reinterpret_cast<const char*>(&contact);
+    for (std::size_t i = 0; i < offsetof(Contact, kept); i += kLine) { __builtin_prefetch(first + i); }
+}
 
 void fetchOutcome(const Contact& contact) {
     __builtin_prefetch(&contact.normalImpulse);
@@ -126,7 +133,6 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
         if (group_.effort.isSettled) { block.points[k].separation[lane] = point.separation; }
     }
     contact.approachSpeed = approach;
-    block.place[lane] = link.source;
     if (lane == 0) { setSoftness(block, softness_); }  // the first to be filled
     fillHead(block, lane,
              {.slotA = link.slotA,
@@ -192,9 +198,11 @@ std::size_t TiedContacts::count() const {
 }
 
 void TiedContacts::fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) {
+    const std::span<const ContactLink> links = std::span(group_.desk.batch.links).subspan(first);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const ContactPlace& place = places[i];
-        const ContactLink& link = group_.desk.batch.links[first + i];
+        const ContactLink& link = links[i];
+        if (i + kOutcomesAhead < links.size()) { fetchForSolve(group_.contacts[links[i + kOutcomesAhead].source]); }
         switch (place.points) {
             case 2:
                 fillContact(to.two[place.index], place.lane, link);
@@ -251,12 +259,13 @@ void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
 }
 
 void TiedContacts::takeOutcome(Contact& contact, std::size_t points, const Outcome& outcome) {
+    const auto kept = [this](Real impulse) { return scale_ == 1 ? impulse : impulse / scale_; };  // most often it is
     if (!contact.pressed) { noteHit(contact, outcome); }
     const bool pressedBefore = contact.pressed;
     contact.pressed = false;
     for (std::size_t k = 0; k < points; ++k) {
-        contact.normalImpulse[k] = outcome.normalImpulse[k] / scale_;
-        contact.tangentImpulse[k] = outcome.tangentImpulse[k] / scale_;
+        contact.normalImpulse[k] = kept(outcome.normalImpulse[k]);
+        contact.tangentImpulse[k] = kept(outcome.tangentImpulse[k]);
         contact.totalImpulse[k] = outcome.totalImpulse[k];
         contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
     }

@@ -12,41 +12,39 @@ constexpr std::uint64_t bits(int from, int to) {
     return ((std::uint64_t{1} << to) - 1) & ~((std::uint64_t{1} << from) - 1);
 }
 
+/// Of a body that cannot be moved, in the place of the overflow, which takes nothing up.
+constexpr std::uint64_t kIsFixed = std::uint64_t{1} << kOverflowColour;
+
 std::array<BodySlot, 2> bodySlots(const ContactConstraint& contact) { return {contact.slotA, contact.slotB}; }
 std::array<BodySlot, 2> bodySlots(const ContactLink& link) { return {link.slotA, link.slotB}; }
 
 }  // namespace
 
 template <std::size_t kBodies>
-int ConstraintGraph::colourFor(const std::array<BodySlot, kBodies>& slots, std::span<const BodyInertia> inertias) {
-    bool allMovable = true;
+int ConstraintGraph::colourFor(const std::array<BodySlot, kBodies>& slots) {
     std::uint64_t taken = 0;
-    for (const BodySlot slot : slots) {
-        const bool movable = isMovable(inertias[slot]);
-        allMovable = allMovable && movable;
-        taken |= movable ? used_[slot] : 0;
-    }
+    for (const BodySlot slot : slots) { taken |= used_[slot]; }
+    const bool allMovable = (taken & kIsFixed) == 0;
     const std::uint64_t allowed = allMovable ? bits(0, kFirstFixedColour) : bits(kFirstFixedColour, kOverflowColour);
     const std::uint64_t free = allowed & ~taken;
     if (free == 0) { return kOverflowColour; }
     const int colour = std::countr_zero(free);
     for (const BodySlot slot : slots) {
-        if (isMovable(inertias[slot])) { used_[slot] |= std::uint64_t{1} << colour; }
+        if ((used_[slot] & kIsFixed) == 0) { used_[slot] |= std::uint64_t{1} << colour; }
     }
     return colour;
 }
 
 /// @param ranges  of the colours, to be found
 template <class Constraint>
-void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, std::span<const BodyInertia> inertias,
-                                   ColourRanges& ranges) {
+void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, ColourRanges& ranges) {
     ranges = {};
     places_.resize(constraints.size());
     colours_.resize(constraints.size());
     if (constraints.empty()) { return; }
     std::array<std::uint32_t, kColourCount> counts{};
     for (std::size_t i = 0; i < constraints.size(); ++i) {
-        const int colour = colourFor(bodySlots(constraints[i]), inertias);
+        const int colour = colourFor(bodySlots(constraints[i]));
         colours_[i] = static_cast<std::uint8_t>(colour);
         ++counts[static_cast<std::size_t>(colour)];
     }
@@ -61,6 +59,25 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, s
     for (std::uint32_t i = 0; i < constraints.size(); ++i) { places_[next[colours_[i]]++] = i; }
 }
 
+/// What stands in blocks has its places there: no list by colour.
+void ConstraintGraph::colourLinks(const std::vector<ContactLink>& links) {
+    places_.clear();
+    rangesOf<ContactConstraint>() = {};
+    colours_.resize(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        const auto colour = static_cast<std::size_t>(colourFor(bodySlots(links[i])));
+        colours_[i] = static_cast<std::uint8_t>(colour);
+        ++pointCounts_[colour][links[i].points];
+        isUsed_[colour] = true;
+    }
+}
+
+void ConstraintGraph::countPoints(const std::vector<ContactConstraint>& contacts) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        ++pointCounts_[colours_[i]][static_cast<std::size_t>(contacts[i].count)];
+    }
+}
+
 template <class Constraint>
 void ConstraintGraph::sortAsListed(std::vector<Constraint>& constraints) {
     if (constraints.empty()) { return; }
@@ -71,15 +88,18 @@ void ConstraintGraph::sortAsListed(std::vector<Constraint>& constraints) {
 }
 
 void ConstraintGraph::begin(const SolverBatch& batch) {
-    used_.assign(batch.states.size(), 0);
+    used_.resize(batch.inertias.size());
+    for (std::size_t i = 0; i < used_.size(); ++i) { used_[i] = isMovable(batch.inertias[i]) ? 0 : kIsFixed; }
     isUsed_ = {};
 }
 
 void ConstraintGraph::finish(const SolverBatch& batch) {
+    pointCounts_ = {};
     if (batch.store != nullptr) {
-        listByColour(batch.links, batch.inertias, rangesOf<ContactConstraint>());
+        colourLinks(batch.links);
     } else {
-        listByColour(batch.contacts, batch.inertias, rangesOf<ContactConstraint>());
+        listByColour(batch.contacts, rangesOf<ContactConstraint>());
+        countPoints(batch.contacts);
     }
     active_.clear();
     for (int c = 0; c < kColourCount; ++c) {
@@ -93,12 +113,12 @@ void ConstraintGraph::colour(SolverBatch& batch) {
         using Joint = typename std::remove_reference_t<decltype(joints)>::value_type;
         if constexpr (std::is_same_v<Joint, RevoluteConstraint>) {
             if (batch.hingeStore != nullptr) {
-                listByColour(batch.hingeLinks, batch.inertias, rangesOf<Joint>());
+                listByColour(batch.hingeLinks, rangesOf<Joint>());
                 hingeColours_.swap(colours_);
                 return;
             }
         }
-        listByColour(joints, batch.inertias, rangesOf<Joint>());
+        listByColour(joints, rangesOf<Joint>());
         sortAsListed(joints);
     });
     finish(batch);

@@ -18,6 +18,9 @@ inline constexpr int kOverflowColour = kColourCount - 1;
 /// word.
 inline constexpr int kFirstFixedColour = 48;
 
+/// By colour: how many contacts there are with no point, one and two.
+using PointCounts = std::array<std::array<std::uint32_t, 3>, kColourCount>;
+
 /// A range of one colour within a kind's array.
 struct ColourRange {
     std::uint32_t begin = 0;
@@ -36,14 +39,11 @@ public:
 
     /// Colours in use, ascending.
     const std::vector<int>& activeColours() const { return active_; }
-    /// Places of contacts in the batch, or of its links where it has a store, colour by colour.
+    /// Places of contacts in the batch, colour by colour. Not of links.
     std::span<const std::uint32_t> contacts() const { return places_; }
-    std::span<const std::uint32_t> contactsOf(int colour) const {
-        const ColourRange range = this->range<ContactConstraint>(colour);
-        return contacts().subspan(range.begin, range.end - range.begin);
-    }
     /// By contact, or link.
     std::span<const std::uint8_t> contactColours() const { return colours_; }
+    const PointCounts& pointCounts() const { return pointCounts_; }
     /// By link of a hinge.
     std::span<const std::uint8_t> hingeColours() const { return hingeColours_; }
     /// Where a colour's constraints of a kind stand in the array of that kind; of contacts: among `contacts`.
@@ -67,17 +67,19 @@ private:
         return std::get<Kind<Constraint>>(kinds_).ranges;
     }
     template <std::size_t kBodies>
-    int colourFor(const std::array<BodySlot, kBodies>& slots, std::span<const BodyInertia> inertias);
+    int colourFor(const std::array<BodySlot, kBodies>& slots);
     template <class Constraint>
-    void listByColour(const std::vector<Constraint>& constraints, std::span<const BodyInertia> inertias,
-                      ColourRanges& ranges);
+    void listByColour(const std::vector<Constraint>& constraints, ColourRanges& ranges);
+    void colourLinks(const std::vector<ContactLink>& links);
+    void countPoints(const std::vector<ContactConstraint>& contacts);
     template <class Constraint>
     void sortAsListed(std::vector<Constraint>& constraints);
 
-    std::vector<std::uint64_t> used_;    ///< per slot: colours taken, one bit each
+    std::vector<std::uint64_t> used_;    ///< per slot: colours taken, one bit each; or that it cannot be moved
     std::vector<std::uint8_t> colours_;  ///< of the kind that was coloured last: contacts, in the end
     std::vector<std::uint32_t> places_;  ///< likewise
     std::vector<std::uint8_t> hingeColours_;
+    PointCounts pointCounts_{};
     std::array<bool, kColourCount> isUsed_{};
     std::vector<int> active_;
     std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>,

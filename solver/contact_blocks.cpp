@@ -1,6 +1,7 @@
 #include "contact_blocks.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "contact_lanes.h"
 
@@ -29,25 +30,9 @@ void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contac
 
 }  // namespace
 
-void ContactBlocks::listKinds(const SolverBatch& batch, std::span<const std::uint8_t> colours) {
-    counts_ = {};
-    kinds_.resize(colours.size());
-    const auto note = [&](std::size_t i, int points) {
-        Kind kind = kAlone;
-        if (kernels_ != nullptr && colours[i] != kOverflowColour && points > 0) {
-            kind = points == 1 ? kOnePoint : kTwoPoints;
-        }
-        kinds_[i] = kind;
-        ++counts_[colours[i]][kind];
-    };
-    if (batch.store != nullptr) {
-        for (std::size_t i = 0; i < colours.size(); ++i) { note(i, batch.links[i].points); }
-        return;
-    }
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        const ContactConstraint& contact = batch.contacts[i];
-        note(i, contact.isHeld ? 0 : contact.count);
-    }
+ContactBlocks::Kind ContactBlocks::kindOf(std::size_t points, int colour) const {
+    if (kernels_ == nullptr || colour == kOverflowColour || points == 0) { return kAlone; }
+    return points == 1 ? kOnePoint : kTwoPoints;
 }
 
 /// Empty blocks for contacts of one colour, all but the one that may be left over.
@@ -68,13 +53,16 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
     std::uint32_t rest = 0;
     for (const int active : graph.activeColours()) {
         const auto c = static_cast<std::size_t>(active);
-        const KindCounts& counts = counts_[c];
+        KindCounts counts{};
+        for (std::size_t points = 0; points <= 2; ++points) {
+            counts[kindOf(points, active)] += graph.pointCounts()[c][points];
+        }
         colours_[c].two = reserve(counts[kTwoPoints], two_);
         colours_[c].one = reserve(counts[kOnePoint], one_);
         const auto leftOver = [](std::uint32_t contacts) {
             return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0;
         };
-        next_[c] = {rest, 0, 0};
+        next_[c] = {rest, colours_[c].one.begin * kLanes, colours_[c].two.begin * kLanes};
         colours_[c].rest.begin = rest;
         rest += counts[kAlone] + leftOver(counts[kTwoPoints]) + leftOver(counts[kOnePoint]);
         colours_[c].rest.end = rest;
@@ -85,27 +73,24 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
 ContactPlace ContactBlocks::placeFor(Kind kind, std::size_t colour) {
     KindCounts& next = next_[colour];
     if (kind != kAlone) {
-        const ColourRange blocks = kind == kOnePoint ? colours_[colour].one : colours_[colour].two;
-        const std::uint32_t place = next[kind]++;
-        const std::uint32_t block = blocks.begin + place / kLanes;
-        if (block < blocks.end) {
-            const std::uint8_t points = kind == kOnePoint ? 1 : 2;
-            return {block, static_cast<std::uint8_t>(place % kLanes), points};
+        const std::uint32_t end = (kind == kOnePoint ? colours_[colour].one : colours_[colour].two).end;
+        const std::uint32_t place = next[kind];
+        if (place < end * kLanes) {
+            ++next[kind];
+            return {place / kLanes, static_cast<std::uint8_t>(place % kLanes), static_cast<std::uint8_t>(kind)};
         }
     }
     return {next[kAlone]++, 0, 0};
 }
 
 /// In the order of the contacts: so they stand in each colour.
-void ContactBlocks::listPlaces(SolverBatch& batch, std::span<const std::uint8_t> colours) {
+template <class PointsOf>
+void ContactBlocks::listPlaces(std::span<const std::uint8_t> colours, const PointsOf& pointsOf) {
     places_.resize(colours.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
-        places_[i] = placeFor(kinds_[i], colours[i]);
-        if (places_[i].points == 0) {
-            rest_[places_[i].index] = batch.store != nullptr ? places_[i].index : static_cast<std::uint32_t>(i);
-        }
+        places_[i] = placeFor(kindOf(pointsOf(i), colours[i]), colours[i]);
+        if (places_[i].points == 0) { rest_[places_[i].index] = static_cast<std::uint32_t>(i); }
     }
-    if (batch.store != nullptr) { batch.contacts.resize(rest_.size()); }
 }
 
 ContactArrays ContactBlocks::arrays(SolverBatch& batch) {
@@ -133,12 +118,11 @@ void ContactBlocks::fillFrom(const SolverBatch& batch) {
 
 /// Ends what the lanes began, and finds masses, in ranges that any worker may take.
 template <std::size_t kPoints>
-void ContactBlocks::finishBlocks(Blocks<kPoints>& blocks, bool prepared, TaskSystem& loops) {
+void ContactBlocks::finishBlocks(Blocks<kPoints>& blocks, TaskSystem& loops) {
     if (blocks.count == 0) { return; }
     loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
         const std::span<WideContact<kPoints>> some = std::span(blocks.blocks).subspan(begin, end - begin);
         for (WideContact<kPoints>& block : some) { closeBlock(block); }
-        if (prepared) { return; }
         if constexpr (kPoints == 2) {
             kernels_->prepareTwo(some);
         } else {
@@ -150,22 +134,39 @@ void ContactBlocks::finishBlocks(Blocks<kPoints>& blocks, bool prepared, TaskSys
 void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, const BuildSettings& settings,
                           TaskSystem& loops) {
     kernels_ = settings.wide ? contactKernels() : nullptr;
-    listKinds(batch, graph.contactColours());
     layOut(graph);
-    listPlaces(batch, graph.contactColours());
     if (batch.store != nullptr) {
+        listPlaces(graph.contactColours(), [&](std::size_t i) { return std::size_t{batch.links[i].points}; });
+        std::iota(rest_.begin(), rest_.end(), 0U);  // the store puts them there in this order
+        batch.contacts.resize(rest_.size());
         anyBounces_ = false;
         const ContactArrays to = arrays(batch);
         loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
             batch.store->fill(begin, std::span(places_).subspan(begin, end - begin), to);
         });
     } else {
+        listPlaces(graph.contactColours(),
+                   [&](std::size_t i) { return static_cast<std::size_t>(batch.contacts[i].count); });
         fillFrom(batch);
     }
-    finishBlocks(two_, settings.prepared, loops);
-    finishBlocks(one_, settings.prepared, loops);
+    finishBlocks(two_, loops);
+    finishBlocks(one_, loops);
     if (settings.prepared) { return; }
     for (const std::uint32_t place : rest_) { prepareContact(batch.contacts[place], batch.inertias); }
+}
+
+bool ContactBlocks::hasBlocks(int colour) const {
+    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
+    return ranges.two.begin < ranges.two.end || ranges.one.begin < ranges.one.end;
+}
+
+bool ContactBlocks::join(int colour, int next) {
+    if (hasBlocks(colour) || hasBlocks(next)) { return false; }
+    ColourRange& rest = colours_[static_cast<std::size_t>(colour)].rest;
+    const ColourRange& more = colours_[static_cast<std::size_t>(next)].rest;
+    if (rest.end != more.begin) { return false; }
+    rest.end = more.end;
+    return true;
 }
 
 std::size_t ContactBlocks::countOf(int colour) const {

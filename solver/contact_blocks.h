@@ -18,13 +18,16 @@ namespace swept::inline SWEPT_PRECISION {
 class ContactBlocks {
 public:
     struct BuildSettings {
-        bool wide = true;  ///< false: everything is solved one by one
-        bool prepared =
-            false;  ///< whether all contacts are (`prepareContact`); else what stands in blocks is there alone
+        bool wide = true;       ///< false: everything is solved one by one
+        bool prepared = false;  ///< whether all contacts are (`prepareContact`); blocks prepare their own again
     };
     /// @pre coloured
     void build(SolverBatch& batch, const ConstraintGraph& graph, const BuildSettings& settings, TaskSystem& loops);
     int blockCount() const { return static_cast<int>(one_.count + two_.count); }
+    /// Lets a colour go on with what another one holds. @return false, and nothing is done, unless both hold only
+    /// contacts on their own, which stand side by side. Then their order matters.
+    bool join(int colour, int next);
+    bool hasBlocks(int colour) const;
     /// Blocks, and contacts on their own, of a colour. Those of a range may be solved beside those of another one.
     std::size_t countOf(int colour) const;
     /// @param cut  of the parts of the colour
@@ -54,14 +57,15 @@ private:
         std::uint32_t count = 0;                   ///< in use
     };
 
-    void listKinds(const SolverBatch& batch, std::span<const std::uint8_t> colours);
+    Kind kindOf(std::size_t points, int colour) const;
     template <std::size_t kPoints>
     ColourRange reserve(std::uint32_t contacts, Blocks<kPoints>& blocks);
     void layOut(const ConstraintGraph& graph);
     template <std::size_t kPoints>
-    void finishBlocks(Blocks<kPoints>& blocks, bool prepared, TaskSystem& loops);
+    void finishBlocks(Blocks<kPoints>& blocks, TaskSystem& loops);
     ContactPlace placeFor(Kind kind, std::size_t colour);
-    void listPlaces(SolverBatch& batch, std::span<const std::uint8_t> colours);
+    template <class PointsOf>
+    void listPlaces(std::span<const std::uint8_t> colours, const PointsOf& pointsOf);
     void fillFrom(const SolverBatch& batch);
     ContactArrays arrays(SolverBatch& batch);
 
@@ -70,12 +74,8 @@ private:
     std::array<Colour, kColourCount> colours_{};
     Blocks<1> one_;
     Blocks<2> two_;
-    std::vector<std::uint32_t> rest_;  ///< places in the batch
-    // By contact, or link.
-    std::vector<Kind> kinds_;
-    std::vector<ContactPlace> places_;
-    // By colour.
-    std::array<KindCounts, kColourCount> counts_{};
+    std::vector<std::uint32_t> rest_;   ///< places in the batch
+    std::vector<ContactPlace> places_;  ///< by contact, or link
     std::array<KindCounts, kColourCount> next_{};
 };
 

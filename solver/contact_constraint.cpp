@@ -6,34 +6,92 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// A pair of states as values: read once, written once per constraint.
-struct PairState {
-    BodyState a;
-    BodyState b;
+/// How two bodies move in the directions of a contact.
+struct PairMotion {
+    Real along = 0;   ///< of the centre of B in the view of that of A: along the normal, m/s
+    Real across = 0;  ///< along the tangent
+    Real spinA = 0;   ///< rad/s
+    Real spinB = 0;
 };
 
-void applyPair(PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
-               const ContactConstraintPoint& point, Vec2 impulse) {
-    applyImpulse(pair.a, inertiaA, -impulse, point.anchorA);
-    applyImpulse(pair.b, inertiaB, impulse, point.anchorB);
+PairMotion motionOf(Vec2 normal, const BodyState& a, const BodyState& b) {
+    const Vec2 velocity = b.velocity - a.velocity;
+    return {dot(velocity, normal), dot(velocity, rightPerp(normal)), a.angularVelocity, b.angularVelocity};
 }
 
-Vec2 relativeVelocity(const PairState& pair, const ContactConstraintPoint& point) {
-    return velocityAt(pair.b, point.anchorB) - velocityAt(pair.a, point.anchorA);
+Real closingAt(const ContactConstraintPoint& point, const PairMotion& motion) {
+    return -(motion.along + (motion.spinB * point.normalArmB - motion.spinA * point.normalArmA));
+}
+Real slipAt(const ContactConstraintPoint& point, const PairMotion& motion) {
+    return motion.across + (motion.spinB * point.tangentArmB - motion.spinA * point.tangentArmA);
 }
 
-void solveFriction(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA,
-                   const BodyInertia& inertiaB) {
-    const Vec2 tangent = rightPerp(contact.normal);
-    for (int i = 0; i < contact.count; ++i) {
-        ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-        const Real slip = dot(relativeVelocity(pair, point), tangent);
-        const Real limit = contact.friction * point.normalImpulse;
-        const Real total = std::clamp(point.tangentImpulse - point.tangentMass * slip, -limit, limit);
-        applyPair(pair, inertiaA, inertiaB, point, (total - point.tangentImpulse) * tangent);
-        point.tangentImpulse = total;
+/// Of each point.
+template <std::size_t kPoints>
+using Impulses = std::array<Real, kPoints>;
+
+template <std::size_t kPoints>
+Real sumOf(const Impulses<kPoints>& impulses) {
+    if constexpr (kPoints == 2) {
+        return impulses[0] + impulses[1];
+    } else {
+        return impulses[0];
     }
 }
+
+/// The bodies of a contact with `kPoints` points, and what is done to them: turned at once, for the points ask for it,
+/// pushed by all impulses together.
+template <std::size_t kPoints>
+class ContactPair {
+public:
+    ContactPair(const ContactConstraint& contact, const SolverBodies& bodies)
+        : contact_(contact),
+          bodies_(bodies),
+          inertiaA_(bodies.inertias[contact.slotA]),
+          inertiaB_(bodies.inertias[contact.slotB]),
+          motion_(motionOf(contact.normal, bodies.states[contact.slotA], bodies.states[contact.slotB])) {}
+
+    const PairMotion& motion() const { return motion_; }
+    void turn(Real twistA, Real twistB) {
+        motion_.spinA -= inertiaA_.inverseInertia * twistA;
+        motion_.spinB += inertiaB_.inverseInertia * twistB;
+    }
+    void turnByNormals(const Impulses<kPoints>& impulses) {
+        Impulses<kPoints> ofA;
+        Impulses<kPoints> ofB;
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            ofA[i] = impulses[i] * contact_.points[i].normalArmA;
+            ofB[i] = impulses[i] * contact_.points[i].normalArmB;
+        }
+        turn(sumOf(ofA), sumOf(ofB));
+    }
+    /// By friction at a point.
+    void slow(const ContactConstraintPoint& point, Real impulse) {
+        motion_.across += (inertiaA_.inverseMass + inertiaB_.inverseMass) * impulse;
+        turn(impulse * point.tangentArmA, impulse * point.tangentArmB);
+    }
+    /// Ends it. @param normals, tangents  all that was done
+    void push(const Impulses<kPoints>& normals, const Impulses<kPoints>& tangents) const {
+        const Vec2 impulse = sumOf(normals) * contact_.normal + sumOf(tangents) * rightPerp(contact_.normal);
+        if (isMovable(inertiaA_)) {
+            BodyState& a = bodies_.states[contact_.slotA];
+            a.velocity -= inertiaA_.inverseMass * impulse;
+            a.angularVelocity = motion_.spinA;
+        }
+        if (isMovable(inertiaB_)) {
+            BodyState& b = bodies_.states[contact_.slotB];
+            b.velocity += inertiaB_.inverseMass * impulse;
+            b.angularVelocity = motion_.spinB;
+        }
+    }
+
+private:
+    const ContactConstraint& contact_;
+    const SolverBodies& bodies_;
+    const BodyInertia& inertiaA_;
+    const BodyInertia& inertiaB_;
+    PairMotion motion_;
+};
 
 /// What one point asks for now: its relative velocity along the normal to grow by `speed`, as firmly as the scales say.
 struct NormalDemand {
@@ -49,91 +107,84 @@ struct NormalDemand {
 };
 
 /// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
-NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairState& pair,
-                      Real h, bool useBias, bool isCarrying) {
+NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairMotion& motion,
+                      Real inverseH, bool useBias, bool isCarrying) {
     const Real separation = point.separation;
-    const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
+    const Real closing = closingAt(point, motion);
     // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
     if (!useBias && closing > contact.bounceSpeed) { return {}; }
     // Its overlap or gap is the direct solver's: see `DirectSolver::project`.
     if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) { return {true, closing}; }
     if (separation > 0) {
         if (!useBias && !isCarrying) { return {}; }
-        return {true, closing - separation / h};  // apart: may close the gap within this sub-step, no more
+        return {true, closing - separation * inverseH};  // apart: may close the gap within this sub-step, no more
     }
     if (!useBias) { return {true, closing}; }
     const Real bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
     return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
 }
 
+/// What a rigid point gains where it shares with another one: `ContactConstraint::pairGain`.
+Real gainOf(Real oneByTwo, Real twoByOne) {
+    const Real rest = 1 - oneByTwo * twoByOne;
+    return rest > kTwoPointsRatio ? 1 / rest : Real(0);
+}
+
 /// Both points at once: the two rows, each as firm as its point asks, solved exactly, and if one of them would pull,
 /// the other one alone. One after the other, the first would take all of a blow and turn the body: a box that slides
 /// into a wall climbed it, and high stacks leaned, and swayed for seconds.
-void solveBoth(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
-               Real h, bool useBias) {
-    ContactConstraintPoint& one = contact.points[0];
-    ContactConstraintPoint& two = contact.points[1];
+/// @return the impulses that they will have
+std::array<Real, 2> totalsOf(const ContactConstraint& contact, const PairMotion& motion, Real inverseH, bool useBias) {
+    const ContactConstraintPoint& one = contact.points[0];
+    const ContactConstraintPoint& two = contact.points[1];
     const bool carriesOne = one.normalImpulse > 0;
     const bool carriesTwo = two.normalImpulse > 0;
-    const NormalDemand ofOne = demandOf(contact, one, pair, h, useBias, carriesOne || (contact.begins && carriesTwo));
-    const NormalDemand ofTwo = demandOf(contact, two, pair, h, useBias, carriesTwo || (contact.begins && carriesOne));
+    const NormalDemand ofOne =
+        demandOf(contact, one, motion, inverseH, useBias, carriesOne || (contact.begins && carriesTwo));
+    const NormalDemand ofTwo =
+        demandOf(contact, two, motion, inverseH, useBias, carriesTwo || (contact.begins && carriesOne));
     // What an impulse at the one takes from that at the other.
     const bool both = ofOne.any && ofTwo.any;
     const Real oneByTwo = both ? contact.sharedResponse * one.normalMass * ofOne.massScale : Real(0);
     const Real twoByOne = both ? contact.sharedResponse * two.normalMass * ofTwo.massScale : Real(0);
-    const Real rest = 1 - oneByTwo * twoByOne;
+    const Real ofRigid = both ? contact.pairGain : Real(1);
+    const Real gain = useBias ? gainOf(oneByTwo, twoByOne) : ofRigid;
     // What asks for nothing is pushed with nothing, as in the lanes of a block.
     const Real aloneOne = ofOne.any ? ofOne.changeAt(one) : Real(0);
     const Real aloneTwo = ofTwo.any ? ofTwo.changeAt(two) : Real(0);
     // Totals where the other one carries nothing.
     const Real onlyOne = one.normalImpulse + aloneOne + oneByTwo * two.normalImpulse;
     const Real onlyTwo = two.normalImpulse + aloneTwo + twoByOne * one.normalImpulse;
-    Real totalOne = (onlyOne - oneByTwo * onlyTwo) / rest;
-    Real totalTwo = (onlyTwo - twoByOne * onlyOne) / rest;
-    const bool areTwo = rest > kTwoPointsRatio;  // else they are as good as one
-    if (!areTwo || totalOne < 0 || totalTwo < 0) {
-        const Real mostTwo = std::max(onlyTwo, Real(0));
-        const bool isTwo = !(onlyOne - oneByTwo * mostTwo > 0);
-        totalOne = isTwo ? Real(0) : std::max(onlyOne, Real(0));
-        totalTwo = isTwo ? mostTwo : Real(0);
-    }
-    applyPair(pair, inertiaA, inertiaB, one, (totalOne - one.normalImpulse) * contact.normal);
-    applyPair(pair, inertiaA, inertiaB, two, (totalTwo - two.normalImpulse) * contact.normal);
-    one.normalImpulse = totalOne;
-    two.normalImpulse = totalTwo;
+    const Real totalOne = (onlyOne - oneByTwo * onlyTwo) * gain;
+    const Real totalTwo = (onlyTwo - twoByOne * onlyOne) * gain;
+    if (gain > 0 && !(totalOne < 0) && !(totalTwo < 0)) { return {totalOne, totalTwo}; }
+    const Real mostTwo = std::max(onlyTwo, Real(0));
+    if (onlyOne - oneByTwo * mostTwo > 0) { return {std::max(onlyOne, Real(0)), 0}; }
+    return {0, mostTwo};
 }
 
-void solveNormals(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
-                  Real h, bool useBias) {
-    if (contact.count > 1) {
-        solveBoth(contact, pair, inertiaA, inertiaB, h, useBias);
-        return;
-    }
-    for (int i = 0; i < contact.count; ++i) {
-        ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-        const NormalDemand demand = demandOf(contact, point, pair, h, useBias, point.normalImpulse > 0);
-        const Real total =
-            demand.any ? std::max(point.normalImpulse + demand.changeAt(point), Real(0)) : point.normalImpulse;
-        applyPair(pair, inertiaA, inertiaB, point, (total - point.normalImpulse) * contact.normal);
-        point.normalImpulse = total;
-    }
+/// Of one point.
+Real totalOf(const ContactConstraint& contact, const PairMotion& motion, Real inverseH, bool useBias) {
+    const ContactConstraintPoint& point = contact.points[0];
+    const NormalDemand demand = demandOf(contact, point, motion, inverseH, useBias, point.normalImpulse > 0);
+    return demand.any ? std::max(point.normalImpulse + demand.changeAt(point), Real(0)) : point.normalImpulse;
 }
 
 /// By how much the relative velocity of a point along the normal has to change; 0 where it does not bounce.
-Real bounceAt(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairState& pair, Real h) {
-    const Real closing = -dot(relativeVelocity(pair, point), contact.normal);
+Real bounceAt(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairMotion& motion, Real h) {
+    const Real closing = closingAt(point, motion);
     const bool meets = closing > contact.bounceSpeed && point.separation <= h * closing;
     return meets ? (1 + contact.restitution) * closing : Real(0);
 }
 
 /// Of the points, both at once unless one of them would pull.
-std::array<Real, 2> bounceImpulses(const ContactConstraint& contact, const PairState& pair, Real h) {
+std::array<Real, 2> bounceImpulses(const ContactConstraint& contact, const PairMotion& motion, Real h) {
     const ContactConstraintPoint& one = contact.points[0];
-    const Real ofOne = bounceAt(contact, one, pair, h);
+    const Real ofOne = bounceAt(contact, one, motion, h);
     const Real aloneOne = one.normalMass * ofOne;
     if (contact.count < 2) { return {aloneOne, 0}; }
     const ContactConstraintPoint& two = contact.points[1];
-    const Real ofTwo = bounceAt(contact, two, pair, h);
+    const Real ofTwo = bounceAt(contact, two, motion, h);
     const Real aloneTwo = two.normalMass * ofTwo;
     const Real shared = ofOne > 0 && ofTwo > 0 ? contact.sharedResponse : Real(0);
     const Real oneByTwo = shared * one.normalMass;
@@ -145,32 +196,81 @@ std::array<Real, 2> bounceImpulses(const ContactConstraint& contact, const PairS
     return leftOfOne > 0 ? std::array<Real, 2>{aloneOne, 0} : std::array<Real, 2>{0, aloneTwo};
 }
 
-void bounce(ContactConstraint& contact, PairState& pair, const BodyInertia& inertiaA, const BodyInertia& inertiaB,
-            const std::array<Real, 2>& impulses) {
-    const auto count = static_cast<std::size_t>(contact.count);
-    for (std::size_t i = 0; i < count; ++i) {
-        ContactConstraintPoint& point = contact.points[i];
-        applyPair(pair, inertiaA, inertiaB, point, impulses[i] * contact.normal);
-        point.totalNormalImpulse += impulses[i];
-    }
-    const Vec2 tangent = rightPerp(contact.normal);
-    for (std::size_t i = 0; i < count; ++i) {
-        const ContactConstraintPoint& point = contact.points[i];
-        const Real slip = dot(relativeVelocity(pair, point), tangent);
-        const Real limit = contact.friction * impulses[i];
-        applyPair(pair, inertiaA, inertiaB, point, std::clamp(-(point.tangentMass * slip), -limit, limit) * tangent);
-    }
-}
-
-void findSeparations(ContactConstraint& contact, const PairState& pair) {
+void findSeparations(ContactConstraint& contact, const SolverBodies& bodies) {
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-        point.separation = currentSeparation(contact, point, pair.a, pair.b);
+        point.separation =
+            currentSeparation(contact, point, bodies.states[contact.slotA], bodies.states[contact.slotB]);
     }
 }
 
-void addUp(ContactConstraint& contact) {
-    for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
+template <std::size_t kPoints>
+void warmStart(const ContactConstraint& contact, const SolverBodies& bodies) {
+    ContactPair<kPoints> pair(contact, bodies);
+    Impulses<kPoints> normals;
+    Impulses<kPoints> tangents;
+    Impulses<kPoints> ofA;
+    Impulses<kPoints> ofB;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        const ContactConstraintPoint& point = contact.points[i];
+        normals[i] = point.normalImpulse;
+        tangents[i] = point.tangentImpulse;
+        ofA[i] = normals[i] * point.normalArmA + tangents[i] * point.tangentArmA;
+        ofB[i] = normals[i] * point.normalArmB + tangents[i] * point.tangentArmB;
+    }
+    pair.turn(sumOf(ofA), sumOf(ofB));
+    pair.push(normals, tangents);
+}
+
+template <std::size_t kPoints>
+void bounce(ContactConstraint& contact, const SolverBodies& bodies, Real h) {
+    ContactPair<kPoints> pair(contact, bodies);
+    const std::array<Real, 2> both = bounceImpulses(contact, pair.motion(), h);
+    if (!(both[0] > 0) && !(both[1] > 0)) { return; }
+    Impulses<kPoints> impulses;
+    std::copy_n(both.begin(), kPoints, impulses.begin());
+    pair.turnByNormals(impulses);
+    Impulses<kPoints> frictions;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        ContactConstraintPoint& point = contact.points[i];
+        point.totalNormalImpulse += impulses[i];
+        const Real limit = contact.friction * impulses[i];
+        frictions[i] = std::clamp(-(point.tangentMass * slipAt(point, pair.motion())), -limit, limit);
+        pair.slow(point, frictions[i]);
+    }
+    pair.push(impulses, frictions);
+}
+
+template <std::size_t kPoints>
+void solve(ContactConstraint& contact, const SolverBodies& bodies, const ContactPass& pass) {
+    const Real inverseH = 1 / pass.h;
+    ContactPair<kPoints> pair(contact, bodies);
+    Impulses<kPoints> totals;
+    if constexpr (kPoints == 2) {
+        totals = totalsOf(contact, pair.motion(), inverseH, pass.useBias);
+    } else {
+        totals[0] = totalOf(contact, pair.motion(), inverseH, pass.useBias);
+    }
+    Impulses<kPoints> normals;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        ContactConstraintPoint& point = contact.points[i];
+        normals[i] = totals[i] - point.normalImpulse;
+        point.normalImpulse = totals[i];
+        if (pass.isLast) { point.totalNormalImpulse += totals[i]; }
+    }
+    pair.turnByNormals(normals);
+    // Friction after the normals: the limit it is held to is that of this pass.
+    Impulses<kPoints> tangents;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        ContactConstraintPoint& point = contact.points[i];
+        const Real limit = contact.friction * totals[i];
+        const Real slip = slipAt(point, pair.motion());
+        const Real total = std::clamp(point.tangentImpulse - point.tangentMass * slip, -limit, limit);
+        tangents[i] = total - point.tangentImpulse;
+        pair.slow(point, tangents[i]);
+        point.tangentImpulse = total;
+    }
+    pair.push(normals, tangents);
 }
 
 Real inverseOrZero(Real x) { return x > 0 ? 1 / x : Real(0); }
@@ -184,11 +284,14 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
     const Real inverseMass = a.inverseMass + b.inverseMass;
     for (int i = 0; i < contact.count; ++i) {
         ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-        point.baseSeparation -= dot(point.anchorB - point.anchorA, contact.normal);
-        const Real kNormal = inverseMass + a.inverseInertia * square(cross(point.anchorA, contact.normal)) +
-                             b.inverseInertia * square(cross(point.anchorB, contact.normal));
-        const Real kTangent = inverseMass + a.inverseInertia * square(cross(point.anchorA, tangent)) +
-                              b.inverseInertia * square(cross(point.anchorB, tangent));
+        point.normalArmA = cross(point.anchorA, contact.normal);
+        point.normalArmB = cross(point.anchorB, contact.normal);
+        point.tangentArmA = cross(point.anchorA, tangent);
+        point.tangentArmB = cross(point.anchorB, tangent);
+        const Real kNormal =
+            inverseMass + a.inverseInertia * square(point.normalArmA) + b.inverseInertia * square(point.normalArmB);
+        const Real kTangent =
+            inverseMass + a.inverseInertia * square(point.tangentArmA) + b.inverseInertia * square(point.tangentArmB);
         point.normalMass = inverseOrZero(kNormal);
         point.tangentMass = inverseOrZero(kTangent);
     }
@@ -196,34 +299,34 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
         const ContactConstraintPoint& one = contact.points[0];
         const ContactConstraintPoint& two = contact.points[1];
         contact.begins = !(one.normalImpulse > 0) && !(two.normalImpulse > 0);
-        contact.sharedResponse =
-            inverseMass + a.inverseInertia * cross(one.anchorA, contact.normal) * cross(two.anchorA, contact.normal) +
-            b.inverseInertia * cross(one.anchorB, contact.normal) * cross(two.anchorB, contact.normal);
+        contact.sharedResponse = inverseMass + a.inverseInertia * one.normalArmA * two.normalArmA +
+                                 b.inverseInertia * one.normalArmB * two.normalArmB;
+        contact.pairGain = gainOf(contact.sharedResponse * one.normalMass, contact.sharedResponse * two.normalMass);
     }
 }
 
 Real currentSeparation(const ContactConstraint& contact, const ContactConstraintPoint& point, const BodyState& a,
                        const BodyState& b) {
-    const Vec2 moved = b.deltaPosition - a.deltaPosition;
-    const Vec2 arms = rotate(b.deltaRotation, point.anchorB) - rotate(a.deltaRotation, point.anchorA);
-    // The arms take the last stretch along the normal, of the length of a radius, with them as they turn. What is round
-    // stays as high above its core as it was: or a ball that rolls would sink by r·(1 − cos) of its turn in every step.
-    const Real low = contact.radiusA * (1 - a.deltaRotation.c) + contact.radiusB * (1 - b.deltaRotation.c);
-    return dot(moved + arms, contact.normal) + point.baseSeparation - low;
+    const Real moved = dot(b.deltaPosition - a.deltaPosition, contact.normal);
+    // What the arms of a body do along the normal as it turns. They take the last stretch to the surface, of the length
+    // of a radius, with them; but what is round stays as high above its core as it was: or a ball that rolls would sink
+    // by r·(1 − cos) of its turn in every step.
+    const Real ofA =
+        a.deltaRotation.s * point.normalArmA + (1 - a.deltaRotation.c) * (point.tangentArmA + contact.radiusA);
+    const Real ofB =
+        b.deltaRotation.s * point.normalArmB + (1 - b.deltaRotation.c) * (point.tangentArmB - contact.radiusB);
+    return point.baseSeparation + (moved + (ofB - ofA));
 }
 
 void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
                        const SolverBodies& bodies) {
     for (const std::uint32_t place : places) {
         const ContactConstraint& contact = contacts[place];
-        PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
-        const Vec2 tangent = rightPerp(contact.normal);
-        for (int i = 0; i < contact.count; ++i) {
-            const ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-            applyPair(pair, bodies.inertias[contact.slotA], bodies.inertias[contact.slotB], point,
-                      point.normalImpulse * contact.normal + point.tangentImpulse * tangent);
+        if (contact.count > 1) {
+            warmStart<2>(contact, bodies);
+        } else if (contact.count > 0) {
+            warmStart<1>(contact, bodies);
         }
-        storePair(bodies, contact.slotA, pair.a, contact.slotB, pair.b);
     }
 }
 
@@ -231,12 +334,12 @@ void bounceContacts(std::span<ContactConstraint> contacts, std::span<const std::
                     const SolverBodies& bodies, const ContactPass& pass) {
     for (const std::uint32_t place : places) {
         ContactConstraint& contact = contacts[place];
-        PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
-        if (pass.hasMoved) { findSeparations(contact, pair); }
-        const std::array<Real, 2> impulses = bounceImpulses(contact, pair, pass.h);
-        if (!(impulses[0] > 0) && !(impulses[1] > 0)) { continue; }
-        bounce(contact, pair, bodies.inertias[contact.slotA], bodies.inertias[contact.slotB], impulses);
-        storePair(bodies, contact.slotA, pair.a, contact.slotB, pair.b);
+        if (pass.hasMoved) { findSeparations(contact, bodies); }
+        if (contact.count > 1) {
+            bounce<2>(contact, bodies, pass.h);
+        } else if (contact.count > 0) {
+            bounce<1>(contact, bodies, pass.h);
+        }
     }
 }
 
@@ -244,15 +347,12 @@ void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::u
                    const SolverBodies& bodies, const ContactPass& pass) {
     for (const std::uint32_t place : places) {
         ContactConstraint& contact = contacts[place];
-        PairState pair{bodies.states[contact.slotA], bodies.states[contact.slotB]};
-        const BodyInertia& inertiaA = bodies.inertias[contact.slotA];
-        const BodyInertia& inertiaB = bodies.inertias[contact.slotB];
-        if (pass.hasMoved) { findSeparations(contact, pair); }
-        solveNormals(contact, pair, inertiaA, inertiaB, pass.h, pass.useBias);
-        // Friction after the normals: the limit it is held to is that of this pass.
-        solveFriction(contact, pair, inertiaA, inertiaB);
-        if (pass.isLast) { addUp(contact); }
-        storePair(bodies, contact.slotA, pair.a, contact.slotB, pair.b);
+        if (pass.hasMoved) { findSeparations(contact, bodies); }
+        if (contact.count > 1) {
+            solve<2>(contact, bodies, pass);
+        } else if (contact.count > 0) {
+            solve<1>(contact, bodies, pass);
+        }
     }
 }
 

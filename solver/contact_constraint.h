@@ -18,10 +18,16 @@ inline constexpr Real kTwoPointsRatio = 16 * kEpsilon;
 struct ContactConstraintPoint {
     Vec2 anchorA{};
     Vec2 anchorB{};
-    Real baseSeparation = 0;  ///< separation at the start of the step minus the anchors' own distance along the normal
-    Real normalMass = 0;      ///< kg
-    Real tangentMass = 0;     ///< kg
-    Real normalImpulse = 0;   ///< accumulated over a sub-step, N·s; warm start in, result out
+    Real baseSeparation = 0;  ///< at the start of the step
+    /// Arms of impulses along the normal and along the tangent (`rightPerp`) about the centres: what turns a body, and
+    /// what its turning does to the point. Of the anchors themselves a solve needs no more.
+    Real normalArmA = 0;
+    Real normalArmB = 0;
+    Real tangentArmA = 0;
+    Real tangentArmB = 0;
+    Real normalMass = 0;     ///< kg
+    Real tangentMass = 0;    ///< kg
+    Real normalImpulse = 0;  ///< accumulated over a sub-step, N·s; warm start in, result out
     Real tangentImpulse = 0;
     Real totalNormalImpulse = 0;  ///< over the whole step, bounces included
     Real separation = 0;          ///< now: changes only when bodies move, so one pass finds it and the others read it
@@ -47,15 +53,17 @@ struct ContactConstraint {
     std::int32_t count = 0;  ///< points
     bool begins =
         false;  ///< with two points that carried nothing before this solve: relaxation ends their blow together
-    Real sharedResponse = 0;   ///< of one point, along the normal, to an impulse at the other, 1/kg
+    Real sharedResponse = 0;  ///< of one point, along the normal, to an impulse at the other, 1/kg
+    Real pairGain = 0;  ///< 1 / (share of its response that two rigid points leave to each one); 0: they are as good
+                        ///< as one
     std::uint32_t source = 0;  ///< the engine's name for the contact
     std::array<ContactConstraintPoint, 2> points{};
 };
 
-/// Fills what follows from anchors and inertia: effective masses. `baseSeparation` holds the separation on entry.
+/// Fills what follows from anchors and inertia: arms and effective masses.
 void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> inertias);
 
-/// Separation of a point now, from the motion since the start of the step.
+/// Separation of a point now, from the motion since the start of the step. @pre prepared
 Real currentSeparation(const ContactConstraint& contact, const ContactConstraintPoint& point, const BodyState& a,
                        const BodyState& b);
 

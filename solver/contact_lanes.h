@@ -34,8 +34,8 @@ inline void fillHead(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.normalY[lane] = head.normal.y;
     block.friction[lane] = head.friction;
     block.maxPushSpeed[lane] = head.maxPushSpeed;
-    block.radiusA[lane] = head.radiusA;
-    block.radiusB[lane] = head.radiusB;
+    if (head.radiusA > 0) { block.radiusA[lane] = head.radiusA; }
+    if (head.radiusB > 0) { block.radiusB[lane] = head.radiusB; }
     if (head.bounceSpeed < std::numeric_limits<Real>::infinity()) { block.bounceSpeed[lane] = head.bounceSpeed; }
     if (head.restitution > 0) { block.restitution[lane] = head.restitution; }
     block.inverseMassA[lane] = a.inverseMass;
@@ -52,12 +52,12 @@ inline void setSoftness(WideContact<kPoints>& block, const Softness& softness) {
     block.impulseScale.fill(softness.impulseScale);
 }
 
-/// A point of which masses and separation are found in the block, and nothing is added up yet.
+/// A point of which arms, masses and separation are found in the block, and nothing is added up yet.
 inline void fillNewPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
-    lanes.anchorAX[lane] = point.anchorA.x;
-    lanes.anchorAY[lane] = point.anchorA.y;
-    lanes.anchorBX[lane] = point.anchorB.x;
-    lanes.anchorBY[lane] = point.anchorB.y;
+    lanes.normalArmA[lane] = point.anchorA.x;  // turned into arms later, of all lanes at once
+    lanes.tangentArmA[lane] = point.anchorA.y;
+    lanes.normalArmB[lane] = point.anchorB.x;
+    lanes.tangentArmB[lane] = point.anchorB.y;
     lanes.baseSeparation[lane] = point.baseSeparation;
     lanes.normalImpulse[lane] = point.normalImpulse;
     lanes.tangentImpulse[lane] = point.tangentImpulse;
@@ -65,8 +65,6 @@ inline void fillNewPoint(WideContactPoint& lanes, std::size_t lane, const Contac
 
 inline void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
     fillNewPoint(lanes, lane, point);
-    lanes.normalMass[lane] = point.normalMass;
-    lanes.tangentMass[lane] = point.tangentMass;
     lanes.totalNormalImpulse[lane] = point.totalNormalImpulse;
     lanes.separation[lane] = point.separation;
 }
@@ -89,8 +87,6 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.biasRate[lane] = contact.softness.biasRate;
     block.massScale[lane] = contact.softness.massScale;
     block.impulseScale[lane] = contact.softness.impulseScale;
-    block.sharedResponse[lane] = contact.sharedResponse;
-    block.begins[lane] = contact.begins ? Real(1) : Real(0);
     for (std::size_t i = 0; i < kPoints; ++i) { fillPoint(block.points[i], lane, contact.points[i]); }
 }
 
@@ -121,6 +117,8 @@ inline void emptyBlock(WideContact<kPoints>& block, std::uint32_t lanes) {
     block.lanes = lanes;
     block.bounceSpeed.fill(std::numeric_limits<Real>::infinity());
     block.restitution = {};
+    block.radiusA = {};
+    block.radiusB = {};
     for (WideContactPoint& point : block.points) { point.totalNormalImpulse = {}; }
 }
 

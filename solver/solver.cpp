@@ -74,6 +74,55 @@ int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, st
     return limited;
 }
 
+/// The first half of a state: as many numbers as a register of 16 or 32 bytes holds, of which the last one is no speed.
+using Speeds = std::array<Real, 4>;
+
+Speeds speedsOf(const BodyState& body) {
+    return {body.velocity.x, body.velocity.y, body.angularVelocity, body.deltaAngle};
+}
+void setSpeeds(BodyState& body, const Speeds& speeds) {
+    body.velocity = {speeds[0], speeds[1]};
+    body.angularVelocity = speeds[2];
+}
+
+/// Drives of a whole sub-step, and on top of them what constraints did to the body in the sub-step before.
+/// @param free  its speeds without these: before, and then now
+/// @return whether the speed was cut
+template <bool kIsFirst>
+bool integrateAndRepeat(BodyState& body, const BodyDrive& drive, Real maxSpeed, Speeds& free) {
+    const Speeds before = speedsOf(body);
+    const Speeds decay{drive.decay, drive.decay, drive.angularDecay, 0};
+    const Speeds gain{drive.gain.x, drive.gain.y, drive.angularGain, 0};
+    Speeds push{};
+    Speeds now{};
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if constexpr (!kIsFirst) { push[i] = before[i] - free[i]; }
+        now[i] = decay[i] * before[i] + gain[i];
+    }
+    bool isLimited = false;
+    if (maxSpeed < std::numeric_limits<Real>::infinity()) {
+        setSpeeds(body, now);
+        isLimited = limitSpeed(body, maxSpeed);
+        now = speedsOf(body);
+    }
+    free = now;
+    if constexpr (!kIsFirst) {
+        for (std::size_t i = 0; i < now.size(); ++i) { now[i] += push[i]; }
+    }
+    setSpeeds(body, now);
+    return isLimited;
+}
+
+template <bool kIsFirst>
+int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, std::vector<Speeds>& free, std::size_t begin,
+                       std::size_t end) {
+    int limited = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        limited += integrateAndRepeat<kIsFirst>(batch.states[i], batch.drives[i], maxSpeed, free[i]) ? 1 : 0;
+    }
+    return limited;
+}
+
 void addUpImpulses(std::vector<ContactConstraint>& contacts) {
     for (ContactConstraint& contact : contacts) {
         for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
@@ -136,19 +185,39 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
     if (settings.bounces) { listBouncing(batch, settings.restitutionThreshold); }
 }
 
-/// All that a colour holds, joints first and one list after the other, in ranges that any worker may take: no two share
-/// a movable body.
-template <bool kJoints, class Visit>
-void Solver::forColour(SolverBatch& batch, int colour, const Visit& visit) {
-    const std::size_t count = partsOf<kJoints>(batch, colour);
-    if (colour == kOverflowColour) {
-        visit(RangeCut(0, count));
-        return;
+/// Colours in their order. Those that hold nothing but contacts on their own are gone through at once: a hub with fifty
+/// contacts has forty colours of one contact each.
+template <bool kJoints>
+void Solver::listRuns(SolverBatch& batch) {
+    runs_.clear();
+    bool mayJoin = false;  // the last one may be gone on with
+    for (const int colour : graph_.activeColours()) {
+        const bool isPlain = partsOf<kJoints>(batch, colour) == contacts_.countOf(colour);
+        if (mayJoin && isPlain && contacts_.join(runs_.back().colour, colour)) {
+            runs_.back().inOrder = true;
+            continue;
+        }
+        runs_.push_back({colour, colour == kOverflowColour});
+        mayJoin = isPlain;
     }
-    loops_->run(count, kConstraintGrain, [&](std::size_t begin, std::size_t end, int) { visit(RangeCut(begin, end)); });
 }
 
-/// Parts of a colour: what `forColour` counts through.
+/// All that the colours hold, one colour after the other; of each its joints first and one list after the other, in
+/// ranges that any worker may take: no two share a movable body.
+template <bool kJoints, class Visit>
+void Solver::forEachRun(SolverBatch& batch, const Visit& visit) {
+    for (const Run& run : runs_) {
+        const std::size_t count = partsOf<kJoints>(batch, run.colour);
+        if (run.inOrder) {
+            visit(run.colour, RangeCut(0, count));
+            continue;
+        }
+        loops_->run(count, kConstraintGrain,
+                    [&](std::size_t begin, std::size_t end, int) { visit(run.colour, RangeCut(begin, end)); });
+    }
+}
+
+/// Parts of a colour: what `forEachRun` counts through.
 template <bool kJoints>
 std::size_t Solver::partsOf(SolverBatch& batch, int colour) const {
     std::size_t count = contacts_.countOf(colour);
@@ -167,46 +236,42 @@ std::size_t Solver::partsOf(SolverBatch& batch, int colour) const {
 template <bool kJoints>
 bool Solver::isWorthSharing(SolverBatch& batch) const {
     std::size_t count = 0;
-    for (const int colour : graph_.activeColours()) { count += partsOf<kJoints>(batch, colour); }
-    return count >= kFewestPerColour * graph_.activeColours().size();
+    for (const Run& run : runs_) { count += partsOf<kJoints>(batch, run.colour); }
+    return count >= kFewestPerColour * runs_.size();
 }
 
 template <bool kJoints>
 void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
     const SolverBodies bodies = bodiesOf(batch);
-    for (const int colour : graph_.activeColours()) {
-        forColour<kJoints>(batch, colour, [&](RangeCut cut) {
-            if constexpr (kJoints) {
-                batch.forEachJointKind([&](auto& joints) {
-                    if constexpr (kAreHinges<decltype(joints)>) {
-                        if (batch.hasHinges()) { hinges_.warmStart(batch, colour, cut, hasMoved); }
-                    } else if (!joints.empty()) {
-                        swept::warmStart(cut.next(joints, rangeOf(joints, graph_, colour)), bodies);
-                    }
-                });
-            }
-            contacts_.warmStart(batch, colour, cut);
-        });
-    }
+    forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
+        if constexpr (kJoints) {
+            batch.forEachJointKind([&](auto& joints) {
+                if constexpr (kAreHinges<decltype(joints)>) {
+                    if (batch.hasHinges()) { hinges_.warmStart(batch, colour, cut, hasMoved); }
+                } else if (!joints.empty()) {
+                    swept::warmStart(cut.next(joints, rangeOf(joints, graph_, colour)), bodies);
+                }
+            });
+        }
+        contacts_.warmStart(batch, colour, cut);
+    });
 }
 
 template <bool kJoints>
 void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
     const SolverBodies bodies = bodiesOf(batch);
-    for (const int colour : graph_.activeColours()) {
-        forColour<kJoints>(batch, colour, [&](RangeCut cut) {
-            if constexpr (kJoints) {
-                batch.forEachJointKind([&](auto& joints) {
-                    if constexpr (kAreHinges<decltype(joints)>) {
-                        if (batch.hasHinges()) { hinges_.solve(batch, colour, cut, pass); }
-                    } else if (!joints.empty()) {
-                        swept::solve(cut.next(joints, rangeOf(joints, graph_, colour)), bodies, pass.h, pass.useBias);
-                    }
-                });
-            }
-            contacts_.solve(batch, colour, cut, pass);
-        });
-    }
+    forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
+        if constexpr (kJoints) {
+            batch.forEachJointKind([&](auto& joints) {
+                if constexpr (kAreHinges<decltype(joints)>) {
+                    if (batch.hasHinges()) { hinges_.solve(batch, colour, cut, pass); }
+                } else if (!joints.empty()) {
+                    swept::solve(cut.next(joints, rangeOf(joints, graph_, colour)), bodies, pass.h, pass.useBias);
+                }
+            });
+        }
+        contacts_.solve(batch, colour, cut, pass);
+    });
 }
 
 /// @return bodies whose speed was cut
@@ -214,6 +279,20 @@ int Solver::integrateVelocities(SolverBatch& batch, Real maxSpeed) {
     std::atomic<int> limited = 0;
     loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
         const int some = swept::integrateVelocities(batch, maxSpeed, begin + 1, end + 1);
+        if (some > 0) { limited.fetch_add(some, std::memory_order_relaxed); }
+    });
+    return limited;
+}
+
+/// Instead of a warm start, in sub-steps after the first one: directions and arms of contacts are held for the whole
+/// step, so what the impulses of the sub-step before did to a body is the difference that they made to its speeds. Only
+/// of contacts, and where nothing else changed these.
+int Solver::integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst) {
+    std::atomic<int> limited = 0;
+    free_.resize(batch.states.size());
+    loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
+        const int some = isFirst ? swept::integrateAndRepeat<true>(batch, maxSpeed, free_, begin + 1, end + 1)
+                                 : swept::integrateAndRepeat<false>(batch, maxSpeed, free_, begin + 1, end + 1);
         if (some > 0) { limited.fetch_add(some, std::memory_order_relaxed); }
     });
     return limited;
@@ -229,10 +308,16 @@ void Solver::integratePositions(SolverBatch& batch, Real h) {
 template <bool kJoints>
 void Solver::subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, bool isFirst,
                                 SolveReport& report) {
-    report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-    if (settings.direct != DirectScope::none) { report.speedsLimited += integrateVelocities(batch, settings.maxSpeed); }
     const bool relaxes = settings.relaxPasses > 0;
-    warmStart<kJoints>(batch, isFirst || !relaxes);
+    if (isRepeated_) {
+        report.speedsLimited += integrateAndRepeat(batch, settings.maxSpeed, isFirst);
+    } else {
+        report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+        if (settings.direct != DirectScope::none) {
+            report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+        }
+    }
+    if (isFirst || !isRepeated_) { warmStart<kJoints>(batch, isFirst || !relaxes); }
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .hasMoved = isFirst || !relaxes, .isLast = !relaxes});
     integratePositions(batch, h);
     for (int pass = 0; pass < settings.relaxPasses; ++pass) {
@@ -295,15 +380,14 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
 void Solver::bounceInTurn(SolverBatch& batch, const ContactPass& pass) {
     for (int turn = 0; turn < kTurns; ++turn) {
         const ContactPass ofTurn{.h = pass.h, .hasMoved = pass.hasMoved && turn == 0};
-        for (const int colour : graph_.activeColours()) {
-            forColour<false>(batch, colour, [&](RangeCut cut) { contacts_.bounce(batch, colour, cut, ofTurn); });
-        }
+        forEachRun<false>(batch, [&](int colour, RangeCut cut) { contacts_.bounce(batch, colour, cut, ofTurn); });
     }
 }
 
 template <bool kJoints, bool kBounces>
 void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
+    isRepeated_ = !kJoints && !kBounces && !settings.bouncesInTurn && settings.direct == DirectScope::none;
     for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
         // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice,
         // and a ball would rise by 2·speed·h with every bounce.
@@ -362,6 +446,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         hinges_.build(batch, graph_, settings.wide && !report.isDirect, ofManyHinges);
         report.hingeBlocks = hinges_.blockCount();
     }
+    listRuns<kJoints>(batch);
     const bool isShared = isAtOnce || isWorthSharing<kJoints>(batch);
     loops_ = isShared ? &loops : &serial_;
     if (bouncing_.empty()) {

@@ -54,7 +54,14 @@ public:
     }
 
 private:
+    /// A colour, and those that were joined to it.
+    struct Run {
+        int colour = 0;
+        bool inOrder = false;  ///< one after the other
+    };
+
     int integrateVelocities(SolverBatch& batch, Real maxSpeed);
+    int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst);
     void integratePositions(SolverBatch& batch, Real h);
     void listBouncing(SolverBatch& batch, Real restitutionThreshold);
     // What is not there is left out of the loops, not asked for in each of their rounds.
@@ -75,9 +82,11 @@ private:
     template <bool kJoints>
     bool isWorthSharing(SolverBatch& batch) const;
     template <bool kJoints>
+    void listRuns(SolverBatch& batch);
+    template <bool kJoints>
     void prepare(SolverBatch& batch, const SolverSettings& settings);
     template <bool kJoints, class Visit>
-    void forColour(SolverBatch& batch, int colour, const Visit& visit);
+    void forEachRun(SolverBatch& batch, const Visit& visit);
     template <bool kJoints>
     void warmStart(SolverBatch& batch, bool hasMoved);
     template <bool kJoints>
@@ -87,13 +96,16 @@ private:
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
     SerialTaskSystem serial_;
-    TaskSystem* loops_ = &serial_;   ///< of the present solve
-    MoveBodies move_ = nullptr;  ///< likewise
+    TaskSystem* loops_ = &serial_;  ///< of the present solve
+    MoveBodies move_ = nullptr;     ///< likewise
     ConstraintGraph graph_;
     ContactBlocks contacts_;
     HingeBlocks hinges_;
     DirectSolver direct_;
     JointIslands islands_;
+    std::vector<Run> runs_;
+    std::vector<std::array<Real, 4>> free_;  ///< by body slot: speeds in this sub-step without constraints
+    bool isRepeated_ = false;                ///< the present solve: see `integrateAndRepeat`
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;
 };

@@ -17,10 +17,10 @@ using LaneArray = std::array<Real, kBlockLanes>;
 
 /// One point of each contact of a block; see `ContactConstraintPoint`.
 struct alignas(kBlockBytes) WideContactPoint {
-    LaneArray anchorAX;
-    LaneArray anchorAY;
-    LaneArray anchorBX;
-    LaneArray anchorBY;
+    LaneArray normalArmA;   ///< until the block is prepared: the anchor's x
+    LaneArray tangentArmA;  ///< likewise its y
+    LaneArray normalArmB;
+    LaneArray tangentArmB;
     LaneArray baseSeparation;
     LaneArray normalMass;
     LaneArray tangentMass;
@@ -36,7 +36,7 @@ template <std::size_t kPoints>
 struct alignas(kBlockBytes) WideContact {
     std::array<BodySlot, kBlockLanes> slotA;
     std::array<BodySlot, kBlockLanes> slotB;
-    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch, or the store's name for the contact
+    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch; of a store nobody asks
     std::uint32_t lanes = 0;                       ///< in use
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
@@ -56,6 +56,7 @@ struct alignas(kBlockBytes) WideContact {
     LaneArray inverseInertiaA;
     LaneArray inverseInertiaB;
     LaneArray sharedResponse;  ///< of two points
+    LaneArray pairGain;        ///< likewise
     LaneArray begins;          ///< likewise; 1 or 0
     LaneArray restitution;
     std::array<WideContactPoint, kPoints> points;
@@ -64,7 +65,7 @@ struct alignas(kBlockBytes) WideContact {
 /// Kernels over blocks of one colour: what `warmStartContacts`, `bounceContacts` and `solveContacts` do, to the bit.
 struct ContactKernels {
     const char* name;  ///< of the instruction set
-    /// Masses, and separations less the distance of the anchors: `prepareContact`.
+    /// Anchors become arms, and masses are found: `prepareContact`. Once for each block.
     void (*prepareOne)(std::span<WideContact<1>> blocks);
     void (*prepareTwo)(std::span<WideContact<2>> blocks);
     void (*warmStartOne)(std::span<WideContact<1>> blocks, const SolverBodies& bodies);

@@ -10,7 +10,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR || (defined(SWEPT_F64) && !HWY_HAVE_FLOAT64)
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 const ContactKernels* kernelsForContacts() { return nullptr; }  // machines without registers to speak of: one by one
@@ -30,6 +30,8 @@ namespace HWY_NAMESPACE {
 /// A group of lanes of a block.
 template <std::size_t kPoints>
 class ContactGroup {
+    using PointLanes = std::array<Lanes, kPoints>;
+
 public:
     HWY_INLINE ContactGroup(WideContact<kPoints>& block, std::size_t begin, const SolverBodies& bodies)
         : block_(block),
@@ -45,12 +47,19 @@ public:
           inverseInertiaB_(at(block.inverseInertiaB)) {}
 
     HWY_INLINE void warmStart() {
-        for (WideContactPoint& point : block_.points) {
-            const Lanes normal = at(point.normalImpulse);
-            const Lanes tangent = at(point.tangentImpulse);
-            apply(point, hn::Add(hn::Mul(normal, normalX_), hn::Mul(tangent, normalY_)),
-                  hn::Sub(hn::Mul(normal, normalY_), hn::Mul(tangent, normalX_)));
+        PointLanes normals;
+        PointLanes tangents;
+        PointLanes ofA;
+        PointLanes ofB;
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            const WideContactPoint& point = block_.points[i];
+            normals[i] = at(point.normalImpulse);
+            tangents[i] = at(point.tangentImpulse);
+            ofA[i] = hn::Add(hn::Mul(normals[i], at(point.normalArmA)), hn::Mul(tangents[i], at(point.tangentArmA)));
+            ofB[i] = hn::Add(hn::Mul(normals[i], at(point.normalArmB)), hn::Mul(tangents[i], at(point.tangentArmB)));
         }
+        turn(sumOf(ofA), sumOf(ofB));
+        push(sumOf(normals), sumOf(tangents));
         scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
@@ -58,7 +67,8 @@ public:
     HWY_INLINE void bounce(const ContactPass& pass) {
         if (pass.hasMoved) { findSeparations(); }
         const Lanes h = hn::Set(Tag(), pass.h);
-        std::array<Lanes, kPoints> impulses;
+        beginMotion();
+        PointLanes impulses;
         if constexpr (kPoints == 2) {
             findBounces(h, impulses[0], impulses[1]);
         } else {
@@ -70,18 +80,17 @@ public:
         if (hn::AllFalse(Tag(), any)) { return; }
         const Quad a = a_;
         const Quad b = b_;
+        turnByNormals(impulses);
+        PointLanes frictions;
         for (std::size_t i = 0; i < kPoints; ++i) {
             WideContactPoint& point = block_.points[i];
-            applyNormal(point, impulses[i]);
             const Lanes before = at(point.totalNormalImpulse);
             put(hn::IfThenElse(any, hn::Add(before, impulses[i]), before), point.totalNormalImpulse, begin_);
-        }
-        for (std::size_t i = 0; i < kPoints; ++i) {
-            const WideContactPoint& point = block_.points[i];
             const Lanes limit = hn::Mul(at(block_.friction), impulses[i]);
-            const Lanes friction = clampedTo(limit, hn::Neg(hn::Mul(at(point.tangentMass), slipAt(point))));
-            apply(point, hn::Mul(friction, normalY_), hn::Neg(hn::Mul(friction, normalX_)));
+            frictions[i] = clampedTo(limit, hn::Neg(hn::Mul(at(point.tangentMass), slipAt(point))));
+            slow(point, frictions[i]);
         }
+        push(sumOf(impulses), sumOf(frictions));
         // What did not bounce keeps its bits: to add nothing to −0 makes 0 of it.
         a_ = chosen(any, a_, a);
         b_ = chosen(any, b_, b);
@@ -91,18 +100,27 @@ public:
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
         if (pass.hasMoved) { findSeparations(); }
-        const Lanes h = hn::Set(Tag(), pass.h);
+        const Lanes inverseH = hn::Set(Tag(), Real(1) / pass.h);
+        beginMotion();
+        PointLanes totals;
         if constexpr (kPoints == 2) {
-            solveNormals<kUseBias>(h);
+            findTotals<kUseBias>(inverseH, totals[0], totals[1]);
         } else {
-            solveNormal<kUseBias>(block_.points[0], h);
+            totals[0] = totalAt<kUseBias>(block_.points[0], inverseH);
         }
-        for (WideContactPoint& point : block_.points) { solveFriction(point); }
-        if (pass.isLast) {
-            for (WideContactPoint& point : block_.points) {
-                put(hn::Add(at(point.totalNormalImpulse), at(point.normalImpulse)), point.totalNormalImpulse, begin_);
+        PointLanes normals;
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            WideContactPoint& point = block_.points[i];
+            normals[i] = hn::Sub(totals[i], at(point.normalImpulse));
+            put(totals[i], point.normalImpulse, begin_);
+            if (pass.isLast) {
+                put(hn::Add(at(point.totalNormalImpulse), totals[i]), point.totalNormalImpulse, begin_);
             }
         }
+        turnByNormals(normals);
+        PointLanes tangents;
+        for (std::size_t i = 0; i < kPoints; ++i) { tangents[i] = solveFriction(block_.points[i], totals[i]); }
+        push(sumOf(normals), sumOf(tangents));
         scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
@@ -116,64 +134,86 @@ private:
 
     HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
 
-    HWY_INLINE void findSeparations() {
-        const Quad a = gather(bodies_.states, block_.slotA.data() + begin_, kMotion);
-        const Quad b = gather(bodies_.states, block_.slotB.data() + begin_, kMotion);
-        const Lanes movedX = hn::Sub(b.x, a.x);
-        const Lanes movedY = hn::Sub(b.y, a.y);
-        const Lanes unit = hn::Set(Tag(), Real(1));
-        const Lanes low =
-            hn::Add(hn::Mul(at(block_.radiusA), hn::Sub(unit, a.z)), hn::Mul(at(block_.radiusB), hn::Sub(unit, b.z)));
-        for (WideContactPoint& point : block_.points) {
-            const Lanes anchorAX = at(point.anchorAX);
-            const Lanes anchorAY = at(point.anchorAY);
-            const Lanes anchorBX = at(point.anchorBX);
-            const Lanes anchorBY = at(point.anchorBY);
-            const Lanes armX = hn::Sub(hn::Sub(hn::Mul(b.z, anchorBX), hn::Mul(b.w, anchorBY)),
-                                       hn::Sub(hn::Mul(a.z, anchorAX), hn::Mul(a.w, anchorAY)));
-            const Lanes armY = hn::Sub(hn::Add(hn::Mul(b.w, anchorBX), hn::Mul(b.z, anchorBY)),
-                                       hn::Add(hn::Mul(a.w, anchorAX), hn::Mul(a.z, anchorAY)));
-            const Lanes along =
-                hn::Add(hn::Mul(hn::Add(movedX, armX), normalX_), hn::Mul(hn::Add(movedY, armY), normalY_));
-            put(hn::Sub(hn::Add(along, at(point.baseSeparation)), low), point.separation, begin_);
+    HWY_INLINE static Lanes sumOf(const PointLanes& impulses) {
+        if constexpr (kPoints == 2) {
+            return hn::Add(impulses[0], impulses[1]);
+        } else {
+            return impulses[0];
         }
     }
 
-    HWY_INLINE Lanes relativeX(const WideContactPoint& point) const {
-        return hn::Sub(hn::Sub(b_.x, hn::Mul(b_.z, at(point.anchorBY))),
-                       hn::Sub(a_.x, hn::Mul(a_.z, at(point.anchorAY))));
-    }
-    HWY_INLINE Lanes relativeY(const WideContactPoint& point) const {
-        return hn::Sub(hn::Add(b_.y, hn::Mul(b_.z, at(point.anchorBX))),
-                       hn::Add(a_.y, hn::Mul(a_.z, at(point.anchorAX))));
+    /// `currentSeparation`.
+    HWY_INLINE void findSeparations() {
+        const Quad a = gather(bodies_.states, block_.slotA.data() + begin_, kMotion);
+        const Quad b = gather(bodies_.states, block_.slotB.data() + begin_, kMotion);
+        const Lanes moved = hn::Add(hn::Mul(hn::Sub(b.x, a.x), normalX_), hn::Mul(hn::Sub(b.y, a.y), normalY_));
+        const Lanes unit = hn::Set(Tag(), Real(1));
+        const Lanes lowA = hn::Sub(unit, a.z);
+        const Lanes lowB = hn::Sub(unit, b.z);
+        const Lanes radiusA = at(block_.radiusA);
+        const Lanes radiusB = at(block_.radiusB);
+        for (WideContactPoint& point : block_.points) {
+            const Lanes ofA =
+                hn::Add(hn::Mul(a.w, at(point.normalArmA)), hn::Mul(lowA, hn::Add(at(point.tangentArmA), radiusA)));
+            const Lanes ofB =
+                hn::Add(hn::Mul(b.w, at(point.normalArmB)), hn::Mul(lowB, hn::Sub(at(point.tangentArmB), radiusB)));
+            put(hn::Add(at(point.baseSeparation), hn::Add(moved, hn::Sub(ofB, ofA))), point.separation, begin_);
+        }
     }
 
-    HWY_INLINE void apply(const WideContactPoint& point, Lanes impulseX, Lanes impulseY) {
-        a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, impulseX));
-        a_.y = hn::Sub(a_.y, hn::Mul(inverseMassA_, impulseY));
-        // The cross product with the opposite impulse.
-        const Lanes twistA = hn::Sub(hn::Mul(at(point.anchorAY), impulseX), hn::Mul(at(point.anchorAX), impulseY));
-        a_.z = hn::Add(a_.z, hn::Mul(inverseInertiaA_, twistA));
-        b_.x = hn::Add(b_.x, hn::Mul(inverseMassB_, impulseX));
-        b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, impulseY));
-        const Lanes twistB = hn::Sub(hn::Mul(at(point.anchorBX), impulseY), hn::Mul(at(point.anchorBY), impulseX));
+    /// `motionOf`.
+    HWY_INLINE void beginMotion() {
+        const Lanes x = hn::Sub(b_.x, a_.x);
+        const Lanes y = hn::Sub(b_.y, a_.y);
+        along_ = hn::Add(hn::Mul(x, normalX_), hn::Mul(y, normalY_));
+        across_ = hn::Sub(hn::Mul(x, normalY_), hn::Mul(y, normalX_));
+    }
+    HWY_INLINE Lanes closingAt(const WideContactPoint& point) const {
+        return hn::Neg(
+            hn::Add(along_, hn::Sub(hn::Mul(b_.z, at(point.normalArmB)), hn::Mul(a_.z, at(point.normalArmA)))));
+    }
+    HWY_INLINE Lanes slipAt(const WideContactPoint& point) const {
+        return hn::Add(across_, hn::Sub(hn::Mul(b_.z, at(point.tangentArmB)), hn::Mul(a_.z, at(point.tangentArmA))));
+    }
+
+    HWY_INLINE void turn(Lanes twistA, Lanes twistB) {
+        a_.z = hn::Sub(a_.z, hn::Mul(inverseInertiaA_, twistA));
         b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, twistB));
     }
-    HWY_INLINE void applyNormal(const WideContactPoint& point, Lanes impulse) {
-        apply(point, hn::Mul(impulse, normalX_), hn::Mul(impulse, normalY_));
+    HWY_INLINE void turnByNormals(const PointLanes& impulses) {
+        PointLanes ofA;
+        PointLanes ofB;
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            ofA[i] = hn::Mul(impulses[i], at(block_.points[i].normalArmA));
+            ofB[i] = hn::Mul(impulses[i], at(block_.points[i].normalArmB));
+        }
+        turn(sumOf(ofA), sumOf(ofB));
+    }
+    /// By friction at a point.
+    HWY_INLINE void slow(const WideContactPoint& point, Lanes impulse) {
+        across_ = hn::Add(across_, hn::Mul(hn::Add(inverseMassA_, inverseMassB_), impulse));
+        turn(hn::Mul(impulse, at(point.tangentArmA)), hn::Mul(impulse, at(point.tangentArmB)));
+    }
+    /// What all impulses together do to the centres.
+    HWY_INLINE void push(Lanes normal, Lanes tangent) {
+        const Lanes x = hn::Add(hn::Mul(normal, normalX_), hn::Mul(tangent, normalY_));
+        const Lanes y = hn::Sub(hn::Mul(normal, normalY_), hn::Mul(tangent, normalX_));
+        a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, x));
+        a_.y = hn::Sub(a_.y, hn::Mul(inverseMassA_, y));
+        b_.x = hn::Add(b_.x, hn::Mul(inverseMassB_, x));
+        b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, y));
     }
 
     template <bool kUseBias>
-    HWY_INLINE Demand demandOf(const WideContactPoint& point, Lanes h, LaneMask isCarrying) const {
+    HWY_INLINE Demand demandOf(const WideContactPoint& point, Lanes inverseH, LaneMask isCarrying) const {
         const Tag tag;
         const Lanes separation = at(point.separation);
-        const Lanes closing =
-            hn::Neg(hn::Add(hn::Mul(relativeX(point), normalX_), hn::Mul(relativeY(point), normalY_)));
+        const Lanes closing = closingAt(point);
         const LaneMask isApart = hn::Gt(separation, hn::Zero(tag));
-        const Lanes gap = hn::Div(separation, h);
+        const Lanes gap = hn::Mul(separation, inverseH);
         if constexpr (kUseBias) {
             const Lanes bias = larger(hn::Mul(at(block_.biasRate), separation), hn::Neg(at(block_.maxPushSpeed)));
-            return {hn::Eq(h, h), hn::Sub(closing, hn::IfThenElse(isApart, gap, bias)),
+            return {hn::Eq(inverseH, inverseH), hn::Sub(closing, hn::IfThenElse(isApart, gap, bias)),
                     hn::IfThenElse(isApart, hn::Set(tag, Real(1)), at(block_.massScale)),
                     hn::IfThenZeroElse(isApart, at(block_.impulseScale))};
         } else {
@@ -195,55 +235,45 @@ private:
     }
 
     template <bool kUseBias>
-    HWY_INLINE Lanes totalAt(const WideContactPoint& point, Lanes h) const {
+    HWY_INLINE Lanes totalAt(const WideContactPoint& point, Lanes inverseH) const {
         const Lanes before = at(point.normalImpulse);
-        const Demand demand = demandOf<kUseBias>(point, h, hn::Gt(before, hn::Zero(Tag())));
+        const Demand demand = demandOf<kUseBias>(point, inverseH, hn::Gt(before, hn::Zero(Tag())));
         const Lanes total = notNegative(hn::Add(before, changeAt<kUseBias>(point, demand)));
         return kUseBias ? total : hn::IfThenElse(demand.any, total, before);
     }
 
-    HWY_INLINE void setNormal(WideContactPoint& point, Lanes total) {
-        applyNormal(point, hn::Sub(total, at(point.normalImpulse)));
-        put(total, point.normalImpulse, begin_);
-    }
-
+    /// `totalsOfBoth`.
     template <bool kUseBias>
-    HWY_INLINE void solveNormal(WideContactPoint& point, Lanes h) {
-        setNormal(point, totalAt<kUseBias>(point, h));
-    }
-
-    /// `solveBoth`.
-    template <bool kUseBias>
-    HWY_INLINE void solveNormals(Lanes h) {
+    HWY_INLINE void findTotals(Lanes inverseH, Lanes& first, Lanes& second) const {
         const Tag tag;
         const Lanes zero = hn::Zero(tag);
-        WideContactPoint& one = block_.points[0];
-        WideContactPoint& two = block_.points[kPoints - 1];
+        const WideContactPoint& one = block_.points[0];
+        const WideContactPoint& two = block_.points[kPoints - 1];
         const Lanes beforeOne = at(one.normalImpulse);
         const Lanes beforeTwo = at(two.normalImpulse);
         const LaneMask carriesOne = hn::Gt(beforeOne, zero);
         const LaneMask carriesTwo = hn::Gt(beforeTwo, zero);
         const LaneMask begins = hn::Gt(at(block_.begins), zero);
-        const Demand ofOne = demandOf<kUseBias>(one, h, hn::Or(carriesOne, hn::And(begins, carriesTwo)));
-        const Demand ofTwo = demandOf<kUseBias>(two, h, hn::Or(carriesTwo, hn::And(begins, carriesOne)));
+        const Demand ofOne = demandOf<kUseBias>(one, inverseH, hn::Or(carriesOne, hn::And(begins, carriesTwo)));
+        const Demand ofTwo = demandOf<kUseBias>(two, inverseH, hn::Or(carriesTwo, hn::And(begins, carriesOne)));
         const LaneMask both = hn::And(ofOne.any, ofTwo.any);
         const Lanes shared = hn::IfThenElseZero(both, at(block_.sharedResponse));
         const Lanes oneByTwo = hn::Mul(hn::Mul(shared, at(one.normalMass)), ofOne.massScale);
         const Lanes twoByOne = hn::Mul(hn::Mul(shared, at(two.normalMass)), ofTwo.massScale);
-        const Lanes rest = hn::Sub(hn::Set(tag, Real(1)), hn::Mul(oneByTwo, twoByOne));
-        const LaneMask areTwo = hn::Gt(rest, hn::Set(tag, kTwoPointsRatio));
+        const Lanes gain =
+            kUseBias ? gainOf(oneByTwo, twoByOne) : hn::IfThenElse(both, at(block_.pairGain), hn::Set(tag, Real(1)));
         const Lanes aloneOne = hn::IfThenElseZero(ofOne.any, changeAt<kUseBias>(one, ofOne));
         const Lanes aloneTwo = hn::IfThenElseZero(ofTwo.any, changeAt<kUseBias>(two, ofTwo));
         const Lanes onlyOne = hn::Add(hn::Add(beforeOne, aloneOne), hn::Mul(oneByTwo, beforeTwo));
         const Lanes onlyTwo = hn::Add(hn::Add(beforeTwo, aloneTwo), hn::Mul(twoByOne, beforeOne));
-        const Lanes totalOne = hn::Div(hn::Sub(onlyOne, hn::Mul(oneByTwo, onlyTwo)), rest);
-        const Lanes totalTwo = hn::Div(hn::Sub(onlyTwo, hn::Mul(twoByOne, onlyOne)), rest);
+        const Lanes totalOne = hn::Mul(hn::Sub(onlyOne, hn::Mul(oneByTwo, onlyTwo)), gain);
+        const Lanes totalTwo = hn::Mul(hn::Sub(onlyTwo, hn::Mul(twoByOne, onlyOne)), gain);
         const LaneMask pulls = hn::Or(hn::Lt(totalOne, zero), hn::Lt(totalTwo, zero));
-        const LaneMask press = hn::AndNot(pulls, areTwo);
+        const LaneMask press = hn::AndNot(pulls, hn::Gt(gain, zero));
         const Lanes mostTwo = notNegative(onlyTwo);
         const LaneMask isOne = hn::Gt(hn::Sub(onlyOne, hn::Mul(oneByTwo, mostTwo)), zero);
-        setNormal(one, hn::IfThenElse(press, totalOne, hn::IfThenElseZero(isOne, notNegative(onlyOne))));
-        setNormal(two, hn::IfThenElse(press, totalTwo, hn::IfThenZeroElse(isOne, mostTwo)));
+        first = hn::IfThenElse(press, totalOne, hn::IfThenElseZero(isOne, notNegative(onlyOne)));
+        second = hn::IfThenElse(press, totalTwo, hn::IfThenZeroElse(isOne, mostTwo));
     }
 
     HWY_INLINE static Quad chosen(LaneMask mask, const Quad& yes, const Quad& no) {
@@ -252,8 +282,7 @@ private:
     }
 
     HWY_INLINE Lanes bounceAt(const WideContactPoint& point, Lanes h) const {
-        const Lanes closing =
-            hn::Neg(hn::Add(hn::Mul(relativeX(point), normalX_), hn::Mul(relativeY(point), normalY_)));
+        const Lanes closing = closingAt(point);
         const LaneMask meets =
             hn::And(hn::Gt(closing, at(block_.bounceSpeed)), hn::Le(at(point.separation), hn::Mul(h, closing)));
         const Lanes one = hn::Set(Tag(), Real(1));
@@ -286,18 +315,15 @@ private:
         impulseTwo = hn::IfThenElse(press, hn::Div(leftOfTwo, rest), hn::IfThenZeroElse(isOne, aloneTwo));
     }
 
-    HWY_INLINE Lanes slipAt(const WideContactPoint& point) const {
-        return hn::Sub(hn::Mul(relativeX(point), normalY_), hn::Mul(relativeY(point), normalX_));
-    }
-
-    HWY_INLINE void solveFriction(WideContactPoint& point) {
-        const Lanes slip = slipAt(point);
+    /// @return what it adds to the impulse
+    HWY_INLINE Lanes solveFriction(WideContactPoint& point, Lanes normalImpulse) {
         const Lanes before = at(point.tangentImpulse);
-        const Lanes limit = hn::Mul(at(block_.friction), at(point.normalImpulse));
-        const Lanes total = clampedTo(limit, hn::Sub(before, hn::Mul(at(point.tangentMass), slip)));
+        const Lanes limit = hn::Mul(at(block_.friction), normalImpulse);
+        const Lanes total = clampedTo(limit, hn::Sub(before, hn::Mul(at(point.tangentMass), slipAt(point))));
         const Lanes impulse = hn::Sub(total, before);
-        apply(point, hn::Mul(impulse, normalY_), hn::Neg(hn::Mul(impulse, normalX_)));
+        slow(point, impulse);
         put(total, point.tangentImpulse, begin_);
+        return impulse;
     }
 
     WideContact<kPoints>& block_;
@@ -311,6 +337,9 @@ private:
     Lanes inverseMassB_;
     Lanes inverseInertiaA_;
     Lanes inverseInertiaB_;
+    // Of the centre of B in the view of that of A, along the normal and the tangent.
+    Lanes along_ = hn::Zero(Tag());
+    Lanes across_ = hn::Zero(Tag());
 };
 
 template <std::size_t kPoints>

@@ -13,7 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR || !HWY_HAVE_FLOAT64  // angles are double
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 MoveBodies kernelForMotion() { return nullptr; }

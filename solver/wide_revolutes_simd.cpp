@@ -11,7 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR || (defined(SWEPT_F64) && !HWY_HAVE_FLOAT64)
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 const RevoluteKernels* kernelsForHinges() { return nullptr; }

@@ -27,12 +27,12 @@ namespace {
 constexpr auto kPrecision = sizeof(Real) == sizeof(float) ? "f32" : "f64";
 
 /// Additions, subtractions, products and quotients of the kernel, per point of a contact with two, counted by hand.
-constexpr double kFlopsOfWarmStart = 24;
-constexpr double kFlopsOfSolve = 88;
-constexpr double kFlopsOfRelax = 84;
-constexpr double kFlopsOfSeparation = 25;
+constexpr double kFlopsOfWarmStart = 17;
+constexpr double kFlopsOfSolve = 57;
+constexpr double kFlopsOfRelax = 50;
+constexpr double kFlopsOfSeparation = 15;
 /// Numbers that a relaxation reads and writes per point: of the block, and of its bodies.
-constexpr double kNumbersOfBlock = 17;
+constexpr double kNumbersOfBlock = 17.5;
 constexpr double kNumbersOfBodies = 8;
 
 /// A wall of bricks, each on two others.
