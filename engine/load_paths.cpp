@@ -13,6 +13,9 @@ namespace {
 
 /// Normals steeper against gravity than this sine do not carry: 14°.
 constexpr double kSideSine = 1.0 / 4;
+/// Gaps and overlaps, as parts of the radius, of points that may be meant to press although what presses across them is
+/// not held: islands that are solved all at once then have a first guess, and close them.
+constexpr Real kGuessRatio = Real(1) / (1 << 7);
 /// Of what the limits allow to be left of a load: what is aimed at, and what will do.
 constexpr double kWantedShare = 1.0 / 64;
 constexpr double kAcceptedShare = 1.0 / 2;
@@ -47,7 +50,7 @@ LoadPoint frameOf(const LoadSearch& search, const TouchingPair& pair, const Cont
 }
 
 /// @return false: something is in the way of a balance
-bool addContact(const LoadSearch& search, const TouchingPair& pair, const RestLimits& limits) {
+bool addContact(const LoadSearch& search, const TouchingPair& pair, const IslandRest& rest) {
     const WorldState& world = search.world;
     const Contact& contact = world.contacts[pair.contact];
     const BodyMotion& a = world.motions[pair.bodyA];
@@ -57,18 +60,20 @@ bool addContact(const LoadSearch& search, const TouchingPair& pair, const RestLi
     const bool carriesB = frame.carried == pair.bodyB;
     const Vec2 originFromA = toReal(a.pose.position - a.center);
     const Vec2 fromBToA = toReal(a.center - b.center);
+    const RestLimits limits = limitsOf(world, rest);
     const Real radius = movedRadius(world, pair);
+    const Real widestGap = (rest.isDirect ? std::max(limits.gap, kGuessRatio) : limits.gap) * radius;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         const Real separation = contact.manifold.points[i].separation;
-        if (separation < -limits.overlap * radius) { return false; }
+        if (!rest.isDirect && separation < -limits.overlap * radius) { return false; }
         LoadPoint& point = search.paths.points.emplace_back(frame);
         point.point = static_cast<std::uint8_t>(i);
-        point.isOverlapped = separation < -limits.gap * radius;
+        point.isOverlapped = !rest.isDirect && separation < -limits.gap * radius;
         const Vec2 armA = rotate(a.pose.rotation, contact.manifold.points[i].point) + originFromA;
         const Vec2 armB = armA + fromBToA;
         point.armOfCarried = toDouble(carriesB ? armB : armA);
         point.armOfCarrier = toDouble(carriesB ? armA : armB);
-        if (separation > limits.gap * radius) {
+        if (separation > widestGap) {
             point.carried = kNoIndex;
             continue;
         }
@@ -94,7 +99,7 @@ void listPoints(const LoadSearch& search) {
     }
     for (const TouchingPair& pair : world.touching) {
         IslandRest& rest = restOf(world, pair.dynamicA ? pair.bodyA : pair.bodyB);
-        if (rest.isSought) { rest.isSought = addContact(search, pair, limitsOf(world, rest)); }
+        if (rest.isSought) { rest.isSought = addContact(search, pair, rest); }
     }
     for (const LoadPoint& point : paths.points) {
         if (point.carried == kNoIndex || point.carrier == kNoIndex) { continue; }
