@@ -30,7 +30,14 @@ namespace HWY_NAMESPACE {
 /// A group of lanes of a block.
 template <std::size_t kPoints>
 class ContactGroup {
-    using PointLanes = std::array<Lanes, kPoints>;
+    /// Of each point. No array of the standard library, nor what the compiler makes by itself: these are not compiled
+    /// for this instruction set, and GCC refuses them for NEON.
+    struct PointLanes {
+        Lanes lanes[kPoints];
+        HWY_INLINE PointLanes() {}
+        HWY_INLINE Lanes& operator[](std::size_t i) { return lanes[i]; }
+        HWY_INLINE const Lanes& operator[](std::size_t i) const { return lanes[i]; }
+    };
 
 public:
     HWY_INLINE ContactGroup(WideContact<kPoints>& block, std::size_t begin, const SolverBodies& bodies)
