@@ -41,6 +41,11 @@ public:
         keys_[hole] = kEmpty;
     }
 
+    /// Before one of the others: asks for the memory where the pair would be.
+    void fetch(std::uint32_t a, std::uint32_t b) const {
+        if (!keys_.empty()) { __builtin_prefetch(&keys_[home(keyOf(a, b))]); }
+    }
+
     std::size_t size() const { return size_; }
 
 private:

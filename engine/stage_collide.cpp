@@ -142,7 +142,8 @@ private:
 };
 
 /// Near contacts that are fetched from memory ahead of time: first themselves, then what they refer to.
-constexpr std::size_t kContactsAhead = 8;
+constexpr std::size_t kProbesAhead = 16;
+constexpr std::size_t kContactsAhead = 12;
 constexpr std::size_t kShapesAhead = 4;
 constexpr std::size_t kLine = 64;  ///< bytes of a cache; on other machines than most it is only slower
 
@@ -156,6 +157,7 @@ void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
 /// times.
 void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
+    if (coming.size() > kProbesAhead) { __builtin_prefetch(&world.probes[coming[kProbesAhead]]); }
     if (coming.size() > kContactsAhead) { fetch(world.contacts[world.probes[coming[kContactsAhead]].contact]); }
     if (coming.size() > kShapesAhead) {
         const Contact& contact = world.contacts[world.probes[coming[kShapesAhead]].contact];

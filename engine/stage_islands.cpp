@@ -85,8 +85,10 @@ void listContactsAndJoints(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.contacts.clear();
     fast.joints.clear();
+    const bool mayClash = world.bouncyShapes > 0 || world.bullets > 0;
     for (std::uint32_t i = 0; i < world.activeContacts; ++i) {
         const ContactProbe& probe = world.probes[i];
+        if (!mayClash && probe.isPlain && probe.isIdle) { continue; }  // see `isInside`
         const std::uint32_t ofA = fast.numbers[probe.bodyA];
         const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[probe.bodyB];
         if (number != kNoIndex && !isSensor(world, probe)) { fast.contacts.add(number, i); }

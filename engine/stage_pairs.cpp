@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kContactsPerGap = 2;
 constexpr std::size_t kFewGaps = 64;
 
+/// Pairs that are looked up in the table ahead of time: each is a cache line of its own.
+constexpr std::size_t kLookedUpAhead = 8;
+
 /// Sensors come first, then chain segments, then what does not yield, else the lower slot.
 bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Shape& shapeA = world.shapes[a];
@@ -76,6 +79,17 @@ void closeGaps(WorldState& world) {
 void dropPair(WorldState& world, const ContactPair& pair) {
     world.pairs.erase(world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
                       world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
+}
+
+void dropPairs(WorldState& world, std::span<const ContactPair> pairs) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (i + kLookedUpAhead < pairs.size()) {
+            const ContactPair& coming = pairs[i + kLookedUpAhead];
+            world.pairs.fetch(world.proxyShapes[static_cast<std::size_t>(coming.proxyA)],
+                              world.proxyShapes[static_cast<std::size_t>(coming.proxyB)]);
+        }
+        dropPair(world, pairs[i]);
+    }
 }
 
 namespace {
@@ -141,7 +155,13 @@ void findPairs(WorldState& world) {
     const std::uint64_t testsBefore = world.broadphase->counters().boxTests;
     world.broadphase->pairs(world.newPairs, *world.loops);
     world.counters.boxTests = world.broadphase->counters().boxTests - testsBefore;
-    for (const ProxyPair& pair : world.newPairs) {
+    for (std::size_t i = 0; i < world.newPairs.size(); ++i) {
+        if (i + kLookedUpAhead < world.newPairs.size()) {
+            const ProxyPair& coming = world.newPairs[i + kLookedUpAhead];
+            world.pairs.fetch(world.proxyShapes[static_cast<std::uint32_t>(coming.a)],
+                              world.proxyShapes[static_cast<std::uint32_t>(coming.b)]);
+        }
+        const ProxyPair& pair = world.newPairs[i];
         addPair(world, world.proxyShapes[static_cast<std::uint32_t>(pair.a)],
                 world.proxyShapes[static_cast<std::uint32_t>(pair.b)], false);
     }
@@ -166,6 +186,7 @@ CandidateFate fateOf(const WorldState& world, std::span<const Aabb> boxes, const
 
 void promoteCandidates(WorldState& world) {
     const std::span<const Aabb> boxes = world.broadphase->boxes();
+    world.droppedPairs.clear();
     world.candidateFates.resize(world.candidates.size());
     world.loops->run(world.candidates.size(), kCandidateGrain, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -180,7 +201,7 @@ void promoteCandidates(WorldState& world) {
                 world.candidates[kept++] = pair;
                 break;
             case CandidateFate::goes:
-                dropPair(world, pair);
+                world.droppedPairs.push_back(pair);
                 break;
             case CandidateFate::becomesContact:
                 makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
@@ -189,6 +210,7 @@ void promoteCandidates(WorldState& world) {
         }
     }
     world.candidates.resize(kept);
+    dropPairs(world, world.droppedPairs);
 }
 
 void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant) {

@@ -86,17 +86,15 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
 }
 
 void rememberApart(const WorldState& world, ContactProbe& probe, Real room) {
-    const DVec2 centerA = world.glances[probe.bodyA].center;
-    const DVec2 centerB = world.glances[probe.bodyB].center;
-    const DVec2 offset = centerB - centerA;
+    const BodyGlance& a = world.glances[probe.bodyA];
+    const BodyGlance& b = world.glances[probe.bodyB];
+    const DVec2 offset = b.center - a.center;
     probe.offset = toReal(offset);
     // Poses are rounded: rotations and relative positions to `Real`, positions to double.
-    const double size =
-        static_cast<double>(world.bodies[probe.bodyA].radius + world.bodies[probe.bodyB].radius) + sumNorm(offset);
+    const double size = static_cast<double>(a.reach + b.reach) + sumNorm(offset);
     const double rounding =
-        static_cast<double>(kVerdictRounding) * size + kRounding * (sumNorm(centerA) + sumNorm(centerB));
-    const double turned = world.travels[probe.bodyA].turned + world.travels[probe.bodyB].turned;
-    probe.apartUntil = (turned + (static_cast<double>(room) - rounding)) * (1 - kRounding);
+        static_cast<double>(kVerdictRounding) * size + kRounding * (sumNorm(a.center) + sumNorm(b.center));
+    probe.apartUntil = (a.turned + b.turned + (static_cast<double>(room) - rounding)) * (1 - kRounding);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -315,9 +315,8 @@ void removeJoint(WorldState& world, JointId id) {
 
 namespace {
 
-/// Its end is reported if it touches.
-void dropContact(WorldState& world, const ContactProbe& probe) {
-    dropPair(world, probe);
+/// Before it is dropped: its end, if it touches.
+void reportEnd(WorldState& world, const ContactProbe& probe) {
     if (probe.isIdle) { return; }
     const Contact& contact = world.contacts[probe.contact];
     if (!contact.touching) { return; }
@@ -335,7 +334,8 @@ std::size_t compactContacts(WorldState& world, std::size_t begin, std::size_t en
                             const Doomed& doomed) {
     for (std::size_t i = begin; i < end; ++i) {
         if (doomed(world.probes[i])) {
-            dropContact(world, world.probes[i]);
+            dropPair(world, world.probes[i]);
+            reportEnd(world, world.probes[i]);
             continue;
         }
         if (kept != i) { world.probes[kept] = world.probes[i]; }
@@ -367,9 +367,11 @@ void removeApartContacts(WorldState& world) {
     if (apart.empty()) { return; }
     std::vector<ContactProbe>& probes = world.probes;
     const auto at = [&probes](std::size_t place) { return probes.begin() + static_cast<std::ptrdiff_t>(place); };
+    world.droppedPairs.clear();
     auto kept = at(apart.front());
     for (std::size_t i = 0; i < apart.size(); ++i) {
-        dropContact(world, probes[apart[i]]);
+        world.droppedPairs.push_back(probes[apart[i]]);
+        reportEnd(world, probes[apart[i]]);
         kept = std::copy(at(apart[i] + 1), at(i + 1 < apart.size() ? apart[i + 1] : world.activeContacts), kept);
     }
     // What is parked has no order: its last ones close the gap.
@@ -377,6 +379,7 @@ void removeApartContacts(WorldState& world) {
     std::copy(probes.end() - static_cast<std::ptrdiff_t>(left), probes.end(), kept);
     probes.resize(probes.size() - apart.size());
     world.activeContacts -= apart.size();
+    dropPairs(world, world.droppedPairs);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -146,6 +146,7 @@ struct WorldState {
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
     std::vector<Slide> slides;                      ///< by contact, of this step, until ghosts are dropped
     PairTable pairs;                                ///< of shape slots that have a contact
+    std::vector<ContactPair> droppedPairs;          ///< scratch: of these, some to be dropped together
     std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                             ///< likewise
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step
@@ -208,6 +209,7 @@ void closeGaps(WorldState& world);
 void removeApartContacts(WorldState& world);
 /// So that the broadphase may find the pair anew.
 void dropPair(WorldState& world, const ContactPair& pair);
+void dropPairs(WorldState& world, std::span<const ContactPair> pairs);
 /// Candidates that came near become contacts; those whose boxes came apart are gone.
 void promoteCandidates(WorldState& world);
 /// Those that are meant become contacts, without points until the next step looks at them.
