@@ -20,6 +20,8 @@ namespace {
 
 /// Bodies per block whose boxes are compared.
 constexpr std::size_t kProxyGrain = 64;
+/// Bodies per block whose rest is counted.
+constexpr std::size_t kRestGrain = 128;
 
 bool hardlyMoved(const Body& body, const BodyMotion& motion) {
     const double moved = length(motion.center - body.restCenter) +
@@ -42,6 +44,20 @@ void countRest(Body& body, const BodyMotion& motion, double dt) {
 bool isTired(const WorldState& world, const Body& body) {
     const bool held = body.hasContact || body.holdingJoints > 0;
     return held && body.restSteps >= kRestSteps && body.restTime >= restTimeOf(world, body);
+}
+
+/// Of all that is awake.
+void countRests(WorldState& world, double dt) {
+    world.tiredness.resize(world.awake.size());
+    world.loops->run(world.awake.size(), kRestGrain, [&world, dt](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Body& body = world.bodies[world.awake[i]];
+            world.tiredness[i] = Tiredness::driven;
+            if (!body.isDynamic()) { continue; }
+            countRest(body, world.motions[world.awake[i]], dt);
+            world.tiredness[i] = isTired(world, body) ? Tiredness::tired : Tiredness::restless;
+        }
+    });
 }
 
 bool movesKinematically(const WorldState& world, std::uint32_t slot) {
@@ -233,14 +249,11 @@ void putToSleep(WorldState& world, double dt) {
     restHeld(world, dt);
     world.islandRestless.assign(world.bodies.slotCount(), 0);
     world.islandRing.assign(world.bodies.slotCount(), kNoIndex);
+    countRests(world, dt);
     bool anyTired = false;
-    for (const std::uint32_t slot : world.awake) {
-        Body& body = world.bodies[slot];
-        if (!body.isDynamic()) { continue; }
-        countRest(body, world.motions[slot], dt);
-        const bool tired = isTired(world, body);
-        anyTired = anyTired || tired;
-        if (!tired) { world.islandRestless[world.islands.find(slot)] = 1; }
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        anyTired = anyTired || world.tiredness[i] == Tiredness::tired;
+        if (world.tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
     }
     if (!anyTired) { return; }
     keepAwakeByKinematic(world);

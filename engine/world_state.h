@@ -42,6 +42,9 @@ struct ChainTouch {
     auto operator<=>(const ChainTouch&) const = default;
 };
 
+/// Whether a body may sleep, as far as its own motion tells.
+enum class Tiredness : std::uint8_t { driven, restless, tired };
+
 /// What the order of events is told by, mostly.
 struct EventPlace {
     double fraction = 0;
@@ -170,6 +173,7 @@ struct WorldState {
     HeldIslands held;
     std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
     EffortTrial trial;                         ///< likewise
+    std::vector<Tiredness> tiredness;          ///< by place in `awake`: when it was asked whether to sleep
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
     std::vector<std::uint32_t> outgrown;       ///< by place in `awake`: see `renewBoxes`

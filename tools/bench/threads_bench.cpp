@@ -137,6 +137,7 @@ std::size_t threadsRowCount(const ThreadsBenchSettings& settings) {
 std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
                                           const std::function<void(const ThreadsBenchRow&)>& watch) {
     const std::unique_ptr<TaskSystem> tasks = makeTaskSystem(settings.threads);
+    const ThreadSpread spread;  // of both engines: their tasks run on the same threads
     std::vector<ThreadsBenchRow> rows;
     const auto add = [&](ThreadsBenchRow row, TimedWorld& one, TimedWorld& several) {
         measure(one, several, settings.seconds, row);
