@@ -91,8 +91,10 @@ void compareAll(Precision precision, std::span<const Units> all) {
     compareAll(settling, plain, precision, all, tally);
     testing::Test::RecordProperty("conclusive", tally.conclusive);
     testing::Test::RecordProperty("underflown", tally.underflown);
-    // In float, impulses of unloaded joints decay below the normal numbers in one scene.
-    constexpr int kFewest = 19;
+    // In float, impulses of unloaded joints decay below the normal numbers in one scene, and in another one speeds that
+    // friction leaves to tiny things at rest: 1e-26 m/s, times arms and masses that are tiny, too. (19 was asked when
+    // these were lost in sums with the speeds of whole points.)
+    constexpr int kFewest = 15;
     EXPECT_GT(tally.conclusive, kFewest * tally.underflown) << "too many runs underflowed to prove anything";
 }
 
