@@ -209,7 +209,8 @@ HWY_INLINE Outcome collideOnFaces(const FacePairs& faces, const Group& group) {
     const DoubleLanes size = hn::Add(heights.distance, sumNorm(group.poses.translation));
     const DoubleLanes core = hn::Sub(hn::Sub(heights.distance, group.radiusA), group.radiusB);
     const DoubleLanes epsilon = constant(static_cast<double>(kEpsilon));
-    const DoubleMask isAsDeep = hn::Le(deepest, hn::Add(core, hn::Mul(epsilon, size)));
+    const DoubleMask isAsDeep = hn::And(hn::Le(deepest, hn::Add(core, hn::Mul(epsilon, size))),
+                                        hn::Le(group.radii(), size));  // or their rounding is more than it allows for
     const DoubleLanes distanceDoubt =
         hn::Add(hn::Mul(constant(kDoubtfulDistance), hn::Abs(heights.distance)), heights.doubt);
     const DoubleMask isNear =
@@ -289,8 +290,11 @@ HWY_INLINE Outcome collideVertices(const Cores<kVertices>& a, const Cores<kVerti
     const Farthest ofB = farthest(b, closest.b, negative(normal), vertices);
     const DoubleLanes size = hn::Add(hn::Add(sumNorm(closest.a), sumNorm(closest.b)), sumNorm(group.poses.translation));
     const DoubleLanes doubt = hn::Mul(constant(kRoundings * kResolution), size);
-    const DoubleMask isClosest =
-        hn::And(hn::And(ofA.isSure, ofB.isSure), hn::Gt(distance, hn::Max(doubt, constant(kLeastLength))));
+    // So far apart that rounding turns the line between them by less than the angle: nearer, a search may take an edge
+    // that begins there, and its normal.
+    const DoubleMask isFarEnough =
+        hn::And(hn::Gt(hn::Mul(constant(kVertexAngle), distance), doubt), hn::Gt(distance, constant(kLeastLength)));
+    const DoubleMask isClosest = hn::And(hn::And(ofA.isSure, ofB.isSure), isFarEnough);
     const DoubleMask isBeyond = hn::Gt(distance, group.limit);
 
     // `singlePoint`

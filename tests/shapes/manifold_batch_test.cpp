@@ -201,6 +201,58 @@ TEST_P(ManifoldBatches, GiveTheBitsOfTheSearchToRoundPairs) {
     }
 }
 
+/// Cores that all but touch at vertices: what is closest there is hardly more than rounding.
+Query vertexQuery(Chance& chance) {
+    const auto core = [&chance] {
+        const double angle = chance.range(0, 7);
+        const Vec2 half{real(std::cos(angle)), real(std::sin(angle))};
+        return chance.below(2) == 0 ? makeSegment(-half, half).value() : makeBox({1, real(0.25)}, {}, angle).value();
+    };
+    Query query;
+    query.a = makeSegment({-1, 0}, {1, 0}).value();
+    query.b = core();
+    if (isSharp(query.b) && chance.below(2) == 0) { std::swap(query.a, query.b); }
+    query.bInA.rotation = rotationFromAngle(chance.range(0, 7));
+    const auto some = [&chance](int count) { return static_cast<std::size_t>(chance.below(count)); };
+    const std::size_t i = some(query.a.count);
+    // Along a face's normal, a little turned towards the vertex.
+    const DVec2 normal = toDouble(query.a.normals[i]);
+    const double turn = std::pow(10, -chance.range(2, 8)) * (chance.below(2) == 0 ? 1 : -1);
+    const DVec2 direction = normal + turn * DVec2{-normal.y, normal.x};
+    const DVec2 corner = PairView(query.a, query.b, query.bInA).toA(toDouble(query.b.vertices[some(query.b.count)]));
+    const double gap = std::pow(10, -chance.range(6, 14));
+    query.bInA.translation = toReal(toDouble(query.a.vertices[i]) + gap * direction - corner);
+    query.reach = {real(0.1), std::numeric_limits<Real>::infinity()};
+    return query;
+}
+
+TEST_P(ManifoldBatches, LeaveVerticesThatAllButTouchToTheSearch) {
+    if (!canCollideInBatches()) { return; }
+    Tally tally;
+    for (std::uint32_t seed = 0; seed < 2000 && !HasFatalFailure(); ++seed) {
+        Chance chance(seed);
+        std::vector<Query> queries;
+        while (queries.size() < ManifoldBatch::kPairs) { queries.push_back(vertexQuery(chance)); }
+        SCOPED_TRACE(seed);
+        compare(queries, PairKind::round, tally);
+    }
+    EXPECT_LT(tally.left, tally.pairs) << "not all of them are that near";
+}
+
+/// Numbers that a search found, where the radius is a hundred times as large as all that lies between the cores.
+TEST_P(ManifoldBatches, LeaveDeepPairsOfWhichTheRadiusHidesTheDistance) {
+    if (!canCollideInBatches()) { return; }
+    const Vec2 start{real(-0.0013740882709447949), real(-0.0038991044605414986)};
+    Query query;
+    query.a = makeSegment(start, -start).value();
+    query.b = makeCircle({}, real(0.57248610544837308)).value();
+    query.bInA = {{real(-0.0006892172660407413), real(-0.0019557184354439499)},
+                  {real(-0.35224275598048432), real(-0.93590867121705468)}};
+    query.reach = {real(0.001), std::numeric_limits<Real>::infinity()};
+    Tally tally;
+    compare({query}, PairKind::round, tally);
+}
+
 INSTANTIATE_TEST_SUITE_P(OfThisMachine, ManifoldBatches, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
