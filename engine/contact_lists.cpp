@@ -64,10 +64,7 @@ void listBlocks(WorldState& world) {
 /// One block behind the other, and each contact in the lists of what is to be done for it.
 void joinBlocks(WorldState& world) {
     ContactLists& lists = world.lists;
-    lists.near.clear();
-    lists.ground.clear();
-    lists.passing.clear();
-    lists.apart.clear();
+    lists.clear();
     std::size_t size = 0;
     for (std::size_t block = 0; block < lists.counts.size(); ++block) {
         for (std::size_t i = block * kProbesPerBlock; i < block * kProbesPerBlock + lists.counts[block]; ++i) {

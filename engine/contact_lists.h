@@ -18,6 +18,14 @@ struct ContactLists {
     std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other
     std::vector<std::uint32_t> apart;    ///< of these, probes whose boxes are apart
     std::vector<std::uint32_t> counts;   ///< scratch: of each block of probes, how many are noted
+
+    /// Of all lists that are made of the noted ones. A step that has nothing to list must not find those of another.
+    void clear() {
+        near.clear();
+        ground.clear();
+        passing.clear();
+        apart.clear();
+    }
 };
 
 /// Fills the lists, and the states of what is noted. @pre glances and boxes are those of this step

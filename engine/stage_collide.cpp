@@ -331,6 +331,7 @@ void collideContacts(WorldState& world) {
     noteMotions(world);
     world.touching.clear();
     if (world.activeContacts == 0 && world.candidates.empty()) {
+        world.lists.clear();
         if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
     } else {
         world.loops->run(world.awake.size(), kBodyGrain, [&world](std::size_t begin, std::size_t end, int) {

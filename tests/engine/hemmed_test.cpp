@@ -75,5 +75,42 @@ TEST(Hemmed, AFallingBlockPaysForNoContacts) {
     }
 }
 
+/// A sleeper that hangs on a kinematic body by a spring; far from it two bodies fly side by side.
+struct SleeperAndFlyers {
+    World world;
+    BodyId hook;
+    BodyId sleeper;
+    std::vector<BodyId> flyers;
+
+    SleeperAndFlyers() {
+        addStatic(world, box(20, 0.5), material(0.6), {0, -0.5});
+        hook = addBody(world, BodyDef{.type = BodyType::kinematic, .position = {0, 5}}, box(0.1, 0.1), material(0.6));
+        sleeper = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.6));
+        DistanceJointDef spring{.anchorA = {0, 5}, .anchorB = {0, 1}, .spring = Spring{.hertz = 1, .dampingRatio = 1}};
+        spring.base.bodyA = hook;
+        spring.base.bodyB = sleeper;
+        must(world.createJoint(spring));
+        for (int i = 0; i < 1000 && world.isAwake(sleeper); ++i) { must(world.step(kStep)); }
+        for (const double x : {5.0, 5.0 + kSide + kGap}) {
+            flyers.push_back(
+                addBody(world, dynamicAt({x, 100}, vec(0, kSide / kStep)), box(kSide / 2, kSide / 2), material(0.6)));
+        }
+        for (int i = 0; i < 5; ++i) { must(world.step(kStep)); }
+    }
+};
+
+/// What passed each other in the step before is gone, and no contact was left that is awake: the first one then, that
+/// of the sleeper, which the hook wakes in the step, was taken for what had passed, and counted twice.
+TEST(Hemmed, WhatPassedAndIsGoneIsForgotten) {
+    SleeperAndFlyers scene;
+    ASSERT_FALSE(scene.world.isAwake(scene.sleeper));
+    for (const BodyId flyer : scene.flyers) { must(scene.world.destroyBody(flyer)); }
+    must(scene.world.setVelocity(scene.hook, vec(0, 0.1), 0));
+    must(scene.world.step(kStep));
+    ASSERT_TRUE(scene.world.isAwake(scene.sleeper));
+    EXPECT_EQ(scene.world.counters().touching, 1U);
+    EXPECT_EQ(scene.world.counters().constraints, 2U);  // a contact, a joint
+}
+
 }  // namespace
 }  // namespace swept::test
