@@ -11,6 +11,9 @@ namespace {
 /// along the normal then differs from the distance by 2⁻²¹ of it.
 constexpr double kSeamAngle = 0x1p-10;
 
+/// Roundings of the coordinates, on top of it.
+constexpr double kSeamRounding = 4 * static_cast<double>(kEpsilon);
+
 enum class CornerKind : std::uint8_t { open, convex, flatOrConcave };
 
 /// One end of the segment, seen from its neighbour.
@@ -80,7 +83,7 @@ Manifold clipOnSegment(const PairView& pair, const ChainFace& chain, double marg
     // At a seam the neighbouring ranges overlap by the seam angle and rounding, so that nothing falls into a gap.
     const double startHeight = std::fabs(dot(chain.face.normal, incident.start - chain.face.start));
     const double endHeight = std::fabs(dot(chain.face.normal, incident.end - chain.face.start));
-    const double rounding = 4 * static_cast<double>(kEpsilon) * (chain.face.length + sumNorm(incident.start));
+    const double rounding = kSeamRounding * (chain.face.length + sumNorm(incident.start));
     const double slack = kSeamAngle * (startHeight < endHeight ? startHeight : endHeight) + rounding;
     const ManifoldBuilder builder{static_cast<double>(pair.a.radius), static_cast<double>(pair.b.radius), margin, true,
                                   chain.face.normal};
@@ -170,7 +173,8 @@ public:
         }
         foot_ = at(alongs_, lowest);
         constexpr double kRoundings = 64;
-        doubt_ = kRoundings * kResolution * (length_ + sumNorm(face.start) + sumNorm(pair.translation) + farthest);
+        size_ = length_ + sumNorm(face.start) + sumNorm(pair.translation) + farthest;
+        doubt_ = kRoundings * kResolution * size_;
     }
 
     bool isAbove() const { return least_ > doubt_; }
@@ -180,6 +184,9 @@ public:
         const double beside = std::max({first_ - length_, -last_, 0.0});
         return std::sqrt(least_ * least_ + beside * beside) - doubt_;
     }
+
+    /// How far beyond an end a vertex may be at most, besides the seam angle, and still count as over the segment.
+    double mostBeyond() const { return 2 * kSeamRounding * size_; }
 
     /// Whether the closest direction is that of the segment, or will be turned to it. @pre above it
     bool facesOwn(const ChainFace& chain) const {
@@ -217,6 +224,7 @@ private:
     Numbers alongs_;
     int count_ = 0;
     double length_;
+    double size_ = 0;  ///< sum of all coordinates' magnitudes; at least half that of a vertex in the frame of A
     double least_ = std::numeric_limits<double>::infinity();
     double first_ = std::numeric_limits<double>::infinity();
     double last_ = -std::numeric_limits<double>::infinity();
@@ -225,10 +233,11 @@ private:
 };
 
 /// Whether the points are near enough for the search to have found the distance within reach: a vertex that counts as
-/// over the segment, though it is beyond its end by the seam angle, is a little farther away.
-bool isSurelyWithin(const Manifold& manifold, double radii, double reach) {
+/// over the segment, though it is beyond its end by the seam angle and rounding, is a little farther away.
+bool isSurelyWithin(const Manifold& manifold, const CoreOverSegment& core, double radii, double reach) {
     constexpr double kPart = 1 - kSeamAngle * kSeamAngle;
-    return manifold.count == 0 || static_cast<double>(deepestSeparation(manifold)) + radii <= kPart * reach;
+    if (manifold.count == 0) { return true; }
+    return static_cast<double>(deepestSeparation(manifold)) + radii + core.mostBeyond() <= kPart * reach;
 }
 
 /// @tparam kSearches  always
@@ -256,7 +265,7 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
         addCorners(pair, segment, chain);
         if (core.isAbove() && core.facesOwn(chain)) {
             const Manifold manifold = clipOnSegment(pair, chain, margin);
-            if (isSurelyWithin(manifold, radii, reach)) { return manifold; }
+            if (isSurelyWithin(manifold, core, radii, reach)) { return manifold; }
         }
         if (core.crosses()) { return collideCrossing(pair, chain, margin); }
     }

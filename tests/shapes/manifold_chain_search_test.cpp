@@ -135,5 +135,18 @@ TEST(ChainWithoutSearch, GivesTheBitsOfTheSearch) {
     EXPECT_GT(crossing, kQueries / 20);
 }
 
+/// At a flat seam what is beyond the end by rounding counts as over the segment; not what is then out of reach.
+TEST(ChainWithoutSearch, ReachesNoFartherThanTheSearchBeyondASeam) {
+    const ChainSegment segment{.before = {-8, 0}, .p = {0, 0}, .q = {8, 0}, .after = {16, 0}, .hasBefore = true};
+    // Leans over the seam at 45°: farther away than its lower end is high.
+    const Polygon stick = makeSegment({0, 0}, {1, -1}, 8 * kEpsilon).value();
+    for (const Real beyond : {Real(2), Real(10)}) {
+        const Transform pose{{-beyond * kEpsilon, -4 * kEpsilon}, {}};
+        const Manifold m = collide(segment, stick, pose, 0);
+        EXPECT_EQ(m.count, beyond + 4 < 8 * std::sqrt(2.0) ? 1 : 0) << beyond << " roundings beyond the end";
+        expectSameBits(m, collideChainBySearch(segment, stick, pose, 0));
+    }
+}
+
 }  // namespace
 }  // namespace swept
