@@ -30,6 +30,9 @@ bool limitSpeed(Vec2& velocity, Real maxSpeed) {
 constexpr std::size_t kMostReflected = 256;
 /// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner).
 constexpr std::size_t kMostReflectedOfFast = 24;
+/// Of no more that bounce together each is a constraint on its own, and all others take the short way into blocks: one
+/// bouncy ball in a pile took everybody off it before. More of them are solved in blocks themselves.
+constexpr std::size_t kMostAlone = 24;
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
@@ -201,7 +204,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const bool mayLink = !world.watched && scope == DirectScope::none;
     const bool isFast = world.settings.profile == Profile::fast;
     const bool inTurn = mayLink && bouncing > (isFast ? kMostReflectedOfFast : kMostReflected);
-    const bool areLinked = mayLink && (bouncing == 0 || inTurn);
+    const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
     if (areLinked) {
         contacts.link(inTurn);
     } else {

@@ -148,7 +148,7 @@ void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, co
 }
 
 Real TiedContacts::bounceSpeedOf(const Contact& contact) const {
-    return contact.restitution > 0 ? bounceSpeed_ : std::numeric_limits<Real>::infinity();
+    return contact.restitution > kLivelyRestitution ? bounceSpeed_ : std::numeric_limits<Real>::infinity();
 }
 
 std::size_t TiedContacts::countBouncing() const {
@@ -157,10 +157,13 @@ std::size_t TiedContacts::countBouncing() const {
     return count;
 }
 
-void TiedContacts::link(bool bounce) {
+void TiedContacts::link(bool inTurn) {
     SolverBatch& batch = group_.desk.batch;
-    if (bounce) { bounceSpeed_ = hitThreshold_; }
-    forEachLink([&batch](const ContactLink& link, bool) { batch.links.push_back(link); });
+    if (inTurn) { bounceSpeed_ = hitThreshold_; }
+    forEachLink([&batch, inTurn](ContactLink link, bool bounces) {
+        link.isAlone = bounces && !inTurn;  // who bounces together is found contact by contact
+        batch.links.push_back(link);
+    });
     batch.store = this;
 }
 

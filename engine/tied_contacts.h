@@ -18,8 +18,9 @@ public:
 
     /// Gives the batch links to contacts that it takes from here when it is solved; or makes constraints of them at
     /// once.
-    /// @param bounce  whether they bounce in turn (`SolverSettings::bouncesInTurn`)
-    void link(bool bounce);
+    /// @param inTurn  whether those with restitution bounce in turn (`SolverSettings::bouncesInTurn`); else together,
+    /// each a constraint on its own
+    void link(bool inTurn);
     void addConstraints();
     /// How many have restitution.
     std::size_t countBouncing() const;

@@ -67,7 +67,7 @@ void ConstraintGraph::colourLinks(const std::vector<ContactLink>& links) {
     for (std::size_t i = 0; i < links.size(); ++i) {
         const auto colour = static_cast<std::size_t>(colourFor(bodySlots(links[i])));
         colours_[i] = static_cast<std::uint8_t>(colour);
-        ++pointCounts_[colour][links[i].points];
+        ++pointCounts_[colour][links[i].pointsInBlock()];
         isUsed_[colour] = true;
     }
 }

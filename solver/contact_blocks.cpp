@@ -136,7 +136,7 @@ void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, cons
     kernels_ = settings.wide ? contactKernels() : nullptr;
     layOut(graph);
     if (batch.store != nullptr) {
-        listPlaces(graph.contactColours(), [&](std::size_t i) { return std::size_t{batch.links[i].points}; });
+        listPlaces(graph.contactColours(), [&](std::size_t i) { return batch.links[i].pointsInBlock(); });
         std::iota(rest_.begin(), rest_.end(), 0U);  // the store puts them there in this order
         batch.contacts.resize(rest_.size());
         anyBounces_ = false;
@@ -211,6 +211,14 @@ void ContactBlocks::solve(SolverBatch& batch, int colour, RangeCut cut, const Co
     solveContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies, pass);
 }
 
+Real ContactBlocks::mostRestitution(const SolverBatch& batch) const {
+    Real most = 0;
+    for (std::size_t i = 0; i < two_.count; ++i) { most = std::max(most, two_.blocks[i].mostRestitution); }
+    for (std::size_t i = 0; i < one_.count; ++i) { most = std::max(most, one_.blocks[i].mostRestitution); }
+    for (const std::uint32_t place : rest_) { most = std::max(most, batch.contacts[place].restitution); }
+    return most;
+}
+
 void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
     if (!anyBounces_) { return; }
     const auto addUp = [](ContactConstraint& contact, const auto& block, std::size_t lane) {
@@ -220,7 +228,9 @@ void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
     };
     const auto addUpAll = [&](const auto& blocks) {
         for (std::size_t i = 0; i < blocks.count; ++i) {
-            if (blocks.blocks[i].anyBounces) { forEachLane(std::span(&blocks.blocks[i], 1), batch.contacts, addUp); }
+            if (blocks.blocks[i].mostRestitution > 0) {
+                forEachLane(std::span(&blocks.blocks[i], 1), batch.contacts, addUp);
+            }
         }
     };
     addUpAll(two_);
@@ -241,7 +251,7 @@ void ContactBlocks::readBack(SolverBatch& batch, TaskSystem& loops) {
             ContactConstraintPoint& point = contact.points[i];
             point.normalImpulse = block.points[i].normalImpulse[lane];
             point.tangentImpulse = block.points[i].tangentImpulse[lane];
-            if (!block.anyBounces) { point.totalNormalImpulse = block.points[i].totalNormalImpulse[lane]; }
+            if (!(block.mostRestitution > 0)) { point.totalNormalImpulse = block.points[i].totalNormalImpulse[lane]; }
         }
     };
     forEachLane(std::span(two_.blocks).first(two_.count), batch.contacts, read);

@@ -34,6 +34,8 @@ public:
     void warmStart(SolverBatch& batch, int colour, RangeCut cut);
     void bounce(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
     void solve(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
+    /// @pre built
+    Real mostRestitution(const SolverBatch& batch) const;
     /// Ends a sub-step for contacts with restitution, whose totals are in the batch; the others had theirs by the last
     /// pass.
     void addUpBouncing(SolverBatch& batch) const;

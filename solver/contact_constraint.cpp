@@ -171,20 +171,22 @@ Real totalOf(const ContactConstraint& contact, const PairMotion& motion, Real in
 }
 
 /// By how much the relative velocity of a point along the normal has to change; 0 where it does not bounce.
-Real bounceAt(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairMotion& motion, Real h) {
+Real bounceAt(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairMotion& motion,
+              const ContactPass& pass) {
     const Real closing = closingAt(point, motion);
-    const bool meets = closing > contact.bounceSpeed && point.separation <= h * closing;
+    const bool meets = closing > pass.bounceSpeed && point.separation <= pass.h * closing;
     return meets ? (1 + contact.restitution) * closing : Real(0);
 }
 
 /// Of the points, both at once unless one of them would pull.
-std::array<Real, 2> bounceImpulses(const ContactConstraint& contact, const PairMotion& motion, Real h) {
+std::array<Real, 2> bounceImpulses(const ContactConstraint& contact, const PairMotion& motion,
+                                   const ContactPass& pass) {
     const ContactConstraintPoint& one = contact.points[0];
-    const Real ofOne = bounceAt(contact, one, motion, h);
+    const Real ofOne = bounceAt(contact, one, motion, pass);
     const Real aloneOne = one.normalMass * ofOne;
     if (contact.count < 2) { return {aloneOne, 0}; }
     const ContactConstraintPoint& two = contact.points[1];
-    const Real ofTwo = bounceAt(contact, two, motion, h);
+    const Real ofTwo = bounceAt(contact, two, motion, pass);
     const Real aloneTwo = two.normalMass * ofTwo;
     const Real shared = ofOne > 0 && ofTwo > 0 ? contact.sharedResponse : Real(0);
     const Real oneByTwo = shared * one.normalMass;
@@ -223,9 +225,9 @@ void warmStart(const ContactConstraint& contact, const SolverBodies& bodies) {
 }
 
 template <std::size_t kPoints>
-void bounce(ContactConstraint& contact, const SolverBodies& bodies, Real h) {
+void bounce(ContactConstraint& contact, const SolverBodies& bodies, const ContactPass& pass) {
     ContactPair<kPoints> pair(contact, bodies);
-    const std::array<Real, 2> both = bounceImpulses(contact, pair.motion(), h);
+    const std::array<Real, 2> both = bounceImpulses(contact, pair.motion(), pass);
     if (!(both[0] > 0) && !(both[1] > 0)) { return; }
     Impulses<kPoints> impulses;
     std::copy_n(both.begin(), kPoints, impulses.begin());
@@ -334,11 +336,12 @@ void bounceContacts(std::span<ContactConstraint> contacts, std::span<const std::
                     const SolverBodies& bodies, const ContactPass& pass) {
     for (const std::uint32_t place : places) {
         ContactConstraint& contact = contacts[place];
+        if (!(contact.restitution > pass.leastRestitution)) { continue; }
         if (pass.hasMoved) { findSeparations(contact, bodies); }
         if (contact.count > 1) {
-            bounce<2>(contact, bodies, pass.h);
+            bounce<2>(contact, bodies, pass);
         } else if (contact.count > 0) {
-            bounce<1>(contact, bodies, pass.h);
+            bounce<1>(contact, bodies, pass);
         }
     }
 }

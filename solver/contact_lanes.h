@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -95,17 +96,17 @@ template <std::size_t kPoints>
 inline void closeBlock(WideContact<kPoints>& block) {
     std::uint32_t movableA = 0;
     std::uint32_t movableB = 0;
-    bool anyBounces = false;
+    Real mostRestitution = 0;
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
         const BodyInertia a{block.inverseMassA[lane], block.inverseInertiaA[lane]};
         const BodyInertia b{block.inverseMassB[lane], block.inverseInertiaB[lane]};
         movableA |= (isMovable(a) ? 1U : 0U) << lane;
         movableB |= (isMovable(b) ? 1U : 0U) << lane;
-        anyBounces = anyBounces || block.restitution[lane] > 0;
+        mostRestitution = std::max(mostRestitution, block.restitution[lane]);
     }
     block.movableA = movableA;
     block.movableB = movableB;
-    block.anyBounces = anyBounces;
+    block.mostRestitution = mostRestitution;
 }
 
 /// What no contact has written yet, and most never do. @param lanes  of the block that will be; the others hold the

@@ -13,6 +13,10 @@ struct ContactLink {
     BodySlot slotB = kFixedSlot;
     std::uint32_t source = 0;  ///< the store's name for the contact
     std::uint8_t points = 0;   ///< 1 or 2
+    bool isAlone = false;      ///< it is asked for as a constraint
+
+    /// As many as its block has; 0: it stands in none.
+    std::size_t pointsInBlock() const { return isAlone ? 0 : points; }
 };
 static_assert(sizeof(ContactLink) == 16, "four links a cache line: colouring does little else than to read them");
 

@@ -33,7 +33,7 @@ constexpr std::size_t kFewestPerColour = 48;
 constexpr std::size_t kFewestToFill = 512;
 /// Over what is settled: they take out the rounding of impulses.
 constexpr int kSettledPasses = 1;
-/// Of contacts that bounce in turn.
+/// Of contacts that bounce in turn: as many where some are lively.
 constexpr int kTurns = 4;
 
 template <class Constraint>
@@ -143,9 +143,9 @@ void makeJointsRigid(SolverBatch& batch) {
     });
 }
 
-/// Bounces and direct solves look at contacts one by one.
-bool needsContactsPrepared(const SolverSettings& settings) {
-    return settings.bounces || settings.direct == DirectScope::all;
+/// Bounces and direct solves look at contacts one by one. Of a store, what bounces is alone, and prepared there.
+bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& settings) {
+    return batch.store == nullptr && (settings.bounces || settings.direct == DirectScope::all);
 }
 
 void prepareJoints(SolverBatch& batch) {
@@ -159,18 +159,26 @@ void prepareJoints(SolverBatch& batch) {
 
 }  // namespace
 
-void Solver::listBouncing(SolverBatch& batch, Real restitutionThreshold) {
-    for (const std::uint32_t place : graph_.contacts()) {
-        ContactConstraint& contact = batch.contacts[place];
-        if (!(contact.restitution > 0)) { continue; }
-        contact.bounceSpeed = restitutionThreshold;
+/// In the order of colours: so the contacts of a store stand there, too, once they do. Others are listed before they
+/// are laid into blocks, with the speed that they are given here.
+void Solver::listBouncing(SolverBatch& batch, const SolverSettings& settings) {
+    bouncing_.clear();
+    if (!settings.bounces) { return; }
+    const auto note = [&](ContactConstraint& contact) {
+        if (!(contact.restitution > 0)) { return; }
+        contact.bounceSpeed = settings.restitutionThreshold;
         bouncing_.push_back(&contact);
+    };
+    if (batch.store != nullptr) {
+        for (ContactConstraint& contact : batch.contacts) { note(contact); }
+        return;
     }
+    for (const std::uint32_t place : graph_.contacts()) { note(batch.contacts[place]); }
 }
 
 template <bool kJoints>
 void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
-    if (needsContactsPrepared(settings)) {
+    if (needsContactsPrepared(batch, settings)) {
         for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
     }
     if constexpr (kJoints) {
@@ -181,8 +189,7 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
     }
     // What is solved all at once is summed up in the order of the array.
     if (settings.direct == DirectScope::all) { graph_.sortContacts(batch); }
-    bouncing_.clear();
-    if (settings.bounces) { listBouncing(batch, settings.restitutionThreshold); }
+    if (batch.store == nullptr) { listBouncing(batch, settings); }
 }
 
 /// Colours in their order. Those that hold nothing but contacts on their own are gone through at once: a hub with fifty
@@ -377,9 +384,11 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
     addUpImpulses(batch.contacts);
 }
 
-void Solver::bounceInTurn(SolverBatch& batch, const ContactPass& pass) {
-    for (int turn = 0; turn < kTurns; ++turn) {
-        const ContactPass ofTurn{.h = pass.h, .hasMoved = pass.hasMoved && turn == 0};
+void Solver::bounceInTurn(SolverBatch& batch, int turns, const ContactPass& pass) {
+    for (int turn = 0; turn < turns; ++turn) {
+        ContactPass ofTurn = pass;
+        ofTurn.hasMoved = pass.hasMoved && turn == 0;
+        ofTurn.leastRestitution = turn == 0 ? Real(0) : kLivelyRestitution;
         forEachRun<false>(batch, [&](int colour, RangeCut cut) { contacts_.bounce(batch, colour, cut, ofTurn); });
     }
 }
@@ -388,6 +397,8 @@ template <bool kJoints, bool kBounces>
 void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
     isRepeated_ = !kJoints && !kBounces && !settings.bouncesInTurn && settings.direct == DirectScope::none;
+    const bool isLively = settings.bouncesInTurn && contacts_.mostRestitution(batch) > kLivelyRestitution;
+    const int turns = settings.bouncesInTurn ? (isLively ? kTurns : 1) : 0;
     for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
         // Bounces come before this sub-step's gravity: reflected together with the speed, its gain would count twice,
         // and a ball would rise by 2·speed·h with every bounce.
@@ -397,9 +408,12 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
                                     .isCoarse = settings.coarseImpacts};
             report.bounceRounds += reflectImpacts(bouncing_, bodiesOf(batch), bounce, kMaxBounceRounds, impactScratch_);
         }
-        if (settings.bouncesInTurn) {
-            bounceInTurn(batch, {.h = h, .hasMoved = subStep == 0 || settings.relaxPasses == 0});
-            report.bounceRounds += kTurns;
+        if (turns > 0) {
+            bounceInTurn(batch, turns,
+                         {.h = h,
+                          .hasMoved = !settings.settled && (subStep == 0 || settings.relaxPasses == 0),
+                          .bounceSpeed = settings.restitutionThreshold});
+            report.bounceRounds += turns;
         }
         if (settings.settled) {
             holdSettled(batch, settings, report);
@@ -438,8 +452,10 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     const bool hasMany = isAtOnce || graph_.contactColours().size() >= kFewestToFill;
     TaskSystem& ofMany = hasMany ? loops : serial_;
     contacts_.build(batch, graph_,
-                    {.wide = settings.wide && !contactsAreDirect, .prepared = needsContactsPrepared(settings)}, ofMany);
+                    {.wide = settings.wide && !contactsAreDirect, .prepared = needsContactsPrepared(batch, settings)},
+                    ofMany);
     report.contactBlocks = contacts_.blockCount();
+    if (batch.store != nullptr) { listBouncing(batch, settings); }
     const bool hasManyHinges = isAtOnce || batch.hingeLinks.size() >= kFewestToFill;
     TaskSystem& ofManyHinges = hasManyHinges ? loops : serial_;
     if constexpr (kJoints) {

@@ -23,9 +23,10 @@ struct SolverSettings {
     Real restitutionThreshold = 0;                          ///< slower approaches do not bounce, m/s
     Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s
     bool joints = true;                                     ///< false: the batch holds none, and they cost nothing
-    bool bounces = true;                                    ///< false: no contact there has restitution, likewise
-    /// Instead, and only of a batch with links: each contact bounces in its turn
-    /// (`bounceContacts`). Its `bounceSpeed` is set.
+    /// false: no contact there has restitution, likewise; of a batch with links those that have are alone
+    bool bounces = true;
+    /// Instead, and only of a batch with links: each contact bounces in its turn (`bounceContacts`). The `bounceSpeed`
+    /// of those with more than `kLivelyRestitution` is set.
     bool bouncesInTurn = false;
     bool coarseImpacts = false;  ///< bounces in large piles are gone through a few times only, see `ImpactRule`
     bool wide = true;            ///< contacts in blocks where kernels are there; false: one by one, with the same bits
@@ -63,7 +64,7 @@ private:
     int integrateVelocities(SolverBatch& batch, Real maxSpeed);
     int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst);
     void integratePositions(SolverBatch& batch, Real h);
-    void listBouncing(SolverBatch& batch, Real restitutionThreshold);
+    void listBouncing(SolverBatch& batch, const SolverSettings& settings);
     // What is not there is left out of the loops, not asked for in each of their rounds.
     template <bool kJoints>
     void subStepIteratively(SolverBatch& batch, const SolverSettings& settings, Real h, bool isFirst,
@@ -91,7 +92,7 @@ private:
     void warmStart(SolverBatch& batch, bool hasMoved);
     template <bool kJoints>
     void solveColours(SolverBatch& batch, const ContactPass& pass);
-    void bounceInTurn(SolverBatch& batch, const ContactPass& pass);
+    void bounceInTurn(SolverBatch& batch, int turns, const ContactPass& pass);
     template <bool kJoints, bool kBounces>
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 

@@ -40,7 +40,7 @@ struct alignas(kBlockBytes) WideContact {
     std::uint32_t lanes = 0;                       ///< in use
     std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
-    bool anyBounces = false;  ///< totals are added up in the batch, where bounces add to them
+    Real mostRestitution = 0;  ///< of its contacts; where it is 0 nothing bounces
     alignas(kBlockBytes) LaneArray normalX;
     LaneArray normalY;
     LaneArray friction;

@@ -73,13 +73,12 @@ public:
     /// `bounceContacts`.
     HWY_INLINE void bounce(const ContactPass& pass) {
         if (pass.hasMoved) { findSeparations(); }
-        const Lanes h = hn::Set(Tag(), pass.h);
         beginMotion();
         PointLanes impulses;
         if constexpr (kPoints == 2) {
-            findBounces(h, impulses[0], impulses[1]);
+            findBounces(pass, impulses[0], impulses[1]);
         } else {
-            impulses[0] = hn::Mul(at(block_.points[0].normalMass), bounceAt(block_.points[0], h));
+            impulses[0] = hn::Mul(at(block_.points[0].normalMass), bounceAt(block_.points[0], pass));
         }
         const Lanes zero = hn::Zero(Tag());
         LaneMask any = hn::Gt(impulses[0], zero);
@@ -288,22 +287,25 @@ private:
                 hn::IfThenElse(mask, yes.w, no.w)};
     }
 
-    HWY_INLINE Lanes bounceAt(const WideContactPoint& point, Lanes h) const {
+    HWY_INLINE Lanes bounceAt(const WideContactPoint& point, const ContactPass& pass) const {
         const Lanes closing = closingAt(point);
-        const LaneMask meets =
-            hn::And(hn::Gt(closing, at(block_.bounceSpeed)), hn::Le(at(point.separation), hn::Mul(h, closing)));
+        const Lanes restitution = at(block_.restitution);
+        const LaneMask isFast = hn::Gt(closing, hn::Set(Tag(), pass.bounceSpeed));
+        const LaneMask isNear = hn::Le(at(point.separation), hn::Mul(hn::Set(Tag(), pass.h), closing));
+        const LaneMask isMeant = hn::Gt(restitution, hn::Set(Tag(), pass.leastRestitution));
+        const LaneMask meets = hn::And(isMeant, hn::And(isFast, isNear));
         const Lanes one = hn::Set(Tag(), Real(1));
-        return hn::IfThenElseZero(meets, hn::Mul(hn::Add(one, at(block_.restitution)), closing));
+        return hn::IfThenElseZero(meets, hn::Mul(hn::Add(one, restitution), closing));
     }
 
     /// `bounceImpulses` of two points.
-    HWY_INLINE void findBounces(Lanes h, Lanes& impulseOne, Lanes& impulseTwo) const {
+    HWY_INLINE void findBounces(const ContactPass& pass, Lanes& impulseOne, Lanes& impulseTwo) const {
         const Tag tag;
         const Lanes zero = hn::Zero(tag);
         const Lanes massOne = at(block_.points[0].normalMass);
         const Lanes massTwo = at(block_.points[kPoints - 1].normalMass);
-        const Lanes ofOne = bounceAt(block_.points[0], h);
-        const Lanes ofTwo = bounceAt(block_.points[kPoints - 1], h);
+        const Lanes ofOne = bounceAt(block_.points[0], pass);
+        const Lanes ofTwo = bounceAt(block_.points[kPoints - 1], pass);
         impulseOne = impulseTwo = zero;
         if (hn::AllFalse(tag, hn::Gt(hn::Add(ofOne, ofTwo), zero))) { return; }
         const Lanes aloneOne = hn::Mul(massOne, ofOne);
@@ -369,6 +371,7 @@ void warmStart(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodi
 template <std::size_t kPoints>
 void bounce(std::span<WideContact<kPoints> > blocks, const SolverBodies& bodies, const ContactPass& pass) {
     for (WideContact<kPoints>& block : blocks) {
+        if (!(block.mostRestitution > pass.leastRestitution)) { continue; }
         for (std::size_t i = 0; i < block.lanes; i += kGroup) { ContactGroup<kPoints>(block, i, bodies).bounce(pass); }
     }
 }

@@ -306,9 +306,8 @@ double energyOf(const SolverBatch& batch) {
     return sum;
 }
 
-/// Prepared for `bounceContacts`; slower approaches than this do not.
-ContactConstraint bouncing(ContactConstraint contact, const SolverBatch& batch, Real bounceSpeed) {
-    contact.bounceSpeed = bounceSpeed;
+/// Prepared for `bounceContacts`.
+ContactConstraint bouncing(ContactConstraint contact, const SolverBatch& batch) {
     prepareContact(contact, batch.inertias);
     return contact;
 }
@@ -330,13 +329,15 @@ TEST(BounceInTurn, BallsPartWithTheirRestitution) {
         contact.points[0].anchorB = {-1, 0};
         contact.points[0].baseSeparation = real(0.05);
         const std::array<std::uint32_t, 1> places{0};
-        const auto bounceWith = [&](Real bounceSpeed, double h) {
-            std::vector<ContactConstraint> contacts{bouncing(contact, batch, bounceSpeed)};
-            bounceContacts(contacts, places, {batch.states, batch.inertias}, {.h = real(h)});
+        const auto bounceWith = [&](Real bounceSpeed, double h, Real leastRestitution = 0) {
+            std::vector<ContactConstraint> contacts{bouncing(contact, batch)};
+            bounceContacts(contacts, places, {batch.states, batch.inertias},
+                           {.h = real(h), .bounceSpeed = bounceSpeed, .leastRestitution = leastRestitution});
             return contacts[0].points[0].totalNormalImpulse;
         };
         EXPECT_EQ(bounceWith(6, 1), 0) << "too slow";
         EXPECT_EQ(bounceWith(1, 1.0 / 128), 0) << "they do not meet in this sub-step";
+        EXPECT_EQ(bounceWith(1, 1.0 / 32, real(restitution)), 0) << "others are meant";
         EXPECT_EQ(batch.states[1].velocity, (Vec2{4, 0}));
         EXPECT_GT(bounceWith(1, 1.0 / 32), 0);
         const double first = static_cast<double>(batch.states[1].velocity.x);
@@ -355,9 +356,9 @@ TEST(BounceInTurn, BoxesLeaveFlatGroundFlat) {
     batch.states[slot].velocity = {0, -3};
     std::vector<ContactConstraint> contacts{scene.contact(slot)};
     contacts[0].restitution = real(0.5);
-    contacts[0] = bouncing(contacts[0], batch, 1);
+    contacts[0] = bouncing(contacts[0], batch);
     const std::array<std::uint32_t, 1> places{0};
-    bounceContacts(contacts, places, {batch.states, batch.inertias}, {.h = real(1.0 / 64)});
+    bounceContacts(contacts, places, {batch.states, batch.inertias}, {.h = real(1.0 / 64), .bounceSpeed = 1});
     EXPECT_NEAR(static_cast<double>(batch.states[slot].velocity.y), 1.5, 1e-6);
     EXPECT_NEAR(static_cast<double>(batch.states[slot].angularVelocity), 0, 1e-6);
 }
@@ -367,7 +368,7 @@ TEST(BounceInTurn, NeverMakesEnergy) {
     int bounced = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         RandomSolve solve(seed);
-        for (ContactConstraint& contact : solve.batch.contacts) { contact = bouncing(contact, solve.batch, 0); }
+        for (ContactConstraint& contact : solve.batch.contacts) { contact = bouncing(contact, solve.batch); }
         for (std::uint32_t i = 0; i < solve.batch.contacts.size(); ++i) {
             // What kinematic bodies give is theirs, and so is what a spin gives that nothing changes.
             for (std::size_t k = 0; k < solve.batch.states.size(); ++k) {
