@@ -204,6 +204,7 @@ bool findBalancedIslands(WorldState& world, double dt) {
     const auto step = static_cast<Real>(dt);
     const Real gravityStep = length(world.settings.gravity) * step;
     if (!markRestless(world)) { return false; }
+    makeRoomForLoads(world);
     bool any = weighIslands(world, step, gravityStep);
     if (chooseSought(world) && handLoadsDown(world, dt)) {
         for (const std::uint32_t slot : world.tied) {

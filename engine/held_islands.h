@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shapes/real.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;

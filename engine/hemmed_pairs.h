@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shapes/real.h"
 #include "../solver/island_finder.h"
 #include "touching.h"
 

@@ -89,9 +89,6 @@ void listPoints(const LoadSearch& search) {
     WorldState& world = search.world;
     LoadPaths& paths = search.paths;
     paths.points.clear();
-    const std::size_t slots = world.bodies.slotCount();
-    paths.loads.resize(std::max(paths.loads.size(), slots));
-    paths.waiting.resize(std::max(paths.waiting.size(), slots));
     for (const std::uint32_t slot : world.tied) {
         const Body& body = world.bodies[slot];
         paths.loads[slot] = {(body.mass * search.dt) * toDouble(accelerationOf(world, body)), 0};
@@ -221,6 +218,21 @@ bool writeBack(const LoadSearch& search) {
 }
 
 }  // namespace
+
+/// Of the cones of all points below a body; few have more.
+constexpr std::size_t kEdgesAtOnce = 64;
+
+void makeRoomForLoads(WorldState& world) {
+    LoadPaths& paths = world.loadPaths;
+    const std::size_t slots = world.bodies.slotCount();
+    if (paths.points.capacity() < 2 * world.touching.size()) { paths.points.reserve(2 * world.touching.capacity()); }
+    if (paths.spare.capacity() < paths.points.capacity()) { paths.spare.reserve(paths.points.capacity()); }
+    if (paths.loads.size() < slots) { paths.loads.resize(slots); }
+    if (paths.waiting.size() < slots) { paths.waiting.resize(slots); }
+    if (paths.firstPoint.capacity() < slots + 2) { paths.firstPoint.reserve(slots + 2); }
+    if (paths.ready.capacity() < slots) { paths.ready.reserve(slots); }
+    paths.balance.reserve(kEdgesAtOnce);
+}
 
 bool handLoadsDown(WorldState& world, double dt) {
     const DVec2 gravity = toDouble(world.settings.gravity);

@@ -37,6 +37,9 @@ struct LoadPaths {
     ConeBalance balance;
 };
 
+/// Room for as many points as there may be, where a search may begin: the first one comes long after all else is warm.
+void makeRoomForLoads(WorldState& world);
+
 /// Gives the contacts of what is still, but not in balance, impulses that are: from the top down each body is held by
 /// the points below it, which are changed as little as that takes (`ConeBalance`), and hands its load, with all that
 /// lies on it, to the bodies there; the ground takes what arrives. One pass does for any height, where iteration takes

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "../shapes/dvec2.h"
+#include "../shapes/real.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -29,6 +31,7 @@ struct Wrench {
 /// Forces in any unit, of which all results are multiples: nothing here has a scale of its own.
 class ConeBalance {
 public:
+    void reserve(std::size_t edges) { edges_.reserve(edges); }
     void clear() { edges_.clear(); }
     /// @param edge  of the push on the body, of any length; twist over the lever of the load
     /// @param before  part of the push along that edge

@@ -248,7 +248,7 @@ private:
         return kUseBias ? total : hn::IfThenElse(demand.any, total, before);
     }
 
-    /// `totalsOfBoth`.
+    /// `totalsOf`.
     template <bool kUseBias>
     HWY_INLINE void findTotals(Lanes inverseH, Lanes& first, Lanes& second) const {
         const Tag tag;
