@@ -12,7 +12,7 @@ constexpr double kPerBodySubStep = 3e-8;
 constexpr double kPerToiCall = 5e-7;
 constexpr double kPerSolve = 2e-6;
 /// So many times as long as starting it takes is what a step must last on one thread.
-constexpr double kWorthStarting = 10;
+constexpr double kWorthStarting = 6;
 
 }  // namespace
 

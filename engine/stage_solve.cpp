@@ -201,7 +201,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
         group.role == BodyRole::solved ? static_cast<Real>(usual) / static_cast<Real>(part.subSteps) : Real(1);
     TiedContacts contacts(world, group, part, h, scale);
     const std::size_t bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
-    const bool mayLink = !world.watched && scope == DirectScope::none;
+    const bool isIterated = scope == DirectScope::none;
+    const bool mayLink = isIterated && !world.watched;
     const bool isFast = world.settings.profile == Profile::fast;
     const bool inTurn = mayLink && bouncing > (isFast ? kMostReflectedOfFast : kMostReflected);
     const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);

@@ -396,7 +396,9 @@ void Solver::bounceInTurn(SolverBatch& batch, int turns, const ContactPass& pass
 template <bool kJoints, bool kBounces>
 void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    isRepeated_ = !kJoints && !kBounces && !settings.bouncesInTurn && settings.direct == DirectScope::none;
+    constexpr bool kOnlyContacts = !kJoints && !kBounces;
+    const bool isIterated = settings.direct == DirectScope::none;
+    isRepeated_ = kOnlyContacts && isIterated && !settings.bouncesInTurn;
     const bool isLively = settings.bouncesInTurn && contacts_.mostRestitution(batch) > kLivelyRestitution;
     const int turns = settings.bouncesInTurn ? (isLively ? kTurns : 1) : 0;
     for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
