@@ -42,7 +42,7 @@ std::vector<Cost> committedCosts() {
 }
 
 /// Of a whole run, start and end included.
-double instructionsOf(const std::string& scene, int steps, const ScratchDirectory& scratch) {
+double instructionsOnce(const std::string& scene, int steps, const ScratchDirectory& scratch) {
     const ProgramResult result =
         runProgram(SWEPT_VALGRIND, {"--tool=callgrind", "--callgrind-out-file=" + scratch.path("callgrind.out"),
                                     SWEPT_PROGRAM, "run", scene, "--steps", std::to_string(steps)});
@@ -53,9 +53,17 @@ double instructionsOf(const std::string& scene, int steps, const ScratchDirector
     return isTold ? std::stod(match[1]) : 0;
 }
 
+/// What starting takes differs from run to run by some 1e5, now and then by 1e6: the least of three.
+double instructionsOf(const std::string& scene, int steps, const ScratchDirectory& scratch) {
+    const double first = instructionsOnce(scene, steps, scratch);
+    const double second = instructionsOnce(scene, steps, scratch);
+    return std::min({first, second, instructionsOnce(scene, steps, scratch)});
+}
+
 TEST(Instructions, OfAStepDoNotGrow) {
-    constexpr int kSteps = 20;
-    constexpr double kMostGrowth = 1.05;  // of other compilers and processors within that
+    constexpr int kSteps = 100;
+    constexpr double kMostGrowth = 1.05;     // of other compilers and processors within that
+    constexpr double kNoise = 2e5 / kSteps;  // what is left of that
     const std::vector<Cost> costs = committedCosts();
     ASSERT_FALSE(costs.empty());
     for (const Cost& cost : costs) {
@@ -68,7 +76,7 @@ TEST(Instructions, OfAStepDoNotGrow) {
         std::cout << "[ COUNTED  ] " << cost.scene << ',' << cost.size << ',' << cost.profile << ',' << cost.warmSteps
                   << ',' << std::llround(now) << '\n';
         EXPECT_GT(now, 1000) << cost.scene << " does nothing";
-        EXPECT_LE(now, kMostGrowth * cost.instructions) << cost.scene << ", " << cost.profile;
+        EXPECT_LE(now, kMostGrowth * cost.instructions + kNoise) << cost.scene << ", " << cost.profile;
     }
 }
 
