@@ -26,7 +26,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR} -G ${GE
                         "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH=${PREFIX}
                         -DSWEPT_ROOT=${SWEPT_ROOT} -DCONSUME=${CONSUME} -DPRECISION=${PRECISION}
                         -DONLY_LAYERS=${ONLY_LAYERS} -DMISMATCH=${MISMATCH} -DMAIN=${MAIN}
-                        -DCOMPONENTS=${COMPONENTS}
+                        -DCOMPONENTS=${COMPONENTS} -DSWEPT_SIMD_FEW=ON
                 OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "configuring the project failed:\n${output}")

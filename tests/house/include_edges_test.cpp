@@ -33,14 +33,6 @@ std::string folderOf(const std::string& path) {
     return path.starts_with(oracle + '/') ? oracle : path.substr(0, path.find('/'));
 }
 
-/// The file of our own that an include names, from the source root; empty when it names a foreign one.
-std::string resolved(const SourceFile& file, const Include& include) {
-    if (include.quoted) {
-        return (fs::path(file.path).parent_path() / include.target).lexically_normal().generic_string();
-    }
-    return include.target.starts_with("swept/") ? include.target.substr(6) : "";
-}
-
 /// Headers of the C++ standard library have plain names; the C ones end in .h.
 bool isStandard(const std::string& target) {
     return target.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") == std::string::npos;
@@ -51,7 +43,7 @@ TEST(IncludeEdges, PointOneWay) {
     for (const SourceFile& file : allCppFiles()) {
         const std::string from = folderOf(file.path);
         for (const Include& include : includesIn(file.text)) {
-            const std::string target = resolved(file, include);
+            const std::string target = includedFile(file, include);
             if (target.empty()) { continue; }
             const std::string to = folderOf(target);
             ++edges;
@@ -83,7 +75,7 @@ TEST(IncludeEdges, OfTheOracleAreTypesOfItsInput) {
     int edges = 0;
     for (const SourceFile& file : cppFilesIn("tests/oracle")) {
         for (const Include& include : includesIn(file.text)) {
-            const std::string target = resolved(file, include);
+            const std::string target = includedFile(file, include);
             if (target.empty() || folderOf(target) == "tests/oracle") { continue; }
             ++edges;
             EXPECT_TRUE(target == "toi/time_of_impact.h" || target == "shapes/dvec2.h")
@@ -114,7 +106,7 @@ TEST(Headers, OfTheLibraryComeFirstInTheirSources) {
             if (!file.path.ends_with(".cpp") || !fs::is_regular_file(sourceRoot() / header)) { continue; }
             const auto includes = includesIn(file.text);
             ASSERT_FALSE(includes.empty()) << file.path;
-            EXPECT_EQ(resolved(file, includes.front()), header.generic_string()) << file.path;
+            EXPECT_EQ(includedFile(file, includes.front()), header.generic_string()) << file.path;
             ++sources;
         }
     }

@@ -18,6 +18,13 @@ std::string readText(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+std::string includedFile(const SourceFile& file, const Include& include) {
+    if (include.quoted) {
+        return (fs::path(file.path).parent_path() / include.target).lexically_normal().generic_string();
+    }
+    return include.target.starts_with("swept/") ? include.target.substr(6) : "";
+}
+
 std::vector<SourceFile> cppFilesIn(const std::string& folder) {
     std::vector<SourceFile> files;
     const fs::path top = sourceRoot() / folder;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "code_scanner.h"
+
 namespace swept::house {
 
 /// A text file of the repository.
@@ -30,5 +32,8 @@ std::vector<SourceFile> allCppFiles();
 std::vector<std::string> repositoryFiles();
 
 std::string readText(const std::filesystem::path& path);
+
+/// The file of our own that an include names, from the source root; empty when it names a foreign one.
+std::string includedFile(const SourceFile& file, const Include& include);
 
 }  // namespace swept::house

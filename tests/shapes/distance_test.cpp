@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include <swept/shapes/distance.h>
 #include <swept/shapes/gjk.h>
 #include <swept/shapes/penetration.h>

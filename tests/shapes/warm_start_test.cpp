@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include <swept/shapes/distance.h>
 
 #include "pair_families.h"

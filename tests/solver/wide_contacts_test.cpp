@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+
+#include <string>
+
 #include <swept/solver/contact_lanes.h>
 #include <swept/solver/contact_store.h>
 #include <swept/solver/wide_contacts.h>

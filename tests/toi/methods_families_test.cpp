@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include <swept/toi/brute_force.h>
 #include <swept/toi/conservative_advancement.h>

@@ -2,6 +2,7 @@
 
 #include <box2d/b2_broad_phase.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "known_pairs.h"

@@ -1,8 +1,8 @@
 # The standard headers, read once for each of our larger targets: they are most of what a file of ours takes to compile.
 # Included by the top-level list file only.
 #
-# Off where the project is part of another, and in one preset of ours, so that a file which leans on a header that it does
-# not include is found.
+# Off where the project is part of another. That a file includes the headers of what it uses, precompiled or not, is for
+# tests/house.
 option(SWEPT_PRECOMPILE "Precompile the standard headers" ${PROJECT_IS_TOP_LEVEL})
 
 # swept_precompile(TARGET HEADER...): these headers and the common ones of the standard library.

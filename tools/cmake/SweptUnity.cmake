@@ -2,7 +2,7 @@
 #
 # For tests, tools and scenes, which take longer to compile than to run; with sanitizers for the layers too. Never for the
 # layers as they are measured, so that what is inlined where does not depend on it. Off where one file is changed and
-# compiled at a time; one preset of ours leaves it off too, so that a file which leans on what another includes is found.
+# compiled at a time. That a file does not lean on the standard headers of its neighbours is for tests/house.
 option(SWEPT_UNITY "Compile tests, tools and scenes several files at once" OFF)
 
 # Larger pieces save little more, and two jobs have to find work.

@@ -2,6 +2,7 @@
 
 #include <iomanip>
 #include <ostream>
+#include <vector>
 
 namespace swept::bench {
 
