@@ -32,7 +32,7 @@ struct EffortTrial {
     std::vector<ContactOutcome> contacts;
     std::vector<Joint> joints;  ///< in the order of `WorldState::tiedJoints`
     std::size_t events = 0;
-    std::vector<Contact> held;  ///< of an island with something fast, in the order of `FastIslands::held`
+    std::vector<Contact> held;  ///< of an island with something fast, in the order of `AdvancingIsland::held`
 };
 
 /// Before the islands of an effort are solved. @pre `WorldState::tiedJoints` are theirs

@@ -2,14 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "body.h"
 #include "contact.h"
 #include "island_items.h"
-#include "joint.h"
-#include "slide.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -41,28 +38,6 @@ struct FastIslands {
     IslandItems joints;                     ///< slots
     std::vector<std::uint32_t> kinematics;  ///< awake ones
     std::vector<std::uint32_t> waiting;     ///< islands that are still to advance
-};
-
-/// What one island needs while it advances. Kept for its capacity.
-struct FastIsland {
-    std::span<const std::uint32_t> kinematics;  ///< awake ones, of the world
-    std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
-    std::vector<std::uint32_t> members;         ///< dynamic, slots
-    std::vector<std::uint32_t> group;           ///< members, then kinematic bodies
-    std::vector<std::uint32_t> jointSlots;
-    std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
-    std::vector<Slide> heldSlides;           ///< of these
-    std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
-    std::vector<std::uint32_t> sources;      ///< by held contact: its place in the world, or none
-    std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe
-    std::vector<std::uint64_t> heldPairs;     ///< of shape slots, sorted
-    std::vector<std::uint32_t> found;
-    std::vector<BodyMotion> membersAtStart;  ///< of the step
-    std::vector<BodyMotion> membersBefore;   ///< before the part that is being tried
-    std::vector<Contact> heldBefore;
-    std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
-    std::vector<Joint> jointsBefore;
-    std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

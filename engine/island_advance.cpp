@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact_manifold.h"
-#include "ghosts.h"
+#include "island_contacts.h"
 #include "modes.h"
 #include "profile.h"
 #include "rod_turn.h"
-#include "slides.h"
 #include "sweep_obstacles.h"
 #include "tied_group.h"
-#include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -44,29 +41,18 @@ constexpr double kGoodFit = 0.5;
 /// After an impact the next part may be so many times as long as the one before.
 constexpr double kGrowth = 4;
 
-struct Island {
+/// How far one island has come in the step.
+struct Course {
     WorldState& world;
     SolveDesk& desk;
-    FastIsland& fast;
+    AdvancingIsland& island;
     FlightScratch& scratch;
     double dt;
     double elapsed = 0;
     double shortest = 0;
-    double usualSubStep = 0;   ///< of the world, s
-    double subStep = 0;        ///< that the impulses of the held contacts belong to, s
     double subStepBefore = 0;  ///< the part that is being tried
     std::size_t eventsBefore = 0;
 };
-
-std::uint64_t pairKey(std::uint32_t a, std::uint32_t b) {
-    return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
-}
-
-void listHeldPairs(FastIsland& fast) {
-    fast.heldPairs.clear();
-    for (const Contact& contact : fast.held) { fast.heldPairs.push_back(pairKey(contact.shapeA, contact.shapeB)); }
-    std::sort(fast.heldPairs.begin(), fast.heldPairs.end());
-}
 
 double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members) {
     double fastest = 0;
@@ -76,201 +62,104 @@ double fastestSpin(const WorldState& world, std::span<const std::uint32_t> membe
     return fastest;
 }
 
-double fastestSpin(const Island& island) {
-    double fastest = fastestSpin(island.world, island.fast.members);
-    for (const std::uint32_t slot : island.fast.jointSlots) {
-        fastest = std::max(fastest, rodTurnOf(island.world, island.world.joints[slot]));
+double fastestSpin(const Course& course) {
+    double fastest = fastestSpin(course.world, course.island.members);
+    for (const std::uint32_t slot : course.island.jointSlots) {
+        fastest = std::max(fastest, rodTurnOf(course.world, course.world.joints[slot]));
     }
     return fastest;
 }
 
 /// Kinematic bodies stand where they are at that time.
-void placeKinematics(Island& island, double time) {
-    for (std::size_t i = 0; i < island.fast.kinematics.size(); ++i) {
-        const std::uint32_t slot = island.fast.kinematics[i];
-        const BodyMotion& start = island.fast.kinematicsAtStart[i];
-        BodyMotion& motion = island.world.motions[slot];
+void placeKinematics(Course& course, double time) {
+    for (std::size_t i = 0; i < course.island.kinematics.size(); ++i) {
+        const std::uint32_t slot = course.island.kinematics[i];
+        const BodyMotion& start = course.island.kinematicsAtStart[i];
+        BodyMotion& motion = course.world.motions[slot];
         motion.center = start.center + time * toDouble(start.velocity);
         motion.angle = start.angle + time * static_cast<double>(start.angularVelocity);
-        updatePose(island.world, slot);
+        updatePose(course.world, slot);
     }
 }
 
-Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
-    if (world.bodies[shape.body].def.type == BodyType::fixed) { return 0; }
-    const Real motion = motionBound(world, shape.body, time);
-    return std::clamp(motion, kMinReachRatio * shape.extent, kMaxReachRatio * shape.extent);
-}
-
-/// Static and kinematic shapes within reach that no contact knows yet: the island left the boxes of the start of the
-/// step.
-void findGround(Island& island, const Shape& own, std::uint32_t slot, Real time) {
-    WorldState& world = island.world;
-    FastIsland& fast = island.fast;
-    const Aabb box = boundsOf(own.polygon, world.motions[own.body].pose);
-    fast.found.clear();
-    world.broadphase->queryGround(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
-        fast.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
-        return true;
-    });
-    std::sort(fast.found.begin(), fast.found.end());
-    for (const std::uint32_t found : fast.found) {
-        const Shape& other = world.shapes[found];
-        if (world.bodies[other.body].isDynamic() || other.def.sensor || !mayTouch(world, own, other)) { continue; }
-        const std::uint64_t key = pairKey(slot, found);
-        const auto place = std::lower_bound(fast.heldPairs.begin(), fast.heldPairs.end(), key);
-        if (place != fast.heldPairs.end() && *place == key) { continue; }
-        fast.heldPairs.insert(place, key);
-        fast.held.push_back(contactOf(world, slot, found));
-        fast.sources.push_back(kNoIndex);
-    }
-}
-
-void collideHeld(Island& island, double time) {
-    WorldState& world = island.world;
-    const auto length = static_cast<Real>(time);
-    for (const std::uint32_t member : island.fast.members) {
-        for (const std::uint32_t slot : world.bodies[member].shapes) {
-            const Shape& own = world.shapes[slot];
-            if (!own.def.sensor) { findGround(island, own, slot, length); }
-        }
-    }
-    island.fast.heldSlides.resize(island.fast.held.size());
-    for (std::size_t i = 0; i < island.fast.held.size(); ++i) {
-        Contact& contact = island.fast.held[i];
-        const Transform bInA = relativePoseOf(world, contact);
-        const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
-                           reachWithin(world, world.shapes[contact.shapeB], length);
-        island.fast.heldSlides[i] = slideOf(contact, bInA);
-        renewManifold(world, contact, bInA, {reach, reach});
-    }
-    std::vector<std::uint32_t>& all = island.fast.heldIndices;
-    while (all.size() < island.fast.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
-    dropGhosts(world, island.fast.held, island.fast.heldSlides, std::span(all).first(island.fast.held.size()),
-               island.fast.members, island.fast.nextGroundContact);
-    island.desk.counters.manifolds += island.fast.held.size();
-}
-
-/// Normal impulse that a point of a held contact had at the start of the step, N·s in a sub-step of the usual length.
-Real carriedAtStart(const Island& island, std::size_t index, FeatureId id) {
-    const std::uint32_t source = island.fast.sources[index];
-    if (source == kNoIndex) { return 0; }
-    const Contact& start = island.world.contacts[source];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(start.manifold.count); ++k) {
-        if (start.manifold.points[k].id == id) { return start.normalImpulse[k]; }
-    }
-    return 0;
-}
-
-/// Makes the impulses that contacts start from those of sub-steps of another length. What a contact carries grows with
-/// that length, what an impact gives does not: longer sub-steps start from no more than there was in the last one, or
-/// at the start of the step. (They did: an impact in an eighth of the usual sub-step came back eight times as strong,
-/// and a pile of 21 gained a quarter of all energy in one step; test Energy.NeverGrowsUnderGravity.)
-void setSubStep(Island& island, double seconds) {
-    const auto factor = static_cast<Real>(seconds / island.subStep);
-    const auto share = static_cast<Real>(seconds / island.usualSubStep);
-    island.subStep = seconds;
-    if (factor == 1) { return; }
-    for (std::size_t i = 0; i < island.fast.held.size(); ++i) {
-        Contact& contact = island.fast.held[i];
-        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
-            const Real before = contact.normalImpulse[k];
-            if (!(before > 0)) { continue; }
-            Real now = before * factor;
-            if (factor > 1) {
-                const Real carried = carriedAtStart(island, i, contact.manifold.points[k].id);
-                now = std::min(now, std::max(before, share * carried));
-            }
-            contact.normalImpulse[k] = now;
-            contact.tangentImpulse[k] *= now / before;
-        }
-    }
-}
-
-/// Reactions of the joints are means over the step so far, impulses of contacts sums.
-void addUpReactions(Island& island, double time) {
-    const auto share = static_cast<Real>(time / island.dt);
-    for (std::size_t i = 0; i < island.fast.held.size(); ++i) {
-        for (std::size_t k = 0; k < 2; ++k) { island.fast.held[i].totalImpulse[k] += island.fast.totals[i][k]; }
-    }
-    for (std::size_t i = 0; i < island.fast.jointSlots.size(); ++i) {
-        Joint& joint = island.world.joints[island.fast.jointSlots[i]];
-        const Joint& before = island.fast.jointsBefore[i];
+/// Reactions of the joints are means over the step so far.
+void addUpReactions(Course& course, double time) {
+    const auto share = static_cast<Real>(time / course.dt);
+    for (std::size_t i = 0; i < course.island.jointSlots.size(); ++i) {
+        Joint& joint = course.world.joints[course.island.jointSlots[i]];
+        const Joint& before = course.island.jointsBefore[i];
         joint.reactionForce = before.reactionForce + share * joint.reactionForce;
         joint.reactionTorque = before.reactionTorque + share * joint.reactionTorque;
     }
 }
 
-int subStepsFor(const Island& island, double time) {
-    const Effort effort = island.world.bodies[island.fast.members[0]].effort;
-    const int usual = subStepsOf(island.world.settings);
+int subStepsFor(const Course& course, double time) {
+    const Effort effort = course.world.bodies[course.island.members[0]].effort;
+    const int usual = subStepsOf(course.world.settings);
     const int asked = effort.isCrowd ? swept::subStepsFor(effort, usual) : usual;
-    const bool isJointed = !island.fast.jointSlots.empty();
-    const bool isBudgeted = hasErrorBudget(island.world.settings);
+    const bool isJointed = !course.island.jointSlots.empty();
+    const bool isBudgeted = hasErrorBudget(course.world.settings);
     // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the
     // effort says of the whole step (doublingsForWhips) goes for its parts. With a budget it may be fewer sub-steps
     // than asked for: joints that then open too far are advanced again (effort_trial.h).
     const int chosen = swept::subStepsFor(effort, usual);
     const int atLeast = isJointed && isBudgeted ? 1 : asked;
     const int standard = isJointed || isBudgeted ? std::max(atLeast, chosen) : asked;
-    const double share = std::ceil(standard * time / island.dt * (1 - kShortestPart));
+    const double share = std::ceil(standard * time / course.dt * (1 - kShortestPart));
     if (!isJointed) { return std::clamp(static_cast<int>(share), 1, standard); }
-    const double turns = std::ceil(fastestSpin(island) * time / kMaxTurnOfSubStep);
+    const double turns = std::ceil(fastestSpin(course) * time / kMaxTurnOfSubStep);
     const int fewest = std::min(kFewestJointedSubSteps, standard);
     return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);
 }
 
-void solvePart(Island& island, double time) {
-    FastIsland& fast = island.fast;
+void solvePart(Course& course, double time) {
+    AdvancingIsland& island = course.island;
     const StepPart part{
-        .begin = island.elapsed, .length = time, .dt = island.dt, .subSteps = subStepsFor(island, time)};
-    setSubStep(island, time / part.subSteps);
-    fast.totals.clear();
-    for (Contact& contact : fast.held) {
-        fast.totals.push_back(contact.totalImpulse);
-        contact.totalImpulse = {};
-    }
-    solveGroup(island.world,
-               {.desk = island.desk,
+        .begin = course.elapsed, .length = time, .dt = course.dt, .subSteps = subStepsFor(course, time)};
+    setSubStep(course.world, island, time / part.subSteps);
+    putTotalsAside(island);
+    solveGroup(course.world,
+               {.desk = course.desk,
                 .role = BodyRole::together,
-                .effort = island.world.bodies[fast.members[0]].effort,
-                .bodies = fast.group,
-                .contacts = fast.held,
-                .joints = fast.jointSlots},
+                .effort = course.world.bodies[island.members[0]].effort,
+                .bodies = island.group,
+                .contacts = island.held,
+                .joints = island.jointSlots},
                part);
-    addUpReactions(island, time);
+    addUpTotals(island);
+    addUpReactions(course, time);
 }
 
 /// @param isTried  whether the part may be taken back
-void remember(Island& island, bool isTried) {
-    FastIsland& fast = island.fast;
-    fast.membersBefore.clear();
-    for (const std::uint32_t slot : fast.members) {
-        const BodyMotion& motion = island.world.motions[slot];
-        fast.membersBefore.push_back(motion);
-        island.world.bodies[slot].startCenter = motion.center;
-        island.world.bodies[slot].startAngle = motion.angle;
+void remember(Course& course, bool isTried) {
+    AdvancingIsland& island = course.island;
+    island.membersBefore.clear();
+    for (const std::uint32_t slot : island.members) {
+        const BodyMotion& motion = course.world.motions[slot];
+        island.membersBefore.push_back(motion);
+        course.world.bodies[slot].startCenter = motion.center;
+        course.world.bodies[slot].startAngle = motion.angle;
     }
-    if (isTried) { fast.heldBefore = fast.held; }
-    island.subStepBefore = island.subStep;
-    fast.jointsBefore.clear();
-    for (const std::uint32_t slot : fast.jointSlots) { fast.jointsBefore.push_back(island.world.joints[slot]); }
-    island.eventsBefore = island.desk.events.size();
+    if (isTried) { island.heldBefore = island.held; }
+    course.subStepBefore = course.island.subStep;
+    island.jointsBefore.clear();
+    for (const std::uint32_t slot : island.jointSlots) { island.jointsBefore.push_back(course.world.joints[slot]); }
+    course.eventsBefore = course.desk.events.size();
 }
 
-void takeBack(Island& island) {
-    FastIsland& fast = island.fast;
-    for (std::size_t i = 0; i < fast.members.size(); ++i) {
-        island.world.motions[fast.members[i]] = fast.membersBefore[i];
+void takeBack(Course& course) {
+    AdvancingIsland& island = course.island;
+    for (std::size_t i = 0; i < island.members.size(); ++i) {
+        course.world.motions[island.members[i]] = island.membersBefore[i];
     }
-    for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) {
-        island.world.joints[fast.jointSlots[i]] = fast.jointsBefore[i];
+    for (std::size_t i = 0; i < island.jointSlots.size(); ++i) {
+        course.world.joints[island.jointSlots[i]] = island.jointsBefore[i];
     }
-    fast.held = fast.heldBefore;
-    island.subStep = island.subStepBefore;
-    fast.sources.resize(fast.held.size());
-    auto& events = island.desk.events;
-    events.erase(events.begin() + static_cast<std::ptrdiff_t>(island.eventsBefore), events.end());
+    island.held = island.heldBefore;
+    island.subStep = course.subStepBefore;
+    island.sources.resize(island.held.size());
+    auto& events = course.desk.events;
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(course.eventsBefore), events.end());
 }
 
 /// @param share  of the step that the part takes
@@ -280,75 +169,71 @@ bool isSweptMember(const WorldState& world, std::uint32_t slot, double share) {
 }
 
 /// All members stand where they were at a fraction of the part, and did not fall in the rest of it.
-void cutPart(Island& island, double time, double fraction) {
-    FastIsland& fast = island.fast;
-    for (std::size_t i = 0; i < fast.members.size(); ++i) {
-        const BodyMotion& before = fast.membersBefore[i];
-        BodyMotion& motion = island.world.motions[fast.members[i]];
+void cutPart(Course& course, double time, double fraction) {
+    AdvancingIsland& island = course.island;
+    for (std::size_t i = 0; i < island.members.size(); ++i) {
+        const BodyMotion& before = island.membersBefore[i];
+        BodyMotion& motion = course.world.motions[island.members[i]];
         motion.center = before.center + fraction * (motion.center - before.center);
         motion.angle = before.angle + fraction * (motion.angle - before.angle);
-        updatePose(island.world, fast.members[i]);
-        takeBackFall(island.world, fast.members[i], (1 - fraction) * time);
+        updatePose(course.world, island.members[i]);
+        takeBackFall(course.world, island.members[i], (1 - fraction) * time);
     }
 }
 
 /// Where a part ends within the step the way may bend: what watches it needs to know (sensors).
-void notePoses(Island& island, double time) {
-    for (const std::uint32_t slot : island.fast.members) {
-        const BodyMotion& motion = island.world.motions[slot];
-        if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
-        island.scratch.impactPoses.push_back({.body = island.world.bodies.idOf(slot),
+void notePoses(Course& course, double time) {
+    for (const std::uint32_t slot : course.island.members) {
+        const BodyMotion& motion = course.world.motions[slot];
+        if (!isSweptMember(course.world, slot, time / course.dt)) { continue; }
+        course.scratch.impactPoses.push_back({.body = course.world.bodies.idOf(slot),
                                               .position = motion.pose.position,
                                               .angle = motion.angle,
-                                              .fraction = island.elapsed / island.dt});
+                                              .fraction = course.elapsed / course.dt});
     }
 }
 
-void holdMembers(Island& island, double time) {
-    const StepPart part{.begin = island.elapsed, .length = time, .dt = island.dt};
-    for (const std::uint32_t slot : island.fast.members) {
-        if (!isSweptMember(island.world, slot, time / island.dt)) { continue; }
-        ++island.scratch.sweeps;
-        const bool stops = modeOf(island.world, island.world.bodies[slot]) == ContinuousMode::stop;
-        clampAtImpact(island.world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, island.scratch);
+void holdMembers(Course& course, double time) {
+    const StepPart part{.begin = course.elapsed, .length = time, .dt = course.dt};
+    for (const std::uint32_t slot : course.island.members) {
+        if (!isSweptMember(course.world, slot, time / course.dt)) { continue; }
+        ++course.scratch.sweeps;
+        const bool stops = modeOf(course.world, course.world.bodies[slot]) == ContinuousMode::stop;
+        clampAtImpact(course.world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, course.scratch);
     }
 }
 
-void begin(Island& island) {
-    FastIsland& fast = island.fast;
-    island.shortest = kShortestPart * island.dt;
-    island.usualSubStep = island.subStep = island.dt / subStepsOf(island.world.settings);
-    fast.kinematicsAtStart.clear();
-    for (const std::uint32_t slot : fast.kinematics) { fast.kinematicsAtStart.push_back(island.world.motions[slot]); }
-    fast.membersAtStart.clear();
-    for (const std::uint32_t slot : fast.members) { fast.membersAtStart.push_back(island.world.motions[slot]); }
-    for (const std::uint32_t slot : fast.jointSlots) {
-        island.world.joints[slot].reactionForce = {};
-        island.world.joints[slot].reactionTorque = 0;
+void begin(Course& course) {
+    AdvancingIsland& island = course.island;
+    course.shortest = kShortestPart * course.dt;
+    island.usualSubStep = island.subStep = course.dt / subStepsOf(course.world.settings);
+    island.kinematicsAtStart.clear();
+    for (const std::uint32_t slot : island.kinematics) {
+        island.kinematicsAtStart.push_back(course.world.motions[slot]);
     }
-    fast.group = fast.members;
-    fast.group.insert(fast.group.end(), fast.kinematics.begin(), fast.kinematics.end());
+    island.membersAtStart.clear();
+    for (const std::uint32_t slot : island.members) { island.membersAtStart.push_back(course.world.motions[slot]); }
+    for (const std::uint32_t slot : island.jointSlots) {
+        course.world.joints[slot].reactionForce = {};
+        course.world.joints[slot].reactionTorque = 0;
+    }
+    island.group = island.members;
+    island.group.insert(island.group.end(), island.kinematics.begin(), island.kinematics.end());
 }
 
 /// What the next step and its report need: poses at the start of the step, kinematic bodies there, contacts.
-void finish(Island& island) {
-    FastIsland& fast = island.fast;
-    for (std::size_t i = 0; i < fast.kinematics.size(); ++i) {
-        island.world.motions[fast.kinematics[i]] = fast.kinematicsAtStart[i];
+void finish(Course& course) {
+    AdvancingIsland& island = course.island;
+    for (std::size_t i = 0; i < island.kinematics.size(); ++i) {
+        course.world.motions[island.kinematics[i]] = island.kinematicsAtStart[i];
     }
-    for (std::size_t i = 0; i < fast.members.size(); ++i) {
-        Body& body = island.world.bodies[fast.members[i]];
-        body.startCenter = fast.membersAtStart[i].center;
-        body.startAngle = fast.membersAtStart[i].angle;
+    for (std::size_t i = 0; i < island.members.size(); ++i) {
+        Body& body = course.world.bodies[island.members[i]];
+        body.startCenter = island.membersAtStart[i].center;
+        body.startAngle = island.membersAtStart[i].angle;
     }
-    setSubStep(island, island.usualSubStep);
-    for (std::size_t i = 0; i < fast.held.size(); ++i) {
-        if (fast.sources[i] == kNoIndex) { continue; }
-        island.world.contacts[fast.sources[i]] = fast.held[i];
-        ContactProbe& probe = island.world.probes[fast.sourceProbes[i]];
-        probe.apartUntil = 0;  // what it has now is that of another pose
-        probe.isIdle = false;
-    }
+    setSubStep(course.world, island, island.usualSubStep);
+    storeHeld(course.world, island);
 }
 
 /// Visits of members that all tries of an island may make.
@@ -357,40 +242,37 @@ std::size_t memberTries(const WorldSettings& settings) {
 }
 
 /// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
-double tryPart(Island& island, double time, bool fits, double& next) {
-    const bool isLast = time < 2 * island.shortest;  // try: it stays as it is
-    remember(island, !isLast);
-    placeKinematics(island, island.elapsed);
+double tryPart(Course& course, double time, bool fits, double& next) {
+    const bool isLast = time < 2 * course.shortest;  // try: it stays as it is
+    remember(course, !isLast);
+    placeKinematics(course, course.elapsed);
     // The whole step begins with the contacts that it has found already.
-    if (island.elapsed > 0 || time < island.dt) {
-        listHeldPairs(island.fast);
-        collideHeld(island, time);
-    }
-    solvePart(island, time);
-    next = std::max(kGrowth * time, kGrowth * island.shortest);
+    if (course.elapsed > 0 || time < course.dt) { collideHeld(course.world, course.desk, time); }
+    solvePart(course, time);
+    next = std::max(kGrowth * time, kGrowth * course.shortest);
     if (isLast) {
-        holdMembers(island, time);
+        holdMembers(course, time);
         return time;
     }
     const double fraction =
-        firstImpactOf(island.world, island.fast.members, {.length = time, .dt = island.dt}, island.scratch);
+        firstImpactOf(course.world, course.island.members, {.length = time, .dt = course.dt}, course.scratch);
     if (!(fraction < 1)) { return time; }
-    ++island.scratch.impacts;
-    if (fits && fraction >= kGoodFit && fraction * time >= island.shortest) {
-        cutPart(island, time, fraction);
+    ++course.scratch.impacts;
+    if (fits && fraction >= kGoodFit && fraction * time >= course.shortest) {
+        cutPart(course, time, fraction);
         return fraction * time;
     }
-    takeBack(island);
-    next = std::max(fraction * time, island.shortest);
+    takeBack(course);
+    next = std::max(fraction * time, course.shortest);
     return 0;
 }
 
 /// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow
 /// among floor and wall less well, and may throw it up.
-bool fliesInstead(const Island& island) {
-    const FastIsland& fast = island.fast;
-    if (island.elapsed > 0 || fast.members.size() != 1 || !fast.jointSlots.empty()) { return false; }
-    const Body& body = island.world.bodies[fast.members[0]];
+bool fliesInstead(const Course& course) {
+    const AdvancingIsland& island = course.island;
+    if (course.elapsed > 0 || island.members.size() != 1 || !island.jointSlots.empty()) { return false; }
+    const Body& body = course.world.bodies[island.members[0]];
     return !body.deepContact && !body.touchesDynamic && body.holdingJoints == 0;
 }
 
@@ -415,40 +297,40 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
 std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }
 
 void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch& scratch, double met) {
-    Island island{world, desk, desk.island, scratch, dt};
-    begin(island);
+    Course course{world, desk, desk.island, scratch, dt};
+    begin(course);
     const bool wasTried = met < 1;
-    if (wasTried && fliesInstead(island)) {
-        finish(island);
-        fly(world, island.fast.members[0], dt, scratch);
+    if (wasTried && fliesInstead(course)) {
+        finish(course);
+        fly(world, course.island.members[0], dt, scratch);
         return;
     }
-    double next = std::max(met * dt, island.shortest);
-    const std::size_t tries = std::max(memberTries(world.settings) / island.fast.members.size(), kFewestTries);
+    double next = std::max(met * dt, course.shortest);
+    const std::size_t tries = std::max(memberTries(world.settings) / course.island.members.size(), kFewestTries);
     const int mostTries = std::min(static_cast<int>(std::min(tries, kMaxTries)), world.settings.maxImpacts);
     const auto lastParts = static_cast<double>(std::clamp<std::size_t>(tries, 1, kLastParts));
-    const double maxTurn = island.fast.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
+    const double maxTurn = course.island.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
     int made = wasTried ? 1 : 0;
     bool fits = wasTried;
-    while (island.elapsed < dt) {
-        const double rest = dt - island.elapsed;
-        if (made++ == mostTries) { island.shortest = std::max(island.shortest, rest / lastParts); }
-        const double spin = fastestSpin(island);
-        if (spin * island.shortest > kHopelessTurn) { island.shortest = rest; }
-        double time = std::max(next, island.shortest);
-        if (spin * time > maxTurn) { time = std::max(maxTurn / spin, island.shortest); }
-        if (time > rest - 0.5 * island.shortest) { time = rest; }
-        const double gained = tryPart(island, time, fits, next);
-        if (gained <= 0 && fliesInstead(island)) {
-            finish(island);
-            fly(world, island.fast.members[0], dt, scratch);
+    while (course.elapsed < dt) {
+        const double rest = dt - course.elapsed;
+        if (made++ == mostTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
+        const double spin = fastestSpin(course);
+        if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
+        double time = std::max(next, course.shortest);
+        if (spin * time > maxTurn) { time = std::max(maxTurn / spin, course.shortest); }
+        if (time > rest - 0.5 * course.shortest) { time = rest; }
+        const double gained = tryPart(course, time, fits, next);
+        if (gained <= 0 && fliesInstead(course)) {
+            finish(course);
+            fly(world, course.island.members[0], dt, scratch);
             return;
         }
         fits = gained <= 0;
-        island.elapsed = gained >= rest ? dt : island.elapsed + gained;
-        if (gained > 0 && island.elapsed < dt) { notePoses(island, gained); }
+        course.elapsed = gained >= rest ? dt : course.elapsed + gained;
+        if (gained > 0 && course.elapsed < dt) { notePoses(course, gained); }
     }
-    finish(island);
+    finish(course);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

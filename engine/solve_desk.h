@@ -6,10 +6,10 @@
 #include "../shapes/cache_line.h"
 #include "../shapes/task_system.h"
 #include "../solver/solver.h"
+#include "advancing_island.h"
 #include "counters.h"
 #include "energy_account.h"
 #include "events.h"
-#include "fast_islands.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -32,7 +32,7 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<std::uint32_t> energyRoots;   ///< likewise
     std::vector<IslandMotion> islandMotions;  ///< likewise
     std::uint64_t energySolve = 0;            ///< its number
-    FastIsland island;                        ///< that advances here
+    AdvancingIsland island;                   ///< that advances here
 
     std::vector<ContactEvent> events;
     StepCounters counters;

@@ -133,7 +133,7 @@ bool isInside(const WorldState& world, const Contact& contact) {
     return !a.isDynamic() || !b.isDynamic() || contact.isSolid();
 }
 
-void gather(WorldState& world, FastIsland& fast, std::size_t island) {
+void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     const FastIslands& islands = world.fastIslands;
     fast.kinematics = islands.kinematics;
     const std::span<const std::uint32_t> bodies = islands.bodies.of(island);
@@ -169,7 +169,7 @@ void cutTo(Items& items, std::size_t size) {
 
 /// As the island was before it advanced, but for the effort of its members.
 void takeBack(WorldState& world, SolveDesk& desk, const Traces& before, FlightScratch& scratch) {
-    const FastIsland& fast = desk.island;
+    const AdvancingIsland& fast = desk.island;
     const EffortTrial& trial = world.trial;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
         world.motions[fast.members[i]] = fast.membersAtStart[i];
@@ -184,7 +184,7 @@ void takeBack(WorldState& world, SolveDesk& desk, const Traces& before, FlightSc
 
 /// One after the other.
 void advanceWithinBudget(WorldState& world, SolveDesk& desk, std::size_t island, double dt, FlightScratch& scratch) {
-    FastIsland& fast = desk.island;
+    AdvancingIsland& fast = desk.island;
     world.trial.joints.clear();
     for (const std::uint32_t slot : fast.jointSlots) { world.trial.joints.push_back(world.joints[slot]); }
     world.trial.held = fast.held;

@@ -19,6 +19,7 @@
 #include "effort_budget.h"
 #include "effort_trial.h"
 #include "energy_account.h"
+#include "fast_islands.h"
 #include "flight.h"
 #include "held_islands.h"
 #include "hemmed_pairs.h"

@@ -52,8 +52,8 @@ std::vector<Stage> stages() {
         {"sensors", std::regex("engine/mode_sensors.*"), std::regex("sweepSensors"),
          std::regex("sensorS|sweepSensors")},
         {"sweeps",
-         std::regex(
-             "engine/(stage_continuous|stage_islands|island_advance|clash|flight|free_path|bullets|sweep_obstacles).*"),
+         std::regex("engine/(stage_continuous|stage_islands|island_advance|island_contacts|clash|flight|free_path|"
+                    "bullets|sweep_obstacles).*"),
          std::regex("sweepFastBodies"), std::regex("fastIslands|anyFast|anyFlung\\)")},
         {"speedLimit, speculative", std::regex("engine/mode_sp.*"), std::regex("anchorAhead|countAhead"),
          std::regex("world\\.watched")},

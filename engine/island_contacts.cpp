@@ -1,0 +1,135 @@
+#include "island_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_manifold.h"
+#include "ghosts.h"
+#include "slides.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+std::uint64_t pairKey(std::uint32_t a, std::uint32_t b) {
+    return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
+}
+
+void listHeldPairs(AdvancingIsland& island) {
+    island.heldPairs.clear();
+    for (const Contact& contact : island.held) { island.heldPairs.push_back(pairKey(contact.shapeA, contact.shapeB)); }
+    std::sort(island.heldPairs.begin(), island.heldPairs.end());
+}
+
+Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
+    if (world.bodies[shape.body].def.type == BodyType::fixed) { return 0; }
+    const Real motion = motionBound(world, shape.body, time);
+    return std::clamp(motion, kMinReachRatio * shape.extent, kMaxReachRatio * shape.extent);
+}
+
+/// Static and kinematic shapes within reach that no contact knows yet.
+void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, std::uint32_t slot, Real time) {
+    const Aabb box = boundsOf(own.polygon, world.motions[own.body].pose);
+    island.found.clear();
+    world.broadphase->queryGround(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
+        island.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
+        return true;
+    });
+    std::sort(island.found.begin(), island.found.end());
+    for (const std::uint32_t found : island.found) {
+        const Shape& other = world.shapes[found];
+        if (world.bodies[other.body].isDynamic() || other.def.sensor || !mayTouch(world, own, other)) { continue; }
+        const std::uint64_t key = pairKey(slot, found);
+        const auto place = std::lower_bound(island.heldPairs.begin(), island.heldPairs.end(), key);
+        if (place != island.heldPairs.end() && *place == key) { continue; }
+        island.heldPairs.insert(place, key);
+        island.held.push_back(contactOf(world, slot, found));
+        island.sources.push_back(kNoIndex);
+    }
+}
+
+/// Normal impulse that a point of a held contact had at the start of the step, N·s in a sub-step of the usual length.
+Real carriedAtStart(const WorldState& world, const AdvancingIsland& island, std::size_t index, FeatureId id) {
+    const std::uint32_t source = island.sources[index];
+    if (source == kNoIndex) { return 0; }
+    const Contact& start = world.contacts[source];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(start.manifold.count); ++k) {
+        if (start.manifold.points[k].id == id) { return start.normalImpulse[k]; }
+    }
+    return 0;
+}
+
+}  // namespace
+
+void collideHeld(WorldState& world, SolveDesk& desk, double time) {
+    AdvancingIsland& island = desk.island;
+    const auto length = static_cast<Real>(time);
+    listHeldPairs(island);
+    for (const std::uint32_t member : island.members) {
+        for (const std::uint32_t slot : world.bodies[member].shapes) {
+            const Shape& own = world.shapes[slot];
+            if (!own.def.sensor) { findGround(world, island, own, slot, length); }
+        }
+    }
+    island.heldSlides.resize(island.held.size());
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        Contact& contact = island.held[i];
+        const Transform bInA = relativePoseOf(world, contact);
+        const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
+                           reachWithin(world, world.shapes[contact.shapeB], length);
+        island.heldSlides[i] = slideOf(contact, bInA);
+        renewManifold(world, contact, bInA, {reach, reach});
+    }
+    std::vector<std::uint32_t>& all = island.heldIndices;
+    while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
+    dropGhosts(world, island.held, island.heldSlides, std::span(all).first(island.held.size()), island.members,
+               island.nextGroundContact);
+    desk.counters.manifolds += island.held.size();
+}
+
+void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds) {
+    const auto factor = static_cast<Real>(seconds / island.subStep);
+    const auto share = static_cast<Real>(seconds / island.usualSubStep);
+    island.subStep = seconds;
+    if (factor == 1) { return; }
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        Contact& contact = island.held[i];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
+            const Real before = contact.normalImpulse[k];
+            if (!(before > 0)) { continue; }
+            Real now = before * factor;
+            if (factor > 1) {
+                const Real carried = carriedAtStart(world, island, i, contact.manifold.points[k].id);
+                now = std::min(now, std::max(before, share * carried));
+            }
+            contact.normalImpulse[k] = now;
+            contact.tangentImpulse[k] *= now / before;
+        }
+    }
+}
+
+void putTotalsAside(AdvancingIsland& island) {
+    island.totals.clear();
+    for (Contact& contact : island.held) {
+        island.totals.push_back(contact.totalImpulse);
+        contact.totalImpulse = {};
+    }
+}
+
+void addUpTotals(AdvancingIsland& island) {
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        for (std::size_t k = 0; k < 2; ++k) { island.held[i].totalImpulse[k] += island.totals[i][k]; }
+    }
+}
+
+void storeHeld(WorldState& world, const AdvancingIsland& island) {
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        if (island.sources[i] == kNoIndex) { continue; }
+        world.contacts[island.sources[i]] = island.held[i];
+        ContactProbe& probe = world.probes[island.sourceProbes[i]];
+        probe.apartUntil = 0;  // what it has now is that of another pose
+        probe.isIdle = false;
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
