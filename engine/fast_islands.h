@@ -38,6 +38,7 @@ struct FastIslands {
     IslandItems joints;                     ///< slots
     std::vector<std::uint32_t> kinematics;  ///< awake ones
     std::vector<std::uint32_t> waiting;     ///< islands that are still to advance
+    std::vector<Contact> found;             ///< scratch: what they found on their way, of all desks
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

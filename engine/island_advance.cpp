@@ -233,7 +233,7 @@ void finish(Course& course) {
         body.startAngle = island.membersAtStart[i].angle;
     }
     setSubStep(course.world, island, island.usualSubStep);
-    storeHeld(course.world, island);
+    storeHeld(course.world, course.desk);
 }
 
 /// Visits of members that all tries of an island may make.

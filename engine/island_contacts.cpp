@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contact_manifold.h"
 #include "ghosts.h"
 #include "slides.h"
+#include "step.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -59,6 +61,26 @@ Real carriedAtStart(const WorldState& world, const AdvancingIsland& island, std:
     return 0;
 }
 
+/// What is out of reach by now is dropped from the next step on.
+void rememberPoints(AdvancingIsland& island) {
+    island.pointsBefore.resize(island.held.size());
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        if (island.held[i].manifold.count > 0) { island.pointsBefore[i] = island.held[i].manifold; }
+    }
+}
+
+bool hasPressed(const Contact& contact) { return contact.totalImpulse[0] > 0 || contact.totalImpulse[1] > 0; }
+
+/// An impulse is told by the points of its contact, however many of them are left.
+void tellImpulse(Contact& contact, const Manifold& pointsBefore) {
+    if (contact.manifold.count == 0) {
+        contact.manifold = pointsBefore;
+        contact.isKept = false;  // that is of another pose
+        contact.normalImpulse = contact.tangentImpulse = {};
+    }
+    if (contact.manifold.count == 1) { contact.totalImpulse = {contact.totalImpulse[0] + contact.totalImpulse[1], 0}; }
+}
+
 }  // namespace
 
 void collideHeld(WorldState& world, SolveDesk& desk, double time) {
@@ -71,6 +93,7 @@ void collideHeld(WorldState& world, SolveDesk& desk, double time) {
             if (!own.def.sensor) { findGround(world, island, own, slot, length); }
         }
     }
+    rememberPoints(island);
     island.heldSlides.resize(island.held.size());
     for (std::size_t i = 0; i < island.held.size(); ++i) {
         Contact& contact = island.held[i];
@@ -122,13 +145,39 @@ void addUpTotals(AdvancingIsland& island) {
     }
 }
 
-void storeHeld(WorldState& world, const AdvancingIsland& island) {
+void storeHeld(WorldState& world, SolveDesk& desk) {
+    AdvancingIsland& island = desk.island;
+    island.pointsBefore.resize(island.held.size());
     for (std::size_t i = 0; i < island.held.size(); ++i) {
-        if (island.sources[i] == kNoIndex) { continue; }
-        world.contacts[island.sources[i]] = island.held[i];
+        Contact& contact = island.held[i];
+        const bool isTold = hasPressed(contact);
+        if (isTold) { tellImpulse(contact, island.pointsBefore[i]); }
+        if (island.sources[i] == kNoIndex) {
+            if (isTold) { desk.foundContacts.push_back(contact); }
+            continue;
+        }
+        world.contacts[island.sources[i]] = contact;
         ContactProbe& probe = world.probes[island.sourceProbes[i]];
         probe.apartUntil = 0;  // what it has now is that of another pose
         probe.isIdle = false;
+    }
+}
+
+void addFoundContacts(WorldState& world) {
+    std::vector<Contact>& found = world.fastIslands.found;
+    found.clear();
+    for (SolveDesk& desk : world.desks) {
+        found.insert(found.end(), desk.foundContacts.begin(), desk.foundContacts.end());
+        desk.foundContacts.clear();
+    }
+    std::sort(found.begin(), found.end(), [](const Contact& a, const Contact& b) {
+        return std::tie(a.shapeA, a.shapeB) < std::tie(b.shapeA, b.shapeB);
+    });
+    for (const Contact& contact : found) {
+        if (!addContact(world, contact.shapeA, contact.shapeB)) { continue; }
+        world.contacts[world.probes[world.activeContacts - 1].contact] = contact;
+        ++world.counters.contacts;
+        ++world.counters.touching;
     }
 }
 

@@ -20,7 +20,13 @@ void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds
 void putTotalsAside(AdvancingIsland& island);
 void addUpTotals(AdvancingIsland& island);
 
-/// After the step: the contacts of the world are what they became here.
-void storeHeld(WorldState& world, const AdvancingIsland& island);
+/// After the step: the contacts of the world are what they became here. What pressed in it has points, those with which
+/// it did, though they may be out of reach by now: its impulse is told by them. Of contacts that were found on the way,
+/// those are left at the desk.
+void storeHeld(WorldState& world, SolveDesk& desk);
+
+/// What islands left at their desks becomes part of the world, in an order that does not depend on where they advanced:
+/// their impulses are told, and the next step begins with them.
+void addFoundContacts(WorldState& world);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -35,6 +35,7 @@ struct alignas(kCacheLine) SolveDesk {
     AdvancingIsland island;                   ///< that advances here
 
     std::vector<ContactEvent> events;
+    std::vector<Contact> foundContacts;  ///< that islands found on their way, and that pressed
     StepCounters counters;
     bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
 };

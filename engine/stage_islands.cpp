@@ -3,6 +3,7 @@
 #include "clash.h"
 #include "first_try.h"
 #include "island_advance.h"
+#include "island_contacts.h"
 #include "modes.h"
 #include "step.h"
 
@@ -143,6 +144,7 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     fast.held.clear();
     fast.sources.clear();
     fast.sourceProbes.clear();
+    fast.pointsBefore.clear();
     for (const std::uint32_t index : islands.contacts.of(island)) {
         const std::uint32_t source = world.probes[index].contact;
         if (!isInside(world, world.contacts[source])) { continue; }
@@ -155,11 +157,12 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
 /// What an island leaves of a step outside of itself.
 struct Traces {
     std::size_t events;
+    std::size_t found;
     std::size_t poses;
     std::size_t losses;
 };
 Traces tracesOf(const SolveDesk& desk, const FlightScratch& scratch) {
-    return {desk.events.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
+    return {desk.events.size(), desk.foundContacts.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
 }
 
 template <class Items>
@@ -178,6 +181,7 @@ void takeBack(WorldState& world, SolveDesk& desk, const Traces& before, FlightSc
     for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
     for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }
     cutTo(desk.events, before.events);
+    cutTo(desk.foundContacts, before.found);
     cutTo(scratch.impactPoses, before.poses);
     cutTo(scratch.lostTime, before.losses);
 }
@@ -241,6 +245,15 @@ void advanceAtOnce(WorldState& world, double dt) {
     for (SolveDesk& desk : world.desks) { clearDesk(world, desk); }
 }
 
+void advanceInTurn(WorldState& world, double dt) {
+    SolveDesk& desk = world.desks[0];
+    desk.loops = world.loops;
+    for (const std::uint32_t island : world.fastIslands.waiting) {
+        advanceOne(world, desk, island, dt, world.flightScratch[0]);
+    }
+    clearDesk(world, desk);
+}
+
 /// Their order does not matter but to their budgets, and where kinematic bodies are put to where they are in the time
 /// that one of them is at.
 bool areApart(const WorldState& world) {
@@ -267,13 +280,12 @@ void beginFastIslands(WorldState& world, double dt) {
 void advanceFastIslands(WorldState& world, double dt) {
     judgeFirstTry(world, dt, world.flightScratch[0]);
     listWaiting(world);
-    if (areApart(world)) { return advanceAtOnce(world, dt); }
-    SolveDesk& desk = world.desks[0];
-    desk.loops = world.loops;
-    for (const std::uint32_t island : world.fastIslands.waiting) {
-        advanceOne(world, desk, island, dt, world.flightScratch[0]);
+    if (areApart(world)) {
+        advanceAtOnce(world, dt);
+    } else {
+        advanceInTurn(world, dt);
     }
-    clearDesk(world, desk);
+    addFoundContacts(world);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
