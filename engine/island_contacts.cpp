@@ -61,7 +61,7 @@ Real carriedAtStart(const WorldState& world, const AdvancingIsland& island, std:
     return 0;
 }
 
-/// What is out of reach by now is dropped from the next step on.
+/// The impulse of what gets out of reach in the parts to come is told by these.
 void rememberPoints(AdvancingIsland& island) {
     island.pointsBefore.resize(island.held.size());
     for (std::size_t i = 0; i < island.held.size(); ++i) {

@@ -92,7 +92,7 @@ void clearForces(WorldState& world) {
 /// What is held was in balance with the other step, and boxes that were made for a shorter one do not reach far enough.
 void changeStep(WorldState& world, double dt) {
     releaseAllHeld(world);
-    const bool isLonger = world.lastDt > 0 && dt > world.lastDt;
+    const bool isLonger = dt > world.lastDt;  // the first of all is, too: no box knew it
     world.lastDt = dt;
     if (!isLonger) { return; }
     for (const std::uint32_t slot : world.awake) { reachWithVelocity(world, slot); }

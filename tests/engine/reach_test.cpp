@@ -63,5 +63,17 @@ TEST(Reach, OfAStepThatIsLonger) {
     }
 }
 
+/// Nothing was known of its length when the boxes were made.
+TEST(Reach, OfTheFirstStep) {
+    for (const double gap : kGaps) {
+        World world = makeWorld(0);
+        addStatic(world, box(0.5, 2), material(0.6), {0.5, 0});
+        const BodyId mover =
+            addBody(world, dynamicAt({-0.5 - gap, 0}, vec(kWay / kStep, 0)), box(0.5, 0.5), material(0.6));
+        must(world.step(kStep));
+        expectAtMost("first step, gap " + std::to_string(gap), world.position(mover).x + 0.5, 0x1p-10);
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
