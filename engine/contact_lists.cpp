@@ -71,7 +71,6 @@ void joinBlocks(WorldState& world) {
             const std::uint32_t place = lists.noted[size++] = lists.noted[i];
             const ContactProbe& probe = world.probes[place];
             if (probe.state == ContactState::boxesApart) { lists.apart.push_back(place); }
-            if (probe.state == ContactState::passing) { lists.passing.push_back(place); }
             if (probe.state != ContactState::near) { continue; }
             lists.near.push_back(place);
             if (!probe.isPlain) { lists.ground.push_back(probe.contact); }

@@ -15,7 +15,7 @@ struct ContactLists {
     std::vector<std::uint32_t> noted;    ///< probes: near, passing, asleep with points, or boxes apart
     std::vector<std::uint32_t> near;     ///< of these, probes whose contacts get manifolds
     std::vector<std::uint32_t> ground;   ///< contacts of these, in the same order, that are not `isPlain`
-    std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other
+    std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other (told by `collideContacts`)
     std::vector<std::uint32_t> apart;    ///< of these, probes whose boxes are apart
     std::vector<std::uint32_t> counts;   ///< scratch: of each block of probes, how many are noted
 

@@ -52,14 +52,17 @@ enum class NearestPoints : std::uint8_t {
     all
 };
 
+/// What touched or pressed has points as long as it may, so that its end is told where it was.
+bool mayPass(const ContactProbe& probe, const Contact& contact) {
+    return probe.isPlain && !contact.touching && !contact.pressed;
+}
+
 /// Of a contact that may have points. @tparam kWatched  as above
 template <bool kWatched>
 ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const Contact& contact, NearestPoints asked) {
     const Real margin = reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
                         reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB);
-    // What touched or pressed has points as long as it may, so that its end is told where it was.
-    const bool mayPass = probe.isPlain && !contact.touching && !contact.pressed;
-    if (kWatched || asked == NearestPoints::all || !mayPass) { return {margin, margin}; }
+    if (kWatched || asked == NearestPoints::all || !mayPass(probe, contact)) { return {margin, margin}; }
     const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
     return {margin, bodies.passesBeyond(static_cast<Real>(world.lastDt))};
 }
@@ -109,6 +112,7 @@ public:
             renewManifold(world_, contact, bInA, reach);
         }
         finishNear(world_, probe, contact, bInA);
+        notePassing(probe, contact);
     }
 
     /// What is left in batches.
@@ -120,7 +124,8 @@ private:
     void addToBatch(ContactProbe& probe, Contact& contact, const Transform& bInA, ManifoldReach reach) {
         if (contact.memory.isApart(bInA, std::min(reach.points, reach.nearest))) {
             takeManifold(contact, bInA, {});
-            return finishNear(world_, probe, contact, bInA);
+            finishNear(world_, probe, contact, bInA);
+            return notePassing(probe, contact);
         }
         ContactBatch& batch = batches_[static_cast<std::size_t>(contact.batch) - 1];
         batch.add(world_, probe, contact, bInA, reach);
@@ -129,7 +134,16 @@ private:
     void renew(ContactBatch& batch) {
         batch.renew(world_, [this](ContactProbe& probe, Contact& contact, const Transform& bInA) {
             finishNear(world_, probe, contact, bInA);
+            notePassing(probe, contact);
         });
+    }
+    /// What has no points since its bodies pass each other may still be hemmed in (hemmed_pairs.h).
+    void notePassing(ContactProbe& probe, const Contact& contact) const {
+        if (kWatched || probe.points > 0 || asked_ == NearestPoints::all || !mayPass(probe, contact)) { return; }
+        const BodyGlances bodies{world_.glances[probe.bodyA], world_.glances[probe.bodyB]};
+        if (bodies.stateOfIdle(probe, static_cast<Real>(world_.lastDt)) != ContactState::passing) { return; }
+        probe.state = ContactState::passing;
+        probe.isIdle = true;
     }
 
     const WorldState& world_;
@@ -282,12 +296,13 @@ void listTouching(WorldState& world, ContactProbe& probe) {
     if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
 }
 
-/// Events, waking, and the list for the stages that follow.
+/// Events, waking, and the lists for the stages that follow.
 void listTouching(WorldState& world) {
     for (const std::uint32_t i : world.lists.noted) {
         ContactProbe& probe = world.probes[i];
         const bool isListed = probe.state == ContactState::near || probe.state == ContactState::asleep;
         if (isListed) { listTouching(world, probe); }
+        if (probe.state == ContactState::passing) { world.lists.passing.push_back(i); }
     }
 }
 

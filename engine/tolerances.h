@@ -53,7 +53,7 @@ inline constexpr Real kBoxStepsAhead = 2;
 inline constexpr Real kMaxAheadRatio = 4;
 /// Bodies that pass each other are no farther apart than this part of their extent where they may be stopped by one
 /// another within the step (hemmed_pairs.h).
-inline constexpr Real kHemRatio = Real(1) / 8;
+inline constexpr Real kHemRatio = Real(1) / 16;
 /// Fastest push out of an overlap: this part of the pair's extent per step.
 inline constexpr Real kPushRatio = Real(1) / 16;
 /// A flyer that overlaps something by up to this part of the extent is set back to the surface before it flies on.

@@ -47,8 +47,9 @@ struct Block {
     }
 };
 
-/// At 12 m/s each goes its own width in a step. Overlaps for each box were 0.40 to 0.63 of a side, they are 0.17 to
-/// 0.24 in `fast` and 0.04 to 0.10 in `accurate`.
+/// At 12 m/s each goes its own width in a step. Overlaps for each box were 0.40 to 0.63 of a side, they are 0.14 to
+/// 0.20 in `fast` and 0.03 to 0.10 in `accurate`. (What is looked at anew in the very step of the strike is hemmed in
+/// it, too: without that it was 0.24.)
 TEST(Hemmed, AFallingBlockIsNotCrushedIntoItself) {
     for (const Profile profile : {Profile::fast, Profile::accurate}) {
         for (const double height : {0.2, 0.25, 0.3, 0.35}) {
@@ -59,7 +60,7 @@ TEST(Hemmed, AFallingBlockIsNotCrushedIntoItself) {
                 most = std::max(most, block.overlaps());
             }
             expectAtMost("height " + std::to_string(height), most / (kLayers * kColumns),
-                         profile == Profile::fast ? 0.35 : 0.2);
+                         profile == Profile::fast ? 0.22 : 0.2);
         }
     }
 }
