@@ -161,8 +161,10 @@ constexpr std::size_t kContactsAhead = 12;
 constexpr std::size_t kShapesAhead = 4;
 constexpr std::size_t kLine = 64;  ///< bytes of a cache; on other machines than most it is only slower
 
+/// (What only fetches has no effect that GCC knows of: calls of such a function that it does not inline at once are
+/// dropped.)
 template <class T>
-void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
+[[gnu::always_inline]] inline void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
     const char* const first = reinterpret_cast<const char*>(&thing);
     for (std::size_t i = 0; i < bytes; i += kLine) { __builtin_prefetch(first + i); }
     if constexpr (alignof(T) < kLine) { __builtin_prefetch(first + (bytes - 1)); }  // it begins anywhere in a line
@@ -170,7 +172,7 @@ void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
 /// times.
-void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
+[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
     if (coming.size() > kProbesAhead) { __builtin_prefetch(&world.probes[coming[kProbesAhead]]); }
     if (coming.size() > kContactsAhead) { fetch(world.contacts[world.probes[coming[kContactsAhead]].contact]); }
     if (coming.size() > kShapesAhead) {
