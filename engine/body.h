@@ -4,14 +4,18 @@
 #include <limits>
 #include <vector>
 
+#include "../shapes/cache_line.h"
 #include "../shapes/transform.h"
 #include "body_def.h"
 #include "effort.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Where an array begins whose elements fill one cache line each in `Real` float, and more than one in double.
+inline constexpr std::size_t kLineOfFloats = sizeof(Real) == sizeof(float) ? kCacheLine : alignof(double);
+
 /// Hot state of a body, one element per body slot, in an array of its own: what every stage of the step reads.
-struct BodyMotion {
+struct alignas(kLineOfFloats) BodyMotion {
     DVec2 center{};         ///< of mass, world
     double angle = 0;       ///< unwrapped
     WorldTransform pose{};  ///< of the body frame; follows from centre, angle and local centre

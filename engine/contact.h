@@ -51,9 +51,11 @@ struct alignas(64) Contact {
     Real extentB = 0;
     Real radiusA = 0;
     Real radiusB = 0;
-    bool dynamicA = false;  ///< the body is
-    bool dynamicB = false;
-    bool sensor = false;
+    std::uint8_t verticesA = 0;
+    std::uint8_t verticesB = 0;
+    bool dynamicA : 1 = false;  ///< the body is
+    bool dynamicB : 1 = false;
+    bool sensor : 1 = false;
     BatchKind batch = BatchKind::none;
     bool touching = false;   ///< begin was reported, end was not
     bool pressed = false;    ///< carried an impulse in the last step

@@ -28,7 +28,8 @@ public:
         entry.bInA.rotation.c = bInA.rotation.c;
         entry.bInA.rotation.s = bInA.rotation.s;
         entry.margin = reach.points;
-        pairs_.add(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon, bInA, reach);
+        pairs_.add(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon,
+                   {contact.radiusA, contact.radiusB, contact.verticesA, contact.verticesB}, bInA, reach);
     }
 
     /// Gives all of them their manifolds, and is empty.

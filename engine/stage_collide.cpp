@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../shapes/cache_line.h"
 #include "../shapes/distance.h"
 #include "contact_batch.h"
 #include "contact_manifold.h"
@@ -159,15 +160,28 @@ private:
 constexpr std::size_t kProbesAhead = 16;
 constexpr std::size_t kContactsAhead = 12;
 constexpr std::size_t kShapesAhead = 4;
-constexpr std::size_t kLine = 64;  ///< bytes of a cache; on other machines than most it is only slower
 
 /// (What only fetches has no effect that GCC knows of: calls of such a function that it does not inline at once are
 /// dropped.)
 template <class T>
-[[gnu::always_inline]] inline void fetch(const T& thing, std::size_t bytes = sizeof(T)) {
+[[gnu::always_inline]] inline void fetch(const T& thing) {
     const char* const first = reinterpret_cast<const char*>(&thing);
-    for (std::size_t i = 0; i < bytes; i += kLine) { __builtin_prefetch(first + i); }
-    if constexpr (alignof(T) < kLine) { __builtin_prefetch(first + (bytes - 1)); }  // it begins anywhere in a line
+    for (std::size_t i = 0; i < sizeof(T); i += kCacheLine) { __builtin_prefetch(first + i); }
+    if constexpr (alignof(T) < kCacheLine) {
+        __builtin_prefetch(first + (sizeof(T) - 1));  // it begins anywhere in a line
+    }
+}
+
+/// A contact has the rest of what is asked of it.
+[[gnu::always_inline]] inline void fetchPolygon(const Polygon& polygon, std::size_t vertices) {
+    constexpr std::size_t kPerLine = kCacheLine / sizeof(Vec2);
+    __builtin_prefetch(polygon.vertices.data());
+    __builtin_prefetch(polygon.normals.data());
+    if constexpr (kPerLine < kMaxPolygonVertices) {
+        if (vertices <= kPerLine) { return; }
+        __builtin_prefetch(polygon.vertices.data() + kPerLine);
+        __builtin_prefetch(polygon.normals.data() + kPerLine);
+    }
 }
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
@@ -177,8 +191,8 @@ template <class T>
     if (coming.size() > kContactsAhead) { fetch(world.contacts[world.probes[coming[kContactsAhead]].contact]); }
     if (coming.size() > kShapesAhead) {
         const Contact& contact = world.contacts[world.probes[coming[kShapesAhead]].contact];
-        fetch(world.shapes[contact.shapeA].polygon);
-        fetch(world.shapes[contact.shapeB].polygon);
+        fetchPolygon(world.shapes[contact.shapeA].polygon, contact.verticesA);
+        fetchPolygon(world.shapes[contact.shapeB].polygon, contact.verticesB);
         fetch(world.motions[contact.bodyA]);
         fetch(world.motions[contact.bodyB]);
     }

@@ -55,6 +55,8 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.extentB = b.extent;
     contact.radiusA = a.polygon.radius;
     contact.radiusB = b.polygon.radius;
+    contact.verticesA = static_cast<std::uint8_t>(a.polygon.count);
+    contact.verticesB = static_cast<std::uint8_t>(b.polygon.count);
     contact.dynamicA = world.bodies[a.body].isDynamic();
     contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;

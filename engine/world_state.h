@@ -68,7 +68,7 @@ struct Waypoint {
 };
 
 /// What contacts look at first of their bodies, as the stage of contacts began (travel.h).
-struct BodyGlance {
+struct alignas(kLineOfFloats) BodyGlance {
     DVec2 center{};
     double turned = std::numeric_limits<double>::infinity();  ///< `BodyTravel::turned`
     Real ahead = 0;                                           ///< how far its contacts reach, metres

@@ -45,7 +45,8 @@ bool canCollideInBatches() {
     return kernelsFor(PairKind::sharp).ofFew != nullptr && kernelsFor(PairKind::round).ofFew != nullptr;
 }
 
-void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach) {
+void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Sizes& sizes, const Transform& bInA,
+                        ManifoldReach reach) {
     const std::size_t i = size_++;
     pairs_.a[i] = &a;
     pairs_.b[i] = &b;
@@ -55,17 +56,21 @@ void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Transform& bIn
     pairs_.y[i] = bInA.translation.y;
     pairs_.points[i] = reach.points;
     pairs_.nearest[i] = std::min(reach.points, reach.nearest);
-    pairs_.radiusA[i] = a.radius;
-    pairs_.radiusB[i] = b.radius;
-    pairs_.vertices = std::max(i > 0 ? pairs_.vertices : 0, static_cast<std::size_t>(std::max(a.count, b.count)));
+    pairs_.radiusA[i] = sizes.radiusA;
+    pairs_.radiusB[i] = sizes.radiusB;
+    pairs_.verticesA[i] = sizes.verticesA;
+    pairs_.verticesB[i] = sizes.verticesB;
+    pairs_.vertices =
+        std::max(i > 0 ? pairs_.vertices : 0, static_cast<std::size_t>(std::max(sizes.verticesA, sizes.verticesB)));
 }
 
 void ManifoldBatch::collide() {
     for (std::size_t i = size_; i < kPairs; ++i) {  // what is left over does what the first does
         pairs_.a[i] = pairs_.a[0];
         pairs_.b[i] = pairs_.b[0];
-        for (WidePairs::Lanes* const lanes : {&pairs_.c, &pairs_.s, &pairs_.x, &pairs_.y, &pairs_.points,
-                                              &pairs_.nearest, &pairs_.radiusA, &pairs_.radiusB}) {
+        for (WidePairs::Lanes* const lanes :
+             {&pairs_.c, &pairs_.s, &pairs_.x, &pairs_.y, &pairs_.points, &pairs_.nearest, &pairs_.radiusA,
+              &pairs_.radiusB, &pairs_.verticesA, &pairs_.verticesB}) {
             (*lanes)[i] = (*lanes)[0];
         }
     }

@@ -32,8 +32,20 @@ public:
 
     std::size_t size() const { return size_; }
     bool isFull() const { return size_ == kPairs; }
+    /// What a batch asks of two polygons beside vertices and normals, of who has it at hand.
+    struct Sizes {
+        Real radiusA = 0;
+        Real radiusB = 0;
+        std::uint8_t verticesA = 0;
+        std::uint8_t verticesB = 0;
+    };
+
     /// @pre not full; of the kind; `collidesInBatches` both, which stay where they are until the batch is cleared
-    void add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach);
+    void add(const Polygon& a, const Polygon& b, const Sizes& sizes, const Transform& bInA, ManifoldReach reach);
+    void add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach) {
+        const auto vertices = [](const Polygon& polygon) { return static_cast<std::uint8_t>(polygon.count); };
+        add(a, b, {a.radius, b.radius, vertices(a), vertices(b)}, bInA, reach);
+    }
     /// Whether a pair was too doubtful for the batch, and is collided by itself. @pre collided
     bool isLeft(std::size_t pair) const {
         return kind_ == PairKind::round && ((pairs_.plain | pairs_.apart) >> pair & 1U) == 0;

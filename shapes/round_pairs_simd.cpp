@@ -360,8 +360,8 @@ void collideRoundPairs(WidePairs& pairs) {
     Polygons<kVertices> a;
     Polygons<kVertices> b;
     const std::size_t vertices = kVertices <= kFewVertices ? kVertices : pairs.vertices;
-    gather<1>(pairs.a, vertices, a);
-    gather<1>(pairs.b, vertices, b);
+    gather<1>(pairs.a, pairs.verticesA, vertices, a);
+    gather<1>(pairs.b, pairs.verticesB, vertices, b);
     pairs.ofA = pairs.plain = pairs.apart = pairs.isThere[0] = pairs.isThere[1] = 0;
     for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(Doubles())) {
         collideGroup(a, b, vertices, lane, pairs);

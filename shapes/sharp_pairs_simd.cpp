@@ -210,8 +210,8 @@ void collideSharpPairs(WidePairs& pairs) {
     Polygons<kVertices> a;
     Polygons<kVertices> b;
     const std::size_t vertices = kVertices == kFewVertices ? kVertices : pairs.vertices;
-    gather<3>(pairs.a, vertices, a);
-    gather<3>(pairs.b, vertices, b);
+    gather<3>(pairs.a, pairs.verticesA, vertices, a);
+    gather<3>(pairs.b, pairs.verticesB, vertices, b);
     Faces ofA;
     Faces ofB;
     findFaces(a, b, vertices, pairs, ofA, ofB);

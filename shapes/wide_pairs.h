@@ -36,6 +36,8 @@ struct alignas(64) WidePairs {
     Lanes nearest;
     Lanes radiusA;
     Lanes radiusB;
+    Lanes verticesA;  ///< how many
+    Lanes verticesB;
 
     Lanes normalX;
     Lanes normalY;
