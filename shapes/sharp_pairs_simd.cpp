@@ -205,11 +205,12 @@ HWY_INLINE void clipPairs(const Polygons<kVertices>& a, const Polygons<kVertices
     store(face.edge, pairs.face.data() + lane);
 }
 
+/// @tparam kVertices  of none of them more; of the greatest number there is, loops end where they may, else with it
 template <int kVertices>
 void collideSharpPairs(WidePairs& pairs) {
     Polygons<kVertices> a;
     Polygons<kVertices> b;
-    const std::size_t vertices = kVertices == kFewVertices ? kVertices : pairs.vertices;
+    const std::size_t vertices = kVertices < kMaxPolygonVertices ? kVertices : pairs.vertices;
     gather<3>(pairs.a, pairs.verticesA, vertices, a);
     gather<3>(pairs.b, pairs.verticesB, vertices, b);
     Faces ofA;
@@ -224,8 +225,20 @@ void collideSharpPairs(WidePairs& pairs) {
     pairs.plain &= pairs.ordinary & ~pairs.apart;
 }
 
+/// More than a few: what the most usual of these are made of is known to the compiler.
+void collideManySharpPairs(WidePairs& pairs) {
+    switch (pairs.vertices) {
+        case 5:
+            return collideSharpPairs<5>(pairs);
+        case 6:
+            return collideSharpPairs<6>(pairs);
+        default:
+            return collideSharpPairs<kMaxPolygonVertices>(pairs);
+    }
+}
+
 PairKernels kernelsForSharpPairs() {
-    return {nullptr, collideSharpPairs<kFewVertices>, collideSharpPairs<kMaxPolygonVertices>};
+    return {nullptr, collideSharpPairs<kFewVertices>, collideManySharpPairs};
 }
 
 }  // namespace HWY_NAMESPACE
