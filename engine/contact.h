@@ -99,9 +99,10 @@ struct ContactProbe : ContactPair {
                               ///< while they are apart nothing changes
     bool isPlain : 1 =
         false;  ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
-    bool bounces : 1 = false;  ///< has restitution
-    bool turns : 1 = false;    ///< of state `near`: touching begins or ends
-    bool isOpen : 1 = false;   ///< of state `near`: `TouchingPair::isOpen`
+    bool areAwake : 1 = false;  ///< of state `near`: both bodies were, as the stage of contacts began
+    bool bounces : 1 = false;   ///< has restitution
+    bool turns : 1 = false;     ///< of state `near`: touching begins or ends
+    bool isOpen : 1 = false;    ///< of state `near`: `TouchingPair::isOpen`
 };
 static_assert(sizeof(ContactProbe) <= 48, "a step reads all of them");
 

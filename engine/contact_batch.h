@@ -19,15 +19,7 @@ public:
     /// @pre not full; the contact is of the kind
     void add(const WorldState& world, ContactProbe& probe, Contact& contact, const Transform& bInA,
              ManifoldReach reach) {
-        // One by one: together they would be read from where some of them were just written, and wait for that.
-        Entry& entry = entries_[pairs_.size()];
-        entry.probe = &probe;
-        entry.contact = &contact;
-        entry.bInA.translation.x = bInA.translation.x;
-        entry.bInA.translation.y = bInA.translation.y;
-        entry.bInA.rotation.c = bInA.rotation.c;
-        entry.bInA.rotation.s = bInA.rotation.s;
-        entry.margin = reach.points;
+        entries_[pairs_.size()] = {&probe, &contact};
         pairs_.add(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon,
                    {contact.radiusA, contact.radiusB, contact.verticesA, contact.verticesB}, bInA, reach);
     }
@@ -38,22 +30,19 @@ public:
     void renew(const WorldState& world, const Done& done) {
         if (pairs_.size() == 0) { return; }
         pairs_.collide();
-        std::array<Manifold, ManifoldBatch::kPairs>
-            closest;  // first all of them: copies wait for what was just written
-        for (std::size_t i = 0; i < pairs_.size(); ++i) {
-            pairs_.takeManifold(i, entries_[i].contact->memory, closest[i]);
-        }
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             const Entry& entry = entries_[i];
             Contact& contact = *entry.contact;
-            if (contact.dynamicA) {
-                takeManifold(contact, entry.bInA, closest[i]);
+            const Transform bInA = pairs_.poseOf(i);
+            // As nearly always: written where it belongs, impulses stay where they are.
+            if (contact.dynamicA && pairs_.isPlain(i) && pairs_.hasPoints(i, contact.manifold)) {
+                pairs_.copyPoints(i, contact.manifold);
+                contact.memory.verdict = ManifoldMemory::Verdict::none;
+                keepManifold(contact, bInA);
             } else {
-                takeManifold(contact, entry.bInA,
-                             turnedToGround(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB],
-                                            entry.bInA, entry.margin, closest[i]));
+                renewOther(world, i, contact, bInA);
             }
-            done(*entry.probe, contact, entry.bInA);
+            done(*entry.probe, contact, bInA);
         }
         pairs_.clear();
     }
@@ -62,9 +51,18 @@ private:
     struct Entry {
         ContactProbe* probe = nullptr;
         Contact* contact = nullptr;
-        Transform bInA{};
-        Real margin = 0;
     };
+
+    /// What has other points than before, or stands on ground.
+    void renewOther(const WorldState& world, std::size_t pair, Contact& contact, const Transform& bInA) const {
+        Manifold closest;
+        pairs_.takeManifold(pair, contact.memory, closest);
+        if (!contact.dynamicA) {
+            closest = turnedToGround(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA,
+                                     pairs_.reachOf(pair), closest);
+        }
+        takeManifold(contact, bInA, closest);
+    }
 
     ManifoldBatch pairs_;
     std::array<Entry, ManifoldBatch::kPairs> entries_;

@@ -92,18 +92,14 @@ bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach)
 }
 
 void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manifold) {
-    contact.kept = {bInA, manifold.normal, {manifold.points[0].separation, manifold.points[1].separation}};
-    contact.isKept = manifold.count == 2;
-    if (hasSamePoints(contact.manifold, manifold)) {  // as nearly always: impulses stay where they are
+    if (hasSamePoints(contact.manifold, manifold)) {
         contact.manifold = manifold;
-        for (auto i = static_cast<std::size_t>(manifold.count); i < contact.normalImpulse.size(); ++i) {
-            contact.normalImpulse[i] = contact.tangentImpulse[i] = 0;
-        }
-        return;
+    } else {
+        const OldPoints before{contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
+        contact.manifold = manifold;
+        carryImpulses(before, contact);
     }
-    const OldPoints before{contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
-    contact.manifold = manifold;
-    carryImpulses(before, contact);
+    keepManifold(contact, bInA);
 }
 
 void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach) {

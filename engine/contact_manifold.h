@@ -14,6 +14,22 @@ inline Transform relativePoseOf(const WorldState& world, const Contact& contact)
 bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach);
 /// Makes it anew. Points that were there before keep their impulses.
 void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach);
+/// Writes down where the manifold was found that a contact has by now, so that the next step may keep it. Points that
+/// it has not have no impulses.
+inline void keepManifold(Contact& contact, const Transform& bInA) {
+    const Manifold& manifold = contact.manifold;
+    contact.kept.bInA.translation.x = bInA.translation.x;
+    contact.kept.bInA.translation.y = bInA.translation.y;
+    contact.kept.bInA.rotation.c = bInA.rotation.c;
+    contact.kept.bInA.rotation.s = bInA.rotation.s;
+    contact.kept.normal.x = manifold.normal.x;
+    contact.kept.normal.y = manifold.normal.y;
+    contact.kept.separations[0] = manifold.points[0].separation;
+    contact.kept.separations[1] = manifold.points[1].separation;
+    contact.isKept = manifold.count == 2;
+    if (manifold.count < 2) { contact.normalImpulse[1] = contact.tangentImpulse[1] = 0; }
+    if (manifold.count < 1) { contact.normalImpulse[0] = contact.tangentImpulse[0] = 0; }
+}
 /// The second half of that, of what it was found to be.
 void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manifold);
 

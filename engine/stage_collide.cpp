@@ -78,16 +78,19 @@ bool isTouching(const Contact& contact) {
 bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold) > kEndRatio * contact.extent; }
 
 /// A contact that may have points has its manifold.
-void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact, const Transform& bInA) {
+[[gnu::always_inline]] inline void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact,
+                                              const Transform& bInA) {
     contact.totalImpulse = {};
     contact.pressed = contact.pressed && contact.manifold.count > 0;
     probe.apartUntil = 0;
     if (contact.manifold.count == 0 && contact.memory.verdict == ManifoldMemory::Verdict::apart) {
         rememberApart(world, probe, contact.memory.room - contact.memory.motionTo(bInA));
     }
+    const Real deepest = deepestSeparation(contact.manifold);
+    const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
     probe.points = static_cast<std::uint8_t>(contact.manifold.count);
-    probe.turns = isTouching(contact) != contact.touching;
-    probe.isOpen = isOpen(contact);
+    probe.turns = (contact.manifold.count > 0 && deepest <= limit) != contact.touching;
+    probe.isOpen = deepest > kEndRatio * contact.extent;
 }
 
 /// Gives contacts that may have points their manifolds, in any order: writes only to them, their probes and their
@@ -107,6 +110,7 @@ public:
         }
         const Transform bInA = relativePoseOf(world_, contact);
         const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact, asked_);
+        probe.areAwake = isAwake(world_, contact.bodyA) && isAwake(world_, contact.bodyB);
         if (!keepsManifold(contact, bInA, reach)) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
             if (haveBatches_ && contact.batch != BatchKind::none) { return addToBatch(probe, contact, bInA, reach); }
@@ -156,8 +160,8 @@ private:
                                          ContactBatch(PairKind::round)};  ///< by `BatchKind`, but for `none`
 };
 
-/// Near contacts that are fetched from memory ahead of time: first themselves, then what they refer to.
-constexpr std::size_t kProbesAhead = 16;
+/// Near contacts that are fetched from memory ahead of time: first themselves, then what they refer to. (Their probes
+/// come in order.)
 constexpr std::size_t kContactsAhead = 12;
 constexpr std::size_t kShapesAhead = 4;
 
@@ -186,11 +190,12 @@ template <class T>
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
 /// times.
-[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
-    if (coming.size() > kProbesAhead) { __builtin_prefetch(&world.probes[coming[kProbesAhead]]); }
-    if (coming.size() > kContactsAhead) { fetch(world.contacts[world.probes[coming[kContactsAhead]].contact]); }
+[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const ContactProbe> probes,
+                                              std::span<const Contact> contacts,
+                                              std::span<const std::uint32_t> coming) {
+    if (coming.size() > kContactsAhead) { fetch(contacts[probes[coming[kContactsAhead]].contact]); }
     if (coming.size() > kShapesAhead) {
-        const Contact& contact = world.contacts[world.probes[coming[kShapesAhead]].contact];
+        const Contact& contact = contacts[probes[coming[kShapesAhead]].contact];
         fetchPolygon(world.shapes[contact.shapeA].polygon, contact.verticesA);
         fetchPolygon(world.shapes[contact.shapeB].polygon, contact.verticesB);
         fetch(world.motions[contact.bodyA]);
@@ -204,10 +209,12 @@ void updateContacts(WorldState& world, std::span<const std::uint32_t> near, Near
     world.slides.resize(world.contacts.size());
     world.loops->run(near.size(), kContactGrain, [&world, near, asked](std::size_t begin, std::size_t end, int) {
         NearUpdate<kWatched> update(world, asked);
+        const std::span<ContactProbe> probes = world.probes;
+        const std::span<Contact> contacts = world.contacts;
         for (std::size_t i = begin; i < end; ++i) {
-            fetchAhead(world, near.subspan(i, end - i));
-            ContactProbe& probe = world.probes[near[i]];
-            update.add(probe, world.contacts[probe.contact]);
+            fetchAhead(world, probes, contacts, near.subspan(i));
+            ContactProbe& probe = probes[near[i]];
+            update.add(probe, contacts[probe.contact]);
         }
         update.finish();
     });
@@ -291,20 +298,20 @@ TouchingPair touchingPair(const ContactProbe& probe) {
             .isOpen = probe.isOpen};
 }
 
-/// Whether the probe of a near contact tells all: mostly. (Ghosts of others lost their points since.)
-bool isTold(const WorldState& world, const ContactProbe& probe) {
-    const bool areAwake = isAwake(world, probe.bodyA) && isAwake(world, probe.bodyB);
-    return probe.isPlain && areAwake && !probe.turns;
+/// Whether the probe of a contact tells all: mostly. (Ghosts of others than plain ones lost their points since.)
+bool isTold(const ContactProbe& probe) {
+    return probe.state == ContactState::near && probe.isPlain && probe.areAwake && !probe.turns;
 }
 
-/// A contact whose manifold is new, or which sleeps with points.
-void listTouching(WorldState& world, ContactProbe& probe) {
+/// @pre `isTold`
+[[gnu::always_inline]] inline void listTold(WorldState& world, ContactProbe& probe) {
+    probe.isIdle = probe.points == 0;
+    if (!probe.isIdle) { world.touching.push_back(touchingPair(probe)); }
+}
+
+/// Another contact whose manifold is new, or which sleeps with points.
+void listOther(WorldState& world, ContactProbe& probe) {
     if (probe.state == ContactState::near) {
-        if (isTold(world, probe)) {
-            probe.isIdle = probe.points == 0;
-            if (!probe.isIdle) { world.touching.push_back(touchingPair(probe)); }
-            return;
-        }
         noticeTouching(world, world.contacts[probe.contact]);
         probe.isIdle = world.contacts[probe.contact].manifold.count == 0 && !world.contacts[probe.contact].sensor;
     }
@@ -316,9 +323,13 @@ void listTouching(WorldState& world, ContactProbe& probe) {
 void listTouching(WorldState& world) {
     for (const std::uint32_t i : world.lists.noted) {
         ContactProbe& probe = world.probes[i];
-        const bool isListed = probe.state == ContactState::near || probe.state == ContactState::asleep;
-        if (isListed) { listTouching(world, probe); }
-        if (probe.state == ContactState::passing) { world.lists.passing.push_back(i); }
+        if (isTold(probe)) {
+            listTold(world, probe);
+        } else if (probe.state == ContactState::near || probe.state == ContactState::asleep) {
+            listOther(world, probe);
+        } else if (probe.state == ContactState::passing) {
+            world.lists.passing.push_back(i);
+        }
     }
 }
 
@@ -348,8 +359,9 @@ void collideHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
     updateContacts<false>(world, probes, NearestPoints::all);
     const std::size_t before = world.touching.size();
     for (const std::uint32_t place : probes) {
-        world.probes[place].state = ContactState::near;
-        listTouching(world, world.probes[place]);
+        ContactProbe& probe = world.probes[place];
+        probe.state = ContactState::near;
+        isTold(probe) ? listTold(world, probe) : listOther(world, probe);
     }
     world.counters.manifolds += probes.size();
     world.counters.touching += world.touching.size() - before;

@@ -45,25 +45,6 @@ bool canCollideInBatches() {
     return kernelsFor(PairKind::sharp).ofFew != nullptr && kernelsFor(PairKind::round).ofFew != nullptr;
 }
 
-void ManifoldBatch::add(const Polygon& a, const Polygon& b, const Sizes& sizes, const Transform& bInA,
-                        ManifoldReach reach) {
-    const std::size_t i = size_++;
-    pairs_.a[i] = &a;
-    pairs_.b[i] = &b;
-    pairs_.c[i] = bInA.rotation.c;
-    pairs_.s[i] = bInA.rotation.s;
-    pairs_.x[i] = bInA.translation.x;
-    pairs_.y[i] = bInA.translation.y;
-    pairs_.points[i] = reach.points;
-    pairs_.nearest[i] = std::min(reach.points, reach.nearest);
-    pairs_.radiusA[i] = sizes.radiusA;
-    pairs_.radiusB[i] = sizes.radiusB;
-    pairs_.verticesA[i] = sizes.verticesA;
-    pairs_.verticesB[i] = sizes.verticesB;
-    pairs_.vertices =
-        std::max(i > 0 ? pairs_.vertices : 0, static_cast<std::size_t>(std::max(sizes.verticesA, sizes.verticesB)));
-}
-
 void ManifoldBatch::collide() {
     for (std::size_t i = size_; i < kPairs; ++i) {  // what is left over does what the first does
         pairs_.a[i] = pairs_.a[0];
@@ -74,6 +55,8 @@ void ManifoldBatch::collide() {
             (*lanes)[i] = (*lanes)[0];
         }
     }
+    const auto most = [](const WidePairs::Lanes& counts) { return *std::max_element(counts.begin(), counts.end()); };
+    pairs_.vertices = static_cast<std::size_t>(std::max(most(pairs_.verticesA), most(pairs_.verticesB)));
     const PairKernels kernels = kernelsFor(kind_);
     if (pairs_.vertices > kFewVertices) {
         kernels.ofMany(pairs_);
@@ -84,30 +67,12 @@ void ManifoldBatch::collide() {
     }
 }
 
-/// Those of its two points that are there. @pre one of them is
-void ManifoldBatch::copyPoints(std::size_t pair, Manifold& manifold) const {
-    const std::uint32_t bit = 1U << pair;
-    const auto pointOf = [this, pair](std::size_t k) {
-        const WidePairs::Point& point = pairs_.point[k];
-        return ManifoldPoint{{point.x[pair], point.y[pair]},
-                             point.separation[pair],
-                             static_cast<FeatureId>(static_cast<std::int32_t>(point.id[pair]))};
-    };
-    const bool hasFirst = (pairs_.isThere[0] & bit) != 0;
-    const bool hasSecond = (pairs_.isThere[1] & bit) != 0;
-    manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
-    manifold.isNormalOfB = (pairs_.ofA & bit) == 0;
-    manifold.count = hasFirst && hasSecond ? 2 : 1;
-    manifold.points[0] = pointOf(hasFirst ? 0 : 1);
-    if (hasFirst && hasSecond) { manifold.points[1] = pointOf(1); }
-}
-
 /// What is not plain: apart, beside the face, or beyond what batches are for.
 Manifold ManifoldBatch::otherManifold(std::size_t pair, ManifoldMemory& memory) const {
     const std::uint32_t bit = 1U << pair;
     const Polygon& a = *pairs_.a[pair];
     const Polygon& b = *pairs_.b[pair];
-    const Transform bInA{{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
+    const Transform bInA = poseOf(pair);
     const bool isApart = (pairs_.apart & bit) != 0;
     if (isLeft(pair) || !isOrdinary(bInA.translation.x) || !isOrdinary(bInA.translation.y)) {
         return swept::collide(a, b, bInA, {pairs_.points[pair], pairs_.nearest[pair]}, memory);
@@ -130,7 +95,7 @@ Manifold ManifoldBatch::otherManifold(std::size_t pair, ManifoldMemory& memory) 
 }
 
 void ManifoldBatch::takeManifold(std::size_t pair, ManifoldMemory& memory, Manifold& manifold) const {
-    if ((pairs_.plain >> pair & 1U) == 0) {
+    if (!isPlain(pair)) {
         manifold = otherManifold(pair, memory);
         return;
     }

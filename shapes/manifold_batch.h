@@ -41,10 +41,56 @@ public:
     };
 
     /// @pre not full; of the kind; `collidesInBatches` both, which stay where they are until the batch is cleared
-    void add(const Polygon& a, const Polygon& b, const Sizes& sizes, const Transform& bInA, ManifoldReach reach);
+    void add(const Polygon& a, const Polygon& b, const Sizes& sizes, const Transform& bInA, ManifoldReach reach) {
+        const std::size_t i = size_++;
+        pairs_.a[i] = &a;
+        pairs_.b[i] = &b;
+        pairs_.c[i] = bInA.rotation.c;
+        pairs_.s[i] = bInA.rotation.s;
+        pairs_.x[i] = bInA.translation.x;
+        pairs_.y[i] = bInA.translation.y;
+        pairs_.points[i] = reach.points;
+        pairs_.nearest[i] = reach.nearest < reach.points ? reach.nearest : reach.points;
+        pairs_.radiusA[i] = sizes.radiusA;
+        pairs_.radiusB[i] = sizes.radiusB;
+        pairs_.verticesA[i] = sizes.verticesA;
+        pairs_.verticesB[i] = sizes.verticesB;
+    }
     void add(const Polygon& a, const Polygon& b, const Transform& bInA, ManifoldReach reach) {
         const auto vertices = [](const Polygon& polygon) { return static_cast<std::uint8_t>(polygon.count); };
         add(a, b, {a.radius, b.radius, vertices(a), vertices(b)}, bInA, reach);
+    }
+    /// As they were added.
+    Transform poseOf(std::size_t pair) const {
+        return {{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
+    }
+    Real reachOf(std::size_t pair) const { return pairs_.points[pair]; }
+    /// Whether nothing but `copyPoints` is to be done for the manifold, and the memory is to hold no verdict.
+    /// @pre collided
+    bool isPlain(std::size_t pair) const { return (pairs_.plain >> pair & 1U) != 0; }
+    /// Whether a manifold has the points of a plain pair already, in this order, if not at the same places.
+    bool hasPoints(std::size_t pair, const Manifold& manifold) const {
+        const std::uint32_t first = pairs_.isThere[0] >> pair & 1U;
+        if (manifold.count != static_cast<int>(first + (pairs_.isThere[1] >> pair & 1U))) { return false; }
+        if (idOf(1 - first, pair) != manifold.points[0].id) { return false; }
+        if (manifold.count < 2) { return true; }
+        const FeatureId second = idOf(1, pair);
+        return second == manifold.points[1].id && second != manifold.points[0].id;
+    }
+    /// Of a plain pair.
+    void copyPoints(std::size_t pair, Manifold& manifold) const {
+        const std::uint32_t bit = 1U << pair;
+        const bool hasFirst = (pairs_.isThere[0] & bit) != 0;
+        const bool hasSecond = (pairs_.isThere[1] & bit) != 0;
+        manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
+        manifold.isNormalOfB = (pairs_.ofA & bit) == 0;
+        manifold.count = hasFirst && hasSecond ? 2 : 1;
+        copyPoint(pair, hasFirst ? 0 : 1, manifold.points[0]);
+        if (hasFirst && hasSecond) {
+            copyPoint(pair, 1, manifold.points[1]);
+        } else {
+            manifold.points[1] = {};
+        }
     }
     /// Whether a pair was too doubtful for the batch, and is collided by itself. @pre collided
     bool isLeft(std::size_t pair) const {
@@ -60,7 +106,16 @@ public:
     void clear() { size_ = 0; }
 
 private:
-    void copyPoints(std::size_t pair, Manifold& manifold) const;
+    FeatureId idOf(std::size_t point, std::size_t pair) const {
+        return static_cast<FeatureId>(static_cast<std::int32_t>(pairs_.point[point].id[pair]));
+    }
+    void copyPoint(std::size_t pair, std::size_t index, ManifoldPoint& to) const {
+        const WidePairs::Point& point = pairs_.point[index];
+        to.point.x = point.x[pair];
+        to.point.y = point.y[pair];
+        to.separation = point.separation[pair];
+        to.id = idOf(index, pair);
+    }
     Manifold otherManifold(std::size_t pair, ManifoldMemory& memory) const;
 
     WidePairs pairs_;
