@@ -1,7 +1,9 @@
 #include "crew.h"
 
 #include <algorithm>
+#ifdef __STDCPP_THREADS__
 #include <thread>
+#endif
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -39,7 +41,9 @@ public:
             ++waits_;
             pause();
         } else {
+#ifdef __STDCPP_THREADS__  // without them nobody is ever waited for
             std::this_thread::yield();
+#endif
         }
     }
     void renew() { waits_ = 0; }
@@ -64,8 +68,9 @@ bool Crew::takeBlocks(std::uint64_t ticket, bool fromFront, int worker) {
             continue;
         }
         // The loop cannot end before these blocks are done, so its description stays.
-        const std::size_t first = fromFront ? frontOf(ticket) : endOf(ticket) - taken;
-        (*body_)(first * blockLength_, std::min((first + taken) * blockLength_, count_), worker);
+        const auto first = static_cast<std::size_t>(fromFront ? frontOf(ticket) : endOf(ticket) - taken);
+        const std::size_t end = first + static_cast<std::size_t>(taken);
+        (*body_)(first * blockLength_, std::min(end * blockLength_, count_), worker);
         done_.fetch_add(static_cast<std::uint32_t>(taken), std::memory_order_release);
         return true;
     }

@@ -297,7 +297,7 @@ void TiedContacts::noteHit(const Contact& contact, const Outcome& outcome) {
                            .normal = outcome.normal,
                            .approachSpeed = speed,
                            .impulse = impulse};
-    const std::scoped_lock lock(hitting_);
+    const HeldLock lock(hitting_);
     group_.desk.hits.push_back({place, hit});
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <mutex>
-
 #include "constraint_builder.h"
+#include "short_lock.h"
 #include "tied_group.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -58,7 +57,7 @@ private:
     WorldState& world_;
     const TiedGroup& group_;
     const StepPart& part_;
-    std::mutex hitting_;  ///< held by who adds to `SolveDesk::hits`
+    ShortLock hitting_;  ///< held by who adds to `SolveDesk::hits`
     Real scale_;
     Real dt_;
     Real hitThreshold_;                                         ///< approach speed of what only rests, m/s

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "scene_reader.h"
+
 namespace swept {
 namespace {
 
@@ -137,6 +139,16 @@ std::string inQuotes(std::string_view text) {
         }
     }
     return result + (shown.size() < text.size() ? "…\"" : "\"");
+}
+
+std::string bodyName(const SceneDescription& scene, std::size_t index) {
+    const std::string& name = scene.bodies[index].name;
+    return name.empty() ? "body" + std::to_string(index) : name;
+}
+
+std::string jointName(const SceneDescription& scene, std::size_t index) {
+    const std::string& name = scene.joints[index].name;
+    return name.empty() ? "joint" + std::to_string(index) : name;
 }
 
 }  // namespace swept

@@ -59,14 +59,4 @@ SceneResult readSceneFile(const std::string& path, const std::vector<Override>& 
     return readScene(text.str(), path, overrides);
 }
 
-std::string bodyName(const SceneDescription& scene, std::size_t index) {
-    const std::string& name = scene.bodies[index].name;
-    return name.empty() ? "body" + std::to_string(index) : name;
-}
-
-std::string jointName(const SceneDescription& scene, std::size_t index) {
-    const std::string& name = scene.joints[index].name;
-    return name.empty() ? "joint" + std::to_string(index) : name;
-}
-
 }  // namespace swept

@@ -117,17 +117,14 @@ void BlockLdlt::eliminate(std::uint32_t node) {
 }
 
 std::uint32_t BlockLdlt::blockAt(std::uint32_t row, std::uint32_t column) const {
-    const auto first = rows_.begin() + begins_[column];
-    const auto last = rows_.begin() + begins_[column + 1];
-    return static_cast<std::uint32_t>(std::lower_bound(first, last, row) - rows_.begin());
+    const std::uint32_t* const rows = rows_.data();
+    return static_cast<std::uint32_t>(std::lower_bound(rows + begins_[column], rows + begins_[column + 1], row) - rows);
 }
 
 void BlockLdlt::place() {
     const auto columns = static_cast<std::uint32_t>(position_.size());
     for (std::uint32_t& row : rows_) { row = position_[row]; }
-    for (std::uint32_t c = 0; c < columns; ++c) {
-        std::sort(rows_.begin() + begins_[c], rows_.begin() + begins_[c + 1]);
-    }
+    for (std::uint32_t c = 0; c < columns; ++c) { std::sort(rows_.data() + begins_[c], rows_.data() + begins_[c + 1]); }
     targets_.clear();
     for (std::uint32_t c = 0; c < columns; ++c) {
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
@@ -158,7 +155,7 @@ void BlockLdlt::factorise() {
         factoriseBlock(diagonal_[c]);
         const std::uint32_t begin = begins_[c];
         const std::uint32_t end = begins_[c + 1];
-        unscaled_.assign(blocks_.begin() + begin, blocks_.begin() + end);
+        unscaled_.assign(blocks_.data() + begin, blocks_.data() + end);
         for (std::uint32_t i = begin; i < end; ++i) {
             // Rows of the block times D⁻¹, which is symmetric.
             Block33& block = blocks_[i];

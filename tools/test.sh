@@ -3,7 +3,7 @@
 # address and undefined behaviour sanitizers the tests labelled quick; then with thread sanitizer those labelled parallel.
 #   tools/test.sh [--long] [--werror] [--no-sanitizers]
 # --long adds the tests labelled long, the layers' suites in f64 to the sanitizers,
-# and a minute of each fuzzer (tests/fuzz).
+# a minute of each fuzzer (tests/fuzz), and the same bits on other machines (tools/portability.sh).
 # --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -96,6 +96,12 @@ if [ "$sanitizers" = yes ]; then
     if [ "$long" = yes ]; then
         build_and_test tsan "clang 14, thread sanitizer, tests labelled parallel_long" parallel_long
     fi
+fi
+
+if [ "$long" = yes ]; then
+    say "WebAssembly and 64-bit ARM: building, and running under Node.js and qemu"
+    "$root/tools/portability.sh" >"$log_dir/portability.log" 2>&1 || failed=yes
+    grep -v '^==>' "$log_dir/portability.log" >>"$summary" || true
 fi
 
 printf '\n'

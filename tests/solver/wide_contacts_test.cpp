@@ -285,7 +285,8 @@ std::vector<std::uint64_t> bitsOf(const BodyState& body) {
 
 TEST_P(WideContacts, BodiesMoveToTheBitAsOneByOne) {
     const MoveBodies move = motionKernel();
-    ASSERT_EQ(move == nullptr, contactKernels() == nullptr);
+    // Angles are double, of which WebAssembly has none side by side here.
+    ASSERT_EQ(move == nullptr, contactKernels() == nullptr || GetParam() == HWY_WASM);
     if (move == nullptr) { return; }
     constexpr Real h = Real(1) / 240;
     std::vector<BodyState> bodies = turnedBodies();

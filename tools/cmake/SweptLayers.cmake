@@ -26,8 +26,10 @@ function(swept_configure_library target export_name)
     swept_precompile(${target})
     swept_unite_layer(${target})
     target_compile_features(${target} PUBLIC cxx_std_20)
-    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name}
-                                               POSITION_INDEPENDENT_CODE ON)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name})
+    if(NOT CMAKE_SYSTEM_PROCESSOR STREQUAL wasm32)  # where it goes through tables for nothing
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
     # Public on purpose: an inline function compiled with fused multiply-add in a user's file could be the copy that the
     # linker keeps for the library too, and then the same bits on every machine are lost.
     target_compile_options(${target} PUBLIC -ffp-contract=off)

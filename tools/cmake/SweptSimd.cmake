@@ -1,7 +1,19 @@
 # Wide kernels by Highway. Included by the top-level list file only.
 
 if(SWEPT_SIMD)
-    find_package(hwy QUIET)
+    if(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(wasm32|aarch64)$")
+        # On machines with one instruction set nothing is chosen at run time, and the headers are all of Highway that is
+        # needed: those of this machine do, seen through a link so that nothing else beside them is.
+        find_path(SWEPT_HIGHWAY_HEADERS hwy/highway.h PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
+        if(SWEPT_HIGHWAY_HEADERS)
+            file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/highway)
+            file(CREATE_LINK ${SWEPT_HIGHWAY_HEADERS}/hwy ${PROJECT_BINARY_DIR}/highway/hwy SYMBOLIC)
+            add_library(hwy::hwy INTERFACE IMPORTED GLOBAL)
+            target_include_directories(hwy::hwy INTERFACE ${PROJECT_BINARY_DIR}/highway)
+        endif()
+    else()
+        find_package(hwy QUIET)
+    endif()
     if(NOT TARGET hwy::hwy)
         message(STATUS "Swept2D: Highway (libhwy-dev) is not there, so kernels are scalar")
         set(SWEPT_SIMD OFF)

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Builds the library for other machines and shows that it gives the same bits there: wide kernels against their scalar twins,
+# and the built-in scenes against what was recorded on x86-64, both precisions. For WebAssembly (run by Node.js) and 64-bit ARM
+# (run by qemu); the build is left in build/wasm and build/aarch64.
+#   tools/portability.sh [wasm] [aarch64]
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+case "${1:-}" in -h | --help) sed -n '2,5s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;; esac
+machines=("$@")
+if [ "${#machines[@]}" -eq 0 ]; then machines=(wasm aarch64); fi
+
+failed=no
+for machine in "${machines[@]}"; do
+    case "$machine" in wasm | aarch64) ;; *) fail "unknown machine $machine (see --help)" ;; esac
+    "$root/tools/setup.sh" "$machine"
+    say "$machine: configuring and building (build/$machine)"
+    configure "$machine" -DSWEPT_BUILD_TESTS=ON
+    build "$machine" all
+    log="$log_dir/ctest-$machine.log"
+    if ctest --test-dir "$root/build/$machine" --parallel "$(nproc)" --output-on-failure --no-tests=error >"$log" 2>&1; then
+        printf '%s: kernels and built-in scenes give the same bits as on x86-64 (%s)\n' "$machine" \
+            "$(sed -n 's/ tests failed out of/ failures in/p' "$log" | sed 's/^.*, //')"
+    else
+        grep -E 'Failure|FAILED|\*\*\*' "$log" | head -n 40 >&2
+        printf '%s: NOT the same bits as on x86-64, see build/logs/ctest-%s.log\n' "$machine" "$machine"
+        failed=yes
+    fi
+done
+[ "$failed" = no ]
