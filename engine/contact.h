@@ -5,6 +5,7 @@
 
 #include "../broadphase/broadphase.h"
 #include "../shapes/manifold.h"
+#include "../solver/contact_row.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -31,26 +32,11 @@ enum class BatchKind : std::uint8_t {
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or
 /// kinematic). Of cache lines of its own, and in each what is asked for together: in `Real` float the points, what a
 /// solve adds to them and takes from them, and what spares a search for points.
-struct alignas(64) Contact {
-    std::uint32_t shapeA = 0;  ///< slots
-    std::uint32_t shapeB = 0;
-    std::uint32_t bodyA = 0;
-    std::uint32_t bodyB = 0;
-    Manifold manifold;  ///< at the start of the present step, frame of body A
-
-    std::array<Real, 2> normalImpulse{};  ///< warm start, by point of the manifold
-    std::array<Real, 2> tangentImpulse{};
-    std::array<Real, 2> totalImpulse{};  ///< normal impulse over the last step, N·s
-    Real friction = 0;
-    Real restitution = 0;
-    Real extent = 0;         ///< of the pair
-    Real approachSpeed = 0;  ///< at the start of the step, m/s
-    // Copies of what never changes: the stage of contacts then need not fetch shapes and bodies, which lie all over
-    // memory.
+struct alignas(64) Contact : ContactRow {
+    // Copies of what never changes, like the radii: the stage of contacts then need not fetch shapes and bodies, which
+    // lie all over memory.
     Real extentA = 0;
     Real extentB = 0;
-    Real radiusA = 0;
-    Real radiusB = 0;
     std::uint8_t verticesA = 0;
     std::uint8_t verticesB = 0;
     bool dynamicA : 1 = false;  ///< the body is

@@ -1,6 +1,7 @@
 #include "tied_contacts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <limits>
 
@@ -19,12 +20,12 @@ Softness softnessFor(const WorldState& world, const TiedGroup& group, Real dt, R
 
 /// Contacts that are fetched from memory ahead of time: before a solve, and after it, which has displaced
 /// them.
-constexpr std::size_t kOutcomesAhead = 8;
+constexpr std::size_t kAhead = 8;
 
-void fetchForSolve(const Contact& contact) {
+void fetchRow(const Contact& contact) {
     constexpr std::size_t kLine = 64;
     const char* const first = reinterpret_cast<const char*>(&contact);
-    for (std::size_t i = 0; i < offsetof(Contact, kept); i += kLine) { __builtin_prefetch(first + i); }
+    for (std::size_t i = 0; i < sizeof(ContactRow); i += kLine) { __builtin_prefetch(first + i); }
 }
 
 void fetchOutcome(const Contact& contact) {
@@ -107,44 +108,68 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     return constraint;
 }
 
-/// The same as `constraintFor`, without making one.
+/// Where the bodies are, and what else is not in the row of the contact.
 template <std::size_t kPoints>
-void TiedContacts::fillContact(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link) {
-    Contact& contact = group_.contacts[link.source];
-    const SolverBatch& batch = group_.desk.batch;
+void TiedContacts::setLane(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link,
+                           ContactSources& from) const {
+    const Contact& contact = group_.contacts[link.source];
+    const BodyInertia& inertiaA = group_.desk.batch.inertias[link.slotA];
+    const BodyInertia& inertiaB = group_.desk.batch.inertias[link.slotB];
     const BodyMotion& a = world_.motions[contact.bodyA];
     // Of the bodies of a solve it stands in an array of their own; what does not move in it is most often one and the
     // same.
     const Vec2 localCenterA =
         link.slotA != kFixedSlot ? group_.desk.localCenters[link.slotA] : world_.bodies[contact.bodyA].localCenter;
     const Vec2 fromAToB = toReal(world_.motions[contact.bodyB].center - a.center);
-    const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);
-    Real approach = 0;
-    for (std::size_t k = 0; k < kPoints; ++k) {
-        ContactConstraintPoint point = constraintPointOf(contact.manifold.points[k], a, localCenterA, fromAToB);
-        point.normalImpulse = scale_ * contact.normalImpulse[k];
-        point.tangentImpulse = scale_ * contact.tangentImpulse[k];
-        if (group_.effort.isSettled) { holdAsItIs(point); }
-        if (!contact.pressed) {  // else nobody asks
-            approach =
-                std::max(approach, approachAt(point, normal, batch.states[link.slotA], batch.states[link.slotB]));
+    block.slotA[lane] = link.slotA;
+    block.slotB[lane] = link.slotB;
+    block.inverseMassA[lane] = inertiaA.inverseMass;
+    block.inverseMassB[lane] = inertiaB.inverseMass;
+    block.inverseInertiaA[lane] = inertiaA.inverseInertia;
+    block.inverseInertiaB[lane] = inertiaB.inverseInertia;
+    from.rotationC[lane] = a.pose.rotation.c;
+    from.rotationS[lane] = a.pose.rotation.s;
+    from.localCenterX[lane] = localCenterA.x;
+    from.localCenterY[lane] = localCenterA.y;
+    from.fromAToBX[lane] = fromAToB.x;
+    from.fromAToBY[lane] = fromAToB.y;
+    from.extent[lane] = contact.extent;
+    from.rows[lane] = &contact;
+    from.wantsApproach = from.wantsApproach || !contact.pressed;
+}
+
+/// The same as `constraintFor` makes, without making one.
+template <std::size_t kPoints>
+void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links links) {
+    static constexpr ContactRow kNothing{};
+    const SolverBodies bodies{group_.desk.batch.states, group_.desk.batch.inertias};
+    const ContactTerms terms{.scale = scale_,
+                             .pushRatio = kPushRatio,
+                             .dt = dt_,
+                             .bounceSpeed = bounceSpeed_,
+                             .softness = softness_,
+                             .settled = group_.effort.isSettled};
+    ContactSources from;
+    for (WideContact<kPoints>& block : blocks) {
+        if (block.lanes < kBlockLanes) {
+            from = {};
+            from.rows.fill(&kNothing);
         }
-        fillNewPoint(block.points[k], lane, point);
-        if (group_.effort.isSettled) { block.points[k].separation[lane] = point.separation; }
+        from.wantsApproach = false;
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            if (lane + kAhead < links.size()) { fetchRow(group_.contacts[links[lane + kAhead].source]); }
+            setLane(block, lane, links[lane], from);
+        }
+        if constexpr (kPoints == 2) {
+            contactRowKernels()->fillTwo(block, from, bodies, terms);
+        } else {
+            contactRowKernels()->fillOne(block, from, bodies, terms);
+        }
+        for (std::size_t lane = 0; from.wantsApproach && lane < block.lanes; ++lane) {
+            group_.contacts[links[lane].source].approachSpeed = from.approach[lane];
+        }
+        links = links.subspan(kBlockLanes);
     }
-    contact.approachSpeed = approach;
-    if (lane == 0) { setSoftness(block, softness_); }  // the first to be filled
-    fillHead(block, lane,
-             {.slotA = link.slotA,
-              .slotB = link.slotB,
-              .normal = normal,
-              .friction = contact.friction,
-              .maxPushSpeed = kPushRatio * contact.extent / dt_,
-              .radiusA = contact.radiusA,
-              .radiusB = contact.radiusB,
-              .bounceSpeed = bounceSpeedOf(contact),
-              .restitution = contact.restitution},
-             batch.inertias[link.slotA], batch.inertias[link.slotB]);
 }
 
 Real TiedContacts::bounceSpeedOf(const Contact& contact) const {
@@ -200,88 +225,88 @@ std::size_t TiedContacts::count() const {
     return group_.desk.batch.store != nullptr ? group_.desk.batch.links.size() : group_.desk.batch.contacts.size();
 }
 
-void TiedContacts::fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) {
-    const std::span<const ContactLink> links = std::span(group_.desk.batch.links).subspan(first);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const ContactPlace& place = places[i];
-        const ContactLink& link = links[i];
-        if (i + kOutcomesAhead < links.size()) { fetchForSolve(group_.contacts[links[i + kOutcomesAhead].source]); }
-        switch (place.points) {
-            case 2:
-                fillContact(to.two[place.index], place.lane, link);
-                break;
-            case 1:
-                fillContact(to.one[place.index], place.lane, link);
-                break;
-            default:
-                to.rest[place.index] = constraintFor(link);
-        }
+void TiedContacts::fill(std::span<WideContact<1>> blocks, Links links) { fillBlocks(blocks, links); }
+void TiedContacts::fill(std::span<WideContact<2>> blocks, Links links) { fillBlocks(blocks, links); }
+void TiedContacts::fill(std::span<ContactConstraint> alone, Links links) {
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        if (i + kAhead < links.size()) { fetchRow(group_.contacts[links[i + kAhead].source]); }
+        alone[i] = constraintFor(links[i]);
     }
 }
 
-void TiedContacts::take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) {
-    const std::span<const ContactLink> links = std::span(group_.desk.batch.links).subspan(first);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (i + kOutcomesAhead < links.size()) { fetchOutcome(group_.contacts[links[i + kOutcomesAhead].source]); }
-        const ContactPlace& place = places[i];
-        Contact& contact = group_.contacts[links[i].source];
-        switch (place.points) {
-            case 2:
-                takeContact(from.two[place.index], place.lane, contact);
-                break;
-            case 1:
-                takeContact(from.one[place.index], place.lane, contact);
-                break;
-            default:
-                takeConstraint(from.rest[place.index]);
-        }
-    }
+void TiedContacts::take(std::span<const WideContact<1>> blocks, Links links) { takeBlocks(blocks, links); }
+void TiedContacts::take(std::span<const WideContact<2>> blocks, Links links) { takeBlocks(blocks, links); }
+void TiedContacts::take(std::span<const ContactConstraint> alone, Links) {
+    for (const ContactConstraint& constraint : alone) { takeConstraint(constraint); }
 }
 
 template <std::size_t kPoints>
-void TiedContacts::takeContact(const WideContact<kPoints>& block, std::size_t lane, Contact& contact) {
-    Outcome outcome{.normal = {block.normalX[lane], block.normalY[lane]}};
-    for (std::size_t k = 0; k < kPoints; ++k) {
-        outcome.normalImpulse[k] = block.points[k].normalImpulse[lane];
-        outcome.tangentImpulse[k] = block.points[k].tangentImpulse[lane];
-        outcome.totalImpulse[k] = block.points[k].totalNormalImpulse[lane];
+void TiedContacts::takeBlocks(std::span<const WideContact<kPoints>> blocks, Links links) {
+    std::array<ContactRow*, kBlockLanes> rows;
+    for (const WideContact<kPoints>& block : blocks) {
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            if (lane + kAhead < links.size()) { fetchOutcome(group_.contacts[links[lane + kAhead].source]); }
+            rows[lane] = &group_.contacts[links[lane].source];
+        }
+        const std::span<ContactRow* const> inUse = std::span(rows).first(block.lanes);
+        std::uint32_t pressing = 0;
+        if constexpr (kPoints == 2) {
+            pressing = contactRowKernels()->takeTwo(block, inUse, scale_);
+        } else {
+            pressing = contactRowKernels()->takeOne(block, inUse, scale_);
+        }
+        std::uint32_t began = 0;
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            Contact& contact = group_.contacts[links[lane].source];
+            for (std::size_t k = 0; k < kPoints; ++k) {
+                contact.totalImpulse[k] = block.points[k].totalNormalImpulse[lane];
+            }
+            const bool presses = (pressing >> lane & 1U) != 0;
+            began |= (presses && !contact.pressed ? 1U : 0U) << lane;
+            contact.pressedOn = contact.pressed && presses;
+            contact.pressed = presses;
+        }
+        if (began != 0) { noteHits(block, links, began); }
+        links = links.subspan(kBlockLanes);
     }
-    takeOutcome(contact, kPoints, outcome);
+}
+
+/// @param began  one bit per lane of those that did not press before
+template <std::size_t kPoints>
+void TiedContacts::noteHits(const WideContact<kPoints>& block, Links links, std::uint32_t began) {
+    for (; began != 0; began &= began - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(began));
+        noteHit(group_.contacts[links[lane].source], {block.normalX[lane], block.normalY[lane]}, 0);
+    }
 }
 
 void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
-    Outcome outcome{
-        .normal = constraint.normal,
-        .bounceApproach = std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach)};
-    for (std::size_t k = 0; k < constraint.points.size(); ++k) {
-        outcome.normalImpulse[k] = constraint.points[k].normalImpulse;
-        outcome.tangentImpulse[k] = constraint.points[k].tangentImpulse;
-        outcome.totalImpulse[k] = constraint.points[k].totalNormalImpulse;
-    }
-    takeOutcome(group_.contacts[constraint.source], static_cast<std::size_t>(constraint.count), outcome);
-}
-
-void TiedContacts::takeOutcome(Contact& contact, std::size_t points, const Outcome& outcome) {
+    Contact& contact = group_.contacts[constraint.source];
     const auto kept = [this](Real impulse) { return scale_ == 1 ? impulse : impulse / scale_; };  // most often it is
-    if (!contact.pressed) { noteHit(contact, outcome); }
     const bool pressedBefore = contact.pressed;
     contact.pressed = false;
-    for (std::size_t k = 0; k < points; ++k) {
-        contact.normalImpulse[k] = kept(outcome.normalImpulse[k]);
-        contact.tangentImpulse[k] = kept(outcome.tangentImpulse[k]);
-        contact.totalImpulse[k] = outcome.totalImpulse[k];
-        contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
+        const ContactConstraintPoint& point = constraint.points[k];
+        contact.normalImpulse[k] = kept(point.normalImpulse);
+        contact.tangentImpulse[k] = kept(point.tangentImpulse);
+        contact.totalImpulse[k] = point.totalNormalImpulse;
+        contact.pressed = contact.pressed || point.totalNormalImpulse > 0;
     }
     contact.pressedOn = pressedBefore && contact.pressed;
+    if (pressedBefore) { return; }
+    noteHit(contact, constraint.normal,
+            std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach));
 }
 
 /// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.
-/// @pre it did not press before
-void TiedContacts::noteHit(const Contact& contact, const Outcome& outcome) {
-    const Real speed = std::max(contact.approachSpeed, outcome.bounceApproach);
-    const Real impulse = outcome.totalImpulse[0] + outcome.totalImpulse[1];
+/// @param bounceApproach  m/s; 0: it did not bounce by itself
+/// @pre it did not press before, and has its totals
+void TiedContacts::noteHit(const Contact& contact, Vec2 normal, Real bounceApproach) {
+    const Real speed = std::max(contact.approachSpeed, bounceApproach);
+    const Real second = contact.manifold.count == 2 ? contact.totalImpulse[1] : Real(0);
+    const Real impulse = contact.totalImpulse[0] + second;
     if (!(impulse > 0) || !(speed > hitThreshold_)) { return; }
-    const std::size_t k = outcome.totalImpulse[1] > outcome.totalImpulse[0] ? 1 : 0;
+    const std::size_t k = second > contact.totalImpulse[0] ? 1 : 0;
     const BodyMotion& a = world_.motions[contact.bodyA];
     // The gap closes at the approach speed: a first-order estimate of when in the step.
     const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
@@ -294,7 +319,7 @@ void TiedContacts::noteHit(const Contact& contact, const Outcome& outcome) {
                            .bodyB = world_.bodies.idOf(contact.bodyB),
                            .fraction = (part_.begin + wait) / part_.dt,
                            .point = apply(a.pose, contact.manifold.points[k].point),
-                           .normal = outcome.normal,
+                           .normal = normal,
                            .approachSpeed = speed,
                            .impulse = impulse};
     const HeldLock lock(hitting_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../solver/contact_rows.h"
 #include "constraint_builder.h"
 #include "short_lock.h"
 #include "tied_group.h"
@@ -27,30 +28,28 @@ public:
     void readConstraints();
     std::size_t count() const;
 
-    void fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) override;
-    void take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) override;
+    void fill(std::span<WideContact<1>> blocks, Links links) override;
+    void fill(std::span<WideContact<2>> blocks, Links links) override;
+    void fill(std::span<ContactConstraint> alone, Links links) override;
+    void take(std::span<const WideContact<1>> blocks, Links links) override;
+    void take(std::span<const WideContact<2>> blocks, Links links) override;
+    void take(std::span<const ContactConstraint> alone, Links links) override;
     void end() override;
 
 private:
-    /// What a solve found out about a contact.
-    struct Outcome {
-        Vec2 normal{};
-        std::array<Real, 2> normalImpulse{};
-        std::array<Real, 2> tangentImpulse{};
-        std::array<Real, 2> totalImpulse{};
-        Real bounceApproach = 0;
-    };
-
     template <class Visit>
     void forEachLink(Visit&& visit) const;
     ContactConstraint constraintFor(const ContactLink& link);
     template <std::size_t kPoints>
-    void fillContact(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link);
+    void fillBlocks(std::span<WideContact<kPoints>> blocks, Links links);
     template <std::size_t kPoints>
-    void takeContact(const WideContact<kPoints>& block, std::size_t lane, Contact& contact);
+    void setLane(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link, ContactSources& from) const;
+    template <std::size_t kPoints>
+    void takeBlocks(std::span<const WideContact<kPoints>> blocks, Links links);
+    template <std::size_t kPoints>
+    void noteHits(const WideContact<kPoints>& block, Links links, std::uint32_t began);
     void takeConstraint(const ContactConstraint& constraint);
-    void takeOutcome(Contact& contact, std::size_t points, const Outcome& outcome);
-    void noteHit(const Contact& contact, const Outcome& outcome);
+    void noteHit(const Contact& contact, Vec2 normal, Real bounceApproach);
     void anchorAhead();
     Real bounceSpeedOf(const Contact& contact) const;
 

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "contact_lanes.h"
+#include "contact_rows.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 #ifndef SWEPT_SIMD
 const ContactKernels* contactKernels() { return nullptr; }
+const ContactRowKernels* contactRowKernels() { return nullptr; }
 #endif
 
 namespace {
@@ -16,15 +19,20 @@ namespace {
 /// A block with fewer contacts costs more than they do one by one.
 constexpr std::uint32_t kFewestLanes = 2;
 constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
-/// Contacts, and blocks, per part of a parallel loop.
-constexpr std::size_t kPlaceGrain = 64;
+/// Blocks per part of a parallel loop.
 constexpr std::size_t kBlockGrain = 8;
 
+std::size_t pointsInBlock(const ContactLink& link) { return link.pointsInBlock(); }
+std::size_t pointsInBlock(const ContactConstraint& contact) { return static_cast<std::size_t>(contact.count); }
+
 /// Visits each contact of blocks in the batch with its block and lane.
-template <class Block, class Visit>
-void forEachLane(std::span<Block> blocks, std::vector<ContactConstraint>& contacts, Visit&& visit) {
-    for (Block& block : blocks) {
-        for (std::size_t lane = 0; lane < block.lanes; ++lane) { visit(contacts[block.place[lane]], block, lane); }
+/// @param places  of the lanes of the blocks
+template <class Block, class Contacts, class Visit>
+void forEachLane(std::span<Block> blocks, std::span<const std::uint32_t> places, Contacts& contacts, Visit&& visit) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        for (std::size_t lane = 0; lane < blocks[i].lanes; ++lane) {
+            visit(contacts[places[i * kBlockLanes + lane]], blocks[i], lane);
+        }
     }
 }
 
@@ -70,64 +78,79 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
     rest_.resize(rest);
 }
 
-ContactPlace ContactBlocks::placeFor(Kind kind, std::size_t colour) {
-    KindCounts& next = next_[colour];
-    if (kind != kAlone) {
-        const std::uint32_t end = (kind == kOnePoint ? colours_[colour].one : colours_[colour].two).end;
-        const std::uint32_t place = next[kind];
-        if (place < end * kLanes) {
-            ++next[kind];
-            return {place / kLanes, static_cast<std::uint8_t>(place % kLanes), static_cast<std::uint8_t>(kind)};
-        }
-    }
-    return {next[kAlone]++, 0, 0};
-}
-
 /// In the order of the contacts: so they stand in each colour.
-template <class PointsOf>
-void ContactBlocks::listPlaces(std::span<const std::uint8_t> colours, const PointsOf& pointsOf) {
-    places_.resize(colours.size());
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        places_[i] = placeFor(kindOf(pointsOf(i), colours[i]), colours[i]);
-        if (places_[i].points == 0) { rest_[places_[i].index] = static_cast<std::uint32_t>(i); }
+/// @param list  called with the kind of place, the place, and which contact it is of
+template <class Contacts, class List>
+void ContactBlocks::listPlaces(std::span<const std::uint8_t> colours, const Contacts& contacts, const List& list) {
+    for (std::uint32_t i = 0; i < colours.size(); ++i) {
+        const std::size_t colour = colours[i];
+        KindCounts& next = next_[colour];
+        const Kind kind = kindOf(pointsInBlock(contacts[i]), static_cast<int>(colour));
+        const std::uint32_t end = kind == kTwoPoints ? colours_[colour].two.end : colours_[colour].one.end;
+        const Kind found = kind != kAlone && next[kind] < end * kLanes ? kind : kAlone;
+        list(found, next[found]++, i);
     }
 }
 
-ContactArrays ContactBlocks::arrays(SolverBatch& batch) {
-    return {std::span(one_.blocks).first(one_.count), std::span(two_.blocks).first(two_.count), batch.contacts};
+void ContactBlocks::listContacts(const SolverBatch& batch, const ConstraintGraph& graph) {
+    one_.places.resize(one_.count * kBlockLanes);
+    two_.places.resize(two_.count * kBlockLanes);
+    listPlaces(graph.contactColours(), batch.contacts, [&](Kind kind, std::uint32_t place, std::uint32_t i) {
+        (kind == kTwoPoints ? two_.places : kind == kOnePoint ? one_.places : rest_)[place] = i;
+    });
+}
+
+/// Constraints of those on their own will stand in the batch in the order of their places.
+void ContactBlocks::listLinks(const SolverBatch& batch, const ConstraintGraph& graph) {
+    const auto resize = [&batch](auto& blocks) {
+        blocks.links.resize(blocks.count * kBlockLanes);
+        for (std::size_t i = 0; i < blocks.count; ++i) {  // of lanes that are not in use: any
+            const std::size_t begin = i * kBlockLanes;
+            for (std::size_t lane = blocks.blocks[i].lanes; lane < kBlockLanes; ++lane) {
+                blocks.links[begin + lane] = batch.links[0];
+            }
+        }
+    };
+    resize(one_);
+    resize(two_);
+    restLinks_.resize(rest_.size());
+    listPlaces(graph.contactColours(), batch.links, [&](Kind kind, std::uint32_t place, std::uint32_t i) {
+        (kind == kTwoPoints ? two_.links : kind == kOnePoint ? one_.links : restLinks_)[place] = batch.links[i];
+    });
+    std::iota(rest_.begin(), rest_.end(), 0U);
+}
+
+/// Masses of all lanes at once.
+template <std::size_t kPoints>
+void ContactBlocks::prepare(std::span<WideContact<kPoints>> blocks) const {
+    if constexpr (kPoints == 2) {
+        kernels_->prepareTwo(blocks);
+    } else {
+        kernels_->prepareOne(blocks);
+    }
+}
+
+/// In ranges that any worker may take, like the next.
+template <std::size_t kPoints>
+void ContactBlocks::fillFromStore(SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops) {
+    if (blocks.count == 0) { return; }
+    loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+        batch.store->fill(blocks.all().subspan(begin, end - begin), blocks.linksOf(begin, end));
+    });
 }
 
 /// Blocks from constraints; what is left over stays where it is.
-void ContactBlocks::fillFrom(const SolverBatch& batch) {
-    anyBounces_ = false;
-    for (std::uint32_t i = 0; i < places_.size(); ++i) {
-        const ContactPlace& place = places_[i];
-        const ContactConstraint& contact = batch.contacts[i];
-        const auto fill = [&](auto& block) {
-            block.place[place.lane] = i;
-            fillLane(block, place.lane, contact, batch.inertias[contact.slotA], batch.inertias[contact.slotB]);
-        };
-        if (place.points == 1) {
-            fill(one_.blocks[place.index]);
-        } else if (place.points == 2) {
-            fill(two_.blocks[place.index]);
-        }
-        anyBounces_ = anyBounces_ || (place.points > 0 && contact.restitution > 0);
-    }
-}
-
-/// Ends what the lanes began, and finds masses, in ranges that any worker may take.
 template <std::size_t kPoints>
-void ContactBlocks::finishBlocks(Blocks<kPoints>& blocks, TaskSystem& loops) {
+void ContactBlocks::fillFromBatch(const SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops) {
     if (blocks.count == 0) { return; }
     loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
-        const std::span<WideContact<kPoints>> some = std::span(blocks.blocks).subspan(begin, end - begin);
-        for (WideContact<kPoints>& block : some) { closeBlock(block); }
-        if constexpr (kPoints == 2) {
-            kernels_->prepareTwo(some);
-        } else {
-            kernels_->prepareOne(some);
+        const std::span<WideContact<kPoints>> some = blocks.all().subspan(begin, end - begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::span<const std::uint32_t> places = blocks.placesOf(i, i + 1);
+            fillBlock(some[i - begin], std::span(batch.inertias),
+                      [&](std::size_t lane) -> const ContactConstraint& { return batch.contacts[places[lane]]; });
         }
+        prepare(some);
     });
 }
 
@@ -136,21 +159,17 @@ void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, cons
     kernels_ = settings.wide ? contactKernels() : nullptr;
     layOut(graph);
     if (batch.store != nullptr) {
-        listPlaces(graph.contactColours(), [&](std::size_t i) { return batch.links[i].pointsInBlock(); });
-        std::iota(rest_.begin(), rest_.end(), 0U);  // the store puts them there in this order
+        listLinks(batch, graph);
         batch.contacts.resize(rest_.size());
-        anyBounces_ = false;
-        const ContactArrays to = arrays(batch);
-        loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
-            batch.store->fill(begin, std::span(places_).subspan(begin, end - begin), to);
-        });
+        fillFromStore(batch, two_, loops);
+        fillFromStore(batch, one_, loops);
+        batch.store->fill(std::span(batch.contacts), restLinks_);
     } else {
-        listPlaces(graph.contactColours(),
-                   [&](std::size_t i) { return static_cast<std::size_t>(batch.contacts[i].count); });
-        fillFrom(batch);
+        listContacts(batch, graph);
+        fillFromBatch(batch, two_, loops);
+        fillFromBatch(batch, one_, loops);
     }
-    finishBlocks(two_, loops);
-    finishBlocks(one_, loops);
+    anyBounces_ = batch.store == nullptr && mostRestitution(batch) > 0;
     if (settings.prepared) { return; }
     for (const std::uint32_t place : rest_) { prepareContact(batch.contacts[place], batch.inertias); }
 }
@@ -229,7 +248,7 @@ void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
     const auto addUpAll = [&](const auto& blocks) {
         for (std::size_t i = 0; i < blocks.count; ++i) {
             if (blocks.blocks[i].mostRestitution > 0) {
-                forEachLane(std::span(&blocks.blocks[i], 1), batch.contacts, addUp);
+                forEachLane(blocks.all().subspan(i, 1), blocks.placesOf(i, i + 1), batch.contacts, addUp);
             }
         }
     };
@@ -239,10 +258,15 @@ void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
 
 void ContactBlocks::readBack(SolverBatch& batch, TaskSystem& loops) {
     if (batch.store != nullptr) {
-        const ContactArrays from = arrays(batch);
-        loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
-            batch.store->take(begin, std::span(places_).subspan(begin, end - begin), from);
-        });
+        const auto take = [&](const auto& blocks) {
+            if (blocks.count == 0) { return; }
+            loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+                batch.store->take(blocks.all().subspan(begin, end - begin), blocks.linksOf(begin, end));
+            });
+        };
+        take(std::as_const(two_));
+        take(std::as_const(one_));
+        batch.store->take(std::span<const ContactConstraint>(batch.contacts), restLinks_);
         batch.store->end();
         return;
     }
@@ -254,8 +278,8 @@ void ContactBlocks::readBack(SolverBatch& batch, TaskSystem& loops) {
             if (!(block.mostRestitution > 0)) { point.totalNormalImpulse = block.points[i].totalNormalImpulse[lane]; }
         }
     };
-    forEachLane(std::span(two_.blocks).first(two_.count), batch.contacts, read);
-    forEachLane(std::span(one_.blocks).first(one_.count), batch.contacts, read);
+    forEachLane(two_.all(), two_.places, batch.contacts, read);
+    forEachLane(one_.all(), one_.places, batch.contacts, read);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

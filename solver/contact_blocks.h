@@ -56,28 +56,42 @@ private:
     template <std::size_t kPoints>
     struct Blocks {
         std::vector<WideContact<kPoints>> blocks;  ///< keeps its size
+        std::vector<std::uint32_t> places;         ///< of lanes: in the batch
+        std::vector<ContactLink> links;            ///< likewise, of a store: instead
         std::uint32_t count = 0;                   ///< in use
+
+        std::span<WideContact<kPoints>> all() { return std::span(blocks).first(count); }
+        std::span<const WideContact<kPoints>> all() const { return std::span(blocks).first(count); }
+        std::span<const std::uint32_t> placesOf(std::size_t begin, std::size_t end) const {
+            return std::span(places).subspan(begin * kBlockLanes, (end - begin) * kBlockLanes);
+        }
+        std::span<const ContactLink> linksOf(std::size_t begin, std::size_t end) const {
+            return std::span(links).subspan(begin * kBlockLanes, (end - begin) * kBlockLanes);
+        }
     };
 
     Kind kindOf(std::size_t points, int colour) const;
     template <std::size_t kPoints>
     ColourRange reserve(std::uint32_t contacts, Blocks<kPoints>& blocks);
     void layOut(const ConstraintGraph& graph);
+    template <class Contacts, class List>
+    void listPlaces(std::span<const std::uint8_t> colours, const Contacts& contacts, const List& list);
+    void listContacts(const SolverBatch& batch, const ConstraintGraph& graph);
+    void listLinks(const SolverBatch& batch, const ConstraintGraph& graph);
     template <std::size_t kPoints>
-    void finishBlocks(Blocks<kPoints>& blocks, TaskSystem& loops);
-    ContactPlace placeFor(Kind kind, std::size_t colour);
-    template <class PointsOf>
-    void listPlaces(std::span<const std::uint8_t> colours, const PointsOf& pointsOf);
-    void fillFrom(const SolverBatch& batch);
-    ContactArrays arrays(SolverBatch& batch);
+    void fillFromStore(SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops);
+    template <std::size_t kPoints>
+    void fillFromBatch(const SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops);
+    template <std::size_t kPoints>
+    void prepare(std::span<WideContact<kPoints>> blocks) const;
 
     const ContactKernels* kernels_ = nullptr;
     bool anyBounces_ = false;
     std::array<Colour, kColourCount> colours_{};
     Blocks<1> one_;
     Blocks<2> two_;
-    std::vector<std::uint32_t> rest_;   ///< places in the batch
-    std::vector<ContactPlace> places_;  ///< by contact, or link
+    std::vector<std::uint32_t> rest_;     ///< places in the batch
+    std::vector<ContactLink> restLinks_;  ///< of a store: likewise
     std::array<KindCounts, kColourCount> next_{};
 };
 

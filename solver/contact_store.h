@@ -20,32 +20,26 @@ struct ContactLink {
 };
 static_assert(sizeof(ContactLink) == 16, "four links a cache line: colouring does little else than to read them");
 
-/// Where a contact of a solve stands.
-struct ContactPlace {
-    std::uint32_t index = 0;  ///< of the block, or of the constraint
-    std::uint8_t lane = 0;
-    std::uint8_t points = 0;  ///< of the contacts of the block; 0: a constraint on its own
-};
-
-/// All places of a solve.
-struct ContactArrays {
-    std::span<WideContact<1>> one;
-    std::span<WideContact<2>> two;
-    std::span<ContactConstraint> rest;
-};
-
-/// Who keeps the contacts of a solve. They go straight from there into the blocks of the kernels and back, in the order
-/// in which they are kept: to write each down as a constraint first, and to read it again from there in the order of
-/// colours, takes longer than the kernels do.
+/// Who keeps the contacts of a solve. They go straight from there into the blocks of the kernels and back: to write
+/// each down as a constraint first, and to read it again from there in the order of colours, takes longer than the
+/// kernels do.
 class ContactStore {
 public:
+    /// Those of the batch, in another order: of contacts on their own, or of the lanes of blocks, `kBlockLanes` of each
+    /// block; where a lane is not in use that of any contact.
+    using Links = std::span<const ContactLink>;
+
     virtual ~ContactStore() = default;
 
-    /// Blocks are empty before, and closed after (`closeBlock`). Parts of the links may be filled at the same time.
-    /// @param places  of the links of the batch from the first one on, in their order
-    virtual void fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) = 0;
+    /// Blocks are empty before (`emptyBlock`), closed (`closeBlock`) and prepared after. Different ones may be filled
+    /// at the same time.
+    virtual void fill(std::span<WideContact<1>> blocks, Links links) = 0;
+    virtual void fill(std::span<WideContact<2>> blocks, Links links) = 0;
+    virtual void fill(std::span<ContactConstraint> alone, Links links) = 0;
     /// Takes the impulses back from there. Likewise.
-    virtual void take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) = 0;
+    virtual void take(std::span<const WideContact<1>> blocks, Links links) = 0;
+    virtual void take(std::span<const WideContact<2>> blocks, Links links) = 0;
+    virtual void take(std::span<const ContactConstraint> alone, Links links) = 0;
     /// All were taken back.
     virtual void end() {}
 

@@ -36,9 +36,8 @@ template <std::size_t kPoints>
 struct alignas(kBlockBytes) WideContact {
     std::array<BodySlot, kBlockLanes> slotA;
     std::array<BodySlot, kBlockLanes> slotB;
-    std::array<std::uint32_t, kBlockLanes> place;  ///< in the batch; of a store nobody asks
-    std::uint32_t lanes = 0;                       ///< in use
-    std::uint32_t movableA = 0;                    ///< one bit per lane: the body is to be written
+    std::uint32_t lanes = 0;     ///< in use
+    std::uint32_t movableA = 0;  ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
     Real mostRestitution = 0;  ///< of its contacts; where it is 0 nothing bounces
     alignas(kBlockBytes) LaneArray normalX;

@@ -100,53 +100,49 @@ public:
         batch.store = this;
     }
 
-    void fill(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& to) override {
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const auto fillIn = [&](auto& block) {
-                const ContactConstraint& contact = contacts_[first + i];
-                fillLane(block, places[i].lane, contact, batch_.inertias[contact.slotA],
-                         batch_.inertias[contact.slotB]);
-            };
-            switch (places[i].points) {
-                case 2:
-                    fillIn(to.two[places[i].index]);
-                    break;
-                case 1:
-                    fillIn(to.one[places[i].index]);
-                    break;
-                default:
-                    to.rest[places[i].index] = contacts_[first + i];
-                    ++alone;
-            }
-        }
+    void fill(std::span<WideContact<1>> blocks, Links links) override { fillBlocks(blocks, links); }
+    void fill(std::span<WideContact<2>> blocks, Links links) override { fillBlocks(blocks, links); }
+    void fill(std::span<ContactConstraint> constraints, Links links) override {
+        for (std::size_t i = 0; i < links.size(); ++i) { constraints[i] = contacts_[links[i].source]; }
+        alone += static_cast<int>(links.size());
     }
-    void take(std::size_t first, std::span<const ContactPlace> places, const ContactArrays& from) override {
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const auto takeFrom = [&](const auto& block) {
-                for (std::size_t k = 0; k < block.points.size(); ++k) {
-                    ContactConstraintPoint& point = contacts_[first + i].points[k];
-                    point.normalImpulse = block.points[k].normalImpulse[places[i].lane];
-                    point.tangentImpulse = block.points[k].tangentImpulse[places[i].lane];
-                    point.totalNormalImpulse = block.points[k].totalNormalImpulse[places[i].lane];
-                }
-            };
-            switch (places[i].points) {
-                case 2:
-                    takeFrom(from.two[places[i].index]);
-                    break;
-                case 1:
-                    takeFrom(from.one[places[i].index]);
-                    break;
-                default:
-                    contacts_[first + i] = from.rest[places[i].index];
-            }
-        }
+    void take(std::span<const WideContact<1>> blocks, Links links) override { takeBlocks(blocks, links); }
+    void take(std::span<const WideContact<2>> blocks, Links links) override { takeBlocks(blocks, links); }
+    void take(std::span<const ContactConstraint> constraints, Links links) override {
+        for (std::size_t i = 0; i < links.size(); ++i) { contacts_[links[i].source] = constraints[i]; }
     }
     void giveBack() { batch_.contacts = std::move(contacts_); }
 
     int alone = 0;
 
 private:
+    template <std::size_t kPoints>
+    void fillBlocks(std::span<WideContact<kPoints>> blocks, Links links) {
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            fillBlock(blocks[i], std::span(batch_.inertias), [&](std::size_t lane) -> const ContactConstraint& {
+                return contacts_[links[i * kBlockLanes + lane].source];
+            });
+            if constexpr (kPoints == 2) {
+                contactKernels()->prepareTwo(blocks.subspan(i, 1));
+            } else {
+                contactKernels()->prepareOne(blocks.subspan(i, 1));
+            }
+        }
+    }
+    template <std::size_t kPoints>
+    void takeBlocks(std::span<const WideContact<kPoints>> blocks, Links links) {
+        for (std::size_t i = 0; i < blocks.size() * kBlockLanes; ++i) {
+            const WideContact<kPoints>& block = blocks[i / kBlockLanes];
+            const std::size_t lane = i % kBlockLanes;
+            for (std::size_t k = 0; lane < block.lanes && k < kPoints; ++k) {
+                ContactConstraintPoint& point = contacts_[links[i].source].points[k];
+                point.normalImpulse = block.points[k].normalImpulse[lane];
+                point.tangentImpulse = block.points[k].tangentImpulse[lane];
+                point.totalNormalImpulse = block.points[k].totalNormalImpulse[lane];
+            }
+        }
+    }
+
     SolverBatch& batch_;
     std::vector<ContactConstraint> contacts_;
 };
