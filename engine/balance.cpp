@@ -58,9 +58,7 @@ bool markRestless(WorldState& world) {
         restOf(world, slot).isRestless = true;
         ++moving;
     }
-    for (const std::uint32_t i : world.activeJoints) {
-        for (const std::uint32_t slot : world.joints[i].allBodies()) { restOf(world, slot).isRestless = true; }
-    }
+    for (const JointChain& chain : world.jointChains.list) { restOf(world, chain.lowest).isRestless = true; }
     return moving < world.tied.size();
 }
 

@@ -67,7 +67,11 @@ void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2
     // The effort is still that of the last step.
     const bool isStill = speedSquared == 0 && motion.angularVelocity == 0;
     load.staysPut = load.staysPut && (isStill || body.effort.direct == DirectScope::all);
-    if (body.holdingJoints == 0) { load.heaviestLoose = std::max(load.heaviestLoose, mass); }
+    if (body.holdingJoints == 0) {
+        load.heaviestLoose = std::max(load.heaviestLoose, mass);
+    } else {
+        load.lightestJointed = load.lightestJointed > 0 ? std::min(load.lightestJointed, mass) : mass;
+    }
     load.lightest = std::min(load.lightest, mass);
     load.heaviest = std::max(load.heaviest, mass);
     load.thinnest = std::min(load.thinnest, body.extent);
@@ -91,83 +95,17 @@ void addContacts(WorldState& world) {
     }
 }
 
-std::uint32_t firstDynamicOf(const WorldState& world, const Joint& joint) {
-    const auto bodies = joint.allBodies();
-    const auto moves = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
-    return *std::find_if(bodies.begin(), bodies.end(), moves);
-}
-
-void tieJointed(WorldState& world) {
-    world.jointChains.reset(world.bodies.slotCount());
-    world.chainLengths.assign(world.bodies.slotCount(), 0);
-    world.chainBodies.assign(world.bodies.slotCount(), 0);
-    for (const std::uint32_t i : world.activeJoints) {
-        const std::uint32_t first = firstDynamicOf(world, world.joints[i]);
-        for (const std::uint32_t other : world.joints[i].allBodies()) {
-            if (world.bodies[other].isDynamic()) { world.jointChains.unite(first, other); }
-        }
-    }
-    for (const std::uint32_t slot : world.awake) {
-        if (world.bodies[slot].isDynamic()) { ++world.chainBodies[world.jointChains.find(slot)]; }
-    }
-}
-
-/// Whether a joint holds what it holds rigidly, and does nothing else.
-struct PlainJoints {
-    bool operator()(const HingePart& part) const { return isFree(part.def); }
-    bool operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>& part) const { return isFree(part.def); }
-    bool operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const { return isFree(part.def); }
-    bool operator()(const JointPart<DistanceJointDef, DistanceConstraint>& part) const {
-        return !part.def.spring && !part.def.limits;
-    }
-    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
-        return !part.def.linearSpring && !part.def.angularSpring;
-    }
-    template <class Part>
-    bool operator()(const Part&) const {
-        return false;
-    }
-
-private:
-    template <class Def>
-    static bool isFree(const Def& def) {
-        return !def.spring && !def.limits && !def.motor;
-    }
-};
-bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
-
-/// Whether a joint has a motor or a spring: what it holds keeps no energy.
-struct DrivenJoints {
-    template <class Part>
-    bool operator()(const Part& part) const {
-        bool isDriven = false;
-        if constexpr (requires { part.def.motor.has_value(); }) { isDriven = part.def.motor.has_value(); }
-        if constexpr (requires { part.def.spring.has_value(); }) { isDriven |= part.def.spring.has_value(); }
-        return isDriven;
-    }
-};
-bool isDriven(const Joint& joint) { return std::visit(DrivenJoints{}, joint.parts); }
-
+/// Sums that change only when joints do: a look at each chain, not at each joint.
 void addJoints(WorldState& world) {
-    tieJointed(world);
-    for (const std::uint32_t i : world.activeJoints) {
-        const Joint& joint = world.joints[i];
-        const std::uint32_t first = firstDynamicOf(world, joint);
-        IslandLoad& load = world.islandLoads[world.islands.find(first)];
-        const std::uint32_t chain = world.jointChains.find(first);
-        load.longestChain = std::max(load.longestChain, ++world.chainLengths[chain]);
+    for (const JointChain& chain : world.jointChains.list) {
+        IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
+        load.longestChain = std::max(load.longestChain, chain.joints);
         // What only lies on a bridge makes it no chain.
-        load.hasLoop = load.hasLoop || world.chainLengths[chain] > world.chainBodies[chain];
-        for (const std::uint32_t slot : joint.allBodies()) {
-            const Body& body = world.bodies[slot];
-            const auto mass = static_cast<Real>(body.mass);
-            const bool isFirst = load.joints == 0 && slot == first;
-            load.isAnchored = load.isAnchored || !body.isDynamic();
-            if (body.isDynamic() && (isFirst || mass < load.lightestJointed)) { load.lightestJointed = mass; }
-        }
-        ++load.joints;
-        load.plainJoints += isPlain(joint) ? 1 : 0;
-        load.driven += isDriven(joint) ? 1 : 0;
+        load.hasLoop = load.hasLoop || chain.joints > chain.bodies;
+        load.isAnchored = load.isAnchored || chain.isAnchored;
+        load.joints += chain.joints;
+        load.plainJoints += chain.plainJoints;
+        load.driven += chain.drivenJoints;
     }
 }
 

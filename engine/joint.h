@@ -74,27 +74,18 @@ struct Joint {
 struct JointTie {
     std::uint32_t bodyA = 0;  ///< slots
     std::uint32_t bodyB = 0;
-    bool holds = false;     ///< a joint is there, and is no filter
-    bool isPair = true;     ///< it ties no other bodies
-    bool mayBreak = false;  ///< it has a limit
-    bool isHinge = false;
-    HingeParts hingeParts;  ///< of a hinge
-};
-static_assert(sizeof(JointTie) == 16);
+    bool holds : 1 = false;     ///< a joint is there, and is no filter
+    bool isPair : 1 = true;     ///< it ties no other bodies
+    bool mayBreak : 1 = false;  ///< it has a limit
+    bool isHinge : 1 = false;
+    bool isPlain : 1 = false;   ///< holds what it holds rigidly, and does nothing else
+    bool isDriven : 1 = false;  ///< has a motor or a spring: what it holds keeps no energy
+    HingeParts hingeParts;      ///< of a hinge
 
-inline HingeParts hingePartsOf(const RevoluteJointDef& def) {
-    return {
-        .hasSpring = def.spring.has_value(), .hasMotor = def.motor.has_value(), .hasLimits = def.limits.has_value()};
-}
-inline JointTie tieOf(const Joint& joint) {
-    const auto* const hinge = std::get_if<HingePart>(&joint.parts);
-    return {.bodyA = joint.bodyA,
-            .bodyB = joint.bodyB,
-            .holds = joint.holds(),
-            .isPair = joint.bodyCount <= 2,
-            .mayBreak = joint.base.breakForce || joint.base.breakTorque,
-            .isHinge = hinge != nullptr,
-            .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
-}
+    bool operator==(const JointTie&) const = default;
+};
+static_assert(sizeof(JointTie) == 12);
+
+JointTie tieOf(const Joint& joint);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -58,31 +58,33 @@ void markSettledIslands(WorldState& world) {
 void slowHangingIslands(WorldState& world, double dt) {
     const auto step = static_cast<Real>(dt);
     const Real speed = kHangingRatio * length(world.settings.gravity) * step;
-    // Their effort tells what is still in question: those that move keep theirs.
     world.islandPulls.resize(std::max<std::size_t>(world.islandPulls.size(), world.bodies.slotCount()));
-    world.chainLengths.assign(world.bodies.slotCount(), 0);  // now: 1 where an island hangs still
-    for (const std::uint32_t slot : world.tied) { world.chainLengths[slot] = isDirectChain(world.islandLoads[slot]); }
+    // Their effort tells what is still in question: those that move keep theirs.
+    world.islandHangs.assign(world.bodies.slotCount(), 0);
+    for (const std::uint32_t slot : world.tied) {
+        world.islandHangs[slot] = isDirectChain(world.islandLoads[slot]) ? 1 : 0;
+    }
     for (const std::uint32_t slot : world.tied) {
         const Body& body = world.bodies[slot];
-        std::uint32_t& hangs = world.chainLengths[world.islands.find(slot)];
+        std::uint8_t& hangs = world.islandHangs[world.islands.find(slot)];
         if (hangs == 0) { continue; }
         hangs = isStill(body, world.motions[slot], speed) ? 1 : 0;
         world.islandPulls[slot].force = (static_cast<Real>(body.mass) * step) * accelerationOf(world, body);
     }
     for (const std::uint32_t i : world.activeJoints) {
-        const Joint& joint = world.joints[i];
-        const std::uint32_t moved = world.bodies[joint.bodyA].isDynamic() ? joint.bodyA : joint.bodyB;
-        std::uint32_t& hangs = world.chainLengths[world.islands.find(moved)];
-        hangs = hangs != 0 && weighHinge(world, joint, step) ? 1 : 0;
+        const JointTie& tie = world.jointTies[i];
+        const std::uint32_t moved = (world.traits[tie.bodyA] & kIsDynamic) != 0 ? tie.bodyA : tie.bodyB;
+        std::uint8_t& hangs = world.islandHangs[world.islands.find(moved)];
+        hangs = hangs != 0 && weighHinge(world, world.joints[i], step) ? 1 : 0;
     }
     for (const std::uint32_t slot : world.tied) {
         const Body& body = world.bodies[slot];
-        std::uint32_t& hangs = world.chainLengths[world.islands.find(slot)];
+        std::uint8_t& hangs = world.islandHangs[world.islands.find(slot)];
         if (hangs == 0) { continue; }
         hangs = lengthSquared(world.islandPulls[slot].force) <= square(static_cast<Real>(body.mass) * speed) ? 1 : 0;
     }
     for (const std::uint32_t slot : world.tied) {
-        if (world.chainLengths[slot] != 0) { world.islandLoads[slot].effort.doublings = kHangingDoublings; }
+        if (world.islandHangs[slot] != 0) { world.islandLoads[slot].effort.doublings = kHangingDoublings; }
     }
 }
 

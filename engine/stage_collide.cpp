@@ -75,6 +75,8 @@ bool isTouching(const Contact& contact) {
     return deepestSeparation(contact.manifold) <= limit;
 }
 
+bool isDeep(const Contact& contact) { return deepestSeparation(contact.manifold) < -kShallowRatio * contact.extent; }
+
 bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold) > kEndRatio * contact.extent; }
 
 /// A contact that may have points has its manifold.
@@ -283,7 +285,8 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
             .dynamicA = contact.dynamicA,
             .dynamicB = contact.dynamicB,
             .bounces = contact.restitution > 0,
-            .isOpen = isOpen(contact)};
+            .isOpen = isOpen(contact),
+            .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
 }
 
 /// Of what `isTold`.

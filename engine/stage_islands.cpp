@@ -10,8 +10,9 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-bool isFastTied(const WorldState& world, const Body& body) {
-    return body.role == BodyRole::solved && body.fast && modeOf(world, body) == ContinuousMode::subStep;
+/// @param slot  of a body that is tied to others
+bool isFastTied(const WorldState& world, std::uint32_t slot) {
+    return (world.traits[slot] & kIsFast) != 0 && modeOf(world, world.bodies[slot]) == ContinuousMode::subStep;
 }
 
 /// Islands that are too large for it stay with the others.
@@ -32,7 +33,7 @@ void dropLargeIslands(WorldState& world) {
 void numberIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     for (const std::uint32_t slot : world.tied) {
-        if (!isFastTied(world, world.bodies[slot])) { continue; }
+        if (!isFastTied(world, slot)) { continue; }
         if (!fast.any) { fast.numbers.assign(world.bodies.slotCount(), kNoIndex); }
         fast.any = true;
         fast.numbers[world.islands.find(slot)] = 0;

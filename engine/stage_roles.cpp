@@ -97,19 +97,29 @@ Footing footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t oth
     return footing;
 }
 
-/// Dynamic bodies that are near each other, one of them fast, but will not meet in this step do not hold each other.
-/// @pre `TouchingPair::isOpen`
-bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
-    const Real gap = deepestSeparation(contact.manifold);
+/// Fastest that the bodies of a contact close in on each other within the step, m/s.
+Real closingSpeed(const WorldState& world, const Contact& contact, Vec2 normal, Real dt) {
+    const BodyGlance& glanceA = world.glances[contact.bodyA];
+    const BodyGlance& glanceB = world.glances[contact.bodyB];
+    if (glanceA.isAwake() && glanceB.isAwake()) {
+        const Real turning = glanceA.swing + glanceB.swing;
+        return turning - dot(glanceB.velocity - glanceA.velocity, normal) + dt * length(glanceB.pull - glanceA.pull);
+    }
+    // Likewise, of what woke since, or sleeps.
     const Body& a = world.bodies[contact.bodyA];
     const Body& b = world.bodies[contact.bodyB];
     const BodyMotion& motionA = world.motions[contact.bodyA];
     const BodyMotion& motionB = world.motions[contact.bodyB];
-    const Vec2 normal = rotate(motionA.pose.rotation, contact.manifold.normal);
     const Vec2 pull = accelerationOf(world, b) - accelerationOf(world, a);
     const Real turning = std::fabs(motionA.angularVelocity) * a.radius + std::fabs(motionB.angularVelocity) * b.radius;
-    const Real closing = turning - dot(motionB.velocity - motionA.velocity, normal) + dt * length(pull);
-    return closing * dt < gap;
+    return turning - dot(motionB.velocity - motionA.velocity, normal) + dt * length(pull);
+}
+
+/// Dynamic bodies that are near each other, one of them fast, but will not meet in this step do not hold each other.
+/// @pre `TouchingPair::isOpen`
+bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
+    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    return closingSpeed(world, contact, normal, dt) * dt < deepestSeparation(contact.manifold);
 }
 
 /// What passes stays without points, unless it turns out to be hemmed in.
@@ -123,16 +133,29 @@ void passBy(WorldState& world, const TouchingPair& pair, bool areAwake) {
     --world.counters.touching;
 }
 
-/// What a contact with something static or kinematic tells about a dynamic body.
-void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact, Real dt) {
+/// What a contact with something static or kinematic tells about a dynamic body. Mostly nothing, and then neither is
+/// looked at.
+void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const TouchingPair& pair, Real dt) {
+    const bool mayStrike = pair.bounces || (world.traits[slot] & kIsFast) != 0;
+    if (!mayStrike && !pair.isDeep) { return; }
     Body& body = world.bodies[slot];
-    if (contact.restitution > 0 || body.fast) {
-        const Footing footing = footingOf(world, slot, otherSlot, contact, dt);
+    if (mayStrike) {
+        const Footing footing = footingOf(world, slot, otherSlot, world.contacts[pair.contact], dt);
         body.bounces = body.bounces || footing.bounces;
         body.rests = body.rests || footing.rests;
         body.strikes = body.strikes || footing.strikes;
     }
-    body.deepContact = body.deepContact || deepestSeparation(contact.manifold) < -kShallowRatio * contact.extent;
+    body.deepContact = body.deepContact || pair.isDeep;
+}
+
+/// Pairs whose contacts are fetched from memory ahead of time: they lie all over it.
+constexpr std::size_t kPairsAhead = 8;
+
+/// Those that may pass each other are looked at (`passEachOther`).
+void fetchAhead(const WorldState& world, std::size_t place) {
+    if (place + kPairsAhead >= world.touching.size()) { return; }
+    const TouchingPair& coming = world.touching[place + kPairsAhead];
+    if (coming.isOpen) { __builtin_prefetch(&world.contacts[coming.contact].manifold); }
 }
 
 /// What the contacts tell about their bodies, and which bodies they tie together. Forgets what sleeps or passes by.
@@ -140,16 +163,17 @@ void noteTouching(WorldState& world, Real dt) {
     std::vector<BodyTraits>& traits = world.traits;
     world.hemmed.passing.clear();
     auto keep = world.touching.begin();
-    for (const TouchingPair& pair : world.touching) {
+    for (std::size_t i = 0; i < world.touching.size(); ++i) {
+        fetchAhead(world, i);
+        const TouchingPair pair = world.touching[i];
         BodyTraits& a = traits[pair.bodyA];
         BodyTraits& b = traits[pair.bodyB];
         const bool awakeA = (a & kIsAwake) != 0;
         const bool awakeB = (b & kIsAwake) != 0;
         if (!awakeA && !awakeB) { continue; }
         if (!pair.areDynamic()) {
-            const Contact& contact = world.contacts[pair.contact];
-            if (pair.dynamicA && awakeA) { noteGround(world, pair.bodyA, pair.bodyB, contact, dt); }
-            if (pair.dynamicB && awakeB) { noteGround(world, pair.bodyB, pair.bodyA, contact, dt); }
+            if (pair.dynamicA && awakeA) { noteGround(world, pair.bodyA, pair.bodyB, pair, dt); }
+            if (pair.dynamicB && awakeB) { noteGround(world, pair.bodyB, pair.bodyA, pair, dt); }
         } else if (pair.isOpen && ((a | b) & kIsFast) != 0 && passEachOther(world, world.contacts[pair.contact], dt)) {
             passBy(world, pair, awakeA && awakeB);
             continue;
@@ -164,17 +188,23 @@ void noteTouching(WorldState& world, Real dt) {
     holdHemmedPairs(world);
 }
 
-BodyRole roleOf(const WorldState& world, const Body& body) {
-    if (!body.isDynamic()) { return BodyRole::free; }
-    const ContinuousMode mode = modeOf(world, body);
-    const bool alone = body.holdingJoints == 0 && !body.touchesDynamic;
+bool isFlyer(const WorldState& world, const Body& body) {
     const bool isFlung = body.fast && (body.strikes || !body.rests);
-    const bool flies = isFlung || (body.bounces && mode == ContinuousMode::subStep);
-    if (alone && flies && !body.deepContact && isSwept(mode)) { return BodyRole::flyer; }
+    const bool isAlone = body.holdingJoints == 0 && !body.touchesDynamic && !body.deepContact;
+    if (!isAlone || !(isFlung || body.bounces)) { return false; }
+    const ContinuousMode mode = modeOf(world, body);
+    return isFlung ? isSwept(mode) : mode == ContinuousMode::subStep;
+}
+
+/// @param traits  of the body, which is awake
+BodyRole roleOf(const WorldState& world, const Body& body, BodyTraits traits) {
+    if ((traits & kIsDynamic) == 0) { return BodyRole::free; }
+    if (isFlyer(world, body)) { return BodyRole::flyer; }
     return body.holdingJoints == 0 && !body.hasContact ? BodyRole::free : BodyRole::solved;
 }
 
-/// What it can tell from the traits, which are small, is left to who lists the bodies in order.
+/// What it can tell from the traits, which are small, is left to who lists the bodies in order. Of most bodies it looks
+/// at their first lines of memory alone.
 void giveRoles(WorldState& world) {
     std::atomic<std::uint32_t> bullets = 0;
     std::atomic<bool> isAnyFast = false;
@@ -186,50 +216,19 @@ void giveRoles(WorldState& world) {
             Body& body = world.bodies[world.awake[i]];
             body.hasContact = (traits & kHasContact) != 0;
             body.touchesDynamic = (traits & kTouchesDynamic) != 0;
-            body.role = roleOf(world, body);
+            body.role = roleOf(world, body, traits);
             if (body.role != BodyRole::solved) { body.effort = {}; }
             if (body.role == BodyRole::flyer) { traits |= kIsFlyer; }
             if (body.role == BodyRole::solved) { traits |= kIsTied; }
-            some += body.def.bullet ? 1 : 0;
-            isOneFast = isOneFast || body.fast || body.def.bullet || body.role == BodyRole::flyer;
+            const bool isBullet = world.bulletBodies > 0 && body.def.bullet;
+            some += isBullet ? 1 : 0;
+            isOneFast = isOneFast || body.fast || isBullet || body.role == BodyRole::flyer;
         }
         if (some > 0) { bullets.fetch_add(some, std::memory_order_relaxed); }
         if (isOneFast) { isAnyFast.store(true, std::memory_order_relaxed); }
     });
     world.bullets = bullets;
     world.anyFast = isAnyFast;
-}
-
-bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
-
-/// The same where nothing sleeps: each joint has something dynamic.
-void listAllJoints(WorldState& world) {
-    for (std::uint32_t i = 0; i < world.jointTies.size(); ++i) {
-        if (world.jointTies[i].holds) { world.activeJoints.push_back(i); }
-    }
-}
-
-/// Joints that hold something awake, in the order of their slots: what follows costs nothing for those that sleep.
-void listActiveJoints(WorldState& world) {
-    world.activeJoints.clear();
-    if (world.joints.size() == 0) { return; }
-    if (!anyAsleep(world)) {
-        listAllJoints(world);
-        return;
-    }
-    const auto isAwake = [&world](std::uint32_t slot) {
-        return world.bodies[slot].isDynamic() && world.bodies[slot].awake;
-    };
-    for (const std::uint32_t slot : world.awake) {
-        if (!isAwake(slot)) { continue; }
-        for (const std::uint32_t index : world.bodies[slot].joints) {
-            const Joint& joint = world.joints[index];
-            const auto bodies = joint.allBodies();
-            const bool isFirst = *std::find_if(bodies.begin(), bodies.end(), isAwake) == slot;
-            if (joint.holds() && isFirst) { world.activeJoints.push_back(index); }
-        }
-    }
-    std::sort(world.activeJoints.begin(), world.activeJoints.end());
 }
 
 }  // namespace
@@ -261,23 +260,11 @@ void assignRoles(WorldState& world, Real dt) {
     world.counters.awakeBodies = world.awake.size() + world.held.bodies;
 }
 
+/// By contacts the bodies are united already.
 void findIslands(WorldState& world) {
-    const auto moves = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
-    const auto isAwake = [&](std::uint32_t slot) { return (world.traits[slot] & kIsAwake) != 0 && moves(slot); };
-    listActiveJoints(world);
-    for (const std::uint32_t i : world.activeJoints) {
-        const JointTie& tie = world.jointTies[i];
-        if (tie.isPair) {
-            if (isAwakeDynamic(world, tie.bodyA) && isAwakeDynamic(world, tie.bodyB)) {
-                world.islands.unite(tie.bodyA, tie.bodyB);
-            }
-            continue;
-        }
-        const auto bodies = world.joints[i].allBodies();
-        const std::uint32_t first = *std::find_if(bodies.begin(), bodies.end(), moves);
-        for (const std::uint32_t other : bodies) {
-            if (isAwake(first) && isAwake(other)) { world.islands.unite(first, other); }
-        }
+    keepJointChains(world);
+    for (const JointChains::Member& member : world.jointChains.members) {
+        world.islands.unite(member.body, member.lowest);
     }
     for (const std::uint32_t slot : world.tied) { world.counters.islands += world.islands.find(slot) == slot ? 1 : 0; }
 }

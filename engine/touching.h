@@ -15,6 +15,7 @@ struct TouchingPair {
     bool dynamicB : 1 = false;
     bool bounces : 1 = false;  ///< has restitution
     bool isOpen : 1 = false;   ///< its points are farther apart than those of touching shapes (`kEndRatio`)
+    bool isDeep : 1 = false;   ///< of what does not yield: overlaps too far to be swept out of it (`kShallowRatio`)
 
     bool areDynamic() const { return dynamicA && dynamicB; }
 };

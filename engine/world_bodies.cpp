@@ -74,6 +74,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     updatePose(world, id->index);
     world.kinematicBodies += def.type == BodyType::kinematic ? 1U : 0U;
     world.fixedBodies += def.type == BodyType::fixed ? 1U : 0U;
+    world.bulletBodies += def.bullet ? 1U : 0U;
     world.watchedBodies += isWatched(def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
     if (def.type == BodyType::dynamic) {
         ++world.masslessBodies;  // until the next line finds a mass
@@ -104,6 +105,7 @@ Status World::destroyBody(BodyId id) {
     world.thinnestWall.reset();
     world.kinematicBodies -= body.def.type == BodyType::kinematic ? 1U : 0U;
     world.fixedBodies -= body.def.type == BodyType::fixed ? 1U : 0U;
+    world.bulletBodies -= body.def.bullet ? 1U : 0U;
     world.watchedBodies -= isWatched(body.def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
     if (body.isDynamic() && body.mass <= 0) { --world.masslessBodies; }
     if (body.def.type != BodyType::fixed) { removeFromAwake(world, id.index); }

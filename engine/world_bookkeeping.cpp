@@ -305,6 +305,7 @@ void removeJoint(WorldState& world, JointId id) {
     const Joint joint = world.joints[id.index];
     world.joints.erase(id);
     world.jointTies[id.index] = {};
+    world.jointChains.areCurrent = false;
     for (const std::uint32_t slot : joint.allBodies()) {
         std::erase(world.bodies[slot].joints, id.index);
         world.bodies[slot].holdingJoints -= joint.holds() ? 1 : 0;

@@ -30,6 +30,13 @@ void wakeBodies(WorldState& world, const Joint& joint) {
     for (const std::uint32_t body : joint.allBodies()) { wake(world, body); }
 }
 
+void setTie(WorldState& world, JointId id, const Joint& joint) {
+    const JointTie tie = tieOf(joint);
+    if (tie == world.jointTies[id.index]) { return; }  // as of a motor that is driven
+    world.jointTies[id.index] = tie;
+    world.jointChains.areCurrent = false;
+}
+
 /// Changes a joint and wakes its bodies. @param change  takes a part, returns whether that kind of joint has what it
 /// sets
 template <class Change>
@@ -38,7 +45,7 @@ Status change(WorldState& world, JointId id, const Status& value, Change&& chang
     if (joint == nullptr) { return {StatusCode::staleId, "joint"}; }
     if (!value.ok()) { return value; }
     if (!std::visit(change, joint->parts)) { return {StatusCode::wrongJointType, "joint"}; }
-    world.jointTies[id.index] = tieOf(*joint);
+    setTie(world, id, *joint);
     wakeBodies(world, *joint);
     return Status::success();
 }
@@ -148,7 +155,7 @@ Status World::setBreakLimits(JointId id, std::optional<Real> force, std::optiona
     if (!status.ok()) { return status; }
     joint->base.breakForce = force;
     joint->base.breakTorque = torque;
-    state_->jointTies[id.index] = tieOf(*joint);
+    setTie(*state_, id, *joint);
     return Status::success();
 }
 

@@ -49,6 +49,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
     if (!id) { return Status{StatusCode::outOfMemory, "joint"}; }
     world.jointTies.resize(world.joints.slotCount());
     world.jointTies[id->index] = tieOf(placed);
+    world.jointChains.areCurrent = false;
     for (const std::uint32_t body : placed.allBodies()) {
         world.bodies[body].joints.push_back(id->index);
         world.bodies[body].holdingJoints += placed.holds() ? 1 : 0;

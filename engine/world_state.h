@@ -24,6 +24,7 @@
 #include "held_islands.h"
 #include "hemmed_pairs.h"
 #include "joint.h"
+#include "joint_chains.h"
 #include "load_paths.h"
 #include "pair_table.h"
 #include "parked_contacts.h"
@@ -127,6 +128,7 @@ struct WorldState {
     SensorSweeps sensorSweeps;
     std::uint32_t kinematicBodies = 0;
     std::uint32_t fixedBodies = 0;
+    std::uint32_t bulletBodies = 0;
     std::uint32_t watchedBodies = 0;   ///< with a mode of their own that has work beside sweeps (modes.h)
     std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
@@ -165,11 +167,10 @@ struct WorldState {
     std::atomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
     std::vector<Effort> efforts;                  ///< classes of the present step
     std::vector<IslandLoad> islandLoads;          ///< by root, of this step
-    IslandFinder jointChains;                     ///< bodies that joints tie, contacts aside (effort.cpp)
-    std::vector<std::uint32_t> chainLengths;      ///< their joints, by root
-    std::vector<std::uint32_t> chainBodies;       ///< their bodies, by root
-    std::vector<Pull> islandPulls;                ///< by slot: what is left of pulls and impulses of a step
-    std::vector<IslandRest> islandRests;          ///< by root, of this step
+    JointChains jointChains;
+    std::vector<std::uint8_t> islandHangs;  ///< by root: nothing in it moves (settled.cpp)
+    std::vector<Pull> islandPulls;          ///< by slot: what is left of pulls and impulses of a step
+    std::vector<IslandRest> islandRests;    ///< by root, of this step
     LoadPaths loadPaths;
     HeldIslands held;
     std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget

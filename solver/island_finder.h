@@ -26,10 +26,12 @@ public:
     void unite(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t rootA = find(a);
         const std::uint32_t rootB = find(b);
+        if (rootA == rootB) { return; }  // as mostly, in a heap: nothing is written
+        // What was asked for hangs below the new root at once.
         if (rootA < rootB) {
-            parents_[rootB] = rootA;
+            parents_[rootB] = parents_[b] = rootA;
         } else {
-            parents_[rootA] = rootB;
+            parents_[rootA] = parents_[a] = rootB;
         }
     }
 

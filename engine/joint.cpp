@@ -1,0 +1,62 @@
+#include "joint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Whether a joint holds what it holds rigidly, and does nothing else.
+struct PlainJoints {
+    bool operator()(const HingePart& part) const { return isFree(part.def); }
+    bool operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>& part) const { return isFree(part.def); }
+    bool operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const { return isFree(part.def); }
+    bool operator()(const JointPart<DistanceJointDef, DistanceConstraint>& part) const {
+        return !part.def.spring && !part.def.limits;
+    }
+    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
+        return !part.def.linearSpring && !part.def.angularSpring;
+    }
+    template <class Part>
+    bool operator()(const Part&) const {
+        return false;
+    }
+
+private:
+    template <class Def>
+    static bool isFree(const Def& def) {
+        return !def.spring && !def.limits && !def.motor;
+    }
+};
+bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
+
+/// Whether a joint has a motor or a spring: what it holds keeps no energy.
+struct DrivenJoints {
+    template <class Part>
+    bool operator()(const Part& part) const {
+        bool isDriven = false;
+        if constexpr (requires { part.def.motor.has_value(); }) { isDriven = part.def.motor.has_value(); }
+        if constexpr (requires { part.def.spring.has_value(); }) { isDriven |= part.def.spring.has_value(); }
+        return isDriven;
+    }
+};
+bool isDriven(const Joint& joint) { return std::visit(DrivenJoints{}, joint.parts); }
+
+HingeParts hingePartsOf(const RevoluteJointDef& def) {
+    return {
+        .hasSpring = def.spring.has_value(), .hasMotor = def.motor.has_value(), .hasLimits = def.limits.has_value()};
+}
+
+}  // namespace
+
+JointTie tieOf(const Joint& joint) {
+    const auto* const hinge = std::get_if<HingePart>(&joint.parts);
+    return {.bodyA = joint.bodyA,
+            .bodyB = joint.bodyB,
+            .holds = joint.holds(),
+            .isPair = joint.bodyCount <= 2,
+            .mayBreak = joint.base.breakForce || joint.base.breakTorque,
+            .isHinge = hinge != nullptr,
+            .isPlain = isPlain(joint),
+            .isDriven = isDriven(joint),
+            .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

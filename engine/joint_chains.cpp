@@ -1,0 +1,105 @@
+#include "joint_chains.h"
+
+#include <algorithm>
+
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
+
+/// All that hold something: where nothing sleeps, each has something dynamic.
+void listAllJoints(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.jointTies.size(); ++i) {
+        if (world.jointTies[i].holds) { world.activeJoints.push_back(i); }
+    }
+}
+
+/// Those of what is awake, in the order of their slots: what follows costs nothing for those that sleep.
+void listJointsOfAwake(WorldState& world) {
+    const auto isAwake = [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); };
+    for (const std::uint32_t slot : world.awake) {
+        if (!isAwake(slot)) { continue; }
+        for (const std::uint32_t index : world.bodies[slot].joints) {
+            const Joint& joint = world.joints[index];
+            const auto bodies = joint.allBodies();
+            const bool isFirst = *std::find_if(bodies.begin(), bodies.end(), isAwake) == slot;
+            if (joint.holds() && isFirst) { world.activeJoints.push_back(index); }
+        }
+    }
+    std::sort(world.activeJoints.begin(), world.activeJoints.end());
+}
+
+std::uint32_t firstAwakeOf(const WorldState& world, const JointTie& tie, std::uint32_t joint) {
+    if (isAwakeDynamic(world, tie.bodyA)) { return tie.bodyA; }
+    if (tie.isPair) { return tie.bodyB; }
+    const auto bodies = world.joints[joint].allBodies();
+    return *std::find_if(bodies.begin(), bodies.end(),
+                         [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); });
+}
+
+void tieBodies(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    chains.finder.reset(world.bodies.slotCount());
+    for (const std::uint32_t i : world.activeJoints) {
+        const std::uint32_t first = firstAwakeOf(world, world.jointTies[i], i);
+        for (const std::uint32_t other : world.joints[i].allBodies()) {
+            if (isAwakeDynamic(world, other)) { chains.finder.unite(first, other); }
+        }
+    }
+}
+
+void listMembers(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    chains.list.clear();
+    chains.members.clear();
+    chains.places.resize(world.bodies.slotCount());
+    for (std::uint32_t slot = 0; slot < world.bodies.slotCount(); ++slot) {
+        if (!isAwakeDynamic(world, slot) || world.bodies[slot].holdingJoints == 0) { continue; }
+        const std::uint32_t lowest = chains.finder.find(slot);
+        chains.members.push_back({slot, lowest});
+        if (lowest == slot) {
+            chains.places[lowest] = static_cast<std::uint32_t>(chains.list.size());
+            chains.list.push_back({.lowest = lowest});
+        }
+        ++chains.list[chains.places[lowest]].bodies;
+    }
+}
+
+void addJoints(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    for (const std::uint32_t i : world.activeJoints) {
+        const JointTie& tie = world.jointTies[i];
+        JointChain& chain = chains.list[chains.places[chains.finder.find(firstAwakeOf(world, tie, i))]];
+        ++chain.joints;
+        chain.plainJoints += tie.isPlain ? 1 : 0;
+        chain.drivenJoints += tie.isDriven ? 1 : 0;
+        for (const std::uint32_t slot : world.joints[i].allBodies()) {
+            chain.isAnchored = chain.isAnchored || !world.bodies[slot].isDynamic();
+        }
+    }
+}
+
+}  // namespace
+
+void keepJointChains(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    const bool isAnyAsleep = anyAsleep(world);
+    if (chains.areCurrent && !isAnyAsleep) { return; }
+    world.activeJoints.clear();
+    chains.list.clear();
+    chains.members.clear();
+    chains.areCurrent = !isAnyAsleep;
+    if (world.joints.size() == 0) { return; }
+    if (isAnyAsleep) {
+        listJointsOfAwake(world);
+    } else {
+        listAllJoints(world);
+    }
+    tieBodies(world);
+    listMembers(world);
+    addJoints(world);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../shapes/real.h"
+#include "../solver/island_finder.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct WorldState;
+
+/// Awake dynamic bodies that joints tie together, contacts aside, and the sums over their joints that the effort of an
+/// island is about.
+struct JointChain {
+    std::uint32_t lowest = 0;  ///< slot of its lowest body
+    std::uint32_t bodies = 0;
+    std::uint32_t joints = 0;
+    std::uint32_t plainJoints = 0;  ///< `JointTie::isPlain`
+    std::uint32_t drivenJoints = 0;
+    bool isAnchored = false;  ///< a joint ties it to what is not dynamic
+};
+
+/// All chains. They persist: as long as nothing sleeps and no joint is made, changed or removed, a step asks none of
+/// them, but unites each body with the lowest one of its chain.
+struct JointChains {
+    struct Member {
+        std::uint32_t body = 0;    ///< slots
+        std::uint32_t lowest = 0;  ///< of its chain
+    };
+    bool areCurrent = false;            ///< those of all joints, as they are now
+    std::vector<JointChain> list;       ///< in order of their lowest bodies
+    std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
+    IslandFinder finder;                ///< scratch
+    std::vector<std::uint32_t> places;  ///< scratch, by slot of the lowest body: in `list`
+};
+
+/// Finds the chains anew, and `WorldState::activeJoints`, unless they are those of the last step. @pre the traits of
+/// this step tell who is awake
+void keepJointChains(WorldState& world);
+
+}  // namespace swept::inline SWEPT_PRECISION
