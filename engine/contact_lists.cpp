@@ -12,15 +12,28 @@ namespace {
 /// Probes per block, each of which one worker lists: enough work to pay for handing it over.
 constexpr std::size_t kProbesPerBlock = 256;
 
+/// What all probes of a step are asked with.
+struct Question {
+    std::span<const Aabb> boxes;
+    Real dt = 0;
+    bool isAllAwake = false;  ///< all bodies are that are not static: then most contacts need not ask theirs
+};
+
+Question questionOf(const WorldState& world) {
+    return {world.broadphase->boxes(), static_cast<Real>(world.lastDt),
+            world.awake.size() + world.fixedBodies == world.bodies.size()};
+}
+
 /// @tparam kWatched  speculative bodies reach farther than was noted
 template <bool kWatched>
-ContactState stateOf(const WorldState& world, std::span<const Aabb> boxes, const ContactProbe& probe, Real dt) {
+ContactState stateOf(const WorldState& world, const Question& question, const ContactProbe& probe) {
     const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
-    if (!bodies.a.isAwake() && !bodies.b.isAwake()) { return ContactState::asleep; }
-    if (!boxesOverlap(boxes, probe)) { return ContactState::boxesApart; }
+    const bool isAwake = (question.isAllAwake && probe.isPlain) || bodies.a.isAwake() || bodies.b.isAwake();
+    if (!isAwake) { return ContactState::asleep; }
+    if (!boxesOverlap(question.boxes, probe)) { return ContactState::boxesApart; }
     if (kWatched || !probe.isIdle) { return ContactState::near; }
     if (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar()) { return ContactState::apart; }
-    return bodies.stateOfIdle(probe, dt);
+    return bodies.stateOfIdle(probe, question.dt);
 }
 
 bool isNoted(const ContactProbe& probe, ContactState state) {
@@ -30,13 +43,12 @@ bool isNoted(const ContactProbe& probe, ContactState state) {
 /// @param noted  room for all of the block
 /// @return how many are noted
 template <bool kWatched>
-std::uint32_t listBlock(WorldState& world, std::span<const Aabb> boxes, std::size_t begin, std::size_t end,
+std::uint32_t listBlock(WorldState& world, const Question& question, std::size_t begin, std::size_t end,
                         std::uint32_t* noted) {
-    const auto dt = static_cast<Real>(world.lastDt);
     std::uint32_t count = 0;
     for (std::size_t i = begin; i < end; ++i) {
         ContactProbe& probe = world.probes[i];
-        const ContactState state = stateOf<kWatched>(world, boxes, probe, dt);
+        const ContactState state = stateOf<kWatched>(world, question, probe);
         if (!isNoted(probe, state)) { continue; }
         if (probe.state != state) { probe.state = state; }  // else its cache line need not go back to memory
         noted[count++] = static_cast<std::uint32_t>(i);
@@ -47,15 +59,15 @@ std::uint32_t listBlock(WorldState& world, std::span<const Aabb> boxes, std::siz
 template <bool kWatched>
 void listBlocks(WorldState& world) {
     ContactLists& lists = world.lists;
-    const std::span<const Aabb> boxes = world.broadphase->boxes();
+    const Question question = questionOf(world);
     const std::size_t count = world.activeContacts;
     const std::size_t blocks = (count + kProbesPerBlock - 1) / kProbesPerBlock;
     lists.noted.resize(count);
     lists.counts.resize(blocks);
-    world.loops->run(blocks, 1, [&world, &lists, boxes, count](std::size_t first, std::size_t last, int) {
+    world.loops->run(blocks, 1, [&world, &lists, &question, count](std::size_t first, std::size_t last, int) {
         for (std::size_t block = first; block < last; ++block) {
             const std::size_t begin = block * kProbesPerBlock;
-            lists.counts[block] = listBlock<kWatched>(world, boxes, begin, std::min(begin + kProbesPerBlock, count),
+            lists.counts[block] = listBlock<kWatched>(world, question, begin, std::min(begin + kProbesPerBlock, count),
                                                       lists.noted.data() + begin);
         }
     });

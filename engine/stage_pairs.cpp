@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "../shapes/manifold_batch.h"
@@ -184,6 +185,17 @@ CandidateFate fateOf(const WorldState& world, std::span<const Aabb> boxes, const
     return isContact ? CandidateFate::becomesContact : CandidateFate::waits;
 }
 
+/// The first from a place on that does not wait: few do not.
+std::size_t nextThatLeaves(std::span<const CandidateFate> fates, std::size_t from) {
+    static_assert(static_cast<int>(CandidateFate::waits) == 0);
+    for (std::uint64_t several = 0; from + sizeof(several) <= fates.size(); from += sizeof(several)) {
+        std::memcpy(&several, fates.data() + from, sizeof(several));
+        if (several != 0) { break; }
+    }
+    while (from < fates.size() && fates[from] == CandidateFate::waits) { ++from; }
+    return from;
+}
+
 }  // namespace
 
 void promoteCandidates(WorldState& world) {
@@ -195,21 +207,21 @@ void promoteCandidates(WorldState& world) {
             world.candidateFates[i] = fateOf(world, boxes, world.candidates[i]);
         }
     });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < world.candidateFates.size(); ++i) {
-        const ContactPair pair = world.candidates[i];
-        switch (world.candidateFates[i]) {
-            case CandidateFate::waits:
-                world.candidates[kept++] = pair;
-                break;
-            case CandidateFate::goes:
-                world.droppedPairs.push_back(pair);
-                break;
-            case CandidateFate::becomesContact:
-                makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
-                            world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
-                break;
+    const std::span<ContactPair> candidates = world.candidates;
+    std::size_t leaves = nextThatLeaves(world.candidateFates, 0);
+    std::size_t kept = leaves;
+    while (leaves < candidates.size()) {
+        const ContactPair& pair = candidates[leaves];
+        if (world.candidateFates[leaves] == CandidateFate::goes) {
+            world.droppedPairs.push_back(pair);
+        } else {
+            makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
+                        world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
         }
+        const std::size_t next = nextThatLeaves(world.candidateFates, leaves + 1);
+        std::copy(&candidates[leaves] + 1, candidates.data() + next, candidates.data() + kept);
+        kept += next - leaves - 1;
+        leaves = next;
     }
     world.candidates.resize(kept);
     dropPairs(world, world.droppedPairs);
