@@ -85,6 +85,7 @@ struct ContactProbe : ContactPair {
                               ///< while they are apart nothing changes
     bool isPlain : 1 =
         false;  ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
+    bool wasKept : 1 = false;   ///< its manifold was, when it was near last: most likely it is again
     bool areAwake : 1 = false;  ///< of state `near`: both bodies were, as the stage of contacts began
     bool bounces : 1 = false;   ///< has restitution
     bool turns : 1 = false;     ///< of state `near`: touching begins or ends

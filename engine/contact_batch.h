@@ -39,6 +39,10 @@ public:
                 pairs_.copyPoints(i, contact.manifold);
                 contact.memory.verdict = ManifoldMemory::Verdict::none;
                 keepManifold(contact, bInA);
+            } else if (pairs_.isApart(i) && contact.manifold.count == 0) {
+                pairs_.rememberApart(i, contact.memory);
+                contact.manifold = {};
+                keepManifold(contact, bInA);
             } else {
                 renewOther(world, i, contact, bInA);
             }
@@ -47,7 +51,21 @@ public:
         pairs_.clear();
     }
 
+    /// The same for the last ones: of one or two, each by itself costs less than a batch that is nearly empty.
+    template <class Done>
+    void renewLast(const WorldState& world, const Done& done) {
+        if (pairs_.size() > kFewLeft) { return renew(world, done); }
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            const Transform bInA = pairs_.poseOf(i);
+            renewManifold(world, *entries_[i].contact, bInA, pairs_.reachOf(i));
+            done(*entries_[i].probe, *entries_[i].contact, bInA);
+        }
+        pairs_.clear();
+    }
+
 private:
+    static constexpr std::size_t kFewLeft = 2;
+
     struct Entry {
         ContactProbe* probe = nullptr;
         Contact* contact = nullptr;
@@ -59,7 +77,7 @@ private:
         pairs_.takeManifold(pair, contact.memory, closest);
         if (!contact.dynamicA) {
             closest = turnedToGround(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA,
-                                     pairs_.reachOf(pair), closest);
+                                     pairs_.reachOf(pair).points, closest);
         }
         takeManifold(contact, bInA, closest);
     }

@@ -21,12 +21,14 @@ constexpr std::size_t kBodyGrain = 128;
 
 bool isAwake(const WorldState& world, std::uint32_t body) { return world.glances[body].isAwake(); }
 
-/// So that the contacts of a body need not ask it one by one.
-void noteMotions(WorldState& world) {
-    world.loops->run(world.awake.size(), kBodyGrain, [&world](std::size_t begin, std::size_t end, int) {
+/// So that the contacts of a body need not ask it one by one. @param haveContacts  else a bound of its motion is all
+/// that is asked
+void noteMotions(WorldState& world, bool haveContacts) {
+    world.loops->run(world.awake.size(), kBodyGrain, [&world, haveContacts](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t slot = world.awake[i];
             world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
+            if (haveContacts) { noteMotion(world, slot); }
         }
     });
 }
@@ -35,8 +37,9 @@ void noteMotions(WorldState& world) {
 template <bool kWatched>
 Real reachOf(const WorldState& world, std::uint32_t body, std::uint32_t shape, Real extent) {
     // What sleeps or never moves is rare beside what moves, or cheap.
-    if (kWatched || !isAwake(world, body)) { return contactReach(world, world.shapes[shape]); }
-    return reachOfMotion(world.glances[body].motion, extent, false);
+    if (!kWatched && isAwake(world, body)) { return reachOfMotion(world.glances[body].motion, extent, false); }
+    if (world.bodies[body].def.type == BodyType::fixed) { return 0; }
+    return contactReach(world, world.shapes[shape]);
 }
 
 void updateSensor(const WorldState& world, Contact& contact) {
@@ -113,7 +116,8 @@ public:
         const Transform bInA = relativePoseOf(world_, contact);
         const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact, asked_);
         probe.areAwake = isAwake(world_, contact.bodyA) && isAwake(world_, contact.bodyB);
-        if (!keepsManifold(contact, bInA, reach)) {
+        probe.wasKept = contact.isKept && keepsManifold(contact, bInA, reach);
+        if (!probe.wasKept) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
             if (haveBatches_ && contact.batch != BatchKind::none) { return addToBatch(probe, contact, bInA, reach); }
             renewManifold(world_, contact, bInA, reach);
@@ -124,7 +128,11 @@ public:
 
     /// What is left in batches.
     void finish() {
-        for (ContactBatch& batch : batches_) { renew(batch); }
+        const auto done = [this](ContactProbe& probe, Contact& contact, const Transform& bInA) {
+            finishNear(world_, probe, contact, bInA);
+            notePassing(probe, contact);
+        };
+        for (ContactBatch& batch : batches_) { batch.renewLast(world_, done); }
     }
 
 private:
@@ -197,11 +205,13 @@ template <class T>
                                               std::span<const std::uint32_t> coming) {
     if (coming.size() > kContactsAhead) { fetch(contacts[probes[coming[kContactsAhead]].contact]); }
     if (coming.size() > kShapesAhead) {
-        const Contact& contact = contacts[probes[coming[kShapesAhead]].contact];
-        fetchPolygon(world.shapes[contact.shapeA].polygon, contact.verticesA);
-        fetchPolygon(world.shapes[contact.shapeB].polygon, contact.verticesB);
+        const ContactProbe& probe = probes[coming[kShapesAhead]];
+        const Contact& contact = contacts[probe.contact];
         fetch(world.motions[contact.bodyA]);
         fetch(world.motions[contact.bodyB]);
+        if (probe.wasKept) { return; }
+        fetchPolygon(world.shapes[contact.shapeA].polygon, contact.verticesA);
+        fetchPolygon(world.shapes[contact.shapeB].polygon, contact.verticesB);
     }
 }
 
@@ -374,15 +384,13 @@ void collideContacts(WorldState& world) {
     unparkContacts(world);
     parkContacts(world);
     closeGaps(world);
-    noteMotions(world);
+    const bool haveContacts = world.activeContacts > 0 || !world.candidates.empty();
+    noteMotions(world, haveContacts);
     world.touching.clear();
-    if (world.activeContacts == 0 && world.candidates.empty()) {
+    if (!haveContacts) {
         world.lists.clear();
         if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
     } else {
-        world.loops->run(world.awake.size(), kBodyGrain, [&world](std::size_t begin, std::size_t end, int) {
-            for (std::size_t i = begin; i < end; ++i) { noteMotion(world, world.awake[i]); }
-        });
         promoteCandidates(world);
         listContacts(world);
         if (world.watched) {

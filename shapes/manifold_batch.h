@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "manifold.h"
 #include "wide_pairs.h"
 
@@ -64,7 +66,7 @@ public:
     Transform poseOf(std::size_t pair) const {
         return {{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
     }
-    Real reachOf(std::size_t pair) const { return pairs_.points[pair]; }
+    ManifoldReach reachOf(std::size_t pair) const { return {pairs_.points[pair], pairs_.nearest[pair]}; }
     /// Whether nothing but `copyPoints` is to be done for the manifold, and the memory is to hold no verdict.
     /// @pre collided
     bool isPlain(std::size_t pair) const { return (pairs_.plain >> pair & 1U) != 0; }
@@ -76,6 +78,18 @@ public:
         if (manifold.count < 2) { return true; }
         const FeatureId second = idOf(1, pair);
         return second == manifold.points[1].id && second != manifold.points[0].id;
+    }
+    /// Whether nothing but `rememberApart` is to be done, and there is no point. @pre collided
+    bool isApart(std::size_t pair) const {
+        const bool isOrdinary =
+            std::fabs(pairs_.x[pair]) <= kLargestShift && std::fabs(pairs_.y[pair]) <= kLargestShift;
+        return (pairs_.apart >> pair & 1U) != 0 && isOrdinary;
+    }
+    /// Of such a pair.
+    void rememberApart(std::size_t pair, ManifoldMemory& memory) const {
+        const PairVerdict verdict{.verdict = ManifoldMemory::Verdict::apart,
+                                  .room = static_cast<double>(pairs_.room[pair])};
+        remember(memory, verdict, *pairs_.a[pair], *pairs_.b[pair], poseOf(pair));
     }
     /// Of a plain pair.
     void copyPoints(std::size_t pair, Manifold& manifold) const {
