@@ -67,10 +67,13 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
 template <class Visit>
 void TiedContacts::forEachLink(Visit&& visit) const {
     const std::vector<BodyInertia>& inertias = group_.desk.batch.inertias;
+    const bool allMovable = world_.kinematicBodies == 0;  // that have slots
     const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, bool bounces) {
         link.slotA = world_.solverSlots[bodyA];
         link.slotB = world_.solverSlots[bodyB];
-        if (isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB])) { visit(link, bounces); }
+        const bool isTied = allMovable ? (link.slotA | link.slotB) != kFixedSlot
+                                       : isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB]);
+        if (isTied) { visit(link, bounces); }
     };
     if (group_.role == BodyRole::solved) {
         for (const TouchingPair& pair : world_.touching) {

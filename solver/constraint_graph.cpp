@@ -14,6 +14,7 @@ constexpr std::uint64_t bits(int from, int to) {
 
 /// Of a body that cannot be moved, in the place of the overflow, which takes nothing up.
 constexpr std::uint64_t kIsFixed = std::uint64_t{1} << kOverflowColour;
+static_assert(kOverflowColour == 63, "the highest bit");
 
 std::array<BodySlot, 2> bodySlots(const ContactConstraint& contact) { return {contact.slotA, contact.slotB}; }
 std::array<BodySlot, 2> bodySlots(const ContactLink& link) { return {link.slotA, link.slotB}; }
@@ -29,8 +30,9 @@ int ConstraintGraph::colourFor(const std::array<BodySlot, kBodies>& slots) {
     const std::uint64_t free = allowed & ~taken;
     if (free == 0) { return kOverflowColour; }
     const int colour = std::countr_zero(free);
-    for (const BodySlot slot : slots) {
-        if ((used_[slot] & kIsFixed) == 0) { used_[slot] |= std::uint64_t{1} << colour; }
+    for (const BodySlot slot : slots) {  // without a branch: whether one of them is fixed is hard to foretell
+        const std::uint64_t ofMovable = (used_[slot] >> kOverflowColour) - 1;
+        used_[slot] |= std::uint64_t{1} << colour & ofMovable;
     }
     return colour;
 }
@@ -68,7 +70,9 @@ void ConstraintGraph::colourLinks(const std::vector<ContactLink>& links) {
         const auto colour = static_cast<std::size_t>(colourFor(bodySlots(links[i])));
         colours_[i] = static_cast<std::uint8_t>(colour);
         ++pointCounts_[colour][links[i].pointsInBlock()];
-        isUsed_[colour] = true;
+    }
+    for (std::size_t c = 0; c < kColourCount; ++c) {
+        isUsed_[c] = isUsed_[c] || pointCounts_[c] != PointCounts::value_type{};
     }
 }
 

@@ -38,11 +38,6 @@ void forEachLane(std::span<Block> blocks, std::span<const std::uint32_t> places,
 
 }  // namespace
 
-ContactBlocks::Kind ContactBlocks::kindOf(std::size_t points, int colour) const {
-    if (kernels_ == nullptr || colour == kOverflowColour || points == 0) { return kAlone; }
-    return points == 1 ? kOnePoint : kTwoPoints;
-}
-
 /// Empty blocks for contacts of one colour, all but the one that may be left over.
 template <std::size_t kPoints>
 ColourRange ContactBlocks::reserve(std::uint32_t contacts, Blocks<kPoints>& blocks) {
@@ -62,8 +57,8 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
     for (const int active : graph.activeColours()) {
         const auto c = static_cast<std::size_t>(active);
         KindCounts counts{};
-        for (std::size_t points = 0; points <= 2; ++points) {
-            counts[kindOf(points, active)] += graph.pointCounts()[c][points];
+        for (std::size_t points = 0; points < kKindCount; ++points) {
+            counts[mayHaveBlocks(active) ? points : std::size_t{kAlone}] += graph.pointCounts()[c][points];
         }
         colours_[c].two = reserve(counts[kTwoPoints], two_);
         colours_[c].one = reserve(counts[kOnePoint], one_);
@@ -81,23 +76,30 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
 /// In the order of the contacts: so they stand in each colour.
 /// @param list  called with the kind of place, the place, and which contact it is of
 template <class Contacts, class List>
-void ContactBlocks::listPlaces(std::span<const std::uint8_t> colours, const Contacts& contacts, const List& list) {
+void ContactBlocks::listPlaces(const ConstraintGraph& graph, const Contacts& contacts, const List& list) {
+    constexpr std::uint32_t kNoEnd = ~std::uint32_t{0};
+    std::array<KindCounts, kColourCount> ends;
+    std::array<KindCounts, kColourCount> kinds;  // by points
+    for (const int active : graph.activeColours()) {
+        const auto c = static_cast<std::size_t>(active);
+        ends[c] = {kNoEnd, colours_[c].one.end * kLanes, colours_[c].two.end * kLanes};
+        kinds[c] = mayHaveBlocks(active) ? KindCounts{kAlone, kOnePoint, kTwoPoints} : KindCounts{};
+    }
+    const std::span<const std::uint8_t> colours = graph.contactColours();
     for (std::uint32_t i = 0; i < colours.size(); ++i) {
-        const std::size_t colour = colours[i];
-        KindCounts& next = next_[colour];
-        const Kind kind = kindOf(pointsInBlock(contacts[i]), static_cast<int>(colour));
-        const std::uint32_t end = kind == kTwoPoints ? colours_[colour].two.end : colours_[colour].one.end;
-        const Kind found = kind != kAlone && next[kind] < end * kLanes ? kind : kAlone;
-        list(found, next[found]++, i);
+        const std::size_t c = colours[i];
+        std::size_t kind = kinds[c][pointsInBlock(contacts[i])];
+        if (next_[c][kind] == ends[c][kind]) { kind = kAlone; }  // left over
+        list(kind, next_[c][kind]++, i);
     }
 }
 
 void ContactBlocks::listContacts(const SolverBatch& batch, const ConstraintGraph& graph) {
     one_.places.resize(one_.count * kBlockLanes);
     two_.places.resize(two_.count * kBlockLanes);
-    listPlaces(graph.contactColours(), batch.contacts, [&](Kind kind, std::uint32_t place, std::uint32_t i) {
-        (kind == kTwoPoints ? two_.places : kind == kOnePoint ? one_.places : rest_)[place] = i;
-    });
+    const std::array<std::uint32_t*, kKindCount> lists{rest_.data(), one_.places.data(), two_.places.data()};
+    listPlaces(graph, batch.contacts,
+               [&](std::size_t kind, std::uint32_t place, std::uint32_t i) { lists[kind][place] = i; });
 }
 
 /// Constraints of those on their own will stand in the batch in the order of their places.
@@ -114,9 +116,9 @@ void ContactBlocks::listLinks(const SolverBatch& batch, const ConstraintGraph& g
     resize(one_);
     resize(two_);
     restLinks_.resize(rest_.size());
-    listPlaces(graph.contactColours(), batch.links, [&](Kind kind, std::uint32_t place, std::uint32_t i) {
-        (kind == kTwoPoints ? two_.links : kind == kOnePoint ? one_.links : restLinks_)[place] = batch.links[i];
-    });
+    const std::array<ContactLink*, kKindCount> lists{restLinks_.data(), one_.links.data(), two_.links.data()};
+    listPlaces(graph, batch.links,
+               [&](std::size_t kind, std::uint32_t place, std::uint32_t i) { lists[kind][place] = batch.links[i]; });
     std::iota(rest_.begin(), rest_.end(), 0U);
 }
 

@@ -48,7 +48,7 @@ private:
         ColourRange two;
         ColourRange rest;
     };
-    /// What kind of place a contact gets within its colour.
+    /// What kind of place a contact gets within its colour: where there are blocks, by its points there.
     enum Kind : std::uint8_t { kAlone, kOnePoint, kTwoPoints, kKindCount };
     /// By colour, or of one: as many contacts of each kind, or the next place for one.
     using KindCounts = std::array<std::uint32_t, kKindCount>;
@@ -70,12 +70,12 @@ private:
         }
     };
 
-    Kind kindOf(std::size_t points, int colour) const;
+    bool mayHaveBlocks(int colour) const { return kernels_ != nullptr && colour != kOverflowColour; }
     template <std::size_t kPoints>
     ColourRange reserve(std::uint32_t contacts, Blocks<kPoints>& blocks);
     void layOut(const ConstraintGraph& graph);
     template <class Contacts, class List>
-    void listPlaces(std::span<const std::uint8_t> colours, const Contacts& contacts, const List& list);
+    void listPlaces(const ConstraintGraph& graph, const Contacts& contacts, const List& list);
     void listContacts(const SolverBatch& batch, const ConstraintGraph& graph);
     void listLinks(const SolverBatch& batch, const ConstraintGraph& graph);
     template <std::size_t kPoints>
