@@ -1,3 +1,5 @@
+#include "../../shapes/wide_targets.h"
+// after it
 #include <hwy/targets.h>
 
 /// The part of Highway's library that suites ask which instruction sets there are. Its headers alone serve a machine
