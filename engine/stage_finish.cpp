@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <span>
 #include <tuple>
 
@@ -120,25 +119,12 @@ auto eventKey(const ContactEvent& e) {
 /// Sorts events by a number, their shapes, and where these are the same by `isLess`: what is moved about while they are
 /// sorted is small, and mostly told apart by one comparison.
 template <class IsLess>
-void sortEventsBy(WorldState& world, std::size_t from, bool byFraction, const IsLess& isLess) {
-    std::vector<EventPlace>& places = world.eventPlaces;
-    const std::vector<ContactEvent>& events = world.contactEvents;
-    places.clear();
-    for (std::size_t i = from; i < events.size(); ++i) {
-        const ContactEvent& e = events[i];
-        places.push_back({.fraction = byFraction ? e.fraction : 0,
-                          .shapes = (std::uint64_t{e.shapeA.index} << 32) | e.shapeB.index,
-                          .index = i});
-    }
+void sortPlaces(std::span<EventPlace> places, std::span<const ContactEvent> events, const IsLess& isLess) {
     std::sort(places.begin(), places.end(), [&](const EventPlace& a, const EventPlace& b) {
         if (a.fraction != b.fraction) { return a.fraction < b.fraction; }
         if (a.shapes != b.shapes) { return a.shapes < b.shapes; }
         return isLess(events[a.index], events[b.index]);
     });
-    world.sortedEvents.clear();
-    for (const EventPlace& place : places) { world.sortedEvents.push_back(events[place.index]); }
-    std::copy(world.sortedEvents.begin(), world.sortedEvents.end(),
-              world.contactEvents.begin() + static_cast<std::ptrdiff_t>(from));
 }
 
 bool isChainOrGone(const WorldState& world, ShapeId id) {
@@ -168,39 +154,60 @@ std::ptrdiff_t touchesNow(const WorldState& world, ShapeId a, ShapeId b) {
     return last - first;
 }
 
-/// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last.
+/// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last. Drops the
+/// places of all other begins and ends.
 void mergeChainEvents(WorldState& world) {
-    const auto startsOrEnds = [](const ContactEvent& e) { return e.type != ContactEventType::hit; };
-    const auto concernsChain = [&](const ContactEvent& e) {
-        return startsOrEnds(e) && (isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB));
+    const std::span<const ContactEvent> events = world.contactEvents;
+    const auto concernsNoChain = [&](const EventPlace& place) {
+        const ContactEvent& e = events[place.index];
+        return e.type == ContactEventType::hit || !(isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB));
     };
-    const auto begin = world.contactEvents.begin();
-    const auto chains = std::partition(begin, world.contactEvents.end(), std::not_fn(concernsChain));
-    if (chains == world.contactEvents.end()) { return; }
+    std::vector<EventPlace>& places = world.eventPlaces;
+    const auto chains = std::partition(places.begin(), places.end(), concernsNoChain);
+    if (chains == places.end()) { return; }
     listChainTouches(world);
-    const auto pairKey = [](const ContactEvent& e) {
+    const auto pairKey = [&](const ContactEvent& e) {
         return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation);
     };
-    sortEventsBy(world, static_cast<std::size_t>(chains - begin), false,
-                 [&](const ContactEvent& a, const ContactEvent& b) {
-                     return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
-                 });
+    std::for_each(chains, places.end(), [](EventPlace& place) { place.fraction = 0; });  // they are told pair by pair
+    sortPlaces(std::span(chains, places.end()), events, [&](const ContactEvent& a, const ContactEvent& b) {
+        return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
+    });
     auto keep = chains;
-    for (auto group = chains; group != world.contactEvents.end();) {
-        const auto last = std::find_if(group, world.contactEvents.end(),
-                                       [&](const ContactEvent& e) { return pairKey(e) != pairKey(*group); });
-        const auto begins = std::count_if(group, last, isBegin);
-        const auto ends = (last - group) - begins;
-        const auto now = touchesNow(world, group->shapeA, group->shapeB);
-        const auto before = now - begins + ends;
-        const bool changed = (now > 0) != (before > 0);
-        if (changed) {
-            const bool began = now > 0;
-            *keep++ = *std::find_if(group, last, [&](const ContactEvent& e) { return isBegin(e) == began; });
+    for (auto group = chains; group != places.end();) {
+        const ContactEvent& first = events[group->index];
+        const auto last = std::find_if(group, places.end(), [&](const EventPlace& place) {
+            return pairKey(events[place.index]) != pairKey(first);
+        });
+        const auto begins = [&](const EventPlace& place) { return isBegin(events[place.index]); };
+        const auto begun = std::count_if(group, last, begins);
+        const auto now = touchesNow(world, first.shapeA, first.shapeB);
+        const auto before = now - begun + ((last - group) - begun);
+        const bool began = now > 0;
+        if (began != (before > 0)) {
+            *keep = *std::find_if(group, last, [&](const EventPlace& place) { return begins(place) == began; });
+            keep->fraction = events[keep->index].fraction;
+            ++keep;
         }
         group = last;
     }
-    world.contactEvents.erase(keep, world.contactEvents.end());
+    places.erase(keep, places.end());
+}
+
+void sortContactEvents(WorldState& world) {
+    const std::vector<ContactEvent>& events = world.contactEvents;
+    world.eventPlaces.clear();
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const ContactEvent& e = events[i];
+        world.eventPlaces.push_back(
+            {.fraction = e.fraction, .shapes = (std::uint64_t{e.shapeA.index} << 32) | e.shapeB.index, .index = i});
+    }
+    mergeChainEvents(world);
+    sortPlaces(world.eventPlaces, events,
+               [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); });
+    world.sortedEvents.clear();
+    for (const EventPlace& place : world.eventPlaces) { world.sortedEvents.push_back(events[place.index]); }
+    world.contactEvents.swap(world.sortedEvents);
 }
 
 }  // namespace
@@ -275,9 +282,7 @@ void countLostTime(WorldState& world) {
 }
 
 void sortEvents(WorldState& world) {
-    mergeChainEvents(world);
-    sortEventsBy(world, 0, true,
-                 [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); });
+    sortContactEvents(world);
     std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
         return std::tie(a.body.index, a.seconds) < std::tie(b.body.index, b.seconds);
     });
