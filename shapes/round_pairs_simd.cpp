@@ -31,6 +31,9 @@ namespace HWY_NAMESPACE {
 
 /// Part of `kFaceAngle` that is doubtful: more than stored normals are off.
 constexpr double kDoubtfulPart = 0x1p-10;
+/// Shorter edges, as a part of the coordinates, turn by more than that when their ends are rounded (four times): the
+/// search, which places them first, may find others parallel.
+constexpr double kShortestEdge = 4 * kResolution / (kFaceAngle * kDoubtfulPart);
 /// Closest vertices lie so far beyond the other vertices of their shapes, as a sine, that no face is nearly across.
 constexpr double kVertexAngle = 2 * kFaceAngle;
 /// Of edges that may lie across the line between two closest vertices, which then have a second point.
@@ -79,7 +82,7 @@ struct FacePairs {
     Edges incident;
     Points incidentStart;  ///< in the frame of A
     Points incidentEnd;
-    DoubleMask isThere;     ///< one of both shapes has faces
+    DoubleMask isThere;     ///< one of both shapes has faces, and neither edge is too short to tell its direction
     DoubleMask isParallel;  ///< beyond doubt
     DoubleMask isSkew;      ///< beyond doubt
 };
@@ -100,6 +103,11 @@ HWY_INLINE FacePairs findFaces(const Cores<kVertices>& a, const Cores<kVertices>
     const DoubleLanes sine = cross(best.tangent, otherSpan);
     const DoubleLanes squaredSine = hn::Mul(sine, sine);
     const DoubleLanes squared = dot(otherSpan, otherSpan);
+    const DoubleLanes size = hn::Add(sumNorm(poses.translation), hn::Add(sumNorm(best.start), sumNorm(other.start)));
+    const DoubleLanes shortest = hn::Mul(constant(kShortestEdge), size);
+    const DoubleMask isPoint = hn::Eq(other.index, other.next);  // a circle has no direction
+    const DoubleMask areLong =
+        hn::And(hn::Ge(best.length, shortest), hn::Or(isPoint, hn::Ge(squared, hn::Mul(shortest, shortest))));
     const auto isWithin = [&](double angle) HWY_ATTR {
         return hn::And(hn::Lt(dot(best.tangent, otherSpan), constant(0)),
                        hn::Le(squaredSine, hn::Mul(constant(angle * angle), squared)));
@@ -114,7 +122,7 @@ HWY_INLINE FacePairs findFaces(const Cores<kVertices>& a, const Cores<kVertices>
             incident,
             placed(incident.start),
             placed(incident.end),
-            hn::Gt(hn::Max(a.count, b.count), constant(1)),
+            hn::And(areLong, hn::Gt(hn::Max(a.count, b.count), constant(1))),
             isWithin(kFaceAngle * (1 - kDoubtfulPart)),
             hn::Not(mayBeParallel)};
 }
@@ -266,13 +274,16 @@ struct Farthest {
 };
 
 template <int kVertices>
-HWY_INLINE Farthest farthest(const Cores<kVertices>& cores, Points vertex, Points direction, std::size_t vertices) {
+HWY_INLINE Farthest farthest(const Cores<kVertices>& cores, Points vertex, Points direction, DoubleLanes doubt,
+                             std::size_t vertices) {
     const DoubleLanes angle = constant(kVertexAngle);
     DoubleLanes highest = constant(0);
     DoubleLanes flattest = constant(0);
     for (std::size_t i = 0; i < vertices; ++i) {
         const Points to = sub(cores.vertices[i], vertex);
-        highest = hn::Max(highest, hn::Add(dot(direction, to), hn::Mul(angle, sumNorm(to))));
+        const DoubleLanes away = sumNorm(to);
+        const DoubleLanes least = hn::Add(hn::Mul(angle, away), hn::IfThenElseZero(hn::Gt(away, constant(0)), doubt));
+        highest = hn::Max(highest, hn::Add(dot(direction, to), least));
         flattest = hn::Max(flattest, dot(direction, cores.normals[i]));
     }
     return {hn::Le(highest, constant(0)), hn::Ge(flattest, constant(kMaybeFlatCosine))};
@@ -286,10 +297,10 @@ HWY_INLINE Outcome collideVertices(const Cores<kVertices>& a, const Cores<kVerti
     const Points w = sub(closest.b, closest.a);
     const DoubleLanes distance = hn::Sqrt(closest.squared);
     const Points normal = scale(hn::Div(constant(1), distance), w);
-    const Farthest ofA = farthest(a, closest.a, normal, vertices);
-    const Farthest ofB = farthest(b, closest.b, negative(normal), vertices);
     const DoubleLanes size = hn::Add(hn::Add(sumNorm(closest.a), sumNorm(closest.b)), sumNorm(group.poses.translation));
     const DoubleLanes doubt = hn::Mul(constant(kRoundings * kResolution), size);
+    const Farthest ofA = farthest(a, closest.a, normal, doubt, vertices);
+    const Farthest ofB = farthest(b, closest.b, negative(normal), doubt, vertices);
     // So far apart that rounding turns the line between them by less than the angle: nearer, a search may take an edge
     // that begins there, and its normal.
     const DoubleMask isFarEnough =
