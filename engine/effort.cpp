@@ -35,11 +35,12 @@ constexpr double kRestRatioOfFall = 1.0 / 8;
 constexpr double kStirRatioOfFall = 1.0 / 2;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
 constexpr int kFewestSubStepsForJoints = 8;
-/// What jostles: so many bodies at least (with all joints driven, a ragdoll's), this part of which is on the move, as
-/// fast as in a fall of 1/32 of its extent. Half of the sub-steps do there, with one pass of relaxation, as long as
-/// springs of those carry what may lie on the thinnest body with an error below this part of it. (With all that is
-/// faster than an eighth of what gravity gives in a step on the move, a pyramid that had been disturbed breathed by
-/// 5 cm for ever; a stack of twenty boxes that is dropped sinks in farther.)
+/// What jostles: so many bodies at least, this part of which is on the move, as fast as in a fall of 1/32 of its extent;
+/// or with all joints driven, a ragdoll's, also where it lies. Half of the
+/// sub-steps do there, with one pass of relaxation, as long as springs of those carry what may lie on the thinnest body
+/// with an error below this part of it. (With all that is faster than an eighth of what gravity gives in a step on the
+/// move, a pyramid that had been disturbed breathed by 5 cm for ever; a stack of twenty boxes that is dropped sinks in
+/// farther.)
 constexpr std::uint32_t kFewestInCrowd = 64;
 constexpr std::uint32_t kFewestInRagdoll = 8;
 constexpr std::uint32_t kMovingShare = 8;
@@ -140,16 +141,17 @@ bool isWeb(const IslandLoad& load) {
 
 /// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
 /// island is high, and the heaviest that lies loose. The springs give way by about h²·|g| under the weight of the body
-/// that they hold.
-bool isCrowd(const IslandLoad& load, double gravity, double dt, int subSteps) {
+/// that they hold. Ragdolls that lie about are a crowd, too; what hangs on its drives and rests is not.
+bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int subSteps) {
     // Joints that carry one another have to have a drive, or be a net: chains tighten.
     const bool isRagdoll = load.joints > 0 && load.driven == load.joints;
+    const bool lies = isRagdoll && load.contacts > 0;
     const bool isNet = load.hasLoop && load.contacts == 0;
     const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
     const std::uint32_t fewest = isRagdoll ? kFewestInRagdoll : kFewestInCrowd;
     // A net that is not at rest swings as a whole.
-    const bool isMany = load.bodies >= fewest && (isNet || kMovingShare * load.moving >= load.bodies);
-    if (!isMany || !(isRagdoll || isNet || isPile)) { return false; }
+    const bool jostles = lies || (!rests && (isNet || kMovingShare * load.moving >= load.bodies));
+    if (load.bodies < fewest || !jostles || !(isRagdoll || isNet || isPile)) { return false; }
     const double h = dt / subStepsFor(kCrowd, subSteps);
     const auto thinnest = static_cast<double>(load.thinnest);
     const double layers = (load.highest - load.lowest) / thinnest;
@@ -205,7 +207,7 @@ Effort effortFor(const IslandLoad& load, const StepScale& step) {
     const double restSpeed = (isKnown ? kStirRatioOfFall : kRestRatioOfFall) * step.gravity * step.dt;
     const bool rests = static_cast<double>(load.fastest) <= restSpeed * restSpeed;
     const bool isTouching = load.contacts > 0;
-    const bool jostles = step.mayJostle && !rests && isCrowd(load, step.gravity, step.dt, step.subSteps);
+    const bool jostles = step.mayJostle && isCrowd(load, rests, step.gravity, step.dt, step.subSteps);
     if (load.joints > 0) {
         const DirectScope scope = scopeForJoints(load, isTouching, step.subSteps);
         // To solve joints all at once keeps energy, but not where drives take it.

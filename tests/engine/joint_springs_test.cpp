@@ -191,5 +191,42 @@ TEST(JointSprings, StiffSpringsAreStable) {
     }
 }
 
+/// Links whose joints all have springs make do with half of the sub-steps where they lie: their joints hold, and they
+/// sink in by no more than the springs of such sub-steps give way under one layer, h²·g of each.
+TEST(JointSprings, LinksThatLieAboutHoldWithHalfOfTheSubSteps) {
+    constexpr int kLinks = 10;
+    constexpr double kHalf = 0.2;
+    World world = makeWorld();
+    addBody(world, bodyAt(BodyType::fixed, {0, -1}), box(20, 1));
+    std::vector<BodyId> links;
+    for (int i = 0; i < kLinks; ++i) {
+        links.push_back(addBody(world, dynamicAt({2 * kHalf * i, 0.3}, vec(1, 0)), box(kHalf, 0.1)));
+        if (i == 0) { continue; }
+        RevoluteJointDef joint;
+        joint.base = between(links[links.size() - 2], links.back());
+        joint.anchor = {2 * kHalf * i - kHalf, 0.3};
+        joint.spring = Spring{real(2), real(0.7)};
+        must(world.createJoint(joint));
+    }
+    const auto endOf = [&world](BodyId link, double along) {
+        const double angle = world.angle(link);
+        return world.position(link) + along * DVec2{std::cos(angle), std::sin(angle)};
+    };
+    int lying = 0;
+    for (int i = 0; i < 90; ++i) {
+        must(world.step(kStep));
+        const StepCounters& counters = world.counters();
+        if (i < 30 || counters.constraints == 0) { continue; }
+        ++lying;
+        EXPECT_EQ(counters.bodySubSteps, 8 * counters.solvedBodies) << "step " << i;
+        for (std::size_t k = 1; k < links.size(); ++k) {
+            expectAtMost("gap, m", length(endOf(links[k], -kHalf) - endOf(links[k - 1], kHalf)), 1e-4);
+        }
+        const double h = kStep / 8;
+        expectAtMost("depth, m", deepestOverlap(world), 4 * kGravity * h * h);
+    }
+    EXPECT_GT(lying, 10) << "held too early to prove anything";
+}
+
 }  // namespace
 }  // namespace swept::test
