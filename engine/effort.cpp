@@ -35,12 +35,11 @@ constexpr double kRestRatioOfFall = 1.0 / 8;
 constexpr double kStirRatioOfFall = 1.0 / 2;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
 constexpr int kFewestSubStepsForJoints = 8;
-/// What jostles: so many bodies at least, this part of which is on the move, as fast as in a fall of 1/32 of its extent;
-/// or with all joints driven, a ragdoll's, also where it lies. Half of the
-/// sub-steps do there, with one pass of relaxation, as long as springs of those carry what may lie on the thinnest body
-/// with an error below this part of it. (With all that is faster than an eighth of what gravity gives in a step on the
-/// move, a pyramid that had been disturbed breathed by 5 cm for ever; a stack of twenty boxes that is dropped sinks in
-/// farther.)
+/// What jostles: so many bodies at least, this part of which is on the move, as fast as in a fall of 1/32 of its
+/// extent; or with all joints driven, a ragdoll's, also where it lies. Half of the sub-steps do there, with one pass of
+/// relaxation, as long as springs of those carry what may lie on the thinnest body with an error below this part of it.
+/// (With all that is faster than an eighth of what gravity gives in a step on the move, a pyramid that had been
+/// disturbed breathed by 5 cm for ever; a stack of twenty boxes that is dropped sinks in farther.)
 constexpr std::uint32_t kFewestInCrowd = 64;
 constexpr std::uint32_t kFewestInRagdoll = 8;
 constexpr std::uint32_t kMovingShare = 8;

@@ -31,7 +31,11 @@ Aabb boxAfter(const WorldState& world, const Shape& shape, const Aabb& tight) {
     const Body& body = world.bodies[shape.body];
     const DVec2 center = motion.center + world.lastDt * toDouble(motion.velocity);
     const double angle = motion.angle + world.lastDt * static_cast<double>(motion.angularVelocity);
-    return hullOf(tight, boundsOf(shape.polygon, poseOf(center, angle, body.localCenter)));
+    const bool turns = angle != motion.angle;  // most platforms do not, and a sine and a cosine are most of a pose
+    if (!turns && center == motion.center) { return tight; }
+    const WorldTransform pose =
+        turns ? poseOf(center, angle, body.localCenter) : poseOf(center, motion.pose.rotation, body.localCenter);
+    return hullOf(tight, boundsOf(shape.polygon, pose));
 }
 
 bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
