@@ -40,10 +40,13 @@ int ConstraintGraph::colourFor(const std::array<BodySlot, kBodies>& slots) {
 /// @param ranges  of the colours, to be found
 template <class Constraint>
 void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, ColourRanges& ranges) {
-    ranges = {};
     places_.resize(constraints.size());
     colours_.resize(constraints.size());
-    if (constraints.empty()) { return; }
+    if (constraints.empty()) {
+        if (ranges.back().end > 0) { ranges = {}; }  // in small solves it is most of the work
+        return;
+    }
+    ranges = {};
     std::array<std::uint32_t, kColourCount> counts{};
     for (std::size_t i = 0; i < constraints.size(); ++i) {
         const int colour = colourFor(bodySlots(constraints[i]));

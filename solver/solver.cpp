@@ -5,19 +5,10 @@
 #include <span>
 #include <type_traits>
 
+#include "free_motion.h"
+#include "solve_preparation.h"
+
 namespace swept::inline SWEPT_PRECISION {
-
-#ifndef SWEPT_SIMD
-MoveBodies motionKernel() { return nullptr; }
-#endif
-
-void moveBodies(std::span<BodyState> bodies, Real h) {
-    for (BodyState& body : bodies) {
-        body.deltaPosition += h * body.velocity;
-        body.deltaAngle += h * body.angularVelocity;
-        body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle));
-    }
-}
 
 namespace {
 
@@ -53,106 +44,17 @@ constexpr bool kAreHinges = std::is_same_v<std::remove_cvref_t<Joints>, std::vec
 
 SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias}; }
 
-/// @return whether the speed was cut
-bool limitSpeed(BodyState& body, Real maxSpeed) {
-    const Real speed = length(body.velocity);
-    if (!(speed > maxSpeed)) { return false; }
-    body.velocity = (maxSpeed / speed) * body.velocity;
-    return true;
-}
-
-int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-        BodyState& body = batch.states[i];
-        const BodyDrive& drive = batch.drives[i];
-        body.velocity = drive.decay * body.velocity + drive.gain;
-        body.angularVelocity = drive.angularDecay * body.angularVelocity + drive.angularGain;
-    }
-    if (!(maxSpeed < std::numeric_limits<Real>::infinity())) { return 0; }
-    int limited = 0;
-    for (std::size_t i = begin; i < end; ++i) { limited += limitSpeed(batch.states[i], maxSpeed) ? 1 : 0; }
-    return limited;
-}
-
-/// The first half of a state: as many numbers as a register of 16 or 32 bytes holds, of which the last one is no speed.
-using Speeds = std::array<Real, 4>;
-
-Speeds speedsOf(const BodyState& body) {
-    return {body.velocity.x, body.velocity.y, body.angularVelocity, body.deltaAngle};
-}
-void setSpeeds(BodyState& body, const Speeds& speeds) {
-    body.velocity = {speeds[0], speeds[1]};
-    body.angularVelocity = speeds[2];
-}
-
-/// Drives of a whole sub-step, and on top of them what constraints did to the body in the sub-step before.
-/// @param free  its speeds without these: before, and then now
-/// @return whether the speed was cut
-template <bool kIsFirst>
-bool integrateAndRepeat(BodyState& body, const BodyDrive& drive, Real maxSpeed, Speeds& free) {
-    const Speeds before = speedsOf(body);
-    const Speeds decay{drive.decay, drive.decay, drive.angularDecay, 0};
-    const Speeds gain{drive.gain.x, drive.gain.y, drive.angularGain, 0};
-    Speeds push{};
-    Speeds now{};
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        if constexpr (!kIsFirst) { push[i] = before[i] - free[i]; }
-        now[i] = decay[i] * before[i] + gain[i];
-    }
-    bool isLimited = false;
-    if (maxSpeed < std::numeric_limits<Real>::infinity()) {
-        setSpeeds(body, now);
-        isLimited = limitSpeed(body, maxSpeed);
-        now = speedsOf(body);
-    }
-    free = now;
-    if constexpr (!kIsFirst) {
-        for (std::size_t i = 0; i < now.size(); ++i) { now[i] += push[i]; }
-    }
-    setSpeeds(body, now);
-    return isLimited;
-}
-
-template <bool kIsFirst>
-int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, std::vector<Speeds>& free, std::size_t begin,
-                       std::size_t end) {
-    int limited = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-        limited += integrateAndRepeat<kIsFirst>(batch.states[i], batch.drives[i], maxSpeed, free[i]) ? 1 : 0;
-    }
-    return limited;
-}
-
-void addUpImpulses(std::vector<ContactConstraint>& contacts) {
-    for (ContactConstraint& contact : contacts) {
-        for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
-    }
-}
-
-/// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
-void makeContactsRigid(SolverBatch& batch, DirectScope scope) {
-    for (ContactConstraint& contact : batch.contacts) {
-        if (scope != DirectScope::all) { break; }
-        contact.softness = {contact.softness.biasRate, 1, 0};
-        contact.isHeld = true;
-    }
-}
-void makeJointsRigid(SolverBatch& batch) {
-    batch.forEachJointKind([](auto& joints) {
-        for (auto& joint : joints) { joint.isHeld = true; }
-    });
-}
-
-/// Bounces and direct solves look at contacts one by one. Of a store, what bounces is alone, and prepared there.
-bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& settings) {
-    return batch.store == nullptr && (settings.bounces || settings.direct == DirectScope::all);
-}
-
-void prepareJoints(SolverBatch& batch) {
-    batch.forEachJointKind([&batch](auto& joints) {
-        for (auto& joint : joints) {
-            joint.total = {};
-            swept::prepare(joint, batch.inertias);
+/// The joints of a colour, kind by kind, as far as they are inside of the cut.
+/// @param ofHinges  goes through hinges, which stand in blocks
+/// @param ofJoints  called with some joints of any other kind
+template <class OfHinges, class OfJoints>
+void forEachJointOf(SolverBatch& batch, const ConstraintGraph& graph, int colour, RangeCut& cut,
+                    const OfHinges& ofHinges, const OfJoints& ofJoints) {
+    batch.forEachJointKind([&](auto& joints) {
+        if constexpr (kAreHinges<decltype(joints)>) {
+            if (batch.hasHinges()) { ofHinges(); }
+        } else if (!joints.empty()) {
+            ofJoints(cut.next(joints, rangeOf(joints, graph, colour)));
         }
     });
 }
@@ -249,16 +151,11 @@ bool Solver::isWorthSharing(SolverBatch& batch) const {
 
 template <bool kJoints>
 void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
-    const SolverBodies bodies = bodiesOf(batch);
     forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
         if constexpr (kJoints) {
-            batch.forEachJointKind([&](auto& joints) {
-                if constexpr (kAreHinges<decltype(joints)>) {
-                    if (batch.hasHinges()) { hinges_.warmStart(batch, colour, cut, hasMoved); }
-                } else if (!joints.empty()) {
-                    swept::warmStart(cut.next(joints, rangeOf(joints, graph_, colour)), bodies);
-                }
-            });
+            forEachJointOf(
+                batch, graph_, colour, cut, [&] { hinges_.warmStart(batch, colour, cut, hasMoved); },
+                [bodies = bodiesOf(batch)](auto joints) { swept::warmStart(joints, bodies); });
         }
         contacts_.warmStart(batch, colour, cut);
     });
@@ -266,16 +163,11 @@ void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
 
 template <bool kJoints>
 void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
-    const SolverBodies bodies = bodiesOf(batch);
     forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
         if constexpr (kJoints) {
-            batch.forEachJointKind([&](auto& joints) {
-                if constexpr (kAreHinges<decltype(joints)>) {
-                    if (batch.hasHinges()) { hinges_.solve(batch, colour, cut, pass); }
-                } else if (!joints.empty()) {
-                    swept::solve(cut.next(joints, rangeOf(joints, graph_, colour)), bodies, pass.h, pass.useBias);
-                }
-            });
+            forEachJointOf(
+                batch, graph_, colour, cut, [&] { hinges_.solve(batch, colour, cut, pass); },
+                [&pass, bodies = bodiesOf(batch)](auto joints) { swept::solve(joints, bodies, pass.h, pass.useBias); });
         }
         contacts_.solve(batch, colour, cut, pass);
     });
@@ -298,8 +190,7 @@ int Solver::integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst) 
     std::atomic<int> limited = 0;
     free_.resize(batch.states.size());
     loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
-        const int some = isFirst ? swept::integrateAndRepeat<true>(batch, maxSpeed, free_, begin + 1, end + 1)
-                                 : swept::integrateAndRepeat<false>(batch, maxSpeed, free_, begin + 1, end + 1);
+        const int some = swept::integrateAndRepeat(batch, maxSpeed, isFirst, free_, begin + 1, end + 1);
         if (some > 0) { limited.fetch_add(some, std::memory_order_relaxed); }
     });
     return limited;

@@ -19,7 +19,7 @@ const ContactKernels* kernelsForContacts() { return nullptr; }  // machines with
 #else
 
 HWY_BEFORE_NAMESPACE();
-#include "wide_contact_masses.inc"
+#include "wide_contact_lanes.inc"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
@@ -27,31 +27,30 @@ namespace HWY_NAMESPACE {
 // Every function here does what its scalar twin in contact_constraint.cpp does, in the same order. Signs are moved only
 // where that is exact: x + (−y) is x − y.
 
-/// A group of lanes of a block.
+/// A group of lanes of a block, and what a solve does with it.
 template <std::size_t kPoints>
-class ContactGroup {
-    /// Of each point. No array of the standard library, nor what the compiler makes by itself: these are not compiled
-    /// for this instruction set, and GCC refuses them for NEON.
-    struct PointLanes {
-        Lanes lanes[kPoints];
-        HWY_INLINE PointLanes() {}
-        HWY_INLINE Lanes& operator[](std::size_t i) { return lanes[i]; }
-        HWY_INLINE const Lanes& operator[](std::size_t i) const { return lanes[i]; }
-    };
+class ContactGroup : ContactLanes<kPoints> {
+    using Base = ContactLanes<kPoints>;
+    using Base::a_;
+    using Base::at;
+    using Base::b_;
+    using Base::begin_;
+    using Base::beginMotion;
+    using Base::block_;
+    using Base::bodies_;
+    using Base::closingAt;
+    using Base::findSeparations;
+    using Base::push;
+    using Base::slipAt;
+    using Base::slow;
+    using Base::sumOf;
+    using Base::turn;
+    using Base::turnByNormals;
+    using typename Base::PointLanes;
 
 public:
     HWY_INLINE ContactGroup(WideContact<kPoints>& block, std::size_t begin, const SolverBodies& bodies)
-        : block_(block),
-          begin_(begin),
-          bodies_(bodies),
-          a_(gather(bodies.states, block.slotA.data() + begin, kVelocities)),
-          b_(gather(bodies.states, block.slotB.data() + begin, kVelocities)),
-          normalX_(at(block.normalX)),
-          normalY_(at(block.normalY)),
-          inverseMassA_(at(block.inverseMassA)),
-          inverseMassB_(at(block.inverseMassB)),
-          inverseInertiaA_(at(block.inverseInertiaA)),
-          inverseInertiaB_(at(block.inverseInertiaB)) {}
+        : Base(block, begin, bodies) {}
 
     HWY_INLINE void warmStart() {
         PointLanes normals;
@@ -137,78 +136,6 @@ private:
         Lanes massScale;     ///< 1 in a relaxation
         Lanes impulseScale;  ///< 0 in a relaxation
     };
-
-    HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
-
-    HWY_INLINE static Lanes sumOf(const PointLanes& impulses) {
-        if constexpr (kPoints == 2) {
-            return hn::Add(impulses[0], impulses[1]);
-        } else {
-            return impulses[0];
-        }
-    }
-
-    /// `currentSeparation`.
-    HWY_INLINE void findSeparations() {
-        const Quad a = gather(bodies_.states, block_.slotA.data() + begin_, kMotion);
-        const Quad b = gather(bodies_.states, block_.slotB.data() + begin_, kMotion);
-        const Lanes moved = hn::Add(hn::Mul(hn::Sub(b.x, a.x), normalX_), hn::Mul(hn::Sub(b.y, a.y), normalY_));
-        const Lanes unit = hn::Set(Tag(), Real(1));
-        const Lanes lowA = hn::Sub(unit, a.z);
-        const Lanes lowB = hn::Sub(unit, b.z);
-        const Lanes radiusA = at(block_.radiusA);
-        const Lanes radiusB = at(block_.radiusB);
-        for (WideContactPoint& point : block_.points) {
-            const Lanes ofA =
-                hn::Add(hn::Mul(a.w, at(point.normalArmA)), hn::Mul(lowA, hn::Add(at(point.tangentArmA), radiusA)));
-            const Lanes ofB =
-                hn::Add(hn::Mul(b.w, at(point.normalArmB)), hn::Mul(lowB, hn::Sub(at(point.tangentArmB), radiusB)));
-            put(hn::Add(at(point.baseSeparation), hn::Add(moved, hn::Sub(ofB, ofA))), point.separation, begin_);
-        }
-    }
-
-    /// `motionOf`.
-    HWY_INLINE void beginMotion() {
-        const Lanes x = hn::Sub(b_.x, a_.x);
-        const Lanes y = hn::Sub(b_.y, a_.y);
-        along_ = hn::Add(hn::Mul(x, normalX_), hn::Mul(y, normalY_));
-        across_ = hn::Sub(hn::Mul(x, normalY_), hn::Mul(y, normalX_));
-    }
-    HWY_INLINE Lanes closingAt(const WideContactPoint& point) const {
-        return hn::Neg(
-            hn::Add(along_, hn::Sub(hn::Mul(b_.z, at(point.normalArmB)), hn::Mul(a_.z, at(point.normalArmA)))));
-    }
-    HWY_INLINE Lanes slipAt(const WideContactPoint& point) const {
-        return hn::Add(across_, hn::Sub(hn::Mul(b_.z, at(point.tangentArmB)), hn::Mul(a_.z, at(point.tangentArmA))));
-    }
-
-    HWY_INLINE void turn(Lanes twistA, Lanes twistB) {
-        a_.z = hn::Sub(a_.z, hn::Mul(inverseInertiaA_, twistA));
-        b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, twistB));
-    }
-    HWY_INLINE void turnByNormals(const PointLanes& impulses) {
-        PointLanes ofA;
-        PointLanes ofB;
-        for (std::size_t i = 0; i < kPoints; ++i) {
-            ofA[i] = hn::Mul(impulses[i], at(block_.points[i].normalArmA));
-            ofB[i] = hn::Mul(impulses[i], at(block_.points[i].normalArmB));
-        }
-        turn(sumOf(ofA), sumOf(ofB));
-    }
-    /// By friction at a point.
-    HWY_INLINE void slow(const WideContactPoint& point, Lanes impulse) {
-        across_ = hn::Add(across_, hn::Mul(hn::Add(inverseMassA_, inverseMassB_), impulse));
-        turn(hn::Mul(impulse, at(point.tangentArmA)), hn::Mul(impulse, at(point.tangentArmB)));
-    }
-    /// What all impulses together do to the centres.
-    HWY_INLINE void push(Lanes normal, Lanes tangent) {
-        const Lanes x = hn::Add(hn::Mul(normal, normalX_), hn::Mul(tangent, normalY_));
-        const Lanes y = hn::Sub(hn::Mul(normal, normalY_), hn::Mul(tangent, normalX_));
-        a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, x));
-        a_.y = hn::Sub(a_.y, hn::Mul(inverseMassA_, y));
-        b_.x = hn::Add(b_.x, hn::Mul(inverseMassB_, x));
-        b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, y));
-    }
 
     template <bool kUseBias>
     HWY_INLINE Demand demandOf(const WideContactPoint& point, Lanes inverseH, LaneMask isCarrying) const {
@@ -334,21 +261,6 @@ private:
         put(total, point.tangentImpulse, begin_);
         return impulse;
     }
-
-    WideContact<kPoints>& block_;
-    std::size_t begin_;
-    const SolverBodies& bodies_;
-    Quad a_;
-    Quad b_;
-    Lanes normalX_;
-    Lanes normalY_;
-    Lanes inverseMassA_;
-    Lanes inverseMassB_;
-    Lanes inverseInertiaA_;
-    Lanes inverseInertiaB_;
-    // Of the centre of B in the view of that of A, along the normal and the tangent.
-    Lanes along_ = hn::Zero(Tag());
-    Lanes across_ = hn::Zero(Tag());
 };
 
 template <std::size_t kPoints>

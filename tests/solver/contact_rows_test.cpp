@@ -3,6 +3,7 @@
 #include <swept/solver/contact_rows.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <vector>

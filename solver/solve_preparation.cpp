@@ -1,0 +1,37 @@
+#include "solve_preparation.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+void addUpImpulses(std::vector<ContactConstraint>& contacts) {
+    for (ContactConstraint& contact : contacts) {
+        for (ContactConstraintPoint& point : contact.points) { point.totalNormalImpulse += point.normalImpulse; }
+    }
+}
+
+void makeContactsRigid(SolverBatch& batch, DirectScope scope) {
+    for (ContactConstraint& contact : batch.contacts) {
+        if (scope != DirectScope::all) { break; }
+        contact.softness = {contact.softness.biasRate, 1, 0};
+        contact.isHeld = true;
+    }
+}
+void makeJointsRigid(SolverBatch& batch) {
+    batch.forEachJointKind([](auto& joints) {
+        for (auto& joint : joints) { joint.isHeld = true; }
+    });
+}
+
+void prepareJoints(SolverBatch& batch) {
+    batch.forEachJointKind([&batch](auto& joints) {
+        for (auto& joint : joints) {
+            joint.total = {};
+            swept::prepare(joint, batch.inertias);
+        }
+    });
+}
+
+bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& settings) {
+    return batch.store == nullptr && (settings.bounces || settings.direct == DirectScope::all);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

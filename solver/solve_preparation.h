@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "solver.h"
+
+/// What is done to the constraints of a batch before a solve, and after its sub-steps.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Bounces and direct solves look at contacts one by one. Of a store, what bounces is alone, and prepared there.
+bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& settings);
+/// Masses, and nothing added up yet.
+void prepareJoints(SolverBatch& batch);
+/// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
+void makeContactsRigid(SolverBatch& batch, DirectScope scope);
+void makeJointsRigid(SolverBatch& batch);
+/// Those of a sub-step to the totals.
+void addUpImpulses(std::vector<ContactConstraint>& contacts);
+
+}  // namespace swept::inline SWEPT_PRECISION
