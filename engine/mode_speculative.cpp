@@ -7,7 +7,7 @@ namespace swept::inline SWEPT_PRECISION {
 void reachAhead(WorldState& world) {
     for (const std::uint32_t slot : world.awake) {
         const bool ahead = modeOf(world, world.bodies[slot]) == ContinuousMode::speculative;
-        if (ahead) { updateProxies(world, slot, false); }
+        if (ahead) { updateProxies(world, slot); }
     }
 }
 

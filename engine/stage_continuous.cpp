@@ -48,7 +48,7 @@ void merge(WorldState& world, FlightScratch& scratch) {
 
 void reachWithKinematicBodies(WorldState& world) {
     for (const std::uint32_t slot : world.awake) {
-        if (world.bodies[slot].def.type == BodyType::kinematic) { updateProxies(world, slot, false); }
+        if (world.bodies[slot].def.type == BodyType::kinematic) { updateProxies(world, slot); }
     }
 }
 

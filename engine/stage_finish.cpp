@@ -212,10 +212,10 @@ void sortContactEvents(WorldState& world) {
 
 }  // namespace
 
-/// Boxes are made side by side, and given to the broadphase one by one, in order.
+/// Several workers make boxes side by side; they are given to the broadphase one by one, in order.
 void moveProxies(WorldState& world) {
     if (world.loops->workerCount() <= 1) {
-        for (const std::uint32_t slot : world.awake) { updateProxies(world, slot, false); }
+        for (const std::uint32_t slot : world.awake) { updateProxies(world, slot); }
         return;
     }
     world.outgrown.resize(world.awake.size());
@@ -224,14 +224,7 @@ void moveProxies(WorldState& world) {
         for (std::size_t i = begin; i < end; ++i) { world.outgrown[i] = renewBoxes(world, world.awake[i]); }
     });
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        const std::uint32_t proxy = world.outgrown[i];
-        if (proxy == kNoIndex) { continue; }
-        if (proxy == kManyBoxes) {
-            moveOutgrownProxies(world, world.awake[i]);
-        } else {  // as mostly: nothing need be looked up
-            const Status moved = world.broadphase->move(static_cast<ProxyId>(proxy), world.fatBoxes[proxy]);
-            world.counters.proxiesMoved += moved.ok() ? 1 : 0;
-        }
+        moveOutgrownProxies(world, world.awake[i], world.outgrown[i]);
     }
 }
 

@@ -83,6 +83,15 @@ bool isSensor(const WorldState& world, const ContactProbe& probe) {
     return !probe.isPlain && world.contacts[probe.contact].sensor;
 }
 
+/// A body that a joint ties to its island: one that moves. All of those are in the same one.
+std::uint32_t memberOf(const WorldState& world, std::uint32_t joint) {
+    const JointTie& tie = world.jointTies[joint];
+    const auto moves = [&world](std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; };
+    if (tie.isPair) { return moves(tie.bodyA) ? tie.bodyA : tie.bodyB; }
+    const auto bodies = world.joints[joint].allBodies();
+    return *std::find_if(bodies.begin(), bodies.end(), moves);
+}
+
 void listContactsAndJoints(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.contacts.clear();
@@ -96,11 +105,8 @@ void listContactsAndJoints(WorldState& world) {
         if (number != kNoIndex && !isSensor(world, probe)) { fast.contacts.add(number, i); }
     }
     for (const std::uint32_t i : world.activeJoints) {
-        for (const std::uint32_t slot : world.joints[i].allBodies()) {
-            if (fast.numbers[slot] == kNoIndex) { continue; }
-            fast.joints.add(fast.numbers[slot], i);
-            break;
-        }
+        const std::uint32_t number = fast.numbers[memberOf(world, i)];
+        if (number != kNoIndex) { fast.joints.add(number, i); }
     }
     fast.contacts.sort(fast.isDone.size());
     fast.joints.sort(fast.isDone.size());

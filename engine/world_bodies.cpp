@@ -156,7 +156,7 @@ Status World::setPose(BodyId id, DVec2 position, double angle) {
     motion.angle = angle;
     motion.pose = {position, rotationFromAngle(angle)};
     motion.center = apply(motion.pose, world.bodies[id.index].localCenter);
-    updateProxies(world, id.index, true);
+    renewProxies(world, id.index);
     return Status::success();
 }
 

@@ -261,47 +261,64 @@ const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion) {
     return world.neededBoxes[static_cast<std::size_t>(shape.proxy)] = room > 0 ? grown(needed, room) : needed;
 }
 
+/// Makes the boxes of a body anew. @param take  takes a proxy whose box is too small now, and the one for its place
+template <class Take>
+void visitOutgrown(WorldState& world, std::uint32_t body, const Take& take) {
+    if (keepsBoxes(world, body)) { return; }
+    const Real motion = noteBoxes(world, body);
+    for (const std::uint32_t slot : world.bodies[body].shapes) {
+        const Shape& shape = world.shapes[slot];
+        const Aabb& needed = renewNeededBox(world, shape, motion);
+        if (!contains(world.broadphase->box(shape.proxy), needed)) {
+            take(shape.proxy, fattened(world, shape, needed));
+        }
+    }
+}
+
+void moveProxy(WorldState& world, ProxyId proxy, const Aabb& box) {
+    world.counters.proxiesMoved += world.broadphase->move(proxy, box).ok() ? 1 : 0;
+}
+
 }  // namespace
 
 std::uint32_t renewBoxes(WorldState& world, std::uint32_t body) {
-    if (keepsBoxes(world, body)) { return kNoIndex; }
-    const Real motion = noteBoxes(world, body);
     std::uint32_t outgrown = kNoIndex;
-    for (const std::uint32_t slot : world.bodies[body].shapes) {
-        const Shape& shape = world.shapes[slot];
-        const Aabb& needed = renewNeededBox(world, shape, motion);
-        if (contains(world.broadphase->box(shape.proxy), needed)) { continue; }
-        world.fatBoxes[static_cast<std::size_t>(shape.proxy)] = fattened(world, shape, needed);
-        outgrown = outgrown == kNoIndex ? static_cast<std::uint32_t>(shape.proxy) : kManyBoxes;
-    }
+    visitOutgrown(world, body, [&](ProxyId proxy, const Aabb& box) {
+        world.fatBoxes[static_cast<std::size_t>(proxy)] = box;
+        outgrown = outgrown == kNoIndex ? static_cast<std::uint32_t>(proxy) : kManyBoxes;
+    });
     return outgrown;
 }
 
-void moveOutgrownProxies(WorldState& world, std::uint32_t body) {
+void moveOutgrownProxies(WorldState& world, std::uint32_t body, std::uint32_t outgrown) {
+    if (outgrown == kNoIndex) { return; }
+    if (outgrown != kManyBoxes) {  // as mostly: nothing need be looked up
+        return moveProxy(world, static_cast<ProxyId>(outgrown), world.fatBoxes[outgrown]);
+    }
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const ProxyId proxy = world.shapes[slot].proxy;
         const auto place = static_cast<std::size_t>(proxy);
-        if (contains(world.broadphase->box(proxy), world.neededBoxes[place])) { continue; }
-        world.counters.proxiesMoved += world.broadphase->move(proxy, world.fatBoxes[place]).ok() ? 1 : 0;
+        const bool isOutgrown = !contains(world.broadphase->box(proxy), world.neededBoxes[place]);
+        if (isOutgrown) { moveProxy(world, proxy, world.fatBoxes[place]); }
     }
 }
 
-void updateProxies(WorldState& world, std::uint32_t body, bool always) {
-    if (!always && keepsBoxes(world, body)) { return; }
+void updateProxies(WorldState& world, std::uint32_t body) {
+    visitOutgrown(world, body, [&world](ProxyId proxy, const Aabb& box) { moveProxy(world, proxy, box); });
+}
+
+void renewProxies(WorldState& world, std::uint32_t body) {
     const Real motion = noteBoxes(world, body);
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
-        const Aabb& needed = renewNeededBox(world, shape, motion);
-        if (!always && contains(world.broadphase->box(shape.proxy), needed)) { continue; }
-        const Status moved = world.broadphase->move(shape.proxy, fattened(world, shape, needed));
-        if (always) { (void)world.broadphase->renewPairs(shape.proxy); }  // the shape owns it: never stale
-        world.counters.proxiesMoved += moved.ok() ? 1 : 0;
+        moveProxy(world, shape.proxy, fattened(world, shape, renewNeededBox(world, shape, motion)));
+        (void)world.broadphase->renewPairs(shape.proxy);  // the shape owns it: never stale
     }
 }
 
 void reachWithVelocity(WorldState& world, std::uint32_t body) {
-    const Real bound = motionBound(world, body, static_cast<Real>(world.lastDt));
-    if (bound > world.travels[body].boxMotion) { updateProxies(world, body, false); }
+    const bool isFaster = motionBound(world, body, static_cast<Real>(world.lastDt)) > world.travels[body].boxMotion;
+    if (isFaster) { updateProxies(world, body); }
 }
 
 void removeJoint(WorldState& world, JointId id) {
@@ -314,7 +331,7 @@ void removeJoint(WorldState& world, JointId id) {
         std::erase(world.bodies[slot].joints, id.index);
         world.bodies[slot].holdingJoints -= joint.holds() ? 1 : 0;
         wake(world, slot);
-        updateProxies(world, slot, true);  // so that a pair the joint kept apart is found
+        renewProxies(world, slot);  // so that a pair the joint kept apart is found
     }
 }
 

@@ -91,7 +91,7 @@ void removeOne(WorldState& world, std::uint32_t slot) {
 void refresh(WorldState& world, std::uint32_t body) {
     updateMass(world, body);
     wake(world, body);
-    updateProxies(world, body, false);
+    updateProxies(world, body);
 }
 
 }  // namespace

@@ -240,15 +240,16 @@ void updatePose(WorldState& world, std::uint32_t body);
 /// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
 Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
-/// Makes boxes anew that are too small for where the shapes may be next, in `WorldState::fatBoxes`; of different bodies
-/// also at the same time. @return the proxy whose box it is; `kNoIndex`: none; `kManyBoxes`: several
+/// Hands boxes that are too small for where the shapes may be next to the broadphase.
+void updateProxies(WorldState& world, std::uint32_t body);
+/// The same in two parts, of which the first one may be done for different bodies at the same time: it leaves the boxes
+/// in `WorldState::fatBoxes`. @return the proxy whose box it is; `kNoIndex`: none; `kManyBoxes`: several
 std::uint32_t renewBoxes(WorldState& world, std::uint32_t body);
 inline constexpr std::uint32_t kManyBoxes = kNoIndex - 1;
-/// Hands them to the broadphase.
-void moveOutgrownProxies(WorldState& world, std::uint32_t body);
-/// Hands boxes that grew too small to the broadphase. @param always  also those that still fit, and all their pairs are
-/// found anew (teleports).
-void updateProxies(WorldState& world, std::uint32_t body, bool always);
+/// @param outgrown  what that returned
+void moveOutgrownProxies(WorldState& world, std::uint32_t body, std::uint32_t outgrown);
+/// Also boxes that still fit, and all their pairs are found anew (teleports).
+void renewProxies(WorldState& world, std::uint32_t body);
 /// After its velocity changed between steps, or the step became longer: boxes reach as far as the coming step asks.
 void reachWithVelocity(WorldState& world, std::uint32_t body);
 /// Removes contacts, and candidates, for which `doomed` is true; reports the end of those that touched.
