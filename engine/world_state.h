@@ -221,7 +221,7 @@ void promoteCandidates(WorldState& world);
 /// Those that are meant become contacts, without points until the next step looks at them.
 void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant);
 
-// --- bookkeeping shared by the stages (world_bookkeeping.cpp)
+// --- bookkeeping shared by the stages (world_bookkeeping.cpp, world_boxes.cpp)
 
 /// Whether two shapes may collide at all: bodies, filters, joints.
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
