@@ -8,6 +8,7 @@
 #include "../solver/contact_lanes.h"
 #include "effort_budget.h"
 #include "modes.h"
+#include "profile.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -92,9 +93,10 @@ void TiedContacts::forEachLink(Visit&& visit) const {
 
 ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     Contact& contact = group_.contacts[link.source];
-    ContactConstraint constraint = constraintOf(
-        contact.manifold, world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
-        world_.motions[contact.bodyB], contact.friction, contact.restitution, kPushRatio * contact.extent / dt_);
+    ContactConstraint constraint =
+        constraintOf(contact.manifold, world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
+                     world_.motions[contact.bodyB], contact.friction, contact.restitution,
+                     pushRatioOf(world_.settings) * contact.extent / dt_);
     constraint.slotA = link.slotA;
     constraint.slotB = link.slotB;
     constraint.softness = softness_;
@@ -147,7 +149,7 @@ void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links link
     static constexpr ContactRow kNothing{};
     const SolverBodies bodies{group_.desk.batch.states, group_.desk.batch.inertias};
     const ContactTerms terms{.scale = scale_,
-                             .pushRatio = kPushRatio,
+                             .pushRatio = pushRatioOf(world_.settings),
                              .dt = dt_,
                              .bounceSpeed = bounceSpeed_,
                              .softness = softness_,
