@@ -199,7 +199,7 @@ template <class T>
 }
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
-/// times.
+/// times. @param coming  of the same worker: another one may be writing to the probes after them
 [[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const ContactProbe> probes,
                                               std::span<const Contact> contacts,
                                               std::span<const std::uint32_t> coming) {
@@ -224,7 +224,7 @@ void updateContacts(WorldState& world, std::span<const std::uint32_t> near, Near
         const std::span<ContactProbe> probes = world.probes;
         const std::span<Contact> contacts = world.contacts;
         for (std::size_t i = begin; i < end; ++i) {
-            fetchAhead(world, probes, contacts, near.subspan(i));
+            fetchAhead(world, probes, contacts, near.subspan(i, end - i));
             ContactProbe& probe = probes[near[i]];
             update.add(probe, contacts[probe.contact]);
         }
