@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../shapes/cache_line.h"
 #include "../shapes/distance.h"
 #include "contact_batch.h"
+#include "contact_fetch.h"
 #include "contact_manifold.h"
 #include "ghosts.h"
 #include "modes.h"
@@ -169,51 +169,6 @@ private:
                                          ContactBatch(PairKind::round), ContactBatch(PairKind::round),
                                          ContactBatch(PairKind::round)};  ///< by `BatchKind`, but for `none`
 };
-
-/// Near contacts that are fetched from memory ahead of time: first themselves, then what they refer to. (Their probes
-/// come in order.)
-constexpr std::size_t kContactsAhead = 12;
-constexpr std::size_t kShapesAhead = 4;
-
-/// (What only fetches has no effect that GCC knows of: calls of such a function that it does not inline at once are
-/// dropped.)
-template <class T>
-[[gnu::always_inline]] inline void fetch(const T& thing) {
-    const char* const first = reinterpret_cast<const char*>(&thing);
-    for (std::size_t i = 0; i < sizeof(T); i += kCacheLine) { __builtin_prefetch(first + i); }
-    if constexpr (alignof(T) < kCacheLine) {
-        __builtin_prefetch(first + (sizeof(T) - 1));  // it begins anywhere in a line
-    }
-}
-
-/// A contact has the rest of what is asked of it.
-[[gnu::always_inline]] inline void fetchPolygon(const Polygon& polygon, std::size_t vertices) {
-    constexpr std::size_t kPerLine = kCacheLine / sizeof(Vec2);
-    __builtin_prefetch(polygon.vertices.data());
-    __builtin_prefetch(polygon.normals.data());
-    if constexpr (kPerLine < kMaxPolygonVertices) {
-        if (vertices <= kPerLine) { return; }
-        __builtin_prefetch(polygon.vertices.data() + kPerLine);
-        __builtin_prefetch(polygon.normals.data() + kPerLine);
-    }
-}
-
-/// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
-/// times. @param coming  of the same worker: another one may be writing to the probes after them
-[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const ContactProbe> probes,
-                                              std::span<const Contact> contacts,
-                                              std::span<const std::uint32_t> coming) {
-    if (coming.size() > kContactsAhead) { fetch(contacts[probes[coming[kContactsAhead]].contact]); }
-    if (coming.size() > kShapesAhead) {
-        const ContactProbe& probe = probes[coming[kShapesAhead]];
-        const Contact& contact = contacts[probe.contact];
-        fetch(world.motions[contact.bodyA]);
-        fetch(world.motions[contact.bodyB]);
-        if (probe.wasKept) { return; }
-        fetchPolygon(world.shapes[contact.shapeA].polygon, contact.verticesA);
-        fetchPolygon(world.shapes[contact.shapeB].polygon, contact.verticesB);
-    }
-}
 
 /// Writes only to the contacts and their probes: they may be updated in any order.
 template <bool kWatched>
