@@ -4,6 +4,7 @@
 // Vectors are members here, which needs a size known to the compiler.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3 | HWY_AVX3_DL)
 #if defined(__wasm__) && defined(SWEPT_F64)
+#undef HWY_COMPILE_ONLY_STATIC
 #define HWY_COMPILE_ONLY_SCALAR  // no doubles side by side
 #endif
 #undef HWY_TARGET_INCLUDE

@@ -1,15 +1,21 @@
 # Wide kernels by Highway. Included by the top-level list file only.
 
 if(SWEPT_SIMD)
-    if(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(wasm32|aarch64)$")
-        # On machines with one instruction set nothing is chosen at run time, and the headers are all of Highway that is
-        # needed: those of this machine do, seen through a link so that nothing else beside them is.
+    set(SWEPT_HIGHWAY hwy::hwy)
+    if(TARGET hwy::hwy)
+        # of the project that this one is part of
+    elseif(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(wasm32|aarch64)$")
+        # These machines have one instruction set that is of use, so that nothing is chosen at run time, and the headers are
+        # all of Highway that is needed: those of this machine do, seen through a link so that nothing else beside them is.
         find_path(SWEPT_HIGHWAY_HEADERS hwy/highway.h PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
         if(SWEPT_HIGHWAY_HEADERS)
             file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/highway)
             file(CREATE_LINK ${SWEPT_HIGHWAY_HEADERS}/hwy ${PROJECT_BINARY_DIR}/highway/hwy SYMBOLIC)
             add_library(hwy::hwy INTERFACE IMPORTED GLOBAL)
             target_include_directories(hwy::hwy INTERFACE ${PROJECT_BINARY_DIR}/highway)
+            # Highway from 1.0.4 on knows NEON of several kinds, and would ask its library which one there is.
+            target_compile_definitions(hwy::hwy INTERFACE HWY_COMPILE_ONLY_STATIC)
+            set(SWEPT_HIGHWAY $<BUILD_INTERFACE:hwy::hwy>)  # nothing for who links what is installed
         endif()
     else()
         find_package(hwy QUIET)
@@ -34,7 +40,9 @@ function(swept_add_wide_kernels layer)
         target_sources(${target} PRIVATE ${KERNELS_SOURCES})
         target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
         target_compile_definitions(${target} PRIVATE SWEPT_SIMD $<$<BOOL:${SWEPT_SIMD_FEW}>:SWEPT_SIMD_FEW>)
-        target_link_libraries(${target} PRIVATE hwy::hwy)
+        target_link_libraries(${target} PRIVATE ${SWEPT_HIGHWAY})
     endforeach()
-    set_property(GLOBAL APPEND PROPERTY SWEPT_FOREIGN_PACKAGES hwy)
+    if(SWEPT_HIGHWAY STREQUAL hwy::hwy)
+        set_property(GLOBAL APPEND PROPERTY SWEPT_FOREIGN_PACKAGES hwy)
+    endif()
 endfunction()
