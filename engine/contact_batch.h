@@ -51,21 +51,7 @@ public:
         pairs_.clear();
     }
 
-    /// The same for the last ones: of one or two, each by itself costs less than a batch that is nearly empty.
-    template <class Done>
-    void renewLast(const WorldState& world, const Done& done) {
-        if (pairs_.size() > kFewLeft) { return renew(world, done); }
-        for (std::size_t i = 0; i < pairs_.size(); ++i) {
-            const Transform bInA = pairs_.poseOf(i);
-            renewManifold(world, *entries_[i].contact, bInA, pairs_.reachOf(i));
-            done(*entries_[i].probe, *entries_[i].contact, bInA);
-        }
-        pairs_.clear();
-    }
-
 private:
-    static constexpr std::size_t kFewLeft = 2;
-
     struct Entry {
         ContactProbe* probe = nullptr;
         Contact* contact = nullptr;

@@ -126,13 +126,10 @@ public:
         notePassing(probe, contact);
     }
 
-    /// What is left in batches.
+    /// What is left in batches. (Even where that is one pair: by itself it is found to be apart by another bound, which
+    /// tells whether it passes, and how many are left depends on how the work was shared.)
     void finish() {
-        const auto done = [this](ContactProbe& probe, Contact& contact, const Transform& bInA) {
-            finishNear(world_, probe, contact, bInA);
-            notePassing(probe, contact);
-        };
-        for (ContactBatch& batch : batches_) { batch.renewLast(world_, done); }
+        for (ContactBatch& batch : batches_) { renew(batch); }
     }
 
 private:

@@ -194,6 +194,38 @@ TEST(Parallel, AnyOrderOfTheSameWork) {
     }
 }
 
+/// A block that flies at a floor, its bodies beside each other as fast as each other: what passes, and is hemmed in,
+/// depends on how far apart shapes are known to be, which must not depend on whether they were asked for together.
+World fallingBlock(std::uint64_t seed) {
+    constexpr int kColumns = 14;
+    constexpr int kRows = 10;
+    Random random(seed);
+    World world = makeWorld();
+    addStatic(world, box(40, 1), {}, {0, -1});
+    const double gap = random.range(0, 0.12);
+    for (int i = 0; i < kColumns * kRows; ++i) {
+        const DVec2 place{(i % kColumns) * (1 + gap), 1 + (i / kColumns) * (1 + gap)};
+        BodyDef def = dynamicAt(place, vec(random.range(-2, 2), -25 + random.range(-2, 2)), random.range(-3, 3));
+        def.angle = random.range(-0.1, 0.1);
+        addBody(world, def, i % 3 == 0 ? capsule(0.3, 0.2) : box(0.5, 0.5));
+    }
+    return world;
+}
+
+TEST(Parallel, WhatIsHemmedIn) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        World serial = fallingBlock(seed);
+        World shuffled = fallingBlock(seed);
+        ShuffledTasks tasks;
+        shuffled.setTaskSystem(&tasks);
+        for (int step = 0; step < 10; ++step) {
+            must(serial.step(kStep));
+            must(shuffled.step(kStep));
+            ASSERT_EQ(serial.counters().touching, shuffled.counters().touching) << "seed " << seed << ", step " << step;
+        }
+    }
+}
+
 /// A room of flyers that do not see each other, made in one order or in the other.
 struct Room {
     World world;
