@@ -5,7 +5,7 @@ namespace {
 
 /// Seconds each, on a machine of 2020, rounded down (`swept bench threads`): a step is handed over when that pays, not
 /// sooner.
-constexpr double kPerAwakeBody = 1e-7;
+constexpr double kPerAwakeBody = 2e-7;
 constexpr double kPerManifold = 1.5e-7;
 constexpr double kPerConstraint = 1.5e-7;
 constexpr double kPerBodySubStep = 3e-8;
