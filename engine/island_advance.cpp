@@ -38,9 +38,6 @@ constexpr int kFewestJointedSubSteps = 8;
 /// A part that was already made to fit, and still ends at an impact, is cut there if that leaves at least so much of
 /// it.
 constexpr double kGoodFit = 0.5;
-/// After an impact the next part may be so many times as long as the one before. (With four, an island that met
-/// something early in the step took a third more parts in scene `spinner`.)
-constexpr double kGrowth = 16;
 
 /// How far one island has come in the step.
 struct Course {
@@ -250,7 +247,7 @@ double tryPart(Course& course, double time, bool fits, double& next) {
     // The whole step begins with the contacts that it has found already.
     if (course.elapsed > 0 || time < course.dt) { collideHeld(course.world, course.desk, time); }
     solvePart(course, time);
-    next = std::max(kGrowth * time, kGrowth * course.shortest);
+    next = growthOf(course.world.settings) * std::max(time, course.shortest);
     if (isLast) {
         holdMembers(course, time);
         return time;
