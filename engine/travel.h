@@ -47,7 +47,7 @@ struct BodyGlances {
 };
 
 /// Writes down in the probe how long the shapes of a contact stay so far apart that it has no points. Certain whatever
-/// was rounded: without it every result is the same.
+/// was rounded: without it no contact point is another, but which pairs count as passing (`stateOfIdle`) depends on it.
 /// @param room  how far apart they are, no more, metres
 void rememberApart(const WorldState& world, ContactProbe& probe, Real room);
 
