@@ -64,7 +64,7 @@ std::vector<Stage> stages() {
 /// Functions that find out who needs what (roles, efforts, who may be settled), and lines that are there with or
 /// without joints: calls of what is solved anyway.
 const std::regex kFindsOut(
-    "roleOf|assignRoles|noteContact|resetBody|begin|finish|colourContacts|assignEfforts|addContactsAndJoints|"
+    "roleOf|isFlyer|assignRoles|noteContact|resetBody|begin|finish|colourContacts|assignEfforts|addContactsAndJoints|"
     "isTree|isCrowd|addBody|effortFor|solveTiedBodies|listCandidates");
 const std::regex kCalls("void |counters|solveGroup\\(|solver\\.solve\\(|clearAllButJoints|kJoints[>,]");
 
