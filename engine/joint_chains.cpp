@@ -83,10 +83,9 @@ void addJoints(WorldState& world) {
 
 }  // namespace
 
-void keepJointChains(WorldState& world) {
+void findJointChains(WorldState& world) {
     JointChains& chains = world.jointChains;
     const bool isAnyAsleep = anyAsleep(world);
-    if (chains.areCurrent && !isAnyAsleep) { return; }
     world.activeJoints.clear();
     chains.list.clear();
     chains.members.clear();

@@ -35,8 +35,8 @@ struct JointChains {
     std::vector<std::uint32_t> places;  ///< scratch, by slot of the lowest body: in `list`
 };
 
-/// Finds the chains anew, and `WorldState::activeJoints`, unless they are those of the last step. @pre the traits of
-/// this step tell who is awake
-void keepJointChains(WorldState& world);
+/// Finds the chains anew, and `WorldState::activeJoints`: wherever `areCurrent` does not hold, or anything sleeps.
+/// @pre the traits of this step tell who is awake
+void findJointChains(WorldState& world);
 
 }  // namespace swept::inline SWEPT_PRECISION

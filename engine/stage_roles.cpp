@@ -262,7 +262,7 @@ void assignRoles(WorldState& world, Real dt) {
 
 /// By contacts the bodies are united already.
 void findIslands(WorldState& world) {
-    keepJointChains(world);
+    if (!world.jointChains.areCurrent || anyAsleep(world)) { findJointChains(world); }
     for (const JointChains::Member& member : world.jointChains.members) {
         world.islands.unite(member.body, member.lowest);
     }
