@@ -22,9 +22,8 @@ struct AdvancingIsland {
     std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
     std::vector<Slide> heldSlides;           ///< of these
     std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
-    std::vector<Manifold>
-        pointsBefore;  ///< by held contact, as far as there are any: its points before the present part
-    std::vector<std::uint32_t> sources;       ///< by held contact: its place in the world, or none
+    std::vector<Manifold> pointsBefore;      ///< by held contact: the last points that it had before this part, if any
+    std::vector<std::uint32_t> sources;      ///< by held contact: its place in the world, or none
     std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe
     std::vector<std::uint64_t> heldPairs;     ///< of shape slots, sorted
     std::vector<std::uint32_t> found;

@@ -52,8 +52,6 @@ void tieBodies(WorldState& world) {
 
 void listMembers(WorldState& world) {
     JointChains& chains = world.jointChains;
-    chains.list.clear();
-    chains.members.clear();
     chains.places.resize(world.bodies.slotCount());
     for (std::uint32_t slot = 0; slot < world.bodies.slotCount(); ++slot) {
         if (!isAwakeDynamic(world, slot) || world.bodies[slot].holdingJoints == 0) { continue; }

@@ -26,8 +26,7 @@ namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 
 // What a search would find is guessed here, proved, and written as `collideApart` would. Proofs keep a distance from
-// every decision that the search makes: where it is smaller, a pair is left to the search. (Cores that overlap always
-// are.)
+// every decision that the search makes: where it is smaller, a pair is left to the search, as are cores that overlap.
 
 /// Part of `kFaceAngle` that is doubtful: more than stored normals are off.
 constexpr double kDoubtfulPart = 0x1p-10;

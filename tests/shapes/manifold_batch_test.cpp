@@ -229,16 +229,25 @@ Query vertexQuery(Chance& chance) {
     return query;
 }
 
-TEST_P(ManifoldBatches, LeaveVerticesThatAllButTouchToTheSearch) {
-    if (!canCollideInBatches()) { return; }
+/// Batches of what is made at random.
+Tally compareRound(Query (*make)(Chance&)) {
     Tally tally;
-    for (std::uint32_t seed = 0; seed < 2000 && !HasFatalFailure(); ++seed) {
+    for (std::uint32_t seed = 0; seed < 2000 && !testing::Test::HasFatalFailure(); ++seed) {
         Chance chance(seed);
         std::vector<Query> queries;
-        while (queries.size() < ManifoldBatch::kPairs) { queries.push_back(vertexQuery(chance)); }
+        while (queries.size() < ManifoldBatch::kPairs) {
+            const Query query = make(chance);
+            if (collidesInBatches(query.a) && collidesInBatches(query.b)) { queries.push_back(query); }
+        }
         SCOPED_TRACE(seed);
         compare(queries, PairKind::round, tally);
     }
+    return tally;
+}
+
+TEST_P(ManifoldBatches, LeaveVerticesThatAllButTouchToTheSearch) {
+    if (!canCollideInBatches()) { return; }
+    const Tally tally = compareRound(vertexQuery);
     EXPECT_LT(tally.left, tally.pairs) << "not all of them are that near";
 }
 
@@ -276,17 +285,7 @@ Query slatQuery(Chance& chance) {
 
 TEST_P(ManifoldBatches, LeaveShortEdgesThatMayBeParallelToTheSearch) {
     if (!canCollideInBatches()) { return; }
-    Tally tally;
-    for (std::uint32_t seed = 0; seed < 2000 && !HasFatalFailure(); ++seed) {
-        Chance chance(seed);
-        std::vector<Query> queries;
-        while (queries.size() < ManifoldBatch::kPairs) {
-            const Query query = slatQuery(chance);
-            if (collidesInBatches(query.a) && collidesInBatches(query.b)) { queries.push_back(query); }
-        }
-        SCOPED_TRACE(seed);
-        compare(queries, PairKind::round, tally);
-    }
+    const Tally tally = compareRound(slatQuery);
     EXPECT_GT(tally.withTwo, tally.pairs / 20);
 }
 
