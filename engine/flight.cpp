@@ -8,6 +8,7 @@
 #include "free_path.h"
 #include "ghosts.h"
 #include "modes.h"
+#include "solved_path.h"
 #include "sweep_obstacles.h"
 #include "tolerances.h"
 

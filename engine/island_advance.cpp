@@ -7,7 +7,7 @@
 #include "modes.h"
 #include "profile.h"
 #include "rod_turn.h"
-#include "sweep_obstacles.h"
+#include "solved_path.h"
 #include "tied_group.h"
 
 namespace swept::inline SWEPT_PRECISION {

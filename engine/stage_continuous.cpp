@@ -3,7 +3,7 @@
 #include "bullets.h"
 #include "modes.h"
 #include "step.h"
-#include "sweep_obstacles.h"
+#include "solved_path.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "ghosts.h"
 #include "shape_manifold.h"
@@ -12,33 +11,39 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Box of all that is within `reach` of a position of the centre: hull of the control points of the path, a quadratic
-/// Bézier curve.
-Aabb boxAround(const Sweep& sweep, double reach) {
-    const DVec2 control = sweep.c0 + 0.5 * ((sweep.c1 - sweep.c0) - sweep.k);
-    // Two by two, without a branch: nobody can predict which way a body flies.
-    const DVec2 lower{std::min(std::min(sweep.c0.x, sweep.c1.x), control.x),
-                      std::min(std::min(sweep.c0.y, sweep.c1.y), control.y)};
-    const DVec2 upper{std::max(std::max(sweep.c0.x, sweep.c1.x), control.x),
-                      std::max(std::max(sweep.c0.y, sweep.c1.y), control.y)};
-    return roundedOutward({lower.x - reach, lower.y - reach}, {upper.x + reach, upper.y + reach});
-}
-
 bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
     return !world.bodies[other.body].isDynamic() && !other.def.sensor && mayTouch(world, own, other);
 }
 
+/// Where the centre of a shape's core is at the start of a sweep, once it is asked for: what is near a chain is near
+/// several pieces of it.
+class StartOfCore {
+public:
+    StartOfCore(const Shape& own, const Sweep& sweep) : own_(own), sweep_(sweep) {}
+
+    DVec2 place() {
+        if (!isKnown_) {
+            Vec2 middle;
+            for (const Vec2 vertex : own_.polygon.points()) { middle += vertex; }
+            middle = (1 / static_cast<Real>(own_.polygon.count)) * middle;
+            place_ = apply(poseOf(sweep_.c0, sweep_.a0, toReal(sweep_.localCenter)), middle);
+            isKnown_ = true;
+        }
+        return place_;
+    }
+
+private:
+    const Shape& own_;
+    const Sweep& sweep_;
+    DVec2 place_{};
+    bool isKnown_ = false;
+};
+
 /// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
-/// @param start  pose of the shape's body, once it is known: what is near a chain is near several pieces of it
-bool isBehindChain(const WorldState& world, const Shape& own, const Shape& other, const Sweep& sweep,
-                   std::optional<WorldTransform>& start) {
+bool isBehindChain(const WorldState& world, const Shape& other, StartOfCore& core) {
     if (!other.isChainSegment) { return false; }
-    if (!start) { start = poseOf(sweep.c0, sweep.a0, toReal(sweep.localCenter)); }
-    Vec2 middle;
-    for (const Vec2 vertex : own.polygon.points()) { middle += vertex; }
-    middle = (1 / static_cast<Real>(own.polygon.count)) * middle;
-    const Vec2 local = applyInverse(world.motions[other.body].pose, apply(*start, middle));
-    return dot(local - other.segment.p, normalOf(other.segment)) < 0;
+    const Vec2 local = applyInverse(world.motions[other.body].pose, core.place());
+    return dot(local - other.segment.p, other.polygon.normals[0]) < 0;
 }
 
 ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle, double tMax) {
@@ -91,11 +96,6 @@ StartContact contactAtStart(const WorldState& world, const FlightObstacle& obsta
     return contact;
 }
 
-/// How far a body may sink into what the solver holds it off, metres.
-double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return static_cast<double>(slopOf(world, obstacle) * (kSlackRatio / kTargetRatio));
-}
-
 /// Ground flush with what the body stands on, along any of these normals: it may sink into it along the same normal, or
 /// the side of the next piece would stop it. @param slops  how far
 void liftFlush(const WorldState& world, const Sweep& sweep, double slops, std::span<const Vec2> normals,
@@ -121,65 +121,6 @@ DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Swee
     const double up = targetOf(world, obstacle) +
                       static_cast<double>(roundingOf(world, obstacle) - std::min(contact.deepest, Real(0)));
     return up * toDouble(contact.normal);
-}
-
-/// Normal, in the frame of its body, of the face of the obstacle that a place is farthest above; of a chain, of its
-/// side. 0: there are no faces.
-Vec2 faceTowards(const WorldState& world, const Shape& other, DVec2 place) {
-    if (other.isChainSegment) { return other.polygon.normals[0]; }
-    const Vec2 local = applyInverse(world.motions[other.body].pose, place);
-    Vec2 best{};
-    Real highest = -std::numeric_limits<Real>::infinity();
-    for (std::size_t i = 0; other.polygon.count > 1 && i < static_cast<std::size_t>(other.polygon.count); ++i) {
-        const Real above = dot(other.polygon.normals[i], local - other.polygon.vertices[i]);
-        if (above > highest) {
-            highest = above;
-            best = other.polygon.normals[i];
-        }
-    }
-    return best;
-}
-
-/// A straight path that the solver moved a body on, and its poses at both ends.
-struct SolvedPath {
-    Sweep sweep;
-    WorldTransform start;
-    WorldTransform end;
-    double time = 0;  ///< s
-};
-
-/// How far, at most, a point of the shape gets from the straight line between its two places in the frame of the
-/// obstacle, metres: an eighth of its largest acceleration there in the unit of the path's time. Its own turn about its
-/// centre, the turn of the obstacle about its own (Coriolis, centrifugal).
-double bulgeOf(const Shape& own, const Sweep& path, const Sweep& ground) {
-    const auto arm = static_cast<double>(own.radius - own.polygon.radius);
-    const double turn = std::fabs(path.a1 - path.a0);
-    const double groundTurn = std::fabs(ground.a1 - ground.a0);
-    const double way = length((path.c1 - path.c0) - (ground.c1 - ground.c0));
-    const double farthest = length(path.c0 - ground.c0) + way + static_cast<double>(own.radius);
-    return (arm * turn * turn + 2 * groundTurn * (way + arm * turn) + groundTurn * groundTurn * farthest) / 8;
-}
-
-/// Whether the body stays on the outer side of a face of the obstacle, sunk in no deeper than it may be: both ends of
-/// the path tell, and how far it bulges between them.
-bool staysOutside(const WorldState& world, const SolvedPath& path, const FlightObstacle& obstacle) {
-    const Shape& own = world.shapes[obstacle.own];
-    const Shape& other = world.shapes[obstacle.other];
-    const Vec2 face = faceTowards(world, other, path.sweep.c0);
-    if (face == Vec2{}) { return false; }
-    const WorldTransform& ground = world.motions[other.body].pose;
-    const Sweep groundSweep = obstacleSweep(world, other.body, 0, path.time);
-    const bool moves = world.bodies[other.body].def.type != BodyType::fixed;
-    const WorldTransform groundEnd =
-        moves ? motionAt(groundSweep, 1, world.bodies[other.body].localCenter).pose : ground;
-    const Real first = separationAlong(other.polygon, ground, own.polygon, path.start, rotate(ground.rotation, face));
-    const Real last =
-        separationAlong(other.polygon, groundEnd, own.polygon, path.end, rotate(groundEnd.rotation, face));
-    const double least = static_cast<double>(std::min(first, last) - roundingOf(world, obstacle)) -
-                         bulgeOf(own, path.sweep, groundSweep);
-    const bool isHeld = first <= contactReach(world, own) + contactReach(world, other);
-    const double slack = isHeld ? slackOf(world, obstacle) : 0;
-    return least >= targetOf(world, obstacle) + toleranceOf(world, obstacle) - slack;
 }
 
 /// What is near is looked at first: once an impact is known, what is farther is only followed so far.
@@ -256,7 +197,10 @@ double levelInContact(const WorldState& world, const FlightObstacle& obstacle, d
 }
 
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle) {
-    const double target = targetOf(world, obstacle);
+    return toleranceOf(world, targetOf(world, obstacle));
+}
+
+double toleranceOf(const WorldState& world, double target) {
     const auto wanted = static_cast<double>(world.settings.toiTolerance);
     return wanted > 0 ? std::min(wanted, target / 2) : target / 4;
 }
@@ -265,18 +209,28 @@ Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
     return kTargetRatio * std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
 }
 
+double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
+    return static_cast<double>(slopOf(world, obstacle) * (kSlackRatio / kTargetRatio));
+}
+
 double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts) {
     const auto slop = static_cast<double>(slopOf(world, obstacle));
     return slop * std::min(std::ldexp(kSagSlops, impacts / kImpactsPerDoubling), kMostSagSlops);
 }
 
 Aabb boxOfPath(const Shape& own, const Sweep& sweep) {
-    return boxAround(sweep, static_cast<double>(own.radius + kTargetRatio * own.extent));
+    const auto reach = static_cast<double>(own.radius + kTargetRatio * own.extent);
+    const DVec2 control = sweep.c0 + 0.5 * ((sweep.c1 - sweep.c0) - sweep.k);
+    // Two by two, without a branch: nobody can predict which way a body flies.
+    const DVec2 lower{std::min(std::min(sweep.c0.x, sweep.c1.x), control.x),
+                      std::min(std::min(sweep.c0.y, sweep.c1.y), control.y)};
+    const DVec2 upper{std::max(std::max(sweep.c0.x, sweep.c1.x), control.x),
+                      std::max(std::max(sweep.c0.y, sweep.c1.y), control.y)};
+    return roundedOutward({lower.x - reach, lower.y - reach}, {upper.x + reach, upper.y + reach});
 }
 
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
     scratch.obstacles.clear();
-    std::optional<WorldTransform> start;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& own = world.shapes[slot];
         if (own.def.sensor) { continue; }
@@ -285,10 +239,12 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
             scratch.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
             return true;
         });
+        if (scratch.found.empty()) { continue; }
         std::sort(scratch.found.begin(), scratch.found.end());
+        StartOfCore core(own, sweep);
         for (const std::uint32_t found : scratch.found) {
             const Shape& other = world.shapes[found];
-            if (!isObstacle(world, own, other) || isBehindChain(world, own, other, sweep, start)) { continue; }
+            if (!isObstacle(world, own, other) || isBehindChain(world, other, core)) { continue; }
             FlightObstacle obstacle{.own = slot, .other = found};
             obstacle.level = targetOf(world, obstacle);
             scratch.obstacles.push_back(obstacle);
@@ -307,8 +263,9 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
     for (FlightObstacle& obstacle : scratch.obstacles) {
         const Shape& own = world.shapes[obstacle.own];
         const Shape& other = world.shapes[obstacle.other];
-        const Sweep otherSweep = obstacleSweep(world, other.body, 0, dt);
         const Real margin = contactReach(world, own) + contactReach(world, other);
+        if (obstacle.height > margin + roundingOf(world, obstacle)) { continue; }
+        const Sweep otherSweep = obstacleSweep(world, other.body, 0, dt);
         const StartContact contact = contactAtStart(world, obstacle, sweep, otherSweep, margin);
         if (!contact.touches) { continue; }
         obstacle.lift = slackOf(world, obstacle) * toDouble(contact.normal);
@@ -348,43 +305,6 @@ FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from
         if (impact.hit) { first = impact; }
     }
     return first;
-}
-
-Sweep pathOf(const WorldState& world, std::uint32_t slot) {
-    const Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    return {.localCenter = toDouble(body.localCenter),
-            .c0 = body.startCenter,
-            .c1 = motion.center,
-            .a0 = body.startAngle,
-            .a1 = motion.angle};
-}
-
-bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
-    const Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    const auto extent = static_cast<double>(body.extent);
-    const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
-    const double slow = share * static_cast<double>(kFastRatio) * extent;
-    return extent > 0 && length(motion.center - body.startCenter) + turned > slow;
-}
-
-FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit,
-                         FlightScratch& scratch) {
-    const Sweep path = pathOf(world, slot);
-    findObstacles(world, slot, path, scratch);
-    if (scratch.obstacles.empty()) { return {}; }
-    // Most of what is fast slides along something, or leaves it: that takes no search.
-    const SolvedPath solved{path, poseOf(path.c0, path.a0, world.bodies[slot].localCenter), world.motions[slot].pose,
-                            time};
-    bool areClear = true;
-    for (FlightObstacle& obstacle : scratch.obstacles) {
-        obstacle.isClear = staysOutside(world, solved, obstacle);
-        areClear = areClear && obstacle.isClear;
-    }
-    if (areClear) { return {}; }
-    allowSlack(world, path, time, scratch);
-    return firstImpact(world, path, 0, time, scratch, limit);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

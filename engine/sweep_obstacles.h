@@ -16,6 +16,8 @@ Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, do
 /// Separation at which an impact is resolved, and how exactly it is met, metres.
 double targetOf(const WorldState& world, const FlightObstacle& obstacle);
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle);
+/// The latter by the former.
+double toleranceOf(const WorldState& world, double target);
 /// Largest error of a manifold's separation (`Real`) against that of the sweeps (double), metres.
 Real roundingOf(const WorldState& world, const FlightObstacle& obstacle);
 /// Separation up to which what the sweeps met shows up in a manifold, metres.
@@ -25,6 +27,9 @@ double levelInContact(const WorldState& world, const FlightObstacle& obstacle, d
 /// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
 /// carries it, metres.
 Real slopOf(const WorldState& world, const FlightObstacle& obstacle);
+
+/// How far a body may sink into what the solver holds it off, metres.
+double slackOf(const WorldState& world, const FlightObstacle& obstacle);
 
 /// Box of all places of a shape on the path of its body, however that turns.
 Aabb boxOfPath(const Shape& own, const Sweep& sweep);
@@ -73,13 +78,5 @@ FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const S
 /// @param limit  nothing after this fraction is looked for
 FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
                         double limit = 1);
-
-/// From `Body::startCenter` and `startAngle` to the present pose.
-Sweep pathOf(const WorldState& world, std::uint32_t body);
-/// Whether that path is longer than a body that is not fast moves in this share of a step.
-bool movedFast(const WorldState& world, std::uint32_t body, double share = 1);
-/// First impact on that path of what the contact solver moved within `time` seconds, with the slack that this has.
-FirstImpact impactOfPath(const WorldState& world, std::uint32_t body, double time, double limit,
-                         FlightScratch& scratch);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,142 @@
+#include "solved_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// The face of the obstacle that a place is farthest above; of a chain, its side. −1: there are no faces.
+int faceTowards(const WorldState& world, const Shape& other, DVec2 place) {
+    if (other.isChainSegment) { return 0; }
+    const Vec2 local = applyInverse(world.motions[other.body].pose, place);
+    int best = -1;
+    Real highest = -std::numeric_limits<Real>::infinity();
+    for (int i = 0; other.polygon.count > 1 && i < other.polygon.count; ++i) {
+        const auto face = static_cast<std::size_t>(i);
+        const Real above = dot(other.polygon.normals[face], local - other.polygon.vertices[face]);
+        if (above > highest) {
+            highest = above;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// How high above a face a shape is, radii included, metres: never more than their distance, but for rounding.
+Real heightAbove(const Polygon& ground, std::size_t face, const WorldTransform& groundPose, const Polygon& own,
+                 const WorldTransform& pose) {
+    const Vec2 normal = rotate(groundPose.rotation, ground.normals[face]);
+    const Vec2 top = rotate(groundPose.rotation, ground.vertices[face]);
+    const Vec2 inOwn = unrotate(pose.rotation, normal);
+    Real lowest = dot(inOwn, own.vertices[0]);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(own.count); ++i) {
+        lowest = std::min(lowest, dot(inOwn, own.vertices[i]));
+    }
+    return dot(normal, toReal(pose.position - groundPose.position) - top) + lowest - ground.radius - own.radius;
+}
+
+/// A straight path that the solver moved a body on, and its poses at both ends.
+struct SolvedPath {
+    Sweep sweep;
+    WorldTransform start;
+    WorldTransform end;
+    double time = 0;  ///< s
+};
+
+/// How far, at most, a point of the shape gets from the straight line between its two places in the frame of the
+/// obstacle, metres: an eighth of its largest acceleration there in the unit of the path's time. Its own turn about its
+/// centre, the turn of the obstacle about its own (Coriolis, centrifugal).
+double bulgeOf(const Shape& own, const Sweep& path, const Sweep& ground) {
+    const auto arm = static_cast<double>(own.radius - own.polygon.radius);
+    const double turn = std::fabs(path.a1 - path.a0);
+    const double groundTurn = std::fabs(ground.a1 - ground.a0);
+    if (groundTurn == 0) { return arm * turn * turn / 8; }
+    const double way = length((path.c1 - path.c0) - (ground.c1 - ground.c0));
+    const double farthest = length(path.c0 - ground.c0) + way + static_cast<double>(own.radius);
+    return (arm * turn * turn + 2 * groundTurn * (way + arm * turn) + groundTurn * groundTurn * farthest) / 8;
+}
+
+/// How high above a face of the obstacle the body stays on its path, and at its start, metres: both ends tell, and how
+/// far it bulges between them.
+struct Clearance {
+    Real atStart = 0;
+    double least = 0;
+};
+
+Clearance clearanceOf(const WorldState& world, const SolvedPath& path, const FlightObstacle& obstacle,
+                      std::size_t face) {
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const WorldTransform& ground = world.motions[other.body].pose;
+    const Real first = heightAbove(other.polygon, face, ground, own.polygon, path.start);
+    Sweep groundSweep;
+    Real last = 0;
+    if (world.bodies[other.body].def.type == BodyType::fixed) {
+        last = heightAbove(other.polygon, face, ground, own.polygon, path.end);
+    } else {
+        groundSweep = obstacleSweep(world, other.body, 0, path.time);
+        const WorldTransform end = motionAt(groundSweep, 1, world.bodies[other.body].localCenter).pose;
+        last = heightAbove(other.polygon, face, end, own.polygon, path.end);
+    }
+    return {first, static_cast<double>(std::min(first, last) - roundingOf(world, obstacle)) -
+                       bulgeOf(own, path.sweep, groundSweep)};
+}
+
+/// Notes whether the body stays on the outer side of a face of the obstacle, sunk in no deeper than it may be.
+void judge(const WorldState& world, const SolvedPath& path, FlightObstacle& obstacle) {
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const int face = faceTowards(world, other, path.sweep.c0);
+    if (face < 0) { return; }
+    const Clearance clearance = clearanceOf(world, path, obstacle, static_cast<std::size_t>(face));
+    obstacle.height = clearance.atStart;
+    const double asked = obstacle.level + toleranceOf(world, obstacle.level);  // its target: nothing was met so far
+    obstacle.isClear = clearance.least >= asked;
+    if (obstacle.isClear || clearance.least < asked - slackOf(world, obstacle)) { return; }
+    obstacle.isClear = clearance.atStart <= contactReach(world, own) + contactReach(world, other);
+}
+
+}  // namespace
+
+Sweep pathOf(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    return {.localCenter = toDouble(body.localCenter),
+            .c0 = body.startCenter,
+            .c1 = motion.center,
+            .a0 = body.startAngle,
+            .a1 = motion.angle};
+}
+
+bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const auto extent = static_cast<double>(body.extent);
+    const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
+    const double slow = share * static_cast<double>(kFastRatio) * extent;
+    return extent > 0 && length(motion.center - body.startCenter) + turned > slow;
+}
+
+FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit,
+                         FlightScratch& scratch) {
+    const Body& body = world.bodies[slot];
+    const Sweep path = pathOf(world, slot);
+    findObstacles(world, slot, path, scratch);
+    if (scratch.obstacles.empty()) { return {}; }
+    // Most of what is fast slides along something, or leaves it: that takes no search.
+    const SolvedPath solved{path, poseOf(path.c0, path.a0, body.localCenter), world.motions[slot].pose, time};
+    bool areClear = true;
+    for (FlightObstacle& obstacle : scratch.obstacles) {
+        judge(world, solved, obstacle);
+        areClear = areClear && obstacle.isClear;
+    }
+    if (areClear) { return {}; }
+    allowSlack(world, path, time, scratch);
+    return firstImpact(world, path, 0, time, scratch, limit);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
