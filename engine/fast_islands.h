@@ -7,6 +7,7 @@
 #include "body.h"
 #include "contact.h"
 #include "island_items.h"
+#include "joint.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -22,6 +23,12 @@ struct TriedContact {
     bool pressedOn = false;
 };
 
+/// What a solve changes in a hinge, and an island that begins anew asks for (first_try.h).
+struct TriedHinge {
+    std::uint32_t joint = 0;  ///< slot
+    HingeMemory memory;
+};
+
 /// Islands with something fast in them. Kept for its capacity.
 struct FastIslands {
     bool any = false;  ///< this step
@@ -32,6 +39,7 @@ struct FastIslands {
     std::vector<double> meets;  ///< by island: fraction of the step at which it met something then; 1: it did not
     std::vector<BodyMotion> triedMotions;     ///< of the members of these islands, before
     std::vector<TriedContact> triedContacts;  ///< and of their contacts
+    std::vector<TriedHinge> triedHinges;      ///< and of their joints
     std::size_t eventsBefore = 0;
     IslandItems bodies;                     ///< slots, in order of waking
     IslandItems contacts;                   ///< indices of their probes

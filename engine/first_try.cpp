@@ -8,12 +8,19 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Whether the members are solved the same way together with others.
+/// Whether the members are solved the same way together with others. Of joints, hinges are: what they keep from step to
+/// step is little, and is put back.
 bool mayBeTried(const WorldState& world, std::size_t island, double dt) {
     const FastIslands& fast = world.fastIslands;
-    if (fast.isDone[island] != 0 || !fast.joints.of(island).empty()) { return false; }
+    if (fast.isDone[island] != 0) { return false; }
     const Effort effort = world.bodies[fast.bodies.of(island)[0]].effort;
-    return effort.doublings == 0 && !effort.isSettled && isOnePart(world, fast.bodies.of(island), dt);
+    const std::span<const std::uint32_t> joints = fast.joints.of(island);
+    const auto isHinge = [&world](std::uint32_t joint) { return world.jointTies[joint].isHinge; };
+    const bool isPlain = joints.empty()
+                             ? effort.doublings == 0
+                             : effort.direct == DirectScope::none && (effort.doublings == 0 || effort.isCrowd) &&
+                                   std::all_of(joints.begin(), joints.end(), isHinge);
+    return isPlain && !effort.isSettled && isOnePart(world, fast.bodies.of(island), !joints.empty(), dt);
 }
 
 /// By a body of a contact.
@@ -49,6 +56,13 @@ void rememberContacts(WorldState& world) {
     }
 }
 
+void rememberHinges(WorldState& world, std::size_t island) {
+    FastIslands& fast = world.fastIslands;
+    for (const std::uint32_t joint : fast.joints.of(island)) {
+        fast.triedHinges.push_back({.joint = joint, .memory = world.joints[joint].hinge});
+    }
+}
+
 void takeBackContacts(WorldState& world) {
     const FastIslands& fast = world.fastIslands;
     for (const TriedContact& before : fast.triedContacts) {
@@ -77,6 +91,7 @@ void beginFirstTry(WorldState& world, double dt) {
     fast.isTried.assign(count, 0);
     fast.meets.assign(count, 1);
     fast.triedMotions.clear();
+    fast.triedHinges.clear();
     fast.eventsBefore = world.contactEvents.size();
     if (world.watched || hasErrorBudget(world.settings)) { return; }
     for (std::size_t i = 0; i < count; ++i) { fast.isTried[i] = mayBeTried(world, i, dt) ? 1 : 0; }
@@ -87,6 +102,7 @@ void beginFirstTry(WorldState& world, double dt) {
             fast.triedMotions.push_back(world.motions[slot]);
             world.bodies[slot].role = BodyRole::solved;
         }
+        rememberHinges(world, i);
     }
     rememberContacts(world);
 }
@@ -95,6 +111,7 @@ void judgeFirstTry(WorldState& world, double dt, FlightScratch& scratch) {
     FastIslands& fast = world.fastIslands;
     bool anyMeets = false;
     std::size_t motion = 0;
+    std::size_t hinge = 0;
     for (std::size_t i = 0; i < fast.isTried.size(); ++i) {
         if (fast.isTried[i] == 0) { continue; }
         const std::span<const std::uint32_t> members = fast.bodies.of(i);
@@ -110,6 +127,10 @@ void judgeFirstTry(WorldState& world, double dt, FlightScratch& scratch) {
                 body.flung = false;
             }
             ++motion;
+        }
+        for (std::size_t joints = fast.joints.of(i).size(); joints > 0; --joints) {
+            const TriedHinge& before = fast.triedHinges[hinge++];
+            if (meets) { world.joints[before.joint].hinge = before.memory; }
         }
     }
     if (anyMeets) { takeBackContacts(world); }

@@ -276,8 +276,8 @@ bool fliesInstead(const Course& course) {
 
 }  // namespace
 
-bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, double dt) {
-    return fastestSpin(world, members) * dt <= kMaxLooseTurn;
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
+    return fastestSpin(world, members) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
 }
 
 double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,

@@ -23,8 +23,9 @@ std::size_t mostTogether(const WorldSettings& settings);
 /// it was not
 void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch& scratch, double met = 1);
 
-/// Whether the first part of an island without joints, and at most one of its parts, is the whole step.
-bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, double dt);
+/// Whether the first part of an island, and at most one of its parts, is the whole step.
+/// @param isJointed  hinges tie its members; @pre no other joint does
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt);
 
 /// Fraction of a part of the step, which was solved, at which the first member meets something; 1: none does.
 double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
