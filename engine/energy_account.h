@@ -19,6 +19,18 @@ struct EnergyAccount {
     std::uint32_t motion = 0xFFFFFFFFU;  ///< of the island, an index; none
 };
 
+/// What a solve did to one body, J: what its island's account grows by. Of the motion of its centre of mass, and of its
+/// turning.
+struct EnergyEntry {
+    double kinetic = 0;
+    double gained = 0;
+    double work = 0;
+    double fall = 0;
+    double turningKinetic = 0;
+    double turningGained = 0;
+    double turningWork = 0;
+};
+
 /// An island that gained, as one rigid body.
 struct IslandMotion {
     std::uint32_t root = 0;

@@ -139,31 +139,43 @@ bool openAccounts(WorldState& world, const TiedGroup& group) {
     return true;
 }
 
-void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const BodyState& state, Real time) {
+EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState& state, Real time) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& before = world.motions[slot];
+    EnergyEntry entry;
+    if (body.inverseMass > 0) {
+        const double half = 0.5 / static_cast<double>(body.inverseMass);
+        const DVec2 pull = toDouble(accelerationOf(world, body));
+        const double after = squared(toDouble(state.velocity));  // squares of slow speeds underflow in `Real`
+        entry.kinetic = half * after;
+        entry.gained = half * (after - squared(toDouble(before.velocity)));
+        entry.work = 2 * half * dot(pull, toDouble(state.deltaPosition));
+        entry.fall = half * dot(pull, pull) * squared(static_cast<double>(time));
+    }
+    if (body.inverseInertia > 0) {
+        const double half = 0.5 / static_cast<double>(body.inverseInertia);
+        const double after = squared(static_cast<double>(state.angularVelocity));
+        entry.turningKinetic = half * after;
+        entry.turningGained = half * (after - squared(static_cast<double>(before.angularVelocity)));
+        entry.turningWork = static_cast<double>(body.torque) * static_cast<double>(state.deltaAngle);
+    }
+    return entry;
+}
+
+void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const EnergyEntry& entry) {
     const std::uint32_t root = world.islands.find(slot);
     EnergyAccount& account = world.energyAccounts[root];
     if (account.solve != desk.energySolve) {
         account = {.solve = desk.energySolve};
         desk.energyRoots.push_back(root);
     }
-    const Body& body = world.bodies[slot];
-    const BodyMotion& before = world.motions[slot];
-    if (body.inverseMass > 0) {
-        const double half = 0.5 / static_cast<double>(body.inverseMass);
-        const DVec2 pull = toDouble(accelerationOf(world, body));
-        const double after = squared(toDouble(state.velocity));  // squares of slow speeds underflow in `Real`
-        account.kinetic += half * after;
-        account.gained += half * (after - squared(toDouble(before.velocity)));
-        account.work += 2 * half * dot(pull, toDouble(state.deltaPosition));
-        account.fall += half * dot(pull, pull) * squared(static_cast<double>(time));
-    }
-    if (body.inverseInertia > 0) {
-        const double half = 0.5 / static_cast<double>(body.inverseInertia);
-        const double after = squared(static_cast<double>(state.angularVelocity));
-        account.kinetic += half * after;
-        account.gained += half * (after - squared(static_cast<double>(before.angularVelocity)));
-        account.work += static_cast<double>(body.torque) * static_cast<double>(state.deltaAngle);
-    }
+    account.kinetic += entry.kinetic;
+    account.gained += entry.gained;
+    account.work += entry.work;
+    account.fall += entry.fall;
+    account.kinetic += entry.turningKinetic;
+    account.gained += entry.turningGained;
+    account.work += entry.turningWork;
 }
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {

@@ -13,9 +13,11 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Begins a solve. @return whether it is watched at all: what is settled is not
 bool openAccounts(WorldState& world, const TiedGroup& group);
-/// Books a member of the group, before its motion is overwritten with what the solver made of it.
+/// Of a member of the group, before its motion is overwritten with what the solver made of it.
 /// @param time  that was solved for, s
-void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const BodyState& state, Real time);
+EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState& state, Real time);
+/// Books it. Sums depend on their order: one member after the other.
+void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const EnergyEntry& entry);
 /// Takes back what islands gained. @pre all members were booked, and have their new motions
 void settleAccounts(WorldState& world, const TiedGroup& group);
 

@@ -27,8 +27,11 @@ struct alignas(kCacheLine) SolveDesk {
     TaskSystem* loops = nullptr;  ///< where its parallel loops run
     SolverBatch batch;
     Solver solver;
+    std::vector<std::uint8_t> takesPart;      ///< in the present solve: by place among the bodies of the group
+    std::vector<std::uint32_t> bodies;        ///< slots in the world of what does, by slot of the solve less one
     std::vector<Vec2> localCenters;           ///< of the bodies of the present solve, by their slot there
     std::vector<ContactHit> hits;             ///< of the present solve
+    std::vector<EnergyEntry> energyEntries;   ///< likewise, by place in `bodies`
     std::vector<std::uint32_t> energyRoots;   ///< likewise
     std::vector<IslandMotion> islandMotions;  ///< likewise
     std::uint64_t energySolve = 0;            ///< its number

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <utility>
 
 #include "energy_guard.h"
 #include "joint_builder.h"
@@ -36,6 +35,7 @@ constexpr std::size_t kMostAlone = 24;
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
+constexpr std::size_t kAddGrain = 128;
 constexpr std::size_t kReadGrain = 128;
 
 /// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its
@@ -76,27 +76,58 @@ void setDrive(BodyDrive& drive, const WorldState& world, const Body& body, Real 
     drive.angularDecay = static_cast<Real>(angular.decay);
 }
 
-/// Slots for all that is solved, and for the kinematic bodies it may meet. Free bodies were moved already: a kinematic
-/// one takes part with its velocity and its pose at the start of the step. Made in place: what is written down in
-/// pieces and copied as a whole has to wait for the pieces, which took half of the time here.
-void addBodies(WorldState& world, const TiedGroup& group, Real h) {
-    SolverBatch& batch = group.desk.batch;
-    std::vector<Vec2>& localCenters = group.desk.localCenters;
-    localCenters.assign(1, {});
-    for (const std::uint32_t slot : group.bodies) {
-        const Body& body = world.bodies[slot];
-        if (!isMember(body, group) && body.def.type != BodyType::kinematic) { continue; }
-        const BodyMotion& motion = world.motions[slot];
-        world.solverSlots[slot] = static_cast<BodySlot>(batch.states.size());
-        localCenters.push_back(body.localCenter);
-        BodyState& state = batch.states.emplace_back();
-        state.velocity = motion.velocity;
-        state.angularVelocity = motion.angularVelocity;
-        BodyInertia& inertia = batch.inertias.emplace_back();
-        inertia.inverseMass = body.inverseMass;
-        inertia.inverseInertia = body.inverseInertia;
-        setDrive(batch.drives.emplace_back(), world, body, h);
+/// Those of the group that are solved, and the kinematic bodies that they may meet, in order. Each is looked at by any
+/// worker, which is what it costs: bodies are large.
+void listTaking(WorldState& world, const TiedGroup& group) {
+    SolveDesk& desk = group.desk;
+    desk.takesPart.resize(group.bodies.size());
+    desk.loops->run(group.bodies.size(), kAddGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Body& body = world.bodies[group.bodies[i]];
+            desk.takesPart[i] = isMember(body, group) || body.def.type == BodyType::kinematic ? 1 : 0;
+        }
+    });
+    desk.bodies.resize(group.bodies.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+        desk.bodies[count] = group.bodies[i];
+        count += desk.takesPart[i];
     }
+    desk.bodies.resize(count);
+}
+
+/// Made in place: what is written down in pieces and copied as a whole has to wait for the pieces, which took half of
+/// the time here.
+void setBody(WorldState& world, SolveDesk& desk, BodySlot place, std::uint32_t slot, Real h) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    world.solverSlots[slot] = place;
+    desk.localCenters[place] = body.localCenter;
+    BodyState& state = desk.batch.states[place];
+    state.velocity = motion.velocity;
+    state.angularVelocity = motion.angularVelocity;
+    BodyInertia& inertia = desk.batch.inertias[place];
+    inertia.inverseMass = body.inverseMass;
+    inertia.inverseInertia = body.inverseInertia;
+    setDrive(desk.batch.drives[place], world, body, h);
+}
+
+/// Slots for all that takes part. Free bodies were moved already: a kinematic one takes part with its velocity and its
+/// pose at the start of the step. @pre the batch holds the fixed world alone
+void addBodies(WorldState& world, const TiedGroup& group, Real h) {
+    SolveDesk& desk = group.desk;
+    listTaking(world, group);
+    const std::size_t slots = desk.bodies.size() + 1;
+    desk.batch.states.resize(slots);
+    desk.batch.inertias.resize(slots);
+    desk.batch.drives.resize(slots);
+    desk.localCenters.assign(1, {});
+    desk.localCenters.resize(slots);
+    desk.loops->run(desk.bodies.size(), kAddGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            setBody(world, desk, static_cast<BodySlot>(i + 1), desk.bodies[i], h);
+        }
+    });
 }
 
 /// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else
@@ -125,12 +156,9 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     return report;
 }
 
-/// Slots end here: no other solve must take them for its own. @return whether the body was flung
-bool readBody(WorldState& world, const SolverBatch& batch, std::uint32_t slot) {
-    const BodySlot place = std::exchange(world.solverSlots[slot], kFixedSlot);
-    if (!isMovable(batch.inertias[place])) { return false; }
+/// @return whether the body was flung
+bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
     Body& body = world.bodies[slot];
-    const BodyState& state = batch.states[place];
     BodyMotion& motion = world.motions[slot];
     const bool flung = isFlung(body, state);
     if (flung) { body.flung = true; }
@@ -142,25 +170,36 @@ bool readBody(WorldState& world, const SolverBatch& batch, std::uint32_t slot) {
     return flung;
 }
 
-void bookBodies(WorldState& world, const TiedGroup& group, Real time) {
-    const SolverBatch& batch = group.desk.batch;
-    for (const std::uint32_t slot : group.bodies) {
-        const BodySlot place = world.solverSlots[slot];
-        if (isMovable(batch.inertias[place])) { book(world, group.desk, slot, batch.states[place], time); }
+/// Of a range of those that took part. Their slots end here: no other solve must take them for its own.
+/// @return whether some body was flung
+bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
+    bool any = false;
+    for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t slot = desk.bodies[i];
+        const BodyState& state = desk.batch.states[i + 1];
+        world.solverSlots[slot] = kFixedSlot;
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        if (isWatched) { desk.energyEntries[i] = entryOf(world, slot, state, time); }
+        any = readBody(world, slot, state) || any;
     }
+    return any;
 }
 
+/// What each body did is found by any worker, and added up in order.
 void readBodies(WorldState& world, const TiedGroup& group, Real time) {
+    SolveDesk& desk = group.desk;
     const bool isWatched = openAccounts(world, group);
-    if (isWatched) { bookBodies(world, group, time); }
+    if (isWatched) { desk.energyEntries.resize(desk.bodies.size()); }
     std::atomic<bool> anyFlung = false;
-    group.desk.loops->run(group.bodies.size(), kReadGrain, [&](std::size_t begin, std::size_t end, int) {
-        bool any = false;
-        for (std::size_t i = begin; i < end; ++i) { any = readBody(world, group.desk.batch, group.bodies[i]) || any; }
-        if (any) { anyFlung.store(true, std::memory_order_relaxed); }
+    desk.loops->run(desk.bodies.size(), kReadGrain, [&](std::size_t begin, std::size_t end, int) {
+        if (readSome(world, desk, isWatched, time, begin, end)) { anyFlung.store(true, std::memory_order_relaxed); }
     });
-    group.desk.anyFlung = group.desk.anyFlung || anyFlung;
-    if (isWatched) { settleAccounts(world, group); }
+    desk.anyFlung = desk.anyFlung || anyFlung;
+    if (!isWatched) { return; }
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (isMovable(desk.batch.inertias[i + 1])) { book(world, desk, desk.bodies[i], desk.energyEntries[i]); }
+    }
+    settleAccounts(world, group);
 }
 
 void rememberSearch(WorldState& world, const TiedGroup& group, int rounds, bool isSolved) {
