@@ -72,6 +72,15 @@ struct ContactPair {
     ProxyId proxyB{};
 };
 
+/// A new pair of boxes, as far as it does not depend on the other ones.
+struct NewPair : ContactPair {
+    std::uint32_t shapeA = 0;  ///< slots
+    std::uint32_t shapeB = 0;
+    bool mayTouch = false;
+    bool mayWait = false;  ///< until it is near
+    bool isKnown = false;  ///< one of the bodies is awake, and wakes what it touches
+};
+
 /// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
 /// Probes stand in the order in which their pairs came near; contacts stay where they are while a step goes on.
 struct ContactProbe : ContactPair {

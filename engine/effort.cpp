@@ -52,40 +52,61 @@ constexpr Effort kCrowd{.doublings = -1, .isCrowd = true};
 /// 1000 : 1; with 32 that, too, tore when it swung for ten seconds.
 constexpr Real kWhipRatio = 128;
 
-void addBody(IslandLoad& load, const Body& body, const BodyMotion& motion, DVec2 up, Real gravity) {
-    const double height = dot(up, motion.center);
-    const auto mass = static_cast<Real>(body.mass);
-    if (load.bodies++ == 0) {
-        load.lightest = load.heaviest = mass;
-        load.thinnest = body.extent;
-        load.lowest = load.highest = height;
-    }
+BodyLoad loadOf(const Body& body, const BodyMotion& motion, DVec2 up, Real gravity) {
     const Real speedSquared = lengthSquared(motion.velocity);
-    load.fastest = std::max(load.fastest, speedSquared);
-    load.moving += speedSquared > kMovingRatioOfFall * gravity * body.extent ? 1 : 0;
-    load.debt = std::max<std::uint32_t>(load.debt, body.searchDebt);
-    // The effort is still that of the last step.
     const bool isStill = speedSquared == 0 && motion.angularVelocity == 0;
-    load.staysPut = load.staysPut && (isStill || body.effort.direct == DirectScope::all);
-    if (body.holdingJoints == 0) {
-        load.heaviestLoose = std::max(load.heaviestLoose, mass);
-    } else {
-        load.lightestJointed = load.lightestJointed > 0 ? std::min(load.lightestJointed, mass) : mass;
-    }
-    load.lightest = std::min(load.lightest, mass);
-    load.heaviest = std::max(load.heaviest, mass);
-    load.thinnest = std::min(load.thinnest, body.extent);
-    load.lowest = std::min(load.lowest, height);
-    load.highest = std::max(load.highest, height);
+    return {.height = dot(up, motion.center),
+            .mass = static_cast<Real>(body.mass),
+            .extent = body.extent,
+            .speedSquared = speedSquared,
+            .debt = body.searchDebt,
+            .isMoving = speedSquared > kMovingRatioOfFall * gravity * body.extent,
+            // The effort is still that of the last step.
+            .staysPut = isStill || body.effort.direct == DirectScope::all,
+            .isJointed = body.holdingJoints > 0};
 }
 
+void addBody(IslandLoad& load, const BodyLoad& body) {
+    if (load.bodies++ == 0) {
+        load.lightest = load.heaviest = body.mass;
+        load.thinnest = body.extent;
+        load.lowest = load.highest = body.height;
+    }
+    load.fastest = std::max(load.fastest, body.speedSquared);
+    load.moving += body.isMoving ? 1 : 0;
+    load.debt = std::max<std::uint32_t>(load.debt, body.debt);
+    load.staysPut = load.staysPut && body.staysPut;
+    if (!body.isJointed) {
+        load.heaviestLoose = std::max(load.heaviestLoose, body.mass);
+    } else {
+        load.lightestJointed = load.lightestJointed > 0 ? std::min(load.lightestJointed, body.mass) : body.mass;
+    }
+    load.lightest = std::min(load.lightest, body.mass);
+    load.heaviest = std::max(load.heaviest, body.mass);
+    load.thinnest = std::min(load.thinnest, body.extent);
+    load.lowest = std::min(load.lowest, body.height);
+    load.highest = std::max(load.highest, body.height);
+}
+
+/// Bodies per block of a parallel loop.
+constexpr std::size_t kLoadGrain = 128;
+
+/// What is to be fetched of the bodies is found by any worker; added up it is from a short record of each.
 void addBodies(WorldState& world) {
     const auto gravity = static_cast<double>(length(world.settings.gravity));
     const DVec2 up = gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
-    for (const std::uint32_t slot : world.tied) {
-        Body& body = world.bodies[slot];
-        if (body.searchDebt > 0) { --body.searchDebt; }
-        addBody(world.islandLoads[world.islands.find(slot)], body, world.motions[slot], up, static_cast<Real>(gravity));
+    world.bodyLoads.resize(world.tied.size());
+    world.loops->run(world.tied.size(), kLoadGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t slot = world.tied[i];
+            Body& body = world.bodies[slot];
+            if (body.searchDebt > 0) { --body.searchDebt; }
+            world.bodyLoads[i] = loadOf(body, world.motions[slot], up, static_cast<Real>(gravity));
+            world.islandLoads[slot] = {};
+        }
+    });
+    for (std::size_t i = 0; i < world.tied.size(); ++i) {
+        addBody(world.islandLoads[world.islands.find(world.tied[i])], world.bodyLoads[i]);
     }
 }
 
@@ -236,7 +257,6 @@ void assignByLoad(WorldState& world, double dt) {
     const bool fast = world.settings.profile == Profile::fast;
     std::vector<IslandLoad>& loads = world.islandLoads;
     loads.resize(std::max<std::size_t>(loads.size(), world.bodies.slotCount()));
-    for (const std::uint32_t slot : world.tied) { loads[slot] = {}; }
     addBodies(world);
     addContacts(world);
     if (!world.activeJoints.empty()) { addJoints(world); }
@@ -267,9 +287,12 @@ void assignEfforts(WorldState& world, double dt) {
         return;
     }
     if (!budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
-    for (const std::uint32_t slot : world.tied) {
-        world.bodies[slot].effort = world.islandLoads[world.islands.find(slot)].effort;
-    }
+    world.loops->run(world.tied.size(), kLoadGrain, [&world](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t slot = world.tied[i];
+            world.bodies[slot].effort = world.islandLoads[world.islands.rootOf(slot)].effort;
+        }
+    });
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -60,6 +60,18 @@ struct IslandLoad {
     Effort effort{};
 };
 
+/// What a body adds to the load of its island.
+struct BodyLoad {
+    double height = 0;      ///< centre of mass against gravity, metres
+    Real mass = 0;          ///< kg
+    Real extent = 0;        ///< metres
+    Real speedSquared = 0;  ///< m²/s²
+    std::uint16_t debt = 0;
+    bool isMoving = false;
+    bool staysPut = false;
+    bool isJointed = false;
+};
+
 /// Contacts that close loops are solved all at once in islands of so many bodies, as long as they are at rest. Larger
 /// ones, up to `kMostWebBodies`, have to begin at rest, or to have been solved so in the step before, and remember what
 /// that cost: a search for what presses and sticks that does not end must not stop the world.

@@ -97,19 +97,53 @@ void dropPairs(WorldState& world, std::span<const ContactPair> pairs) {
 
 namespace {
 
-void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    const std::size_t place = world.activeContacts++;  // a parked one makes room
-    world.probes.emplace_back();
-    if (place + 1 < world.probes.size()) { world.probes.back() = world.probes[place]; }
-    ContactProbe& probe = world.probes[place] = {};
-    probe.contact = static_cast<std::uint32_t>(world.contacts.size());
-    const Contact& contact = world.contacts.emplace_back(contactOf(world, a, b));
+/// Makes room for contacts, which come last. @return place of the first of their probes
+std::size_t makeRoomForContacts(WorldState& world, std::size_t count) {
+    const std::size_t first = world.activeContacts;
+    for (std::size_t place = first; place < first + count; ++place) {
+        world.probes.emplace_back();
+        if (place + 1 < world.probes.size()) { world.probes.back() = world.probes[place]; }  // a parked one makes room
+        world.probes[place] = {};
+    }
+    world.activeContacts += count;
+    world.contacts.resize(world.contacts.size() + count);
+    return first;
+}
+
+void fillContact(WorldState& world, ContactProbe& probe, std::size_t place, std::uint32_t a, std::uint32_t b) {
+    probe.contact = static_cast<std::uint32_t>(place);
+    const Contact& contact = world.contacts[place] = contactOf(world, a, b);
     probe.bodyA = contact.bodyA;
     probe.bodyB = contact.bodyB;
     probe.proxyA = world.shapes[contact.shapeA].proxy;
     probe.proxyB = world.shapes[contact.shapeB].proxy;
     probe.isPlain = contact.dynamicA && contact.dynamicB && !contact.sensor;
     probe.bounces = contact.restitution > 0;
+}
+
+void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    const std::size_t place = world.contacts.size();
+    ContactProbe& probe = world.probes[makeRoomForContacts(world, 1)];
+    fillContact(world, probe, place, a, b);
+}
+
+std::uint32_t shapeOf(const WorldState& world, ProxyId proxy) {
+    return world.proxyShapes[static_cast<std::size_t>(proxy)];
+}
+
+/// Contacts per block of a parallel loop: each asks for two shapes and two bodies all over memory.
+constexpr std::size_t kMakeGrain = 16;
+
+/// In the order of the pairs.
+void makeContacts(WorldState& world, std::span<const ContactPair> pairs) {
+    const std::size_t place = world.contacts.size();
+    const std::size_t first = makeRoomForContacts(world, pairs.size());
+    world.loops->run(pairs.size(), kMakeGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            fillContact(world, world.probes[first + i], place + i, shapeOf(world, pairs[i].proxyA),
+                        shapeOf(world, pairs[i].proxyB));
+        }
+    });
 }
 
 /// Nobody asks about such a pair before it is near: what kinematic bodies may meet is looked for farther away, and
@@ -135,38 +169,63 @@ void releaseWhatIsMet(WorldState& world, std::uint32_t a, std::uint32_t b) {
     }
 }
 
-/// @return false when the two may not touch, or are known already
-bool addPair(WorldState& world, std::uint32_t a, std::uint32_t b, bool isNear) {
+NewPair newPairOf(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Shape& first = world.shapes[a];
     const Shape& second = world.shapes[b];
-    if (!mayTouch(world, first, second) || !world.pairs.insert(a, b)) { return false; }
-    releaseWhatIsMet(world, first.body, second.body);
-    if (!isNear && mayWait(world, first, second)) {
-        world.candidates.push_back({first.body, second.body, first.proxy, second.proxy});
+    NewPair pair;
+    pair.shapeA = a;
+    pair.shapeB = b;
+    pair.bodyA = first.body;
+    pair.bodyB = second.body;
+    pair.proxyA = first.proxy;
+    pair.proxyB = second.proxy;
+    pair.mayTouch = mayTouch(world, first, second);
+    if (!pair.mayTouch) { return pair; }
+    pair.mayWait = mayWait(world, first, second);
+    pair.isKnown = makesItselfKnown(world, first.body) || makesItselfKnown(world, second.body);
+    return pair;
+}
+
+/// @return false when the two may not touch, or have a contact already
+bool addPair(WorldState& world, const NewPair& pair, bool isNear) {
+    if (!pair.mayTouch || !world.pairs.insert(pair.shapeA, pair.shapeB)) { return false; }
+    if (!pair.isKnown) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
+    if (!isNear && pair.mayWait) {
+        world.candidates.push_back(pair);
     } else {
-        makeContact(world, a, b);
+        makeContact(world, pair.shapeA, pair.shapeB);
     }
     ++world.counters.pairsFound;
     return true;
 }
 
+/// New pairs per block of a parallel loop, likewise.
+constexpr std::size_t kNewPairGrain = 32;
+
 }  // namespace
 
-bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) { return addPair(world, a, b, true); }
+bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    return addPair(world, newPairOf(world, a, b), true);
+}
 
 void findPairs(WorldState& world) {
     const std::uint64_t testsBefore = world.broadphase->counters().boxTests;
     world.broadphase->pairs(world.newPairs, *world.loops);
     world.counters.boxTests = world.broadphase->counters().boxTests - testsBefore;
-    for (std::size_t i = 0; i < world.newPairs.size(); ++i) {
-        if (i + kLookedUpAhead < world.newPairs.size()) {
-            const ProxyPair& coming = world.newPairs[i + kLookedUpAhead];
-            world.pairs.fetch(world.proxyShapes[static_cast<std::uint32_t>(coming.a)],
-                              world.proxyShapes[static_cast<std::uint32_t>(coming.b)]);
+    std::vector<NewPair>& found = world.newPairKinds;
+    found.resize(world.newPairs.size());
+    world.loops->run(found.size(), kNewPairGrain, [&world, &found](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const ProxyPair& pair = world.newPairs[i];
+            found[i] = newPairOf(world, shapeOf(world, pair.a), shapeOf(world, pair.b));
         }
-        const ProxyPair& pair = world.newPairs[i];
-        addPair(world, world.proxyShapes[static_cast<std::uint32_t>(pair.a)],
-                world.proxyShapes[static_cast<std::uint32_t>(pair.b)], false);
+    });
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i + kLookedUpAhead < found.size()) {
+            const NewPair& coming = found[i + kLookedUpAhead];
+            world.pairs.fetch(coming.shapeA, coming.shapeB);
+        }
+        addPair(world, found[i], false);
     }
 }
 
@@ -201,6 +260,7 @@ std::size_t nextThatLeaves(std::span<const CandidateFate> fates, std::size_t fro
 void promoteCandidates(WorldState& world) {
     const std::span<const Aabb> boxes = world.broadphase->boxes();
     world.droppedPairs.clear();
+    world.promoted.clear();
     world.candidateFates.resize(world.candidates.size());
     world.loops->run(world.candidates.size(), kCandidateGrain, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -215,8 +275,7 @@ void promoteCandidates(WorldState& world) {
         if (world.candidateFates[leaves] == CandidateFate::goes) {
             world.droppedPairs.push_back(pair);
         } else {
-            makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
-                        world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
+            world.promoted.push_back(pair);
         }
         const std::size_t next = nextThatLeaves(world.candidateFates, leaves + 1);
         std::copy(&candidates[leaves] + 1, candidates.data() + next, candidates.data() + kept);
@@ -224,6 +283,7 @@ void promoteCandidates(WorldState& world) {
         leaves = next;
     }
     world.candidates.resize(kept);
+    makeContacts(world, world.promoted);
     dropPairs(world, world.droppedPairs);
 }
 
@@ -231,8 +291,7 @@ void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)
     std::size_t kept = 0;
     for (const ContactPair& pair : world.candidates) {
         if (isMeant(pair)) {
-            makeContact(world, world.proxyShapes[static_cast<std::size_t>(pair.proxyA)],
-                        world.proxyShapes[static_cast<std::size_t>(pair.proxyB)]);
+            makeContact(world, shapeOf(world, pair.proxyA), shapeOf(world, pair.proxyB));
         } else {
             world.candidates[kept++] = pair;
         }

@@ -136,6 +136,7 @@ struct WorldState {
     std::unique_ptr<Broadphase> broadphase = makeBroadphase(BroadphaseKind::automatic);
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
     std::vector<ProxyPair> newPairs;
+    std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
 
     std::vector<Contact> contacts;           ///< in the order in which they began, with gaps where some ended
     std::vector<ContactProbe> probes;        ///< one for each contact, by which it is reached
@@ -144,6 +145,7 @@ struct WorldState {
     ParkedContacts parked;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
     std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
+    std::vector<ContactPair> promoted;              ///< scratch: candidates that become contacts
     ContactLists lists;                             ///< of this step
     std::vector<BodyGlance> glances;                ///< by body slot
     std::vector<BodyTravel> travels;                ///< by body slot
@@ -167,6 +169,7 @@ struct WorldState {
     std::atomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
     std::vector<Effort> efforts;                  ///< classes of the present step
     std::vector<IslandLoad> islandLoads;          ///< by root, of this step
+    std::vector<BodyLoad> bodyLoads;              ///< by place in `tied`, likewise
     JointChains jointChains;
     std::vector<std::uint8_t> islandHangs;  ///< by root: nothing in it moves (settled.cpp)
     std::vector<Pull> islandPulls;          ///< by slot: what is left of pulls and impulses of a step

@@ -23,6 +23,12 @@ public:
         return member;
     }
 
+    /// The same without halving any path: several threads may ask at the same time.
+    std::uint32_t rootOf(std::uint32_t member) const {
+        while (parents_[member] != member) { member = parents_[member]; }
+        return member;
+    }
+
     void unite(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t rootA = find(a);
         const std::uint32_t rootB = find(b);

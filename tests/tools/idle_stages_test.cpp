@@ -65,7 +65,7 @@ std::vector<Stage> stages() {
 /// without joints: calls of what is solved anyway.
 const std::regex kFindsOut(
     "roleOf|isFlyer|assignRoles|noteContact|resetBody|begin|finish|colourContacts|assignEfforts|addContactsAndJoints|"
-    "isTree|isCrowd|addBody|effortFor|solveTiedBodies|listCandidates");
+    "isTree|isCrowd|loadOf|addBody|effortFor|solveTiedBodies|listCandidates");
 const std::regex kCalls("void |counters|solveGroup\\(|solver\\.solve\\(|clearAllButJoints|kJoints[>,]");
 
 struct SourceLine {
