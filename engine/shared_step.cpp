@@ -3,26 +3,32 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Seconds each, on a machine of 2020, rounded down (`swept bench threads`): a step is handed over when that pays, not
-/// sooner.
-constexpr double kPerAwakeBody = 2e-7;
-constexpr double kPerManifold = 1.5e-7;
-constexpr double kPerConstraint = 1.5e-7;
-constexpr double kPerBodySubStep = 3e-8;
+/// Seconds each, on a machine of 2020, rounded down: what of a step stands in shared loops (`swept bench threads`,
+/// on one thread). What one worker must do alone gains nothing, however long it takes: of a heap of 500 bodies that was
+/// three fifths of the step, of 2000 bodies in flight a fifth, in twice the time for all.
+constexpr double kPerAwakeBody = 1.4e-7;
+constexpr double kPerFlyer = 1e-7;  // more than others
+constexpr double kPerManifold = 1e-7;
 constexpr double kPerToiCall = 5e-7;
 constexpr double kPerSolve = 2e-6;
-/// So many times as long as starting it takes is what a step must last on one thread.
-constexpr double kWorthStarting = 6;
+/// Of solves whose colours are shared.
+constexpr double kPerConstraint = 1.5e-7;
+constexpr double kPerBodySubStep = 3e-8;
+/// So many constraints of a colour (`Solver`), in the mean.
+constexpr std::uint64_t kFewestPerColour = 384;
+/// So many times as long as starting it takes is what others may take part in. Two threads save half of that at most.
+constexpr double kWorthStarting = 3;
 
 }  // namespace
 
 double workOf(const StepCounters& counters) {
+    const bool areColoursShared = counters.constraints >= kFewestPerColour * counters.colours;
+    const double ofSolves = kPerConstraint * static_cast<double>(counters.constraints) +
+                            kPerBodySubStep * static_cast<double>(counters.bodySubSteps);
     return kPerAwakeBody * static_cast<double>(counters.awakeBodies - counters.settledBodies) +
-           kPerManifold * static_cast<double>(counters.manifolds) +
-           kPerConstraint * static_cast<double>(counters.constraints) +
-           kPerBodySubStep * static_cast<double>(counters.bodySubSteps) +
+           kPerFlyer * static_cast<double>(counters.flyers) + kPerManifold * static_cast<double>(counters.manifolds) +
            kPerToiCall * static_cast<double>(counters.toiCalls) +
-           kPerSolve * static_cast<double>(counters.effortClasses);
+           kPerSolve * static_cast<double>(counters.effortClasses) + (areColoursShared ? ofSolves : 0);
 }
 
 void shareStep(WorldState& world, double work, FunctionRef<void()> pipeline) {
