@@ -16,9 +16,13 @@ struct WorldState;
 /// within the same step, and so on through the heap: without contacts each goes into the one before it by all of its
 /// way in a step. So what passes by within `kHemRatio` of the extent is held apart as soon as anything in the group
 /// that hangs together by such pairs has a contact in this step. What falls freely pays for the list alone.
+///
+/// Most of these pairs are told from bounds of their distance, and other bounds from what was found by other ways (in a
+/// batch, one by one) tell others. So bounds only say which groups may be struck, and what may be in them: the
+/// manifolds of those say what is, whatever the bounds were.
 struct HemmedPairs {
     std::vector<TouchingPair> passing;   ///< of this step: have points, and pass each other
-    std::vector<std::uint32_t> stopped;  ///< scratch: places of probes
+    std::vector<std::uint32_t> unasked;  ///< scratch: places of probes that are told to pass each other from bounds
     IslandFinder groups;                 ///< scratch: bodies that contacts or passing pairs tie together
     std::vector<std::uint8_t> isStruck;  ///< scratch, by root: something in the group has a contact
 };

@@ -126,8 +126,7 @@ public:
         notePassing(probe, contact);
     }
 
-    /// What is left in batches. (Even where that is one pair: by itself it is found to be apart by another bound, which
-    /// tells whether it passes, and how many are left depends on how the work was shared.)
+    /// What is left in batches.
     void finish() {
         for (ContactBatch& batch : batches_) { renew(batch); }
     }
@@ -153,7 +152,7 @@ private:
     void notePassing(ContactProbe& probe, const Contact& contact) const {
         if (kWatched || probe.points > 0 || asked_ == NearestPoints::all || !mayPass(probe, contact)) { return; }
         const BodyGlances bodies{world_.glances[probe.bodyA], world_.glances[probe.bodyB]};
-        if (bodies.stateOfIdle(probe, static_cast<Real>(world_.lastDt)) != ContactState::passing) { return; }
+        if (!bodies.mayBeHemmed(probe)) { return; }
         probe.state = ContactState::passing;
         probe.isIdle = true;
     }
@@ -322,13 +321,16 @@ void listUnparked(WorldState& world) {
 
 void collideHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
     updateContacts<false>(world, probes, NearestPoints::all);
+    world.counters.manifolds += probes.size();
+}
+
+void listHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
     const std::size_t before = world.touching.size();
     for (const std::uint32_t place : probes) {
         ContactProbe& probe = world.probes[place];
         probe.state = ContactState::near;
         isTold(probe) ? listTold(world, probe) : listOther(world, probe);
     }
-    world.counters.manifolds += probes.size();
     world.counters.touching += world.touching.size() - before;
 }
 

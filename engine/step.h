@@ -22,8 +22,10 @@ bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
 /// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is
 /// touched (stage_collide.cpp).
 void collideContacts(WorldState& world);
-/// Of probes that were told to pass each other: their manifolds, and what has points becomes part of what touches.
+/// Of probes that were told to pass each other: their manifolds, with whatever points are within reach; and, of those
+/// that hold all the same, that they are part of what touches.
 void collideHemmed(WorldState& world, std::span<const std::uint32_t> probes);
+void listHemmed(WorldState& world, std::span<const std::uint32_t> probes);
 /// Of what a later stage woke: its contacts are listed, too.
 void listUnparked(WorldState& world);
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
@@ -35,8 +37,8 @@ void assignEfforts(WorldState& world, double dt);
 /// Free flight, and the sub-stepped solve of all that is tied together (stage_solve.cpp).
 void moveFreeBodies(WorldState& world, double dt);
 void solveTiedBodies(WorldState& world, double dt);
-/// Islands with something fast (stage_islands.cpp): what bounces in flight, and what the coming solve is a first try of;
-/// after that solve the others, from impact to impact.
+/// Islands with something fast (stage_islands.cpp): what bounces in flight, and what the coming solve is a first try
+/// of; after that solve the others, from impact to impact.
 void beginFastIslands(WorldState& world, double dt);
 void advanceFastIslands(WorldState& world, double dt);
 /// After the sweeps, which see kinematic bodies at the start of their step.

@@ -27,6 +27,8 @@ struct BodyGlances {
     const BodyGlance& a;
     const BodyGlance& b;
 
+    /// Whether they may pass each other: both are awake, and one of them is fast. @pre both are dynamic
+    bool canPass() const { return (a.isFast || b.isFast) && a.isAwake() && b.isAwake(); }
     /// Whether they are too far from each other for any contact point, whatever was rounded.
     bool areFar() const {
         const DVec2 offset = b.center - a.center;
@@ -35,8 +37,19 @@ struct BodyGlances {
     }
     /// Whether the shapes of a contact without points are known to be so far from each other that they have none in
     /// this step either (`apart`), or only such as are dropped unless something stops the bodies, which pass each other
-    /// (`passing`; `apart` where that is too far away to matter); else `near`.
+    /// (`passing`; `apart` where that is too far away to matter); else `near`. That is told from bounds, which depend
+    /// on when and how the shapes were looked at last: so no result may follow from it but that what is `apart` has no
+    /// points within the reach of a hem, and what is `passing` none unless it is hemmed in (hemmed_pairs.h).
     ContactState stateOfIdle(const ContactProbe& probe, Real dt) const;
+    /// Of a pair that was looked at, and has no points unless it is hemmed in: whether it may be.
+    /// @pre both are dynamic
+    bool mayBeHemmed(const ContactProbe& probe) const;
+    /// How far apart the shapes are, no less, as far as the probe and the motion since tell; metres, may be negative.
+    double gapOf(const ContactProbe& probe) const { return probe.apartUntil - movedSince(probe); }
+    /// Whether shapes that far apart have no contact points in this step.
+    bool areBeyondReach(double gap) const { return static_cast<double>(a.ahead) + static_cast<double>(b.ahead) < gap; }
+    /// @pre both are dynamic
+    bool areBeyondHem(double gap) const { return static_cast<double>(kHemRatio * std::min(a.widest, b.widest)) < gap; }
     /// How far the bodies have moved, compared with `ContactProbe::apartUntil`: metres.
     double movedSince(const ContactProbe& probe) const;
     /// Dynamic bodies that are awake, one of them fast, pass each other where their shapes are farther apart than this,
@@ -47,7 +60,7 @@ struct BodyGlances {
 };
 
 /// Writes down in the probe how long the shapes of a contact stay so far apart that it has no points. Certain whatever
-/// was rounded: without it no contact point is another, but which pairs count as passing (`stateOfIdle`) depends on it.
+/// was rounded: without it no contact point is another.
 /// @param room  how far apart they are, no more, metres
 void rememberApart(const WorldState& world, ContactProbe& probe, Real room);
 
@@ -64,16 +77,21 @@ inline double BodyGlances::movedSince(const ContactProbe& probe) const {
 }
 
 inline ContactState BodyGlances::stateOfIdle(const ContactProbe& probe, Real dt) const {
-    const double gap = probe.apartUntil - movedSince(probe);  // at least; what was rounded is left out of it
-    if (static_cast<double>(a.ahead) + static_cast<double>(b.ahead) < gap) { return ContactState::apart; }
+    const double gap = gapOf(probe);
+    if (areBeyondReach(gap)) { return ContactState::apart; }
     if (!(probe.isPlain && static_cast<double>(passesBeyond(dt)) < gap)) { return ContactState::near; }
-    return static_cast<double>(kHemRatio * std::min(a.widest, b.widest)) < gap ? ContactState::apart
-                                                                               : ContactState::passing;
+    return areBeyondHem(gap) ? ContactState::apart : ContactState::passing;
+}
+
+inline bool BodyGlances::mayBeHemmed(const ContactProbe& probe) const {
+    if (!canPass()) { return false; }
+    const double gap = gapOf(probe);
+    return !areBeyondReach(gap) && !areBeyondHem(gap);
 }
 
 inline Real BodyGlances::passesBeyond(Real dt) const {
     constexpr Real kRounding = 1 + 32 * kEpsilon;
-    if (!(a.isFast || b.isFast) || a.motion < 0 || b.motion < 0) { return std::numeric_limits<Real>::infinity(); }
+    if (!canPass()) { return std::numeric_limits<Real>::infinity(); }
     const Real closing = (a.swing + b.swing) + length(b.velocity - a.velocity) + dt * length(b.pull - a.pull);
     // What is no farther apart than touching shapes may be does not pass.
     const Real least = kEndRatio * std::min(a.widest, b.widest);

@@ -9,12 +9,14 @@
 #include <swept/samples/builtin_scenes.h>
 #include <swept/samples/world_builder.h>
 
+#include "falling_heap.h"
 #include "world_digest.h"
 #include "world_support.h"
 
 /// The same bits as when they were last recorded, from every compiler, instruction set and machine: digests of the
-/// motion in all built-in scenes, whose numbers no mathematical library had a part in. Where motion was meant to
-/// change, run this program with SWEPT_RECORD=1 in the environment and say in the commit what changed and why.
+/// motion in all built-in scenes, and in heaps that fall, whose numbers no mathematical library had a part in. Where
+/// motion was meant to change, run this program with SWEPT_RECORD=1 in the environment and say in the commit what
+/// changed and why.
 
 namespace swept::test {
 namespace {
@@ -62,10 +64,17 @@ std::string digestOfRun(const SceneDescription& description) {
     return text.str();
 }
 
+std::vector<SceneDescription> recordedScenes() {
+    std::vector<SceneDescription> recorded;
+    for (const BuiltinScene& entry : builtinScenes()) { recorded.push_back(entry.make()); }
+    // The one of boxes, the other of everything.
+    for (const int seed : {4, 7}) { recorded.push_back(scenes::fallingHeap(seed)); }
+    return recorded;
+}
+
 Digests digestsNow() {
     Digests digests;
-    for (const BuiltinScene& entry : builtinScenes()) {
-        SceneDescription scene = entry.make();
+    for (SceneDescription& scene : recordedScenes()) {
         scene.settings.profile = SceneProfile::accurate;
         digests[scene.name + ",accurate"] = digestOfRun(scene);
         scene.settings.profile = SceneProfile::fast;
@@ -83,7 +92,7 @@ Digests digestsRecorded() {
     return digests;
 }
 
-TEST(Golden, BuiltinScenesMoveAsRecorded) {
+TEST(Golden, ScenesMoveAsRecorded) {
     const Digests now = digestsNow();
     if (std::getenv("SWEPT_RECORD") != nullptr) {
         std::ofstream out(kFile);

@@ -195,7 +195,7 @@ TEST(Parallel, AnyOrderOfTheSameWork) {
 }
 
 /// A block that flies at a floor, its bodies beside each other as fast as each other: what passes, and is hemmed in,
-/// depends on how far apart shapes are known to be, which must not depend on whether they were asked for together.
+/// was told from how far apart shapes were known to be, which depends on what they were asked for together with.
 World fallingBlock(std::uint64_t seed) {
     constexpr int kColumns = 14;
     constexpr int kRows = 10;
