@@ -3,7 +3,8 @@
 # address and undefined behaviour sanitizers the tests labelled quick; then with thread sanitizer those labelled parallel.
 #   tools/test.sh [--long] [--werror] [--no-sanitizers]
 # --long adds the tests labelled long, the layers' suites in f64 to the sanitizers,
-# a minute of each fuzzer (tests/fuzz), and the same bits on other machines (tools/portability.sh).
+# a minute of each fuzzer (tests/fuzz), the solver's suite built without optimisation (kernels for several instruction sets
+# once shared functions there, and crashed), and the same bits on other machines (tools/portability.sh).
 # --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -16,7 +17,7 @@ for argument in "$@"; do
         --long) long=yes ;;
         --werror) werror=ON ;;
         --no-sanitizers) sanitizers=no ;;
-        -h | --help) sed -n '2,7s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '2,8s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) fail "unknown argument $argument (see --help)" ;;
     esac
 done
@@ -99,6 +100,11 @@ if [ "$sanitizers" = yes ]; then
 fi
 
 if [ "$long" = yes ]; then
+    say "default compiler, not optimised: configuring and building the solver's suite (build/debug)"
+    configure debug -DSWEPT_BUILD_TESTS=ON -DSWEPT_WERROR="$werror"
+    build debug solver_tests_f32 solver_tests_f64
+    run_tests debug "default compiler, not optimised, tests of the solver" -R '^solver_tests_f(32|64)[.]'
+
     say "WebAssembly and 64-bit ARM: building, and running under Node.js and qemu"
     "$root/tools/portability.sh" >"$log_dir/portability.log" 2>&1 || failed=yes
     grep -v '^==>' "$log_dir/portability.log" >>"$summary" || true

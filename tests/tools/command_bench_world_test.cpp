@@ -1,32 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "csv_records.h"
 #include "run_program.h"
 #include "scratch_directory.h"
 
 namespace swept {
 namespace {
-
-/// Records of a CSV file without quoted fields.
-std::vector<std::vector<std::string>> recordsOf(const std::string& csv) {
-    std::vector<std::vector<std::string>> records;
-    std::istringstream lines(csv);
-    for (std::string line; std::getline(lines, line);) {
-        std::vector<std::string>& record = records.emplace_back();
-        std::istringstream fields(line);
-        for (std::string field; std::getline(fields, field, ',');) { record.push_back(field); }
-    }
-    return records;
-}
-
-double numberIn(const std::vector<std::vector<std::string>>& records, std::size_t record, const char* column) {
-    const auto found = std::find(records[0].begin(), records[0].end(), column);
-    return std::stod(records[record].at(static_cast<std::size_t>(found - records[0].begin())));
-}
 
 TEST(CommandBenchWorld, EveryEnginePlaysCratesAtRest) {
     const ScratchDirectory scratch;
