@@ -25,8 +25,10 @@ bool isAwake(const WorldState& world, std::uint32_t body) { return world.glances
 /// that is asked
 void noteMotions(WorldState& world, bool haveContacts) {
     world.loops->run(world.awake.size(), kBodyGrain, [&world, haveContacts](std::size_t begin, std::size_t end, int) {
+        const std::span<const std::uint32_t> awake = world.awake;
         for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t slot = world.awake[i];
+            fetchAhead(world, awake.subspan(i, end - i));
+            const std::uint32_t slot = awake[i];
             world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
             if (haveContacts) { noteMotion(world, slot); }
         }
