@@ -95,10 +95,14 @@ struct ContactProbe : ContactPair {
     bool isPlain : 1 =
         false;  ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
     bool wasKept : 1 = false;   ///< its manifold was, when it was near last: most likely it is again
-    bool areAwake : 1 = false;  ///< of state `near`: both bodies were, as the stage of contacts began
+    bool areUp : 1 = false;     ///< of state `near`: what of both is dynamic was awake, as the stage of contacts began;
+                                ///< not of sensors
     bool bounces : 1 = false;   ///< has restitution
     bool turns : 1 = false;     ///< of state `near`: touching begins or ends
     bool isOpen : 1 = false;    ///< of state `near`: `TouchingPair::isOpen`
+    bool isDeep : 1 = false;    ///< of state `near`: `TouchingPair::isDeep`
+    bool dynamicA : 1 = false;  ///< the body is
+    bool dynamicB : 1 = false;
 };
 static_assert(sizeof(ContactProbe) <= 48, "a step reads all of them");
 

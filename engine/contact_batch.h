@@ -34,9 +34,15 @@ public:
             const Entry& entry = entries_[i];
             Contact& contact = *entry.contact;
             const Transform bInA = pairs_.poseOf(i);
-            // As nearly always: written where it belongs, impulses stay where they are.
-            if (contact.dynamicA && pairs_.isPlain(i) && pairs_.hasPoints(i, contact.manifold)) {
-                pairs_.copyPoints(i, contact.manifold);
+            // Written where it belongs: a copy of what was just written has to wait for it.
+            if (contact.dynamicA && pairs_.isPlain(i)) {
+                if (pairs_.hasPoints(i, contact.manifold)) {  // as mostly: impulses stay where they are
+                    pairs_.copyPoints(i, contact.manifold);
+                } else {
+                    const OldPoints before = oldPointsOf(contact);
+                    pairs_.copyPoints(i, contact.manifold);
+                    carryImpulses(before, contact);
+                }
                 contact.memory.verdict = ManifoldMemory::Verdict::none;
                 keepManifold(contact, bInA);
             } else if (pairs_.isApart(i) && contact.manifold.count == 0) {
@@ -57,7 +63,7 @@ private:
         Contact* contact = nullptr;
     };
 
-    /// What has other points than before, or stands on ground.
+    /// What came apart, is beyond what batches are for, or stands on ground.
     void renewOther(const WorldState& world, std::size_t pair, Contact& contact, const Transform& bInA) const {
         Manifold closest;
         pairs_.takeManifold(pair, contact.memory, closest);

@@ -40,20 +40,28 @@ bool isNoted(const ContactProbe& probe, ContactState state) {
     return state == ContactState::asleep ? !probe.isIdle : state != ContactState::apart;
 }
 
-/// @param noted  room for all of the block
-/// @return how many are noted
+/// Lists the probes of a block at the place that the first of them would have if all were listed.
 template <bool kWatched>
-std::uint32_t listBlock(WorldState& world, const Question& question, std::size_t begin, std::size_t end,
-                        std::uint32_t* noted) {
-    std::uint32_t count = 0;
+ContactLists::Counts listBlock(WorldState& world, const Question& question, std::size_t begin, std::size_t end) {
+    ContactLists::Counts counts;
+    std::uint32_t* const noted = world.lists.noted.data() + begin;
+    std::uint32_t* const near = world.lists.near.data() + begin;
+    const std::span<ContactProbe> probes = world.probes;
     for (std::size_t i = begin; i < end; ++i) {
-        ContactProbe& probe = world.probes[i];
+        ContactProbe& probe = probes[i];
         const ContactState state = stateOf<kWatched>(world, question, probe);
         if (!isNoted(probe, state)) { continue; }
         if (probe.state != state) { probe.state = state; }  // else its cache line need not go back to memory
-        noted[count++] = static_cast<std::uint32_t>(i);
+        const auto place = static_cast<std::uint32_t>(i);
+        noted[counts.noted++] = place;
+        if (state == ContactState::near) {
+            near[counts.near++] = place;
+            if (!probe.isPlain) { world.lists.ground[begin + counts.ground++] = probe.contact; }
+        } else if (state == ContactState::boxesApart) {
+            world.lists.apart[begin + counts.apart++] = place;
+        }
     }
-    return count;
+    return counts;
 }
 
 template <bool kWatched>
@@ -62,33 +70,25 @@ void listBlocks(WorldState& world) {
     const Question question = questionOf(world);
     const std::size_t count = world.activeContacts;
     const std::size_t blocks = (count + kProbesPerBlock - 1) / kProbesPerBlock;
-    lists.noted.resize(count);
+    for (auto* const list : {&lists.noted, &lists.near, &lists.ground, &lists.apart}) { list->resize(count); }
     lists.counts.resize(blocks);
     world.loops->run(blocks, 1, [&world, &lists, &question, count](std::size_t first, std::size_t last, int) {
         for (std::size_t block = first; block < last; ++block) {
             const std::size_t begin = block * kProbesPerBlock;
-            lists.counts[block] = listBlock<kWatched>(world, question, begin, std::min(begin + kProbesPerBlock, count),
-                                                      lists.noted.data() + begin);
+            lists.counts[block] = listBlock<kWatched>(world, question, begin, std::min(begin + kProbesPerBlock, count));
         }
     });
 }
 
-/// One block behind the other, and each contact in the lists of what is to be done for it.
-void joinBlocks(WorldState& world) {
-    ContactLists& lists = world.lists;
-    lists.clear();
-    std::size_t size = 0;
+/// One block behind the other.
+void joinBlocks(const ContactLists& lists, std::uint32_t ContactLists::Counts::*count,
+                std::vector<std::uint32_t>& list) {
+    auto end = list.begin();
     for (std::size_t block = 0; block < lists.counts.size(); ++block) {
-        for (std::size_t i = block * kProbesPerBlock; i < block * kProbesPerBlock + lists.counts[block]; ++i) {
-            const std::uint32_t place = lists.noted[size++] = lists.noted[i];
-            const ContactProbe& probe = world.probes[place];
-            if (probe.state == ContactState::boxesApart) { lists.apart.push_back(place); }
-            if (probe.state != ContactState::near) { continue; }
-            lists.near.push_back(place);
-            if (!probe.isPlain) { lists.ground.push_back(probe.contact); }
-        }
+        const auto first = list.begin() + static_cast<std::ptrdiff_t>(block * kProbesPerBlock);
+        end = std::copy(first, first + lists.counts[block].*count, end);
     }
-    lists.noted.resize(size);
+    list.resize(static_cast<std::size_t>(end - list.begin()));
 }
 
 }  // namespace
@@ -99,7 +99,12 @@ void listContacts(WorldState& world) {
     } else {
         listBlocks<false>(world);
     }
-    joinBlocks(world);
+    ContactLists& lists = world.lists;
+    joinBlocks(lists, &ContactLists::Counts::noted, lists.noted);
+    joinBlocks(lists, &ContactLists::Counts::near, lists.near);
+    joinBlocks(lists, &ContactLists::Counts::ground, lists.ground);
+    joinBlocks(lists, &ContactLists::Counts::apart, lists.apart);
+    lists.passing.clear();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

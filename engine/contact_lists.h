@@ -17,7 +17,15 @@ struct ContactLists {
     std::vector<std::uint32_t> ground;   ///< contacts of these, in the same order, that are not `isPlain`
     std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other (told by `collideContacts`)
     std::vector<std::uint32_t> apart;    ///< of these, probes whose boxes are apart
-    std::vector<std::uint32_t> counts;   ///< scratch: of each block of probes, how many are noted
+
+    /// Of a block of probes: how many are in each list.
+    struct Counts {
+        std::uint32_t noted = 0;
+        std::uint32_t near = 0;
+        std::uint32_t ground = 0;
+        std::uint32_t apart = 0;
+    };
+    std::vector<Counts> counts;  ///< scratch, by block
 
     /// Of all lists that are made of the noted ones. A step that has nothing to list must not find those of another.
     void clear() {

@@ -25,14 +25,6 @@ bool hasSamePoints(const Manifold& a, const Manifold& b) {
     return a.count == 0 || a.points[0].id == b.points[0].id;
 }
 
-/// What there was of a contact before its manifold was renewed.
-struct OldPoints {
-    Manifold manifold;
-    std::array<Real, 2> normalImpulse;
-    std::array<Real, 2> tangentImpulse;
-    Real extent;
-};
-
 /// The old point that a new one continues: of the same features, else the nearest within a part of the extent (clipping
 /// may name a point after either of two vertices that stand at the same place). One that another new point has by name,
 /// or that lies nearer to the other one, is not free: two points must not take over the same impulse.
@@ -56,9 +48,12 @@ int predecessorOf(const Manifold& now, std::size_t index, const OldPoints& befor
     return nearest;
 }
 
+}  // namespace
+
 void carryImpulses(const OldPoints& before, Contact& now) {
     now.normalImpulse = {};
     now.tangentImpulse = {};
+    if (before.manifold.count == 0) { return; }
     for (std::size_t i = 0; i < static_cast<std::size_t>(now.manifold.count); ++i) {
         const int old = predecessorOf(now.manifold, i, before);
         if (old < 0) { continue; }
@@ -66,8 +61,6 @@ void carryImpulses(const OldPoints& before, Contact& now) {
         now.tangentImpulse[i] = before.tangentImpulse[static_cast<std::size_t>(old)];
     }
 }
-
-}  // namespace
 
 bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach) {
     const KeptManifold& kept = contact.kept;
@@ -95,7 +88,7 @@ void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manif
     if (hasSamePoints(contact.manifold, manifold)) {
         contact.manifold = manifold;
     } else {
-        const OldPoints before{contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
+        const OldPoints before = oldPointsOf(contact);
         contact.manifold = manifold;
         carryImpulses(before, contact);
     }

@@ -33,4 +33,17 @@ inline void keepManifold(Contact& contact, const Transform& bInA) {
 /// The second half of that, of what it was found to be.
 void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manifold);
 
+/// What there was of a contact before its manifold was renewed.
+struct OldPoints {
+    Manifold manifold;
+    std::array<Real, 2> normalImpulse;
+    std::array<Real, 2> tangentImpulse;
+    Real extent;
+};
+inline OldPoints oldPointsOf(const Contact& contact) {
+    return {contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
+}
+/// To a contact that has other points now: each has the impulses of the one that it continues.
+void carryImpulses(const OldPoints& before, Contact& now);
+
 }  // namespace swept::inline SWEPT_PRECISION

@@ -47,16 +47,21 @@ bool isGhost(const WorldState& world, const GroundContacts& contacts, std::uint3
     return false;
 }
 
-void dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
+/// @return whether there were any
+bool dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
+    bool anyGhost = false;
     // What was dropped hides nothing, so one of each pair stays.
     for (int rank = 0; rank < kGhostRanks; ++rank) {
         for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
             Contact& contact = contacts.all[i];
             if (!contact.isSolid()) { continue; }
             const GroundContact seen = groundContactOf(world, contact);
-            if (ghostRank(seen) == rank && isGhost(world, contacts, i, seen)) { contact.manifold.count = 0; }
+            if (ghostRank(seen) != rank || !isGhost(world, contacts, i, seen)) { continue; }
+            contact.manifold.count = 0;
+            anyGhost = true;
         }
     }
+    return anyGhost;
 }
 
 }  // namespace
@@ -79,7 +84,7 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
     return dot(direction, toReal(poseB.position - poseA.position) + (bottom - top)) - a.radius - b.radius;
 }
 
-void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
+bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
                 std::span<const std::uint32_t> renewed, std::span<const std::uint32_t> bodies,
                 std::vector<std::uint32_t>& next) {
     // Lists of the ground contacts of each body, through arrays that keep their capacity; empty before and after.
@@ -88,6 +93,7 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide>
     next.resize(contacts.size());
     const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
+    bool anyGhost = false;
     for (const std::uint32_t i : renewed) {
         if (!isGroundContact(contacts[i]) && !(slides[i].impulse > 0)) { continue; }
         std::uint32_t& first = firstOf[bodyOf(contacts[i])];
@@ -100,7 +106,7 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide>
             const std::uint32_t first = firstOf[slot];
             if (first != kNoIndex && next[first] != kNoIndex) {
                 const GroundContacts ofBody{contacts, slides, next, first};
-                dropGhostsOf(world, ofBody);
+                anyGhost = dropGhostsOf(world, ofBody) || anyGhost;
                 carryAlong(world, ofBody);
             }
         }
@@ -109,6 +115,7 @@ void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide>
         if (contacts[i].dynamicA != contacts[i].dynamicB) { firstOf[bodyOf(contacts[i])] = kNoIndex; }
         slides[i].impulse = 0;
     }
+    return anyGhost;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

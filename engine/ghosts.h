@@ -46,7 +46,8 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
 /// @param renewed  indices of the contacts whose manifold is new, in their order; those of dynamic bodies alone may be
 /// left out
 /// @param next  scratch: by contact, the next one of the same body
-void dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
+/// @return whether there were any
+bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
                 std::span<const std::uint32_t> renewed, std::span<const std::uint32_t> bodies,
                 std::vector<std::uint32_t>& next);
 

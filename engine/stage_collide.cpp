@@ -98,6 +98,7 @@ bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold)
     probe.points = static_cast<std::uint8_t>(contact.manifold.count);
     probe.turns = (contact.manifold.count > 0 && deepest <= limit) != contact.touching;
     probe.isOpen = deepest > kEndRatio * contact.extent;
+    probe.isDeep = !probe.isPlain && deepest < -kShallowRatio * contact.extent;
 }
 
 /// Gives contacts that may have points their manifolds, in any order: writes only to them, their probes and their
@@ -117,7 +118,8 @@ public:
         }
         const Transform bInA = relativePoseOf(world_, contact);
         const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact, asked_);
-        probe.areAwake = isAwake(world_, contact.bodyA) && isAwake(world_, contact.bodyB);
+        probe.areUp =
+            (isAwake(world_, contact.bodyA) || !probe.dynamicA) && (isAwake(world_, contact.bodyB) || !probe.dynamicB);
         probe.wasKept = contact.isKept && keepsManifold(contact, bInA, reach);
         if (!probe.wasKept) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
@@ -258,16 +260,23 @@ TouchingPair touchingPair(const ContactProbe& probe) {
             .bodyA = probe.bodyA,
             .bodyB = probe.bodyB,
             .points = probe.points,
-            .dynamicA = true,
-            .dynamicB = true,
+            .dynamicA = probe.dynamicA,
+            .dynamicB = probe.dynamicB,
             .bounces = probe.bounces,
-            .isOpen = probe.isOpen};
+            .isOpen = probe.isOpen,
+            .isDeep = probe.isDeep};
 }
 
-/// Whether the probe of a contact tells all: mostly. (Ghosts of others than plain ones lost their points since.)
-bool isTold(const ContactProbe& probe) {
-    return probe.state == ContactState::near && probe.isPlain && probe.areAwake && !probe.turns;
+/// Few contacts lose their points to others of the same body: their probes tell what they had before.
+void distrustGhosts(WorldState& world) {
+    for (const std::uint32_t i : world.lists.near) {
+        ContactProbe& probe = world.probes[i];
+        if (!probe.isPlain && probe.points > 0 && !world.contacts[probe.contact].isSolid()) { probe.areUp = false; }
+    }
 }
+
+/// Whether the probe of a contact tells all: mostly.
+bool isTold(const ContactProbe& probe) { return probe.state == ContactState::near && probe.areUp && !probe.turns; }
 
 /// @pre `isTold`
 [[gnu::always_inline]] inline void listTold(WorldState& world, ContactProbe& probe) {
@@ -354,7 +363,9 @@ void collideContacts(WorldState& world) {
         } else {
             updateContacts<false>(world, world.lists.near, NearestPoints::unlessPassing);
         }
-        dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake, world.nextGroundContact);
+        const bool anyGhost =
+            dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake, world.nextGroundContact);
+        if (anyGhost) { distrustGhosts(world); }
         if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
         world.counters.manifolds += world.lists.near.size();
         if (world.watched) { countAhead(world); }

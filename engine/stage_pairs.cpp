@@ -119,6 +119,8 @@ void fillContact(WorldState& world, ContactProbe& probe, std::size_t place, std:
     probe.proxyB = world.shapes[contact.shapeB].proxy;
     probe.isPlain = contact.dynamicA && contact.dynamicB && !contact.sensor;
     probe.bounces = contact.restitution > 0;
+    probe.dynamicA = contact.dynamicA;
+    probe.dynamicB = contact.dynamicB;
 }
 
 void makeContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
