@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+
+#include "tolerances.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -12,6 +15,14 @@ inline Transform relativePoseOf(const WorldState& world, const Contact& contact)
 /// certain: it has to be made anew
 /// @param reach  of points, metres
 bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach);
+/// What has turned too far for that, as most of what moves has. (At once, so that the branch on it is foretold: whether
+/// there are two points is not.)
+inline bool mayKeepManifold(const Contact& contact, const Transform& bInA) {
+    const Rotation turn = bInA.rotation * inverse(contact.kept.bInA.rotation);
+    const bool isLittle = std::fabs(turn.s) <= kKeepRatio;
+    const bool isAhead = turn.c > 0;
+    return bool(int{contact.isKept} & int{isLittle} & int{isAhead});
+}
 /// Makes it anew. Points that were there before keep their impulses.
 void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach);
 /// Writes down where the manifold was found that a contact has by now, so that the next step may keep it. Points that
@@ -27,7 +38,10 @@ inline void keepManifold(Contact& contact, const Transform& bInA) {
     contact.kept.separations[0] = manifold.points[0].separation;
     contact.kept.separations[1] = manifold.points[1].separation;
     contact.isKept = manifold.count == 2;
-    if (manifold.count < 2) { contact.normalImpulse[1] = contact.tangentImpulse[1] = 0; }
+    // Chosen, not branched: no branch would foretell whether there is one point or two.
+    static constexpr Real kNone = 0;
+    contact.normalImpulse[1] = *(manifold.count < 2 ? &kNone : &contact.normalImpulse[1]);
+    contact.tangentImpulse[1] = *(manifold.count < 2 ? &kNone : &contact.tangentImpulse[1]);
     if (manifold.count < 1) { contact.normalImpulse[0] = contact.tangentImpulse[0] = 0; }
 }
 /// The second half of that, of what it was found to be.
@@ -40,6 +54,7 @@ struct OldPoints {
     std::array<Real, 2> tangentImpulse;
     Real extent;
 };
+/// Copies what is to be carried over.
 inline OldPoints oldPointsOf(const Contact& contact) {
     return {contact.manifold, contact.normalImpulse, contact.tangentImpulse, contact.extent};
 }

@@ -120,7 +120,7 @@ public:
         const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact, asked_);
         probe.areUp =
             (isAwake(world_, contact.bodyA) || !probe.dynamicA) && (isAwake(world_, contact.bodyB) || !probe.dynamicB);
-        probe.wasKept = contact.isKept && keepsManifold(contact, bInA, reach);
+        probe.wasKept = mayKeepManifold(contact, bInA) && keepsManifold(contact, bInA, reach);
         if (!probe.wasKept) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
             if (haveBatches_ && contact.batch != BatchKind::none) { return addToBatch(probe, contact, bInA, reach); }

@@ -33,8 +33,8 @@ inline constexpr Real kMinReachRatio = Real(1) / 128;
 constexpr Real reachOfMotion(Real motion, Real extent, bool isAhead) {
     const Real least = kMinReachRatio * extent;
     const Real most = kMaxReachRatio * extent;
-    if (motion < least) { return least; }
-    return isAhead || motion < most ? motion : most;
+    const Real capped = isAhead || motion < most ? motion : most;
+    return capped < least ? least : capped;
 }
 /// A manifold is kept as long as its points, and the shapes by angle, have moved less than this part of the extent, or
 /// radians: the square of it is half a rounding.

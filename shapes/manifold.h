@@ -67,8 +67,8 @@ Manifold collide(const ChainSegment& a, const Polygon& core, const Polygon& b, c
 /// @pre there is a point
 inline Real deepestSeparation(const Manifold& manifold) {
     const Real first = manifold.points[0].separation;
-    if (manifold.count < 2) { return first; }
-    const Real second = manifold.points[1].separation;
+    const std::size_t other = manifold.count < 2 ? 0 : 1;  // no branch: which it is nothing foretells
+    const Real second = manifold.points[other].separation;
     return second < first ? second : first;
 }
 

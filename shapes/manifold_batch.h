@@ -73,11 +73,12 @@ public:
     /// Whether a manifold has the points of a plain pair already, in this order, if not at the same places.
     bool hasPoints(std::size_t pair, const Manifold& manifold) const {
         const std::uint32_t first = pairs_.isThere[0] >> pair & 1U;
-        if (manifold.count != static_cast<int>(first + (pairs_.isThere[1] >> pair & 1U))) { return false; }
-        if (idOf(1 - first, pair) != manifold.points[0].id) { return false; }
-        if (manifold.count < 2) { return true; }
+        const int count = static_cast<int>(first + (pairs_.isThere[1] >> pair & 1U));
         const FeatureId second = idOf(1, pair);
-        return second == manifold.points[1].id && second != manifold.points[0].id;
+        // At once: one point or two, no branch would foretell which.
+        const bool hasFirst = idOf(1 - first, pair) == manifold.points[0].id;
+        const int hasSecond = int{second == manifold.points[1].id} & int{second != manifold.points[0].id};
+        return (int{manifold.count == count} & int{hasFirst} & (int{count < 2} | hasSecond)) != 0;
     }
     /// Whether nothing but `rememberApart` is to be done, and there is no point. @pre collided
     bool isApart(std::size_t pair) const {
@@ -98,13 +99,10 @@ public:
         const bool hasSecond = (pairs_.isThere[1] & bit) != 0;
         manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
         manifold.isNormalOfB = (pairs_.ofA & bit) == 0;
-        manifold.count = hasFirst && hasSecond ? 2 : 1;
-        copyPoint(pair, hasFirst ? 0 : 1, manifold.points[0]);
-        if (hasFirst && hasSecond) {
-            copyPoint(pair, 1, manifold.points[1]);
-        } else {
-            manifold.points[1] = {};
-        }
+        manifold.count = 1 + static_cast<int>(hasFirst && hasSecond);
+        // Likewise: where there is one point, the second one is copied from nowhere.
+        copyPoint(pairs_.point[hasFirst ? 0 : 1], pair, manifold.points[0]);
+        copyPoint(hasFirst && hasSecond ? pairs_.point[1] : kNoPoint, pair, manifold.points[1]);
     }
     /// Whether a pair was too doubtful for the batch, and is collided by itself. @pre collided
     bool isLeft(std::size_t pair) const {
@@ -120,15 +118,16 @@ public:
     void clear() { size_ = 0; }
 
 private:
+    static constexpr WidePairs::Point kNoPoint{};  ///< what a point that is not there is made of
+
     FeatureId idOf(std::size_t point, std::size_t pair) const {
         return static_cast<FeatureId>(static_cast<std::int32_t>(pairs_.point[point].id[pair]));
     }
-    void copyPoint(std::size_t pair, std::size_t index, ManifoldPoint& to) const {
-        const WidePairs::Point& point = pairs_.point[index];
-        to.point.x = point.x[pair];
-        to.point.y = point.y[pair];
-        to.separation = point.separation[pair];
-        to.id = idOf(index, pair);
+    static void copyPoint(const WidePairs::Point& from, std::size_t pair, ManifoldPoint& to) {
+        to.point.x = from.x[pair];
+        to.point.y = from.y[pair];
+        to.separation = from.separation[pair];
+        to.id = static_cast<FeatureId>(static_cast<std::int32_t>(from.id[pair]));
     }
     Manifold otherManifold(std::size_t pair, ManifoldMemory& memory) const;
 
