@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "../shapes/manifold_batch.h"
@@ -15,11 +16,11 @@ public:
 
     bool isFull() const { return pairs_.isFull(); }
 
-    /// @param probe, contact  stay where they are until they are renewed
+    /// @param probe, contact  stay where they are until they are renewed; a contact need not have a probe
     /// @pre not full; the contact is of the kind
-    void add(const WorldState& world, ContactProbe& probe, Contact& contact, const Transform& bInA,
+    void add(const WorldState& world, ContactProbe* probe, Contact& contact, const Transform& bInA,
              ManifoldReach reach) {
-        entries_[pairs_.size()] = {&probe, &contact};
+        entries_[pairs_.size()] = {probe, &contact};
         pairs_.add(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon,
                    {contact.radiusA, contact.radiusB, contact.verticesA, contact.verticesB}, bInA, reach);
     }
@@ -52,7 +53,7 @@ public:
             } else {
                 renewOther(world, i, contact, bInA);
             }
-            done(*entry.probe, contact, bInA);
+            done(entry.probe, contact, bInA);
         }
         pairs_.clear();
     }
@@ -76,6 +77,42 @@ private:
 
     ManifoldBatch pairs_;
     std::array<Entry, ManifoldBatch::kPairs> entries_;
+};
+
+/// Contacts of all kinds that are given manifolds anew: in batches where they may be, else at once.
+/// @tparam Done  called after that, once for each contact, with its probe, the contact, and the pose of B in the frame
+///               of A
+template <class Done>
+class ContactBatches {
+public:
+    ContactBatches(const WorldState& world, Done done) : world_(world), done_(done) {}
+
+    /// @param probe, contact  stay where they are until `finish`
+    void add(ContactProbe* probe, Contact& contact, const Transform& bInA, ManifoldReach reach) {
+        if (!haveBatches_ || contact.batch == BatchKind::none) {
+            renewManifold(world_, contact, bInA, reach);
+            return done_(probe, contact, bInA);
+        }
+        if (contact.memory.isApart(bInA, std::min(reach.points, reach.nearest))) {
+            takeManifold(contact, bInA, {});
+            return done_(probe, contact, bInA);
+        }
+        ContactBatch& batch = batches_[static_cast<std::size_t>(contact.batch) - 1];
+        batch.add(world_, probe, contact, bInA, reach);
+        if (batch.isFull()) { batch.renew(world_, done_); }
+    }
+    /// What is left in batches.
+    void finish() {
+        for (ContactBatch& batch : batches_) { batch.renew(world_, done_); }
+    }
+
+private:
+    const WorldState& world_;
+    Done done_;
+    bool haveBatches_ = canCollideInBatches();
+    std::array<ContactBatch, 5> batches_{ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp),
+                                         ContactBatch(PairKind::round), ContactBatch(PairKind::round),
+                                         ContactBatch(PairKind::round)};  ///< by `BatchKind`, but for `none`
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

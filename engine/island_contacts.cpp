@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "contact_batch.h"
 #include "contact_manifold.h"
 #include "ghosts.h"
 #include "slides.h"
@@ -95,14 +96,16 @@ void collideHeld(WorldState& world, SolveDesk& desk, double time) {
     }
     rememberPoints(island);
     island.heldSlides.resize(island.held.size());
+    ContactBatches batches(world, [](ContactProbe*, const Contact&, const Transform&) {});
     for (std::size_t i = 0; i < island.held.size(); ++i) {
         Contact& contact = island.held[i];
         const Transform bInA = relativePoseOf(world, contact);
         const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
                            reachWithin(world, world.shapes[contact.shapeB], length);
         island.heldSlides[i] = slideOf(contact, bInA);
-        renewManifold(world, contact, bInA, {reach, reach});
+        batches.add(nullptr, contact, bInA, {reach, reach});
     }
+    batches.finish();
     std::vector<std::uint32_t>& all = island.heldIndices;
     while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
     dropGhosts(world, island.held, island.heldSlides, std::span(all).first(island.held.size()), island.members,

@@ -107,7 +107,7 @@ template <bool kWatched>
 class NearUpdate {
 public:
     NearUpdate(WorldState& world, NearestPoints asked)
-        : world_(world), asked_(asked), slides_(world.slides), haveBatches_(canCollideInBatches()) {}
+        : world_(world), asked_(asked), slides_(world.slides), batches_(world, Finish{this}) {}
 
     void add(ContactProbe& probe, Contact& contact) {
         if (contact.sensor) {
@@ -123,34 +123,23 @@ public:
         probe.wasKept = mayKeepManifold(contact, bInA) && keepsManifold(contact, bInA, reach);
         if (!probe.wasKept) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
-            if (haveBatches_ && contact.batch != BatchKind::none) { return addToBatch(probe, contact, bInA, reach); }
-            renewManifold(world_, contact, bInA, reach);
+            return batches_.add(&probe, contact, bInA, reach);
         }
-        finishNear(world_, probe, contact, bInA);
-        notePassing(probe, contact);
+        settle(probe, contact, bInA);
     }
-
     /// What is left in batches.
-    void finish() {
-        for (ContactBatch& batch : batches_) { renew(batch); }
-    }
+    void finish() { batches_.finish(); }
 
 private:
-    void addToBatch(ContactProbe& probe, Contact& contact, const Transform& bInA, ManifoldReach reach) {
-        if (contact.memory.isApart(bInA, std::min(reach.points, reach.nearest))) {
-            takeManifold(contact, bInA, {});
-            finishNear(world_, probe, contact, bInA);
-            return notePassing(probe, contact);
+    struct Finish {
+        NearUpdate* update;
+        void operator()(ContactProbe* probe, Contact& contact, const Transform& bInA) const {
+            update->settle(*probe, contact, bInA);
         }
-        ContactBatch& batch = batches_[static_cast<std::size_t>(contact.batch) - 1];
-        batch.add(world_, probe, contact, bInA, reach);
-        if (batch.isFull()) { renew(batch); }
-    }
-    void renew(ContactBatch& batch) {
-        batch.renew(world_, [this](ContactProbe& probe, Contact& contact, const Transform& bInA) {
-            finishNear(world_, probe, contact, bInA);
-            notePassing(probe, contact);
-        });
+    };
+    [[gnu::always_inline]] void settle(ContactProbe& probe, Contact& contact, const Transform& bInA) const {
+        finishNear(world_, probe, contact, bInA);
+        notePassing(probe, contact);
     }
     /// What has no points since its bodies pass each other may still be hemmed in (hemmed_pairs.h).
     void notePassing(ContactProbe& probe, const Contact& contact) const {
@@ -164,10 +153,7 @@ private:
     const WorldState& world_;
     NearestPoints asked_;
     std::span<Slide> slides_;
-    bool haveBatches_;
-    std::array<ContactBatch, 5> batches_{ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp),
-                                         ContactBatch(PairKind::round), ContactBatch(PairKind::round),
-                                         ContactBatch(PairKind::round)};  ///< by `BatchKind`, but for `none`
+    ContactBatches<Finish> batches_;
 };
 
 /// Writes only to the contacts and their probes: they may be updated in any order.
