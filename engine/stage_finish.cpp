@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 #include <tuple>
@@ -116,16 +117,19 @@ auto eventKey(const ContactEvent& e) {
                            e.point.x, e.point.y, e.shapeA.generation, e.shapeB.generation);
 }
 
-/// Sorts events by a number, their shapes, and where these are the same by `isLess`: what is moved about while they are
-/// sorted is small, and mostly told apart by one comparison.
+/// Sorts events by their keys, and where these are the same by `isLess`: what is moved about while they are sorted is
+/// small, and mostly told apart by one comparison of whole numbers.
 template <class IsLess>
 void sortPlaces(std::span<EventPlace> places, std::span<const ContactEvent> events, const IsLess& isLess) {
     std::sort(places.begin(), places.end(), [&](const EventPlace& a, const EventPlace& b) {
-        if (a.fraction != b.fraction) { return a.fraction < b.fraction; }
-        if (a.shapes != b.shapes) { return a.shapes < b.shapes; }
-        return isLess(events[a.index], events[b.index]);
+        return a.key != b.key ? a.key < b.key : isLess(events[a.index], events[b.index]);
     });
 }
+
+std::uint64_t keyOfShapes(const ContactEvent& e) { return (std::uint64_t{e.shapeA.index} << 32) | e.shapeB.index; }
+
+/// @pre the fraction is larger than 0: then the larger one has the larger key
+std::uint64_t keyOfFraction(const ContactEvent& e) { return std::bit_cast<std::uint64_t>(e.fraction); }
 
 bool isChainOrGone(const WorldState& world, ShapeId id) {
     const Shape* shape = world.shapes.find(id);
@@ -134,14 +138,13 @@ bool isChainOrGone(const WorldState& world, ShapeId id) {
 
 void listChainTouches(WorldState& world) {
     world.chainTouches.clear();
+    const std::vector<std::uint8_t>& isSegment = world.chainSegments;
+    const auto headOf = [&](std::uint32_t shape) { return isSegment[shape] != 0 ? world.shapes[shape].head : shape; };
     for (const ContactProbe& probe : world.probes) {
         if (probe.isPlain) { continue; }  // chains do not move
         const Contact& contact = world.contacts[probe.contact];
-        if (!contact.touching) { continue; }
-        const Shape& a = world.shapes[contact.shapeA];
-        const Shape& b = world.shapes[contact.shapeB];
-        if (!a.isChainSegment && !b.isChainSegment) { continue; }
-        world.chainTouches.push_back({a.head, b.head});
+        if (!contact.touching || (isSegment[contact.shapeA] | isSegment[contact.shapeB]) == 0) { continue; }
+        world.chainTouches.push_back({headOf(contact.shapeA), headOf(contact.shapeB)});
     }
     std::sort(world.chainTouches.begin(), world.chainTouches.end());
 }
@@ -154,27 +157,30 @@ std::ptrdiff_t touchesNow(const WorldState& world, ShapeId a, ShapeId b) {
     return last - first;
 }
 
-/// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last. Drops the
-/// places of all other begins and ends.
+/// Whether it is a begin or an end with a chain, or with what may have been one: a shape that is gone. Of what the step
+/// itself found both shapes are there.
+bool concernsChain(const WorldState& world, std::size_t index) {
+    const ContactEvent& e = world.contactEvents[index];
+    if (e.type == ContactEventType::hit) { return false; }
+    if (index < world.eventsBetween) { return isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB); }
+    return world.chainSegments[e.shapeA.index] != 0 || world.chainSegments[e.shapeB.index] != 0;
+}
+
+/// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last. Leaves of the
+/// places of begins and ends with chains those.
 void mergeChainEvents(WorldState& world) {
+    std::vector<EventPlace>& places = world.eventPlaces.ofChains;
+    if (places.empty()) { return; }
     const std::span<const ContactEvent> events = world.contactEvents;
-    const auto concernsNoChain = [&](const EventPlace& place) {
-        const ContactEvent& e = events[place.index];
-        return e.type == ContactEventType::hit || !(isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB));
-    };
-    std::vector<EventPlace>& places = world.eventPlaces;
-    const auto chains = std::partition(places.begin(), places.end(), concernsNoChain);
-    if (chains == places.end()) { return; }
     listChainTouches(world);
-    const auto pairKey = [&](const ContactEvent& e) {
+    const auto pairKey = [](const ContactEvent& e) {
         return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation);
     };
-    std::for_each(chains, places.end(), [](EventPlace& place) { place.fraction = 0; });  // they are told pair by pair
-    sortPlaces(std::span(chains, places.end()), events, [&](const ContactEvent& a, const ContactEvent& b) {
+    sortPlaces(places, events, [&](const ContactEvent& a, const ContactEvent& b) {
         return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
     });
-    auto keep = chains;
-    for (auto group = chains; group != places.end();) {
+    auto keep = places.begin();
+    for (auto group = places.begin(); group != places.end();) {
         const ContactEvent& first = events[group->index];
         const auto last = std::find_if(group, places.end(), [&](const EventPlace& place) {
             return pairKey(events[place.index]) != pairKey(first);
@@ -185,28 +191,39 @@ void mergeChainEvents(WorldState& world) {
         const auto before = now - begun + ((last - group) - begun);
         const bool began = now > 0;
         if (began != (before > 0)) {
-            *keep = *std::find_if(group, last, [&](const EventPlace& place) { return begins(place) == began; });
-            keep->fraction = events[keep->index].fraction;
-            ++keep;
+            *keep++ = *std::find_if(group, last, [&](const EventPlace& place) { return begins(place) == began; });
         }
         group = last;
     }
     places.erase(keep, places.end());
 }
 
+/// By fraction, shapes, and the rest of `eventKey`. Most are of the start of the step, where shapes are the key.
 void sortContactEvents(WorldState& world) {
     const std::vector<ContactEvent>& events = world.contactEvents;
-    world.eventPlaces.clear();
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        const ContactEvent& e = events[i];
-        world.eventPlaces.push_back(
-            {.fraction = e.fraction, .shapes = (std::uint64_t{e.shapeA.index} << 32) | e.shapeB.index, .index = i});
+    auto& [ofChains, atStart, later] = world.eventPlaces;
+    ofChains.clear();
+    atStart.clear();
+    later.clear();
+    const auto addPlace = [&](std::uint32_t i) {
+        const bool isLater = events[i].fraction > 0;
+        (isLater ? later : atStart).push_back({isLater ? keyOfFraction(events[i]) : keyOfShapes(events[i]), i});
+    };
+    for (std::uint32_t i = 0; i < events.size(); ++i) {
+        if (concernsChain(world, i)) {
+            ofChains.push_back({keyOfShapes(events[i]), i});
+        } else {
+            addPlace(i);
+        }
     }
     mergeChainEvents(world);
-    sortPlaces(world.eventPlaces, events,
-               [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); });
+    for (const EventPlace& place : ofChains) { addPlace(place.index); }
+    const auto isLess = [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); };
     world.sortedEvents.clear();
-    for (const EventPlace& place : world.eventPlaces) { world.sortedEvents.push_back(events[place.index]); }
+    for (std::vector<EventPlace>* places : {&atStart, &later}) {
+        sortPlaces(*places, events, isLess);
+        for (const EventPlace& place : *places) { world.sortedEvents.push_back(events[place.index]); }
+    }
     world.contactEvents.swap(world.sortedEvents);
 }
 

@@ -179,6 +179,7 @@ Status World::step(double dt) {
     world.counters.wokeUp = wokenBetween;
     const auto reported = static_cast<std::ptrdiff_t>(world.eventsOfStep);
     world.contactEvents.erase(world.contactEvents.begin(), world.contactEvents.begin() + reported);
+    world.eventsBetween = world.contactEvents.size();
     world.jointBreaks.clear();
     world.lostTime.clear();
     world.impactPoses.clear();

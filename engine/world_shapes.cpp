@@ -68,6 +68,8 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     Shape& stored = world.shapes[id->index];
     stored.proxy = proxy.value();
     stored.head = id->index;
+    world.chainSegments.resize(world.shapes.slotCount());
+    world.chainSegments[id->index] = stored.isChainSegment ? 1 : 0;
     remember(world, proxy.value(), id->index);
     world.bodies[body].shapes.push_back(id->index);
     world.sensorShapes += stored.def.sensor ? 1U : 0U;

@@ -49,9 +49,15 @@ enum class Tiredness : std::uint8_t { driven, restless, tired };
 
 /// What the order of events is told by, mostly.
 struct EventPlace {
-    double fraction = 0;
-    std::uint64_t shapes = 0;  ///< slots: first the one, then the other
-    std::size_t index = 0;
+    std::uint64_t key = 0;    ///< slots of its shapes, first the one, then the other; or its fraction, as bits
+    std::uint32_t index = 0;  ///< in `WorldState::contactEvents`
+};
+
+/// Scratch of `sortEvents`, kept for its capacity.
+struct EventPlaces {
+    std::vector<EventPlace> ofChains;  ///< begins and ends
+    std::vector<EventPlace> atStart;   ///< of the step: all others of fraction 0
+    std::vector<EventPlace> later;     ///< by fraction
 };
 
 /// A sensor and a shape that may pass it within the step.
@@ -123,6 +129,7 @@ struct WorldState {
     std::vector<JointTie> jointTies;          ///< by joint slot
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::vector<std::uint8_t> chainSegments;  ///< by shape slot: `Shape::isChainSegment`, while it is alive
     std::uint32_t sensorShapes = 0;
     std::uint32_t bouncyShapes = 0;  ///< with restitution: without any, nothing bounces
     SensorSweeps sensorSweeps;
@@ -195,8 +202,9 @@ struct WorldState {
     std::vector<ContactEvent> contactEvents;
     std::size_t eventsOfStep =
         0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
-    std::vector<EventPlace> eventPlaces;     ///< scratch of `sortEvents`
-    std::vector<ContactEvent> sortedEvents;  ///< likewise
+    std::size_t eventsBetween = 0;  ///< at the front: of calls since the last step
+    EventPlaces eventPlaces;
+    std::vector<ContactEvent> sortedEvents;  ///< scratch of `sortEvents`
     std::vector<ChainTouch> chainTouches;    ///< scratch: pairs with a chain that touch, one entry per segment
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<LostTimeEntry> lostTime;
