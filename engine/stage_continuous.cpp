@@ -2,8 +2,8 @@
 
 #include "bullets.h"
 #include "modes.h"
-#include "step.h"
 #include "solved_path.h"
+#include "step.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
