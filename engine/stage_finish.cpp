@@ -264,15 +264,15 @@ void breakJoints(WorldState& world) {
 
 void putToSleep(WorldState& world, double dt) {
     restHeld(world, dt);
+    countRests(world, dt);
+    // Where all moves, which is most steps of what is awake, no island is asked.
+    const std::vector<Tiredness>& tiredness = world.tiredness;
+    if (std::find(tiredness.begin(), tiredness.end(), Tiredness::tired) == tiredness.end()) { return; }
     world.islandRestless.assign(world.bodies.slotCount(), 0);
     world.islandRing.assign(world.bodies.slotCount(), kNoIndex);
-    countRests(world, dt);
-    bool anyTired = false;
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        anyTired = anyTired || world.tiredness[i] == Tiredness::tired;
-        if (world.tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
+        if (tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
     }
-    if (!anyTired) { return; }
     keepAwakeByKinematic(world);
     for (const std::uint32_t slot : world.awake) {
         const bool rests = world.bodies[slot].isDynamic() && world.islandRestless[world.islands.find(slot)] == 0;
