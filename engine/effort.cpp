@@ -46,6 +46,9 @@ constexpr std::uint32_t kMovingShare = 8;
 constexpr Real kMovingRatioOfFall = Real(1) / 16;
 constexpr double kCrowdErrorRatio = 1.0 / 32;
 constexpr Effort kCrowd{.doublings = -1, .isCrowd = true};
+/// A heap is stirred where so many are on the move as in the smallest crowd, in what sinks in by so little when its
+/// springs become those of half of the sub-steps that nothing gets on the move by that: no heap keeps itself stirred.
+constexpr std::uint32_t kFewestStirring = kFewestInCrowd / kMovingShare;
 /// Moving masses on joints farther apart than this need shorter sub-steps. A light link that the heavy body swings past
 /// whips round with a speed that goes by the root of the ratio, and joints are closed to the second order in the turn
 /// of a sub-step: beyond half a radian that tears them. `swept envelope`, map "chain": 16 sub-steps hold 560 : 1, not
@@ -159,6 +162,10 @@ bool isWeb(const IslandLoad& load) {
     return load.bodies <= kMostWebBodies && isPlanar(load) && (isSmall || (load.staysPut && load.debt < kMostDebt));
 }
 
+/// How far the top of a heap sinks in under its weight, metres: each of its layers gives way by h²·|g| for each that it
+/// carries, and for the heaviest body as well.
+double sagOf(double layers, double heaviest, double give) { return layers * ((layers + 1) / 2 + heaviest) * give; }
+
 /// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
 /// island is high, and the heaviest that lies loose. The springs give way by about h²·|g| under the weight of the body
 /// that they hold. Ragdolls that lie about are a crowd, too; what hangs on its drives and rests is not.
@@ -169,14 +176,17 @@ bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int 
     const bool isNet = load.hasLoop && load.contacts == 0;
     const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
     const std::uint32_t fewest = isRagdoll ? kFewestInRagdoll : kFewestInCrowd;
-    // A net that is not at rest swings as a whole.
-    const bool jostles = lies || (!rests && (isNet || kMovingShare * load.moving >= load.bodies));
-    if (load.bodies < fewest || !jostles || !(isRagdoll || isNet || isPile)) { return false; }
-    const double h = dt / subStepsFor(kCrowd, subSteps);
     const auto thinnest = static_cast<double>(load.thinnest);
+    if (load.bodies < fewest || !(isRagdoll || isNet || isPile) || !(thinnest > 0)) { return false; }
+    const double h = dt / subStepsFor(kCrowd, subSteps);
+    const double give = gravity * h * h;
+    const double most = kCrowdErrorRatio * thinnest;
     const double layers = (load.highest - load.lowest) / thinnest;
-    const double carried = layers + static_cast<double>(load.heaviestLoose / load.lightest);
-    return thinnest > 0 && carried * (gravity * h * h) <= kCrowdErrorRatio * thinnest;
+    const auto heaviest = static_cast<double>(load.heaviestLoose / load.lightest);
+    const bool isStirred = load.moving >= kFewestStirring && sagOf(layers, heaviest, give) <= most;
+    // A net that is not at rest swings as a whole.
+    const bool jostles = lies || (!rests && (isNet || isStirred || kMovingShare * load.moving >= load.bodies));
+    return jostles && (layers + heaviest) * give <= most;
 }
 
 /// Joints that nothing touches are always solved all at once. Where there are contacts, too, the two take turns, and

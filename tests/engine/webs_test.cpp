@@ -200,5 +200,31 @@ TEST(Webs, CardsComeToRestAgain) {
     expectAtMost("leant-on cards speed", s.fastest(), 1e-6);
 }
 
+/// Boxes of which the last few, above all others, are pushed to one side.
+Structure stirred(int rows, std::size_t moving) {
+    Structure s = pyramid(rows);
+    for (std::size_t i = s.bodies.size() - moving; i < s.bodies.size(); ++i) {
+        must(s.world.setVelocity(s.bodies[i], vec(1.5, 0), 0));
+    }
+    return s;
+}
+
+/// What is stirred here and there gets half of the sub-steps, unless it is so high that springs of those would shake
+/// it; left alone it comes to rest.
+TEST(Webs, StirredHeapsNeedFewerSubSteps) {
+    const auto subStepsFor = [](int rows, std::size_t moving) {
+        Structure s = stirred(rows, moving);
+        run(s.world, 1);
+        return s.world.counters().mostSubSteps;
+    };
+    EXPECT_EQ(subStepsFor(16, 10), 8U);
+    EXPECT_EQ(subStepsFor(16, 6), 16U);
+    EXPECT_EQ(subStepsFor(42, 10), 16U);
+    Structure s = stirred(16, 10);
+    runFor(s.world, 6);
+    expectAtMost("stirred pyramid-16 speed", s.fastest(), 1e-6);
+    expectAtMost("stirred pyramid-16 overlap", deepestOverlap(s.world), 1e-4);
+}
+
 }  // namespace
 }  // namespace swept::test
