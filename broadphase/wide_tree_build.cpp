@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <bit>
 
+#include "../shapes/bit_cast.h"
 #include "proxy_table.h"
 #include "wide_tree.h"
 
@@ -11,7 +11,7 @@ namespace {
 /// Boxes of one class differ by less than a factor of four in their longer side.
 std::uint32_t sizeClassOf(float longerSide) {
     constexpr int kFirstExponentBit = 23;
-    return std::bit_cast<std::uint32_t>(longerSide) >> (kFirstExponentBit + 1);
+    return bitCast<std::uint32_t>(longerSide) >> (kFirstExponentBit + 1);
 }
 
 /// Nothing here may be infinite: a difference of infinities has no place in an order.

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include "scene_reader.h"
@@ -106,8 +108,16 @@ std::string shortestNumber(double value) {
     if (std::isnan(value)) { return "nan"; }
     if (std::isinf(value)) { return value > 0 ? "inf" : "-inf"; }
     std::array<char, 32> text{};  // the longest shortest form, -2.2250738585072014e-308, has 24 characters
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000  // as Emscripten 3.1.6 has it: no doubles in to_chars
+    int digits = 1;
+    do {
+        std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    } while (std::strtod(text.data(), nullptr) != value && ++digits <= 17);
+    return text.data();
+#else
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
     return std::string(text.data(), end.ptr);
+#endif
 }
 
 std::string textOf(DVec2 vector) {

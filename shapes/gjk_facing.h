@@ -1,10 +1,10 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 
+#include "bit_cast.h"
 #include "polygon.h"
 
 namespace swept::inline SWEPT_PRECISION::gjk {
@@ -39,7 +39,7 @@ public:
                                             labelled(heights(v + 12, direction), BitLanes{6, 7}, n)));
             best = higher(two[0], two[1]);
         }
-        const int index = static_cast<int>(std::bit_cast<Bits>(best) & kLabel);
+        const int index = static_cast<int>(bitCast<Bits>(best) & kLabel);
         return index < p.count ? index : 0;  // beyond the range of numbers: any vertex will do
     }
 
@@ -70,7 +70,7 @@ private:
     /// Heights with the index of the vertex for their last bits, so that the highest knows whose it is; unused places
     /// lie lowest.
     [[gnu::always_inline]] static Lanes labelled(Lanes height, BitLanes index, Bits count) {
-        constexpr Bits kLowest = std::bit_cast<Bits>(std::numeric_limits<T>::lowest());
+        constexpr Bits kLowest = bitCast<Bits>(std::numeric_limits<T>::lowest());
         const BitLanes isUsed = index < (BitLanes{} + count);
         const BitLanes bits = (reinterpret_cast<BitLanes>(height) & isUsed) | (~isUsed & kLowest);
         return reinterpret_cast<Lanes>((bits & ~kLabel) | index);

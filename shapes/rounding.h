@@ -1,10 +1,10 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
+#include "bit_cast.h"
 #include "real.h"
 
 /// Directed rounding, for results that must contain or bound the exact ones.
@@ -16,8 +16,8 @@ template <class T>
 constexpr T nextUp(T x) {
     using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
     if (x == 0) { return std::numeric_limits<T>::denorm_min(); }
-    const Bits bits = std::bit_cast<Bits>(x);
-    return std::bit_cast<T>(x > 0 ? bits + 1 : bits - 1);
+    const Bits bits = bitCast<Bits>(x);
+    return bitCast<T>(x > 0 ? bits + 1 : bits - 1);
 }
 
 /// The next smaller one.
@@ -31,10 +31,10 @@ constexpr T nextDown(T x) {
 template <class T>
 constexpr T steppedDown(bool isAsked, T x) {
     using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    const Bits bits = std::bit_cast<Bits>(x);
+    const Bits bits = bitCast<Bits>(x);
     const Bits isNegative = bits >> (8 * sizeof(T) - 1);
     const Bits step = 2 * isNegative - 1;
-    return std::bit_cast<T>(bits + (isAsked ? step : Bits{0}));
+    return bitCast<T>(bits + (isAsked ? step : Bits{0}));
 }
 
 /// The largest `Real` that is not above `x`; the nearest finite one where `x` is out of range. NaN stays NaN.

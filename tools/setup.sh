@@ -2,7 +2,7 @@
 # Installs the Debian packages that are missing (apt, with sudo when not root). Silent when all is there.
 #   tools/setup.sh         all
 #   tools/setup.sh demo    only what the swept command needs
-#   tools/setup.sh wasm, tools/setup.sh aarch64   only what tools/portability.sh needs for that machine
+#   tools/setup.sh wasm, emscripten, aarch64   only what tools/portability.sh needs for that machine
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 demo_packages=(g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libbox2d-dev
@@ -12,11 +12,13 @@ test_packages=(libgtest-dev libbenchmark-dev libchipmunk-dev gnuplot-nox clang-1
 # Compilers and emulators of other machines; of Highway the headers do there, of GoogleTest the sources.
 cross_packages=(cmake ninja-build libhwy-dev googletest)
 wasm_packages=(clang-14 lld-14 llvm-14 wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs)
+emscripten_packages=(emscripten)
 aarch64_packages=(g++-aarch64-linux-gnu qemu-user)
 
 case "${1:-all}" in
     demo) wanted=("${demo_packages[@]}") ;;
     wasm) wanted=("${cross_packages[@]}" "${wasm_packages[@]}") ;;
+    emscripten) wanted=("${cross_packages[@]}" "${emscripten_packages[@]}") ;;
     aarch64) wanted=("${cross_packages[@]}" "${aarch64_packages[@]}") ;;
     *) wanted=("${demo_packages[@]}" "${test_packages[@]}") ;;
 esac

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <vector>
 
 #include <swept/engine/world.h>
+#include <swept/shapes/bit_cast.h>
 
 /// Everything that can be seen of a world, as one number: two worlds that differ in a bit anywhere differ in it.
 
@@ -20,7 +20,7 @@ struct KnownIds {
 class Digest {
 public:
     void add(std::uint64_t word) { sum_ = std::rotl(sum_ ^ (word * 0x9E3779B97F4A7C15U), 23) * 0xBF58476D1CE4E5B9U; }
-    void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+    void add(double number) { add(bitCast<std::uint64_t>(number)); }
     void add(DVec2 v) {
         add(v.x);
         add(v.y);

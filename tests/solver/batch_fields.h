@@ -1,8 +1,8 @@
 #pragma once
 
+#include <swept/shapes/bit_cast.h>
 #include <swept/solver/solver.h>
 
-#include <bit>
 #include <vector>
 
 /// A walk over all dimensional fields of a batch.
@@ -217,7 +217,7 @@ void visitBatch(SolverBatch& batch, Visit&& visit) {
 inline std::vector<std::uint64_t> bitsOf(SolverBatch& batch) {
     std::vector<std::uint64_t> all;
     visitBatch(batch, [&](Real& value, Dimension) {
-        all.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(value)));
+        all.push_back(bitCast<std::uint64_t>(static_cast<double>(value)));
     });
     return all;
 }

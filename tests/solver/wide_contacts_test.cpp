@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <swept/shapes/bit_cast.h>
 #include <swept/solver/contact_lanes.h>
 #include <swept/solver/contact_store.h>
 #include <swept/solver/wide_contacts.h>
@@ -274,7 +275,7 @@ std::vector<std::uint64_t> bitsOf(const BodyState& body) {
     std::vector<std::uint64_t> bits;
     for (const Real number : numbersOf(body)) {
         bits.push_back(std::isnan(number) ? ~std::uint64_t{0}
-                                          : std::bit_cast<std::uint64_t>(static_cast<double>(number)));
+                                          : bitCast<std::uint64_t>(static_cast<double>(number)));
     }
     return bits;
 }

@@ -4,7 +4,7 @@ add_library(swept_gtest STATIC ${SWEPT_GTEST_SOURCES}/src/gtest-all.cc)
 add_library(swept_gtest_main STATIC ${SWEPT_GTEST_SOURCES}/src/gtest_main.cc)
 target_include_directories(swept_gtest SYSTEM PUBLIC ${SWEPT_GTEST_SOURCES}/include PRIVATE ${SWEPT_GTEST_SOURCES})
 target_compile_features(swept_gtest PUBLIC cxx_std_20)
-if(CMAKE_SYSTEM_PROCESSOR STREQUAL wasm32)
+if(SWEPT_WASM)
     # Programs there cannot fork, and have one thread.
     target_compile_definitions(swept_gtest PUBLIC GTEST_HAS_PTHREAD=0 GTEST_HAS_EXCEPTIONS=0 GTEST_HAS_DEATH_TEST=0
                                                   GTEST_HAS_STREAM_REDIRECTION=0)

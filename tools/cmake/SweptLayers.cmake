@@ -5,6 +5,11 @@ set(SWEPT_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${SWEPT_INCLUDE_DIR})
 file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${SWEPT_INCLUDE_DIR}/swept SYMBOLIC)
 
+# Emscripten, in builds of users, takes its machine for x86.
+if(EMSCRIPTEN OR CMAKE_SYSTEM_PROCESSOR STREQUAL wasm32)
+    set(SWEPT_WASM ON)
+endif()
+
 # Warnings of our own targets; never handed on to users.
 function(swept_warnings target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
@@ -27,7 +32,7 @@ function(swept_configure_library target export_name)
     swept_unite_layer(${target})
     target_compile_features(${target} PUBLIC cxx_std_20)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name})
-    if(NOT CMAKE_SYSTEM_PROCESSOR STREQUAL wasm32)  # where it goes through tables for nothing
+    if(NOT SWEPT_WASM)  # where it goes through tables for nothing
         set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endif()
     # Public on purpose: an inline function compiled with fused multiply-add in a user's file could be the copy that the

@@ -4,7 +4,7 @@ if(SWEPT_SIMD)
     set(SWEPT_HIGHWAY hwy::hwy)
     if(TARGET hwy::hwy)
         # of the project that this one is part of
-    elseif(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(wasm32|aarch64)$")
+    elseif(SWEPT_WASM OR (CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64))
         # These machines have one instruction set that is of use, so that nothing is chosen at run time, and the headers are
         # all of Highway that is needed: those of this machine do, seen through a link so that nothing else beside them is.
         find_path(SWEPT_HIGHWAY_HEADERS hwy/highway.h PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
