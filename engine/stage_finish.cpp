@@ -201,7 +201,9 @@ void mergeChainEvents(WorldState& world) {
 /// By fraction, shapes, and the rest of `eventKey`. Most are of the start of the step, where shapes are the key.
 void sortContactEvents(WorldState& world) {
     const std::vector<ContactEvent>& events = world.contactEvents;
-    auto& [ofChains, atStart, later] = world.eventPlaces;
+    std::vector<EventPlace>& ofChains = world.eventPlaces.ofChains;
+    std::vector<EventPlace>& atStart = world.eventPlaces.atStart;
+    std::vector<EventPlace>& later = world.eventPlaces.later;
     ofChains.clear();
     atStart.clear();
     later.clear();
