@@ -54,7 +54,7 @@ inline constexpr int kBroadphaseKindCount = 7;
 struct BroadphaseCounters {
     std::uint64_t boxTests = 0;  ///< box against box, in pair finding and in queries
     std::uint64_t pairsReported = 0;
-    std::uint64_t reinserted = 0;  ///< calls of `move`
+    std::uint64_t reinserted = 0;  ///< proxies moved
     std::uint64_t rebuilt = 0;     ///< times that the whole structure was built anew
 };
 
@@ -71,6 +71,15 @@ public:
     /// Replaces the box and marks the proxy as moved. Errors: `staleId`, and as `insert`.
     virtual Status move(ProxyId id, const Aabb& box) = 0;
     virtual Status remove(ProxyId id) = 0;
+
+    /// Many moves at once: between these two, `moveBeside` may be called for different proxies at the same time, each
+    /// once, and nothing else but `box`, of a proxy that was not moved yet or by the thread that moved it. Errors as
+    /// `move`.
+    virtual void beginMoves() = 0;
+    virtual Status moveBeside(ProxyId id, const Aabb& box) = 0;
+    /// From here on the proxies are where they were moved to. The default method shares what is left to be done.
+    /// @return how many were moved
+    virtual std::size_t endMoves(TaskSystem& loops) = 0;
 
     /// The box as it was given last. `id` must name a proxy that exists: a stale id is undefined (asserted).
     /// Valid until the next call that changes something.

@@ -13,7 +13,7 @@ void Bvh::onMove(std::uint32_t slot) { treeAt(slot).move(leaves_[slot], table().
 
 void Bvh::onRemove(std::uint32_t slot) { treeAt(slot).erase(leaves_[slot]); }
 
-void Bvh::onPairsDone() {
+void Bvh::onPairsDone(TaskSystem& /*loops*/) {
     for (const std::uint32_t slot : table().listedMoved()) {
         if (table().bitAt(slot) != 0) { treeAt(slot).clearMoved(leaves_[slot]); }
     }

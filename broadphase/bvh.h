@@ -22,7 +22,7 @@ private:
     void onMove(std::uint32_t slot) override;
     void onRenew(std::uint32_t slot) override { onMove(slot); }
     void onRemove(std::uint32_t slot) override;
-    void onPairsDone() override;
+    void onPairsDone(TaskSystem& loops) override;
     std::uint64_t join(PairSink& sink, TaskSystem& loops) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     void visitAlong(SweepVisit& visit) const override;

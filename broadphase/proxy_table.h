@@ -42,6 +42,9 @@ public:
     /// Frees a slot that is taken.
     void release(ProxyId id);
     void move(ProxyId id, const Aabb& box);
+    /// The same without marking it, for those who find out by themselves what moved. Different slots may be given their
+    /// boxes at the same time.
+    void moveUnmarked(std::uint32_t slot, const Aabb& box) { boxes_[slot] = box; }
     /// Takes back that pairs of the proxy were reported, and marks it as moved.
     void renew(ProxyId id);
 

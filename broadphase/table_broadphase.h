@@ -64,6 +64,9 @@ public:
     Result<ProxyId> insert(const Aabb& box, ProxyKind kind) final;
     Status move(ProxyId id, const Aabb& box) final;
     Status remove(ProxyId id) final;
+    void beginMoves() final;
+    Status moveBeside(ProxyId id, const Aabb& box) final;
+    std::size_t endMoves(TaskSystem& loops) final;
     Status renewPairs(ProxyId id) final;
     const Aabb& box(ProxyId id) const final;
     std::span<const Aabb> boxes() const final { return table_.boxes(); }
@@ -87,10 +90,16 @@ private:
     virtual void onInsert(std::uint32_t slot) = 0;
     virtual void onMove(std::uint32_t slot) = 0;
     virtual void onRenew(std::uint32_t) {}
+    /// Room for `onMoveBeside`, which may be called for different slots at the same time. By default moves wait until
+    /// all are known.
+    virtual void onBeginMoves();
+    virtual void onMoveBeside(std::uint32_t slot, const Aabb& box);
+    /// @return how many were moved
+    virtual std::size_t onEndMoves(TaskSystem& loops);
     /// The slot is still taken.
     virtual void onRemove(std::uint32_t slot) = 0;
     /// The known boxes of what has moved are about to become those of now.
-    virtual void onPairsDone() {}
+    virtual void onPairsDone(TaskSystem&) {}
     /// Gives every overlapping pair of which one has moved to the sink. Returns the number of box tests.
     virtual std::uint64_t join(PairSink& sink, TaskSystem& loops) = 0;
     /// Returns the number of box tests.
@@ -107,6 +116,9 @@ private:
 
     ProxyTable table_;
     PairOrder order_;
+    std::vector<Aabb> coming_;         // by slot, of those that were moved beside each other
+    std::vector<std::uint8_t> comes_;  // by slot, 1: it was
+    bool anyBeside_ = false;           // some were since the last call of `pairs`
     BroadphaseCounters counters_;
     mutable SharedCount queryTests_;  // queries may run at the same time as each other
 };

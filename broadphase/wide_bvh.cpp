@@ -26,6 +26,26 @@ void WideBvh::onInsert(std::uint32_t slot) {
 
 void WideBvh::onMove(std::uint32_t slot) { treeAt(slot).move(places_[slot], table().boxAt(slot)); }
 
+void WideBvh::onMoveBeside(std::uint32_t slot, const Aabb& box) {
+    table().moveUnmarked(slot, box);
+    treeAt(slot).moveBeside(places_[slot], box);
+}
+
+/// All that the next search would do first is done here, where much has moved: what asks for boxes before that finds
+/// them tight.
+std::size_t WideBvh::onEndMoves(TaskSystem& loops) {
+    std::size_t count = 0;
+    for (WideTree& tree : trees_) { count += tree.endMoves(loops); }
+    if (count > 0) { prepareJoins(loops); }
+    return count;
+}
+
+void WideBvh::prepareJoins(TaskSystem& loops) {
+    for (WideTree& tree : trees_) {
+        if (tree.prepareJoin(places_, loops)) { countRebuild(); }
+    }
+}
+
 void WideBvh::onRemove(std::uint32_t slot) { treeAt(slot).remove(places_[slot]); }
 
 /// Each kind with each: in one piece where little has moved, else cut where so many nodes are that several workers find
@@ -50,9 +70,7 @@ void WideBvh::listJoins() {
 }
 
 std::uint64_t WideBvh::join(PairSink& sink, TaskSystem& loops) {
-    for (WideTree& tree : trees_) {
-        if (tree.prepareJoin(places_)) { countRebuild(); }
-    }
+    prepareJoins(loops);
     listJoins();
     scratch_.resize(std::max(scratch_.size(), static_cast<std::size_t>(loops.workerCount())));
     for (WideScratch& scratch : scratch_) {
@@ -76,8 +94,8 @@ std::uint64_t WideBvh::join(PairSink& sink, TaskSystem& loops) {
     return tests;
 }
 
-void WideBvh::onPairsDone() {
-    for (WideTree& tree : trees_) { tree.finishJoin(); }
+void WideBvh::onPairsDone(TaskSystem& loops) {
+    for (WideTree& tree : trees_) { tree.finishJoin(loops); }
 }
 
 std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {

@@ -25,7 +25,10 @@ private:
     void onMove(std::uint32_t slot) override;
     void onRenew(std::uint32_t slot) override { treeAt(slot).forget(places_[slot]); }
     void onRemove(std::uint32_t slot) override;
-    void onPairsDone() override;
+    void onBeginMoves() override {}
+    void onMoveBeside(std::uint32_t slot, const Aabb& box) override;
+    std::size_t onEndMoves(TaskSystem& loops) override;
+    void onPairsDone(TaskSystem& loops) override;
     std::uint64_t join(PairSink& sink, TaskSystem& loops) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     std::uint64_t visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
@@ -36,6 +39,7 @@ private:
         return trees_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
     }
 
+    void prepareJoins(TaskSystem& loops);
     void listJoins();
 
     const WideKernels& kernels_;

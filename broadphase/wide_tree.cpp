@@ -1,12 +1,21 @@
 #include "wide_tree.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstring>
 
 #include "proxy_table.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
+
+/// Nodes per block of a parallel loop: of those whose boxes are read, and of those whose marks are.
+constexpr std::size_t kNodeGrain = 64;
+constexpr std::size_t kMarkGrain = 256;
+/// Marks of places, until they are the nodes': a byte each, so that several threads may set them.
+constexpr std::uint8_t kMovedBeside = 1;
+constexpr std::uint8_t kJumpedBeside = 2;
 
 /// Halves against each other: three steps instead of a chain of eight, and the first is one for a register of four
 /// lanes.
@@ -39,6 +48,7 @@ void WideTree::insert(std::uint32_t slot, const Aabb& box, std::span<std::uint32
 
 void WideTree::remove(std::uint32_t place) {
     const std::uint32_t node = place >> kLaneBits;
+    isPrepared_ = false;
     levels_[0][node].set(place & kLaneMask, kNoBox);
     known_[node].set(place & kLaneMask, kNoBox);
     slots_[place] = kNoSlot;
@@ -55,14 +65,67 @@ void WideTree::forget(std::uint32_t place) {
 void WideTree::move(std::uint32_t place, const Aabb& box) {
     const std::uint32_t node = place >> kLaneBits;
     const auto bit = static_cast<std::uint8_t>(1U << (place & kLaneMask));
-    const bool jumped = height_ > 1 && !overlaps(box, levels_[1][node >> kLaneBits].box(node & kLaneMask));
-    if (jumped && (jumpedLanes_[node] & bit) == 0) {
+    if (jumpsFrom(place, box) && (jumpedLanes_[node] & bit) == 0) {
         jumpedLanes_[node] |= bit;
         jumped_.push_back(place);
     }
     levels_[0][node].set(place & kLaneMask, box);
     include(place, box);
     mark(place);
+}
+
+/// Whether a box lies apart from the box of the node that its place is in.
+bool WideTree::jumpsFrom(std::uint32_t place, const Aabb& box) const {
+    const std::uint32_t node = place >> kLaneBits;
+    return height_ > 1 && !overlaps(box, levels_[1][node >> kLaneBits].box(node & kLaneMask));
+}
+
+void WideTree::moveBeside(std::uint32_t place, const Aabb& box) {
+    besides_[place] = jumpsFrom(place, box) ? kMovedBeside | kJumpedBeside : kMovedBeside;
+    levels_[0][place >> kLaneBits].set(place & kLaneMask, box);
+}
+
+/// Of a range of the lowest nodes. @return how many were moved
+std::uint32_t WideTree::markBesides(std::size_t begin, std::size_t end) {
+    std::uint32_t count = 0;
+    for (std::size_t node = begin; node < end; ++node) {
+        std::uint8_t* const besides = besides_.data() + node * kWide;
+        std::uint64_t all = 0;
+        std::memcpy(&all, besides, sizeof(all));
+        if (all == 0) { continue; }
+        unsigned moved = 0;
+        unsigned jumped = 0;
+        for (std::uint32_t lane = 0; lane < kWide; ++lane) {
+            moved |= (besides[lane] & kMovedBeside) << lane;
+            jumped |= ((besides[lane] & kJumpedBeside) >> 1U) << lane;
+        }
+        std::memset(besides, 0, sizeof(all));
+        count += static_cast<std::uint32_t>(std::popcount(moved));
+        movedLanes_[node] |= static_cast<std::uint8_t>(moved);
+        jumpedLanes_[node] |= static_cast<std::uint8_t>(jumped);
+    }
+    return count;
+}
+
+std::uint32_t WideTree::endMoves(TaskSystem& loops) {
+    std::atomic<std::uint32_t> count = 0;
+    loops.run(movedLanes_.size(), kMarkGrain, [&](std::size_t begin, std::size_t end, int) {
+        const std::uint32_t some = markBesides(begin, end);
+        if (some > 0) { count.fetch_add(some, std::memory_order_relaxed); }
+    });
+    if (count == 0) { return 0; }
+    isPrepared_ = false;
+    movedCount_ = 0;
+    movedNodes_.clear();
+    jumped_.clear();
+    for (std::uint32_t node = 0; node < movedLanes_.size(); ++node) {
+        if (movedLanes_[node] != 0) { movedNodes_.push_back(node); }
+        movedCount_ += static_cast<std::uint32_t>(std::popcount(movedLanes_[node]));
+        for (std::uint32_t lanes = jumpedLanes_[node]; lanes != 0; lanes &= lanes - 1) {
+            jumped_.push_back((node << kLaneBits) + static_cast<std::uint32_t>(std::countr_zero(lanes)));
+        }
+    }
+    return count;
 }
 
 /// Puts a box behind all others and marks it as moved.
@@ -86,9 +149,11 @@ void WideTree::addNodes() {
     slots_.resize(slots_.size() + kWide, kNoSlot);
     movedLanes_.push_back(0);
     jumpedLanes_.push_back(0);
+    besides_.resize(slots_.size(), 0);
     nodeSpreads_.push_back(0);
     jumped_.reserve(slots_.capacity());
     movedNodes_.reserve(movedLanes_.capacity());
+    spreadGains_.reserve(movedLanes_.capacity());
     height_ = std::max<std::size_t>(height_, 1);
     for (std::size_t level = 0; levels_[level].size() > 1; ++level) {
         std::vector<WideBoxes>& above = levels_[level + 1];
@@ -118,6 +183,7 @@ void WideTree::include(std::uint32_t place, const Aabb& box) {
 }
 
 void WideTree::mark(std::uint32_t place) {
+    isPrepared_ = false;
     const auto bit = static_cast<std::uint8_t>(1U << (place & kLaneMask));
     std::uint8_t& lanes = movedLanes_[place >> kLaneBits];
     if (lanes == 0) { movedNodes_.push_back(place >> kLaneBits); }
@@ -125,11 +191,13 @@ void WideTree::mark(std::uint32_t place) {
     lanes |= bit;
 }
 
-bool WideTree::prepareJoin(std::span<std::uint32_t> places) {
+bool WideTree::prepareJoin(std::span<std::uint32_t> places, TaskSystem& loops) {
+    if (isPrepared_) { return false; }
     const bool due = isWorthRebuilding();
     if (due) { rebuild(places); }
     settleJumps(places);
-    refit();
+    refit(loops);
+    isPrepared_ = true;
     // Per box, since more boxes have more nodes. What a box is compared with goes with the area of the nodes.
     const double spread = spread_ * builtSize_;
     const double built = builtSpread_ * size_;
@@ -183,40 +251,17 @@ void WideTree::sortMovedNodes() {
 }
 
 /// From below: exact boxes above all that moved, and the list of it.
-void WideTree::refit() {
+void WideTree::refit(TaskSystem& loops) {
     if (movedCount_ == 0 && !anyMoved()) { return; }
     for (std::vector<MovedNode>& list : moved_) { list.clear(); }
     if (movedCount_ == 0) { return; }
-    std::vector<MovedNode>& lowest = moved_[0];
     sortMovedNodes();
-    for (const std::uint32_t node : movedNodes_) {
-        std::uint32_t lanes = movedLanes_[node];
-        Aabb hull = kNoBox;
-        for (; lanes != 0; lanes &= lanes - 1) {
-            hull = hullOf(hull, levels_[0][node].box(static_cast<std::uint32_t>(std::countr_zero(lanes))));
-        }
-        lowest.push_back({hull, node, 0});
-    }
-    for (std::size_t level = 1; level < height_; ++level) {
-        std::vector<MovedNode>& below = moved_[level - 1];
-        for (std::uint32_t i = 0; i < below.size(); ++i) {
-            const std::uint32_t child = below[i].node;
-            WideBoxes& parent = levels_[level][child >> kLaneBits];
-            const Aabb tight = levels_[level - 1][child].hull();
-            if (level == 1) {
-                const double spread = spreadOf(tight);
-                spread_ += spread - spreadOf(parent.box(child & kLaneMask));
-                if (nodeSpreads_[child] == 0) { nodeSpreads_[child] = spread; }
-            }
-            parent.set(child & kLaneMask, tight);
-            std::vector<MovedNode>& here = moved_[level];
-            if (here.empty() || here.back().node != child >> kLaneBits) {
-                here.push_back({below[i].hull, child >> kLaneBits, i});
-            } else {
-                here.back().hull = hullOf(here.back().hull, below[i].hull);
-            }
-        }
-    }
+    moved_[0].resize(movedNodes_.size());
+    spreadGains_.assign(movedNodes_.size(), 0);
+    loops.run(movedNodes_.size(), kNodeGrain,
+              [this](std::size_t begin, std::size_t end, int) { refitNodes(begin, end); });
+    for (const double gain : spreadGains_) { spread_ += gain; }  // in order: the same for any number of workers
+    for (std::size_t level = 1; level < height_; ++level) { listMovedAbove(level); }
     for (std::size_t level = 0; level < height_; ++level) {
         if (moved_[level].empty()) { continue; }
         const auto end = static_cast<std::uint32_t>(level > 0 ? moved_[level - 1].size() - 1 : 0);
@@ -224,21 +269,66 @@ void WideTree::refit() {
     }
 }
 
-void WideTree::finishJoin() {
-    if (movedCount_ == 0) { return; }
-    for (const MovedNode& moved : moved_[0]) {
-        if (moved.node == kNoSlot) { continue; }  // the sentinel
-        known_[moved.node] = levels_[0][moved.node];
-        movedLanes_[moved.node] = 0;
+/// Of some of the lowest nodes that moved: each writes its own lane one level above.
+void WideTree::refitNodes(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t node = movedNodes_[i];
+        const WideBoxes& boxes = levels_[0][node];
+        const Aabb tight = boxes.hull();
+        Aabb hull = tight;
+        if (std::uint32_t lanes = movedLanes_[node]; lanes != kAllLanes) {
+            hull = kNoBox;
+            for (; lanes != 0; lanes &= lanes - 1) {
+                hull = hullOf(hull, boxes.box(static_cast<std::uint32_t>(std::countr_zero(lanes))));
+            }
+        }
+        moved_[0][i] = {hull, node, 0};
+        if (height_ == 1) { continue; }
+        WideBoxes& parent = levels_[1][node >> kLaneBits];
+        const std::uint32_t lane = node & kLaneMask;
+        const double spread = spreadOf(tight);
+        spreadGains_[i] = spread - spreadOf(parent.box(lane));
+        if (nodeSpreads_[node] == 0) { nodeSpreads_[node] = spread; }
+        parent.set(lane, tight);
     }
+}
+
+/// Of a level above the lowest: what moved below it, and from two levels above that on the exact boxes.
+void WideTree::listMovedAbove(std::size_t level) {
+    const std::vector<MovedNode>& below = moved_[level - 1];
+    std::vector<MovedNode>& here = moved_[level];
+    for (std::uint32_t i = 0; i < below.size(); ++i) {
+        const std::uint32_t child = below[i].node;
+        const std::uint32_t parent = child >> kLaneBits;
+        if (level > 1) { levels_[level][parent].set(child & kLaneMask, levels_[level - 1][child].hull()); }
+        if (here.empty() || here.back().node != parent) {
+            here.push_back({below[i].hull, parent, i});
+        } else {
+            here.back().hull = hullOf(here.back().hull, below[i].hull);
+        }
+    }
+}
+
+void WideTree::finishJoin(TaskSystem& loops) {
+    isPrepared_ = false;
+    if (movedCount_ == 0) { return; }
+    const std::size_t count = moved_[0].empty() ? 0 : moved_[0].size() - 1;  // without the sentinel
+    loops.run(count, kNodeGrain, [this](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t node = moved_[0][i].node;
+            known_[node] = levels_[0][node];
+            movedLanes_[node] = 0;
+        }
+    });
     movedNodes_.clear();
     movedCount_ = 0;
 }
 
 std::size_t WideTree::memoryBytes() const {
     std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(jumpedLanes_) +
-                      bytesOf(jumped_) + bytesOf(movedNodes_) + bytesOf(nodeSpreads_) + bytesOf(items_) +
-                      bytesOf(oldBoxes_) + bytesOf(oldKnown_) + bytesOf(oldSlots_) + bytesOf(oldMoved_);
+                      bytesOf(jumped_) + bytesOf(movedNodes_) + bytesOf(besides_) + bytesOf(nodeSpreads_) +
+                      bytesOf(spreadGains_) + bytesOf(items_) + bytesOf(oldBoxes_) + bytesOf(oldKnown_) +
+                      bytesOf(oldSlots_) + bytesOf(oldMoved_);
     for (const auto& level : levels_) { sum += bytesOf(level); }
     for (const auto& list : moved_) { sum += bytesOf(list); }
     return sum;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../shapes/aabb.h"
+#include "../shapes/task_system.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -71,14 +72,19 @@ public:
     void insert(std::uint32_t slot, const Aabb& box, std::span<std::uint32_t> places);
     void remove(std::uint32_t place);
     void move(std::uint32_t place, const Aabb& box);
+    /// Likewise, of different places at the same time; the boxes above follow with `endMoves`.
+    void moveBeside(std::uint32_t place, const Aabb& box);
+    /// Marks what was moved that way. What asks for boxes needs `prepareJoin` first. @return how many were
+    std::uint32_t endMoves(TaskSystem& loops);
     /// Takes a box back from the known ones, and marks it as moved.
     void forget(std::uint32_t place);
 
-    /// Rebuilds when that is due, makes all boxes above moved ones tight, and lists what has moved.
+    /// Rebuilds when that is due, makes all boxes above moved ones tight, and lists what has moved. Nothing to do when
+    /// nothing changed since the last call.
     /// @return whether it was rebuilt.
-    bool prepareJoin(std::span<std::uint32_t> places);
+    bool prepareJoin(std::span<std::uint32_t> places, TaskSystem& loops);
     /// From here on all boxes are known, and nothing has moved.
-    void finishJoin();
+    void finishJoin(TaskSystem& loops);
 
     /// Number of levels; 0 when the tree is empty. The highest has one node.
     std::size_t height() const { return height_; }
@@ -107,9 +113,13 @@ private:
     void addNodes();
     void include(std::uint32_t place, const Aabb& box);
     void mark(std::uint32_t place);
+    bool jumpsFrom(std::uint32_t place, const Aabb& box) const;
+    std::uint32_t markBesides(std::size_t begin, std::size_t end);
     void settleJumps(std::span<std::uint32_t> places);
     void sortMovedNodes();
-    void refit();
+    void refit(TaskSystem& loops);
+    void refitNodes(std::size_t begin, std::size_t end);
+    void listMovedAbove(std::size_t level);
     bool isWorthRebuilding() const;
     void rebuild(std::span<std::uint32_t> places);
     void collectItems();
@@ -123,6 +133,7 @@ private:
     std::vector<std::uint32_t> movedNodes_;  // those with marks, and maybe others, and maybe twice
     std::vector<std::uint8_t> jumpedLanes_;  // those that left the box of their node in one move
     std::vector<std::uint32_t> jumped_;      // their places
+    std::vector<std::uint8_t> besides_;      // one per place: kMovedBeside, kJumpedBeside
     std::vector<double> nodeSpreads_;        // of the lowest nodes when they were built; 0: not known yet
     std::array<std::vector<MovedNode>, kMaxLevels> moved_;
     std::size_t height_ = 0;
@@ -133,9 +144,11 @@ private:
     double builtSpread_ = 0;        // sum of perimeters of the lowest nodes after the last build
     double builtSize_ = 0;          // proxies then
     double spread_ = 0;             // the same now
+    bool isPrepared_ = false;       // nothing changed since `prepareJoin`
     double decay_ = 0;              // what the growth of the spread has cost since, in moved boxes
 
-    std::vector<Item> items_;  // scratch of rebuild
+    std::vector<double> spreadGains_;  // scratch of refit: by which its moved nodes grew
+    std::vector<Item> items_;          // scratch of rebuild
     std::vector<WideBoxes> oldBoxes_;
     std::vector<WideBoxes> oldKnown_;
     std::vector<std::uint32_t> oldSlots_;

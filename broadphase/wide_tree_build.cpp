@@ -113,6 +113,7 @@ void WideTree::layOut(std::span<std::uint32_t> places) {
     movedLanes_.assign(nodes, 0);
     jumpedLanes_.assign(nodes, 0);
     jumped_.clear();
+    besides_.assign(end_, 0);
     nodeSpreads_.assign(nodes, 0);
     for (std::uint32_t place = 0; place < end_; ++place) {
         const std::uint32_t from = items_[place].from;

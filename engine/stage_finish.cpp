@@ -231,20 +231,13 @@ void sortContactEvents(WorldState& world) {
 
 }  // namespace
 
-/// Several workers make boxes side by side; they are given to the broadphase one by one, in order.
+/// Several workers make boxes side by side, and give those that were outgrown to the broadphase.
 void moveProxies(WorldState& world) {
-    if (world.loops->workerCount() <= 1) {
-        for (const std::uint32_t slot : world.awake) { updateProxies(world, slot); }
-        return;
-    }
-    world.outgrown.resize(world.awake.size());
-    world.fatBoxes.resize(world.neededBoxes.size());
+    world.broadphase->beginMoves();
     world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { world.outgrown[i] = renewBoxes(world, world.awake[i]); }
+        for (std::size_t i = begin; i < end; ++i) { renewBoxes(world, world.awake[i]); }
     });
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        moveOutgrownProxies(world, world.awake[i], world.outgrown[i]);
-    }
+    world.counters.proxiesMoved += world.broadphase->endMoves(*world.loops);
 }
 
 void breakJoints(WorldState& world) {

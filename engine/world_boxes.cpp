@@ -140,26 +140,10 @@ void moveProxy(WorldState& world, ProxyId proxy, const Aabb& box) {
 
 }  // namespace
 
-std::uint32_t renewBoxes(WorldState& world, std::uint32_t body) {
-    std::uint32_t outgrown = kNoIndex;
-    visitOutgrown(world, body, [&](ProxyId proxy, const Aabb& box) {
-        world.fatBoxes[static_cast<std::size_t>(proxy)] = box;
-        outgrown = outgrown == kNoIndex ? static_cast<std::uint32_t>(proxy) : kManyBoxes;
+void renewBoxes(WorldState& world, std::uint32_t body) {
+    visitOutgrown(world, body, [&world](ProxyId proxy, const Aabb& box) {
+        (void)world.broadphase->moveBeside(proxy, box);  // refused: it keeps its box
     });
-    return outgrown;
-}
-
-void moveOutgrownProxies(WorldState& world, std::uint32_t body, std::uint32_t outgrown) {
-    if (outgrown == kNoIndex) { return; }
-    if (outgrown != kManyBoxes) {  // as mostly: nothing need be looked up
-        return moveProxy(world, static_cast<ProxyId>(outgrown), world.fatBoxes[outgrown]);
-    }
-    for (const std::uint32_t slot : world.bodies[body].shapes) {
-        const ProxyId proxy = world.shapes[slot].proxy;
-        const auto place = static_cast<std::size_t>(proxy);
-        const bool isOutgrown = !contains(world.broadphase->box(proxy), world.neededBoxes[place]);
-        if (isOutgrown) { moveProxy(world, proxy, world.fatBoxes[place]); }
-    }
 }
 
 void updateProxies(WorldState& world, std::uint32_t body) {

@@ -188,8 +188,6 @@ struct WorldState {
     std::vector<Tiredness> tiredness;          ///< by place in `awake`: when it was asked whether to sleep
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
-    std::vector<std::uint32_t> outgrown;       ///< by place in `awake`: see `renewBoxes`
-    std::vector<Aabb> fatBoxes;                ///< by proxy: what takes its place then
     std::vector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     bool watched = false;       ///< this step: some body has such a mode (modes.h)
@@ -253,12 +251,8 @@ Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
 /// Hands boxes that are too small for where the shapes may be next to the broadphase.
 void updateProxies(WorldState& world, std::uint32_t body);
-/// The same in two parts, of which the first one may be done for different bodies at the same time: it leaves the boxes
-/// in `WorldState::fatBoxes`. @return the proxy whose box it is; `kNoIndex`: none; `kManyBoxes`: several
-std::uint32_t renewBoxes(WorldState& world, std::uint32_t body);
-inline constexpr std::uint32_t kManyBoxes = kNoIndex - 1;
-/// @param outgrown  what that returned
-void moveOutgrownProxies(WorldState& world, std::uint32_t body, std::uint32_t outgrown);
+/// The same for different bodies at the same time, between `Broadphase::beginMoves` and `endMoves`.
+void renewBoxes(WorldState& world, std::uint32_t body);
 /// Also boxes that still fit, and all their pairs are found anew (teleports).
 void renewProxies(WorldState& world, std::uint32_t body);
 /// After its velocity changed between steps, or the step became longer: boxes reach as far as the coming step asks.

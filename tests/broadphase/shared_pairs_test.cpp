@@ -34,6 +34,23 @@ public:
     void tell(Broadphase& broadphase) {
         for (const std::uint32_t i : moved_) { ASSERT_TRUE(broadphase.move(static_cast<ProxyId>(i), boxes_[i]).ok()); }
     }
+    /// All at once, by several threads.
+    void tellBeside(Broadphase& broadphase, TaskSystem& tasks) {
+        broadphase.beginMoves();
+        tasks.run(moved_.size(), 16, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t i = begin; i < end; ++i) {
+                EXPECT_TRUE(broadphase.moveBeside(static_cast<ProxyId>(moved_[i]), boxes_[moved_[i]]).ok());
+            }
+        });
+        EXPECT_EQ(broadphase.endMoves(tasks), moved_.size());
+    }
+    std::size_t findWith(const Broadphase& broadphase) const {
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < boxes_.size(); i += 7) {
+            broadphase.query(boxes_[i], [&found](ProxyId) { return ++found > 0; });
+        }
+        return found;
+    }
 
 private:
     static constexpr std::uint32_t kCount = 4000;
@@ -64,6 +81,38 @@ TEST(SharedPairs, AreThoseOfOneThread) {
             crowd.tell(*shared);
         }
         EXPECT_GT(found, 4000U) << "too few pairs to prove anything";
+    }
+}
+
+/// The same pairs, and the same answers between the searches, as of boxes that are moved one after the other.
+TEST(SharedPairs, OfBoxesThatAreMovedBesideEachOther) {
+    for (int kind = 0; kind < kBroadphaseKindCount; ++kind) {
+        ThreadTasks tasks(3);
+        Crowd crowd(23);
+        const auto alone = makeBroadphase(BroadphaseKind::allPairs);
+        const auto shared = makeBroadphase(static_cast<BroadphaseKind>(kind));
+        crowd.insertInto(*alone);
+        crowd.insertInto(*shared);
+        std::vector<ProxyPair> expected;
+        std::vector<ProxyPair> pairs;
+        std::size_t found = 0;
+        for (std::uint32_t round = 0; round < 6; ++round) {
+            alone->pairs(expected);
+            shared->pairs(pairs, tasks);
+            ASSERT_EQ(pairs, expected) << "kind " << kind << ", round " << round;
+            found += expected.size();
+            crowd.drift(1 + round);
+            crowd.tell(*alone);
+            crowd.tellBeside(*shared, tasks);
+            ASSERT_EQ(crowd.findWith(*shared), crowd.findWith(*alone)) << "kind " << kind << ", round " << round;
+            crowd.drift(9);  // and some more one after the other
+            crowd.tell(*alone);
+            crowd.tell(*shared);
+        }
+        EXPECT_GT(found, 4000U) << "too few pairs to prove anything";
+        shared->beginMoves();
+        EXPECT_FALSE(shared->moveBeside(static_cast<ProxyId>(1'000'000), {}).ok());
+        EXPECT_EQ(shared->endMoves(tasks), 0U);
     }
 }
 
