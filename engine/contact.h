@@ -27,6 +27,9 @@ enum class BatchKind : std::uint8_t {
     roundTwo,  ///< of cores with two vertices at most
     roundFew,
     roundMany,
+    chainTwo,  ///< of chain segments, likewise by what touches them
+    chainFew,
+    chainMany,
 };
 
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or

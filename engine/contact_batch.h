@@ -21,8 +21,14 @@ public:
     void add(const WorldState& world, ContactProbe* probe, Contact& contact, const Transform& bInA,
              ManifoldReach reach) {
         entries_[pairs_.size()] = {probe, &contact};
-        pairs_.add(world.shapes[contact.shapeA].polygon, world.shapes[contact.shapeB].polygon,
-                   {contact.radiusA, contact.radiusB, contact.verticesA, contact.verticesB}, bInA, reach);
+        const Shape& a = world.shapes[contact.shapeA];
+        const Shape& b = world.shapes[contact.shapeB];
+        const ManifoldBatch::Sizes sizes{contact.radiusA, contact.radiusB, contact.verticesA, contact.verticesB};
+        if (isOfChains()) {
+            pairs_.add(a.segment, a.closedEnds, a.polygon, b.polygon, sizes, bInA, reach);
+        } else {
+            pairs_.add(a.polygon, b.polygon, sizes, bInA, reach);
+        }
     }
 
     /// Gives all of them their manifolds, and is empty.
@@ -36,7 +42,7 @@ public:
             Contact& contact = *entry.contact;
             const Transform bInA = pairs_.poseOf(i);
             // Written where it belongs: a copy of what was just written has to wait for it.
-            if (contact.dynamicA && pairs_.isPlain(i)) {
+            if ((contact.dynamicA || isOfChains()) && pairs_.isPlain(i)) {
                 if (pairs_.hasPoints(i, contact.manifold)) {  // as mostly: impulses stay where they are
                     pairs_.copyPoints(i, contact.manifold);
                 } else {
@@ -64,11 +70,12 @@ private:
         Contact* contact = nullptr;
     };
 
+    bool isOfChains() const { return pairs_.kind() == PairKind::chain; }
     /// What came apart, is beyond what batches are for, or stands on ground.
     void renewOther(const WorldState& world, std::size_t pair, Contact& contact, const Transform& bInA) const {
         Manifold closest;
         pairs_.takeManifold(pair, contact.memory, closest);
-        if (!contact.dynamicA) {
+        if (!contact.dynamicA && !isOfChains()) {
             closest = turnedToGround(world, world.shapes[contact.shapeA], world.shapes[contact.shapeB], bInA,
                                      pairs_.reachOf(pair).points, closest);
         }
@@ -110,9 +117,10 @@ private:
     const WorldState& world_;
     Done done_;
     bool haveBatches_ = canCollideInBatches();
-    std::array<ContactBatch, 5> batches_{ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp),
-                                         ContactBatch(PairKind::round), ContactBatch(PairKind::round),
-                                         ContactBatch(PairKind::round)};  ///< by `BatchKind`, but for `none`
+    std::array<ContactBatch, 8> batches_{
+        ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp), ContactBatch(PairKind::round),
+        ContactBatch(PairKind::round), ContactBatch(PairKind::round), ContactBatch(PairKind::chain),
+        ContactBatch(PairKind::chain), ContactBatch(PairKind::chain)};  ///< by `BatchKind`, but for `none`
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -26,6 +26,7 @@ struct Shape {
     ProxyId proxy{};
     bool isChainSegment = false;
     bool isBatched = false;  ///< `collidesInBatches`
+    ClosedEnds closedEnds;   ///< of a chain segment
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -29,9 +29,16 @@ bool comesFirst(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     return a < b;
 }
 
-BatchKind batchKindOf(const Polygon& a, const Polygon& b) {
+BatchKind batchKindOf(const Shape& first, const Shape& second) {
+    if (!first.isBatched || !second.isBatched || second.isChainSegment) { return BatchKind::none; }
+    const Polygon& a = first.polygon;
+    const Polygon& b = second.polygon;
     const int vertices = std::max(a.count, b.count);
     const bool areFew = vertices <= kFewVertices;
+    if (first.isChainSegment) {
+        if (vertices <= 2) { return BatchKind::chainTwo; }
+        return areFew ? BatchKind::chainFew : BatchKind::chainMany;
+    }
     if (pairKindOf(a, b) == PairKind::sharp) { return areFew ? BatchKind::few : BatchKind::many; }
     if (vertices <= 2) { return BatchKind::roundTwo; }
     return areFew ? BatchKind::roundFew : BatchKind::roundMany;
@@ -61,7 +68,7 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.dynamicA = world.bodies[a.body].isDynamic();
     contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;
-    if (a.isBatched && b.isBatched) { contact.batch = batchKindOf(a.polygon, b.polygon); }
+    contact.batch = batchKindOf(a, b);
     return contact;
 }
 

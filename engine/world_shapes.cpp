@@ -54,7 +54,8 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     shape.body = body;
     shape.extent = extentOf(shape.polygon);
     shape.size = radiusAbout(shape.polygon, {});
-    shape.isBatched = !shape.isChainSegment && collidesInBatches(shape.polygon);
+    shape.isBatched = shape.isChainSegment ? collidesInBatches(shape.segment) : collidesInBatches(shape.polygon);
+    if (shape.isBatched && shape.isChainSegment) { shape.closedEnds = closedEndsOf(shape.segment); }
     world.thinnestWall.reset();
     const ProxyKind kind = kindOf(shape, world.bodies[body].def.type);
     const Aabb box = fatBox(world, shape);

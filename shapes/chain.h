@@ -23,6 +23,13 @@ Polygon polygonOf(const ChainSegment& segment);
 /// Outward (colliding side) unit normal: to the right of p → q.
 Vec2 normalOf(const ChainSegment& segment);
 
+/// Ends at which there is a neighbour that turns away, or hardly turns: a shape beyond such an end is its neighbour's.
+struct ClosedEnds {
+    bool atStart = false;
+    bool atEnd = false;
+};
+ClosedEnds closedEndsOf(const ChainSegment& segment);
+
 /// Number of segments of a chain of `pointCount` points.
 constexpr int chainSegmentCount(int pointCount, bool loop) { return loop ? pointCount : pointCount - 1; }
 

@@ -18,7 +18,15 @@ bool isOrdinary(Real coordinate) { return std::fabs(coordinate) <= kLargestShift
 
 PairKernels kernelsFor([[maybe_unused]] PairKind kind) {
 #ifdef SWEPT_SIMD
-    return kind == PairKind::sharp ? sharpPairKernels() : roundPairKernels();
+    switch (kind) {
+        case PairKind::sharp:
+            return sharpPairKernels();
+        case PairKind::round:
+            return roundPairKernels();
+        case PairKind::chain:
+            break;
+    }
+    return chainPairKernels();
 #else
     return {};
 #endif
@@ -41,6 +49,13 @@ bool collidesInBatches(const Polygon& polygon) {
     return largest >= 1 / kLargestShift;
 }
 
+bool collidesInBatches(const ChainSegment& segment) {
+    for (const Vec2 v : {segment.before, segment.after}) {
+        if (!isOrdinary(v.x) || !isOrdinary(v.y)) { return false; }
+    }
+    return collidesInBatches(polygonOf(segment));
+}
+
 bool canCollideInBatches() {
     return kernelsFor(PairKind::sharp).ofFew != nullptr && kernelsFor(PairKind::round).ofFew != nullptr;
 }
@@ -51,12 +66,13 @@ void ManifoldBatch::collide() {
         pairs_.b[i] = pairs_.b[0];
         for (WidePairs::Lanes* const lanes :
              {&pairs_.c, &pairs_.s, &pairs_.x, &pairs_.y, &pairs_.points, &pairs_.nearest, &pairs_.radiusA,
-              &pairs_.radiusB, &pairs_.verticesA, &pairs_.verticesB}) {
+              &pairs_.radiusB, &pairs_.verticesA, &pairs_.verticesB, &pairs_.closedStart, &pairs_.closedEnd}) {
             (*lanes)[i] = (*lanes)[0];
         }
     }
     const auto most = [](const WidePairs::Lanes& counts) { return *std::max_element(counts.begin(), counts.end()); };
     pairs_.vertices = static_cast<std::size_t>(std::max(most(pairs_.verticesA), most(pairs_.verticesB)));
+    pairs_.nothing = 0;
     const PairKernels kernels = kernelsFor(kind_);
     if (pairs_.vertices > kFewVertices) {
         kernels.ofMany(pairs_);
@@ -75,7 +91,16 @@ Manifold ManifoldBatch::otherManifold(std::size_t pair, ManifoldMemory& memory) 
     const Transform bInA = poseOf(pair);
     const bool isApart = (pairs_.apart & bit) != 0;
     if (isLeft(pair) || !isOrdinary(bInA.translation.x) || !isOrdinary(bInA.translation.y)) {
+        if (kind_ == PairKind::chain) {
+            return swept::collide(*segments_[pair], a, b, bInA, pairs_.points[pair], memory);
+        }
         return swept::collide(a, b, bInA, {pairs_.points[pair], pairs_.nearest[pair]}, memory);
+    }
+    if ((pairs_.nothing & bit) != 0) {
+        memory.verdict = ManifoldMemory::Verdict::none;
+        Manifold manifold;
+        manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
+        return manifold;
     }
     PairVerdict verdict;
     Manifold manifold;

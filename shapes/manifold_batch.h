@@ -11,10 +11,13 @@ namespace swept::inline SWEPT_PRECISION {
 /// neither so small nor so large that products of them are lost.
 bool collidesInBatches(const Polygon& polygon);
 
+bool collidesInBatches(const ChainSegment& segment);
+
 /// What may be in a batch together.
 enum class PairKind : std::uint8_t {
     sharp,  ///< two polygons without radius, of three vertices at least
     round,  ///< any others
+    chain,  ///< a chain segment and a polygon
 };
 inline bool isSharp(const Polygon& polygon) { return polygon.count > 2 && !(polygon.radius > 0); }
 inline PairKind pairKindOf(const Polygon& a, const Polygon& b) {
@@ -62,6 +65,16 @@ public:
         const auto vertices = [](const Polygon& polygon) { return static_cast<std::uint8_t>(polygon.count); };
         add(a, b, {a.radius, b.radius, vertices(a), vertices(b)}, bInA, reach);
     }
+    /// Of a batch of chain segments. @param a  `polygonOf(segment)`, of which, and of what its neighbours are at, the
+    /// same is asked; `nearest` counts for nothing
+    void add(const ChainSegment& segment, ClosedEnds closed, const Polygon& a, const Polygon& b, const Sizes& sizes,
+             const Transform& bInA, ManifoldReach reach) {
+        segments_[size_] = &segment;
+        pairs_.closedStart[size_] = closed.atStart ? Real(1) : Real(0);
+        pairs_.closedEnd[size_] = closed.atEnd ? Real(1) : Real(0);
+        add(a, b, sizes, bInA, reach);
+    }
+    PairKind kind() const { return kind_; }
     /// As they were added.
     Transform poseOf(std::size_t pair) const {
         return {{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
@@ -106,7 +119,7 @@ public:
     }
     /// Whether a pair was too doubtful for the batch, and is collided by itself. @pre collided
     bool isLeft(std::size_t pair) const {
-        return kind_ == PairKind::round && ((pairs_.plain | pairs_.apart) >> pair & 1U) == 0;
+        return kind_ != PairKind::sharp && ((pairs_.plain | pairs_.apart | pairs_.nothing) >> pair & 1U) == 0;
     }
     /// All that were added. @pre there is one; `canCollideInBatches`
     void collide();
@@ -132,6 +145,7 @@ private:
     Manifold otherManifold(std::size_t pair, ManifoldMemory& memory) const;
 
     WidePairs pairs_;
+    std::array<const ChainSegment*, kPairs> segments_;
     std::size_t size_ = 0;
     PairKind kind_;
 };

@@ -7,13 +7,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Sine of the angle up to which a corner counts as flat and a direction as the segment's own normal. The separation
-/// along the normal then differs from the distance by 2⁻²¹ of it.
-constexpr double kSeamAngle = 0x1p-10;
-
-/// Roundings of the coordinates, on top of it.
-constexpr double kSeamRounding = 4 * static_cast<double>(kEpsilon);
-
 enum class CornerKind : std::uint8_t { open, convex, flatOrConcave };
 
 /// One end of the segment, seen from its neighbour.
@@ -172,9 +165,8 @@ public:
             farthest = std::max(farthest, std::fabs(height) + std::fabs(along));
         }
         foot_ = at(alongs_, lowest);
-        constexpr double kRoundings = 64;
         size_ = length_ + sumNorm(face.start) + sumNorm(pair.translation) + farthest;
-        doubt_ = kRoundings * kResolution * size_;
+        doubt_ = kChainRoundings * kResolution * size_;
     }
 
     bool isAbove() const { return least_ > doubt_; }
@@ -235,9 +227,8 @@ private:
 /// Whether the points are near enough for the search to have found the distance within reach: a vertex that counts as
 /// over the segment, though it is beyond its end by the seam angle and rounding, is a little farther away.
 bool isSurelyWithin(const Manifold& manifold, const CoreOverSegment& core, double radii, double reach) {
-    constexpr double kPart = 1 - kSeamAngle * kSeamAngle;
     if (manifold.count == 0) { return true; }
-    return static_cast<double>(deepestSeparation(manifold)) + radii + core.mostBeyond() <= kPart * reach;
+    return static_cast<double>(deepestSeparation(manifold)) + radii + core.mostBeyond() <= kSurePart * reach;
 }
 
 /// @tparam kSearches  always
@@ -275,7 +266,16 @@ Manifold collideChain(const ChainSegment& segment, const PairView& pair, double 
     return collideBeside(pair, chain, gjk, margin);
 }
 
+bool isClosed(const Corner& corner) { return corner.kind == CornerKind::flatOrConcave; }
+
 }  // namespace
+
+ClosedEnds closedEndsOf(const ChainSegment& segment) {
+    const Polygon core = polygonOf(segment);
+    ChainFace face;
+    addCorners(PairView(core, core, {}), segment, face);
+    return {isClosed(face.atStart), isClosed(face.atEnd)};
+}
 
 Manifold collideChainBySearch(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin) {
     PairVerdict verdict;

@@ -19,6 +19,19 @@ inline constexpr double kFacePreference = 0x1p-10;
 /// of `kEpsilon`.
 inline constexpr double kFaceAngle = std::numeric_limits<Real>::digits == 24 ? 0x1.6a09e667f3bcdp-12 : 0x1p-26;
 
+/// Sine of the angle up to which a corner of a chain counts as flat and a direction as the segment's own normal. The
+/// separation along the normal then differs from the distance by 2⁻²¹ of it.
+inline constexpr double kSeamAngle = 0x1p-10;
+
+/// Roundings of the coordinates, on top of it.
+inline constexpr double kSeamRounding = 4 * static_cast<double>(kEpsilon);
+
+/// Of a reach, what a manifold of a segment is surely within that lies beyond its end by the seam angle.
+inline constexpr double kSurePart = 1 - kSeamAngle * kSeamAngle;
+
+/// Roundings of coordinates up to which it is doubtful how a core lies over a segment.
+inline constexpr double kChainRoundings = 64;
+
 /// Cosine of the angle (about 1/8) up to which an edge lies across the line between two closest vertices.
 inline constexpr double kFlatCosine = 1 - 0x1p-7;
 

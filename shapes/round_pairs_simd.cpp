@@ -51,30 +51,6 @@ struct Outcome {
     DoubleLanes room;
 };
 
-/// Query and answer of a group of pairs.
-struct Group {
-    WidePairs& pairs;
-    std::size_t lane;
-    Poses poses;
-    DoubleLanes radiusA;
-    DoubleLanes radiusB;
-    DoubleLanes points;   ///< `ManifoldReach`
-    DoubleLanes nearest;  ///< likewise
-    DoubleLanes limit;    ///< `nearest`, of cores
-
-    HWY_INLINE DoubleLanes radii() const { return hn::Add(radiusA, radiusB); }
-};
-
-/// As it will be stored.
-HWY_INLINE DoubleLanes rounded(DoubleLanes v) {
-    if constexpr (sizeof(Real) == sizeof(double)) {
-        return v;
-    } else {
-        const hn::Rebind<float, Doubles> tag;
-        return hn::PromoteTo(Doubles(), hn::DemoteTo(tag, v));
-    }
-}
-
 /// A face and an edge that faces it, of which one is the other shape's.
 struct FacePairs {
     References face;
@@ -170,20 +146,6 @@ HWY_INLINE Heights heightsOf(const FacePairs& faces, const Poses& poses) {
             first,  second,
             lowest, hn::IfThenElse(faces.isParallel, lowestOver, lowest),
             doubt,  hn::Or(hn::And(faces.isParallel, areOver), hn::And(faces.isSkew, isLowestOver))};
-}
-
-/// `ManifoldBuilder::build` for one point. @return its separation
-HWY_INLINE DoubleLanes build(const References& face, const Clipped& p, const Group& group, WidePairs::Point& out) {
-    const DoubleLanes own = hn::IfThenElse(face.isOfA, group.radiusA, group.radiusB);
-    const DoubleLanes others = hn::IfThenElse(face.isOfA, group.radiusB, group.radiusA);
-    const DoubleLanes toMiddle = hn::Mul(constant(0.5), hn::Sub(hn::Sub(own, others), p.separation));
-    const Points middle = add(p.core, scale(toMiddle, face.normal));
-    const DoubleLanes separation = hn::Sub(hn::Sub(p.separation, own), others);
-    store(middle.x, out.x.data() + group.lane);
-    store(middle.y, out.y.data() + group.lane);
-    store(separation, out.separation.data() + group.lane);
-    store(p.id, out.id.data() + group.lane);
-    return separation;
 }
 
 /// Manifolds of a face, written where they are known.

@@ -38,6 +38,8 @@ struct alignas(64) WidePairs {
     Lanes radiusB;
     Lanes verticesA;  ///< how many
     Lanes verticesB;
+    Lanes closedStart;  ///< of a chain segment: 1 where `ClosedEnds` are, else 0
+    Lanes closedEnd;
 
     Lanes normalX;
     Lanes normalY;
@@ -45,6 +47,7 @@ struct alignas(64) WidePairs {
     Lanes face;              ///< clipped against; of sharp pairs
     Lanes room;              ///< of those that are apart
     std::uint32_t apart;     ///< farther than `nearest`
+    std::uint32_t nothing;   ///< of chain segments: there is no point, and no telling for how long
     std::uint32_t ordinary;  ///< B is not shifted farther than `kLargestShift`
     std::uint32_t plain;     ///< there are points, one of them as near as that; nothing else is to be asked
     std::uint32_t ofA;       ///< the face is; or it is none
@@ -65,6 +68,10 @@ PairKernels sharpPairKernels();
 /// Of all others, where cores are apart and nothing is doubtful: the bits of `collideByGjk`. Pairs that are neither
 /// `apart` nor `plain` are left to that.
 PairKernels roundPairKernels();
+
+/// Of chain segments (A), where what they touch with is the segment itself, or nothing: the bits of `collide`. Pairs
+/// that are neither `apart`, nor `plain`, nor `nothing` are left to that.
+PairKernels chainPairKernels();
 
 inline constexpr int kFewVertices = 4;
 /// Largest shift of B against A: beyond it a double pair is brought to another scale first (rescaled_pair.h), and a
