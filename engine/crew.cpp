@@ -58,7 +58,7 @@ private:
 /// From the front or from the back: so two workers keep to the same ends of loops that follow each other, and find the
 /// bodies and contacts that they had in their own caches. To fetch a block of contacts from the other's cache takes as
 /// long as to solve it.
-bool Crew::takeBlocks(std::uint64_t ticket, bool fromFront, int worker) {
+std::uint32_t Crew::takeBlocks(std::uint64_t ticket, bool fromFront, int worker) {
     while (hasBlock(ticket)) {
         // The share may be that of another loop: then it is just not the best.
         const std::uint64_t share = share_.load(std::memory_order_relaxed);
@@ -71,10 +71,9 @@ bool Crew::takeBlocks(std::uint64_t ticket, bool fromFront, int worker) {
         const auto first = static_cast<std::size_t>(fromFront ? frontOf(ticket) : endOf(ticket) - taken);
         const std::size_t end = first + static_cast<std::size_t>(taken);
         (*body_)(first * blockLength_, std::min(end * blockLength_, count_), worker);
-        done_.fetch_add(static_cast<std::uint32_t>(taken), std::memory_order_release);
-        return true;
+        return static_cast<std::uint32_t>(taken);
     }
-    return false;
+    return 0;
 }
 
 void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t, int)> body) {
@@ -91,12 +90,20 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     blockLength_ = length;
     done_.store(0, std::memory_order_relaxed);
     const std::size_t claims = (blocks <= kFewBlocks ? kClaimsOfFew : kClaimsOfMany) * (helpers + 1);
-    share_.store((blocks - 1) / claims + 1, std::memory_order_relaxed);
+    const std::size_t share = (blocks - 1) / claims + 1;
+    share_.store(share, std::memory_order_relaxed);
+    // The first share is the leader's: nobody has to be asked for it.
     const std::uint64_t loop = (ticket_.load(std::memory_order_relaxed) >> kLoopShift) + 1;
-    ticket_.store((loop << kLoopShift) | blocks, std::memory_order_release);
-    while (takeBlocks(ticket_.load(std::memory_order_relaxed), true, leader_)) {}
+    ticket_.store((loop << kLoopShift) | (std::uint64_t{share} << kFrontShift) | blocks, std::memory_order_release);
+    body(0, std::min(share * length, count), leader_);
+    std::size_t own = share;
+    while (own < blocks) {
+        const std::uint32_t more = takeBlocks(ticket_.load(std::memory_order_relaxed), true, leader_);
+        if (more == 0) { break; }
+        own += more;
+    }
     Patience patience;
-    while (done_.load(std::memory_order_acquire) != blocks) { patience.wait(); }
+    while (done_.load(std::memory_order_acquire) != blocks - own) { patience.wait(); }
 }
 
 void Crew::help(int worker) {
@@ -105,7 +112,8 @@ void Crew::help(int worker) {
     for (;;) {
         const std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
         if (ticket == kOver) { return; }
-        if (takeBlocks(ticket, fromFront, worker)) {
+        if (const std::uint32_t taken = takeBlocks(ticket, fromFront, worker); taken > 0) {
+            done_.fetch_add(taken, std::memory_order_release);
             patience.renew();
         } else {
             patience.wait();

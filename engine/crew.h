@@ -30,7 +30,7 @@ public:
 
 private:
     void help(int worker);
-    bool takeBlocks(std::uint64_t ticket, bool fromFront, int worker);
+    std::uint32_t takeBlocks(std::uint64_t ticket, bool fromFront, int worker);
 
     int workers_ = 1;
     int leader_ = 0;
@@ -44,7 +44,7 @@ private:
     // Each on a cache line of its own: the first two are written for every block.
     alignas(kCacheLine) std::atomic<std::uint64_t> ticket_ = 0;  ///< which loop, and which of its blocks are free
     std::atomic<std::uint64_t> share_ = 1;                       ///< blocks of a claim
-    alignas(kCacheLine) std::atomic<std::uint32_t> done_ = 0;    ///< blocks of the present loop
+    alignas(kCacheLine) std::atomic<std::uint32_t> done_ = 0;    ///< blocks of the present loop, by others
     alignas(kCacheLine) std::atomic<int> helpers_ = 0;           ///< that have arrived
     std::atomic<bool> isLed_ = false;
 };

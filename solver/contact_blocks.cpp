@@ -22,6 +22,9 @@ constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
 /// Blocks per part of a parallel loop.
 constexpr std::size_t kBlockGrain = 8;
 
+/// Of contacts of a colour, with as many points: those that make no block.
+std::uint32_t leftOver(std::uint32_t contacts) { return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0; }
+
 std::size_t pointsInBlock(const ContactLink& link) { return link.pointsInBlock(); }
 std::size_t pointsInBlock(const ContactConstraint& contact) { return static_cast<std::size_t>(contact.count); }
 
@@ -62,9 +65,6 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
         }
         colours_[c].two = reserve(counts[kTwoPoints], two_);
         colours_[c].one = reserve(counts[kOnePoint], one_);
-        const auto leftOver = [](std::uint32_t contacts) {
-            return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0;
-        };
         next_[c] = {rest, colours_[c].one.begin * kLanes, colours_[c].two.begin * kLanes};
         colours_[c].rest.begin = rest;
         rest += counts[kAlone] + leftOver(counts[kTwoPoints]) + leftOver(counts[kOnePoint]);
@@ -73,24 +73,36 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
     rest_.resize(rest);
 }
 
-/// In the order of the contacts: so they stand in each colour.
+/// In each colour contacts among the first half of the bodies come first, and those of the second half last: so two
+/// workers that keep to their ends of the colours mostly meet bodies that they had before. (What another one wrote
+/// takes longer to fetch than to solve.) Those on their own are in the order of the contacts.
+/// @param bodies  of the solve
 /// @param list  called with the kind of place, the place, and which contact it is of
 template <class Contacts, class List>
-void ContactBlocks::listPlaces(const ConstraintGraph& graph, const Contacts& contacts, const List& list) {
-    constexpr std::uint32_t kNoEnd = ~std::uint32_t{0};
+void ContactBlocks::listPlaces(const ConstraintGraph& graph, const Contacts& contacts, std::size_t bodies,
+                               const List& list) {
     std::array<KindCounts, kColourCount> ends;
     std::array<KindCounts, kColourCount> kinds;  // by points
     for (const int active : graph.activeColours()) {
         const auto c = static_cast<std::size_t>(active);
-        ends[c] = {kNoEnd, colours_[c].one.end * kLanes, colours_[c].two.end * kLanes};
+        const auto endOf = [&](Kind kind) {
+            const std::uint32_t count = mayHaveBlocks(active) ? graph.pointCounts()[c][kind] : 0;
+            return next_[c][kind] + count - leftOver(count);
+        };
+        ends[c] = {0, endOf(kOnePoint), endOf(kTwoPoints)};
         kinds[c] = mayHaveBlocks(active) ? KindCounts{kAlone, kOnePoint, kTwoPoints} : KindCounts{};
     }
     const std::span<const std::uint8_t> colours = graph.contactColours();
     for (std::uint32_t i = 0; i < colours.size(); ++i) {
         const std::size_t c = colours[i];
-        std::size_t kind = kinds[c][pointsInBlock(contacts[i])];
-        if (next_[c][kind] == ends[c][kind]) { kind = kAlone; }  // left over
-        list(kind, next_[c][kind]++, i);
+        const std::size_t kind = kinds[c][pointsInBlock(contacts[i])];
+        if (kind == kAlone || next_[c][kind] == ends[c][kind]) {  // or left over
+            list(kAlone, next_[c][kAlone]++, i);
+        } else if (2 * std::size_t{std::max(contacts[i].slotA, contacts[i].slotB)} < bodies) {
+            list(kind, next_[c][kind]++, i);
+        } else {
+            list(kind, --ends[c][kind], i);
+        }
     }
 }
 
@@ -98,7 +110,7 @@ void ContactBlocks::listContacts(const SolverBatch& batch, const ConstraintGraph
     one_.places.resize(one_.count * kBlockLanes);
     two_.places.resize(two_.count * kBlockLanes);
     const std::array<std::uint32_t*, kKindCount> lists{rest_.data(), one_.places.data(), two_.places.data()};
-    listPlaces(graph, batch.contacts,
+    listPlaces(graph, batch.contacts, batch.states.size(),
                [&](std::size_t kind, std::uint32_t place, std::uint32_t i) { lists[kind][place] = i; });
 }
 
@@ -117,7 +129,7 @@ void ContactBlocks::listLinks(const SolverBatch& batch, const ConstraintGraph& g
     resize(two_);
     restLinks_.resize(rest_.size());
     const std::array<ContactLink*, kKindCount> lists{restLinks_.data(), one_.links.data(), two_.links.data()};
-    listPlaces(graph, batch.links,
+    listPlaces(graph, batch.links, batch.states.size(),
                [&](std::size_t kind, std::uint32_t place, std::uint32_t i) { lists[kind][place] = batch.links[i]; });
     std::iota(rest_.begin(), rest_.end(), 0U);
 }

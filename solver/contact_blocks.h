@@ -75,7 +75,7 @@ private:
     ColourRange reserve(std::uint32_t contacts, Blocks<kPoints>& blocks);
     void layOut(const ConstraintGraph& graph);
     template <class Contacts, class List>
-    void listPlaces(const ConstraintGraph& graph, const Contacts& contacts, const List& list);
+    void listPlaces(const ConstraintGraph& graph, const Contacts& contacts, std::size_t bodies, const List& list);
     void listContacts(const SolverBatch& batch, const ConstraintGraph& graph);
     void listLinks(const SolverBatch& batch, const ConstraintGraph& graph);
     template <std::size_t kPoints>

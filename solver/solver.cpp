@@ -15,11 +15,10 @@ namespace {
 /// Joints, blocks of contacts and contacts on their own per part of a parallel loop, and bodies.
 constexpr std::size_t kConstraintGrain = 4;
 constexpr std::size_t kBodyGrain = 128;
-/// A solve is shared when its colours hold so many of these in the mean. All of it or nothing: what one worker wrote
-/// and another reads has to come from cache to cache, which takes as long as solving it. Pyramids of 55 boxes on two
-/// cores, per step: 1000 boxes 5 % slower when shared, 2000 boxes (50 blocks per colour) 8 % faster, 4000 boxes 18 %,
-/// 8000 boxes 30 %.
-constexpr std::size_t kFewestPerColour = 48;
+/// A solve is shared when such a one stands in a colour of so many, in the mean; but colours of few are never. What one
+/// worker wrote and another reads has to come from cache to cache, which takes as long as solving it.
+constexpr std::size_t kFewestPerColour = 32;
+constexpr std::size_t kFewestOfColour = 16;
 /// Contacts that blocks are filled with from several threads, some tens of nanoseconds each.
 constexpr std::size_t kFewestToFill = 512;
 /// Over what is settled: they take out the rounding of impulses.
@@ -117,7 +116,7 @@ template <bool kJoints, class Visit>
 void Solver::forEachRun(SolverBatch& batch, const Visit& visit) {
     for (const Run& run : runs_) {
         const std::size_t count = partsOf<kJoints>(batch, run.colour);
-        if (run.inOrder) {
+        if (run.inOrder || count < fewestToShare_) {
             visit(run.colour, RangeCut(0, count));
             continue;
         }
@@ -144,9 +143,14 @@ std::size_t Solver::partsOf(SolverBatch& batch, int colour) const {
 
 template <bool kJoints>
 bool Solver::isWorthSharing(SolverBatch& batch) const {
-    std::size_t count = 0;
-    for (const Run& run : runs_) { count += partsOf<kJoints>(batch, run.colour); }
-    return count >= kFewestPerColour * runs_.size();
+    std::size_t all = 0;
+    std::size_t companions = 0;
+    for (const Run& run : runs_) {
+        const std::size_t count = partsOf<kJoints>(batch, run.colour);
+        all += count;
+        companions += count * count;
+    }
+    return companions >= kFewestPerColour * all;
 }
 
 template <bool kJoints>
@@ -358,6 +362,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     listRuns<kJoints>(batch);
     const bool isShared = isAtOnce || isWorthSharing<kJoints>(batch);
     loops_ = isShared ? &loops : &serial_;
+    fewestToShare_ = isAtOnce ? 0 : kFewestOfColour;
     if (bouncing_.empty()) {
         runSubSteps<kJoints, false>(batch, settings, report);
     } else {

@@ -97,8 +97,9 @@ private:
     void runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report);
 
     SerialTaskSystem serial_;
-    TaskSystem* loops_ = &serial_;  ///< of the present solve
-    MoveBodies move_ = nullptr;     ///< likewise
+    TaskSystem* loops_ = &serial_;   ///< of the present solve
+    std::size_t fewestToShare_ = 0;  ///< parts of a colour; fewer are gone through by one worker
+    MoveBodies move_ = nullptr;      ///< likewise
     ConstraintGraph graph_;
     ContactBlocks contacts_;
     HingeBlocks hinges_;
