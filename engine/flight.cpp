@@ -235,7 +235,7 @@ FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
     findObstacles(*flight.world, flight.slot, sweep, *flight.scratch);
     dropWhatIsLeft(flight, sweep);
     const auto count = static_cast<std::size_t>(flight.carrierCount);
-    if (count > 0) { allowSag(*flight.world, sweep, {flight.carriers.data(), count}, *flight.scratch); }
+    if (count > 0) { allowSag(*flight.world, {flight.carriers.data(), count}, *flight.scratch); }
     return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch, limit);
 }
 

@@ -45,6 +45,7 @@ struct NearObstacle {
 /// of it shares a cache line with another worker's: they lie side by side, and are written all the time.
 struct alignas(kCacheLine) FlightScratch {
     std::vector<FlightObstacle> obstacles;
+    WorldTransform startPose;  ///< of the body, at the start of the sweep that they were found for; if there are any
     std::vector<NearObstacle> nearest;
     std::vector<MetGround> met;  ///< since the flyer moved last
     std::vector<std::uint32_t> found;

@@ -50,8 +50,14 @@ bool isGhost(const WorldState& world, const GroundContacts& contacts, std::uint3
 /// @return whether there were any
 bool dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
     bool anyGhost = false;
+    // Mostly all of a body are of one rank, or of two: the others need not be asked.
+    std::uint32_t ranks = 0;
+    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
+        if (contacts.all[i].isSolid()) { ranks |= 1U << ghostRank(groundContactOf(world, contacts.all[i])); }
+    }
     // What was dropped hides nothing, so one of each pair stays.
     for (int rank = 0; rank < kGhostRanks; ++rank) {
+        if ((ranks >> rank & 1U) == 0) { continue; }
         for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
             Contact& contact = contacts.all[i];
             if (!contact.isSolid()) { continue; }

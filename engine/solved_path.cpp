@@ -26,25 +26,20 @@ int faceTowards(const WorldState& world, const Shape& other, DVec2 place) {
     return best;
 }
 
-/// How high above a face a shape is, radii included, metres: never more than their distance, but for rounding.
-Real heightAbove(const Polygon& ground, std::size_t face, const WorldTransform& groundPose, const Polygon& own,
-                 const WorldTransform& pose) {
-    const Vec2 normal = rotate(groundPose.rotation, ground.normals[face]);
-    const Vec2 top = rotate(groundPose.rotation, ground.vertices[face]);
-    const Vec2 inOwn = unrotate(pose.rotation, normal);
-    Real lowest = dot(inOwn, own.vertices[0]);
-    for (std::size_t i = 1; i < static_cast<std::size_t>(own.count); ++i) {
-        lowest = std::min(lowest, dot(inOwn, own.vertices[i]));
-    }
-    return dot(normal, toReal(pose.position - groundPose.position) - top) + lowest - ground.radius - own.radius;
-}
-
 /// A straight path that the solver moved a body on, and its poses at both ends.
 struct SolvedPath {
     Sweep sweep;
     WorldTransform start;
     WorldTransform end;
-    double time = 0;  ///< s
+    double time = 0;                   ///< s
+    std::uint32_t reacher = kNoIndex;  ///< whose reach is known
+    Real reach = 0;
+
+    /// `contactReach` of a shape of the body: it meets several obstacles.
+    Real reachOf(const WorldState& world, std::uint32_t shape) {
+        if (shape != reacher) { reach = contactReach(world, world.shapes[reacher = shape]); }
+        return reach;
+    }
 };
 
 /// How far, at most, a point of the shape gets from the straight line between its two places in the frame of the
@@ -60,6 +55,30 @@ double bulgeOf(const Shape& own, const Sweep& path, const Sweep& ground) {
     return (arm * turn * turn + 2 * groundTurn * (way + arm * turn) + groundTurn * groundTurn * farthest) / 8;
 }
 
+/// A face of an obstacle, in the world.
+struct GroundPlane {
+    GroundPlane(const Polygon& ground, std::size_t face, const WorldTransform& pose)
+        : normal(rotate(pose.rotation, ground.normals[face])),
+          top(rotate(pose.rotation, ground.vertices[face])),
+          position(pose.position),
+          radius(ground.radius) {}
+
+    /// How high above it a shape is, radii included, metres: never more than their distance, but for rounding.
+    Real heightOf(const Polygon& own, const WorldTransform& pose) const {
+        const Vec2 inOwn = unrotate(pose.rotation, normal);
+        Real lowest = dot(inOwn, own.vertices[0]);
+        for (std::size_t i = 1; i < static_cast<std::size_t>(own.count); ++i) {
+            lowest = std::min(lowest, dot(inOwn, own.vertices[i]));
+        }
+        return dot(normal, toReal(pose.position - position) - top) + lowest - radius - own.radius;
+    }
+
+    Vec2 normal;
+    Vec2 top;
+    DVec2 position;
+    Real radius;
+};
+
 /// How high above a face of the obstacle the body stays on its path, and at its start, metres: both ends tell, and how
 /// far it bulges between them.
 struct Clearance {
@@ -67,37 +86,35 @@ struct Clearance {
     double least = 0;
 };
 
-Clearance clearanceOf(const WorldState& world, const SolvedPath& path, const FlightObstacle& obstacle,
+Clearance clearanceOf(const WorldState& world, const SolvedPath& path, const Shape& own, const Shape& other,
                       std::size_t face) {
-    const Shape& own = world.shapes[obstacle.own];
-    const Shape& other = world.shapes[obstacle.other];
-    const WorldTransform& ground = world.motions[other.body].pose;
-    const Real first = heightAbove(other.polygon, face, ground, own.polygon, path.start);
+    const GroundPlane plane(other.polygon, face, world.motions[other.body].pose);
+    const Real first = plane.heightOf(own.polygon, path.start);
     Sweep groundSweep;
     Real last = 0;
     if (world.bodies[other.body].def.type == BodyType::fixed) {
-        last = heightAbove(other.polygon, face, ground, own.polygon, path.end);
+        last = plane.heightOf(own.polygon, path.end);
     } else {
         groundSweep = obstacleSweep(world, other.body, 0, path.time);
         const WorldTransform end = motionAt(groundSweep, 1, world.bodies[other.body].localCenter).pose;
-        last = heightAbove(other.polygon, face, end, own.polygon, path.end);
+        last = GroundPlane(other.polygon, face, end).heightOf(own.polygon, path.end);
     }
-    return {first, static_cast<double>(std::min(first, last) - roundingOf(world, obstacle)) -
+    return {first, static_cast<double>(std::min(first, last) - roundingOf(own, other)) -
                        bulgeOf(own, path.sweep, groundSweep)};
 }
 
 /// Notes whether the body stays on the outer side of a face of the obstacle, sunk in no deeper than it may be.
-void judge(const WorldState& world, const SolvedPath& path, FlightObstacle& obstacle) {
+void judge(const WorldState& world, SolvedPath& path, FlightObstacle& obstacle) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
     const int face = faceTowards(world, other, path.sweep.c0);
     if (face < 0) { return; }
-    const Clearance clearance = clearanceOf(world, path, obstacle, static_cast<std::size_t>(face));
+    const Clearance clearance = clearanceOf(world, path, own, other, static_cast<std::size_t>(face));
     obstacle.height = clearance.atStart;
     const double asked = obstacle.level + toleranceOf(world, obstacle.level);  // its target: nothing was met so far
     obstacle.isClear = clearance.least >= asked;
-    if (obstacle.isClear || clearance.least < asked - slackOf(world, obstacle)) { return; }
-    obstacle.isClear = clearance.atStart <= contactReach(world, own) + contactReach(world, other);
+    if (obstacle.isClear || clearance.least < asked - slackOf(own, other)) { return; }
+    obstacle.isClear = clearance.atStart <= path.reachOf(world, obstacle.own) + contactReach(world, other);
 }
 
 }  // namespace
@@ -123,12 +140,11 @@ bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
 
 FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit,
                          FlightScratch& scratch) {
-    const Body& body = world.bodies[slot];
     const Sweep path = pathOf(world, slot);
     findObstacles(world, slot, path, scratch);
     if (scratch.obstacles.empty()) { return {}; }
     // Most of what is fast slides along something, or leaves it: that takes no search.
-    const SolvedPath solved{path, poseOf(path.c0, path.a0, body.localCenter), world.motions[slot].pose, time};
+    SolvedPath solved{path, scratch.startPose, world.motions[slot].pose, time};
     bool areClear = true;
     for (FlightObstacle& obstacle : scratch.obstacles) {
         judge(world, solved, obstacle);

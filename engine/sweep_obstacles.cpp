@@ -15,35 +15,35 @@ bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
     return !world.bodies[other.body].isDynamic() && !other.def.sensor && mayTouch(world, own, other);
 }
 
-/// Where the centre of a shape's core is at the start of a sweep, once it is asked for: what is near a chain is near
-/// several pieces of it.
+/// Where the centre of a shape's core is at the start of a sweep, once a chain asks: what is near one piece of it is
+/// near several.
 class StartOfCore {
 public:
-    StartOfCore(const Shape& own, const Sweep& sweep) : own_(own), sweep_(sweep) {}
+    StartOfCore(const Shape& own, const WorldTransform& pose) : own_(own), pose_(pose) {}
 
-    DVec2 place() {
-        if (!isKnown_) {
+    /// In the frame of the body of a chain.
+    Vec2 placeIn(const WorldState& world, std::uint32_t body) {
+        if (body != body_) {
             Vec2 middle;
             for (const Vec2 vertex : own_.polygon.points()) { middle += vertex; }
             middle = (1 / static_cast<Real>(own_.polygon.count)) * middle;
-            place_ = apply(poseOf(sweep_.c0, sweep_.a0, toReal(sweep_.localCenter)), middle);
-            isKnown_ = true;
+            place_ = applyInverse(world.motions[body].pose, apply(pose_, middle));
+            body_ = body;
         }
         return place_;
     }
 
 private:
     const Shape& own_;
-    const Sweep& sweep_;
-    DVec2 place_{};
-    bool isKnown_ = false;
+    const WorldTransform& pose_;
+    Vec2 place_{};
+    std::uint32_t body_ = kNoIndex;
 };
 
 /// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
 bool isBehindChain(const WorldState& world, const Shape& other, StartOfCore& core) {
     if (!other.isChainSegment) { return false; }
-    const Vec2 local = applyInverse(world.motions[other.body].pose, core.place());
-    return dot(local - other.segment.p, other.polygon.normals[0]) < 0;
+    return dot(core.placeIn(world, other.body) - other.segment.p, other.polygon.normals[0]) < 0;
 }
 
 ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle, double tMax) {
@@ -77,13 +77,13 @@ struct StartContact {
     Vec2 normal{};
 };
 
+WorldTransform startOf(const Sweep& sweep) { return motionAt(sweep, 0, toReal(sweep.localCenter)).pose; }
+
 /// A chain refuses what belongs to a neighbour; for a sweep it still stands in the way, with its own side.
-StartContact contactAtStart(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep,
-                            const Sweep& otherSweep, Real margin) {
+StartContact contactAtStart(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& pose,
+                            const WorldTransform& otherPose, Real margin) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
-    const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
-    const WorldTransform otherPose = motionAt(otherSweep, 0, toReal(otherSweep.localCenter)).pose;
     Manifold manifold = obstacleManifold(world, obstacle, otherPose, pose, margin);
     if (manifold.count == 0 && other.isChainSegment) {
         manifold = collide(other.polygon, own.polygon, relativeTransform(otherPose, pose), margin);
@@ -98,15 +98,14 @@ StartContact contactAtStart(const WorldState& world, const FlightObstacle& obsta
 
 /// Ground flush with what the body stands on, along any of these normals: it may sink into it along the same normal, or
 /// the side of the next piece would stop it. @param slops  how far
-void liftFlush(const WorldState& world, const Sweep& sweep, double slops, std::span<const Vec2> normals,
-               FlightScratch& scratch) {
-    const WorldTransform pose = motionAt(sweep, 0, toReal(sweep.localCenter)).pose;
+void liftFlush(const WorldState& world, double slops, std::span<const Vec2> normals, FlightScratch& scratch) {
     for (FlightObstacle& obstacle : scratch.obstacles) {
+        if (obstacle.isClear) { continue; }  // nobody sweeps against it
         const Shape& other = world.shapes[obstacle.other];
         const Real slop = slopOf(world, obstacle);
         for (const Vec2 normal : normals) {
             const Real clear = separationAlong(other.polygon, world.motions[other.body].pose,
-                                               world.shapes[obstacle.own].polygon, pose, normal);
+                                               world.shapes[obstacle.own].polygon, scratch.startPose, normal);
             if (clear < -slop) { continue; }
             obstacle.lift = slops * static_cast<double>(slop) * toDouble(normal);
             break;
@@ -117,22 +116,26 @@ void liftFlush(const WorldState& world, const Sweep& sweep, double slops, std::s
 /// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
 DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep) {
     const Real margin = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
-    const StartContact contact = contactAtStart(world, obstacle, sweep, otherSweep, margin);
+    const StartContact contact = contactAtStart(world, obstacle, startOf(sweep), startOf(otherSweep), margin);
     const double up = targetOf(world, obstacle) +
                       static_cast<double>(roundingOf(world, obstacle) - std::min(contact.deepest, Real(0)));
     return up * toDouble(contact.normal);
+}
+
+/// How far the box of an obstacle is from a place, squared.
+double squaredDistanceTo(const WorldState& world, const FlightObstacle& obstacle, DVec2 place) {
+    const Aabb& box = world.broadphase->box(world.shapes[obstacle.other].proxy);
+    const DVec2 lower = toDouble(box.lower);
+    const DVec2 upper = toDouble(box.upper);
+    const DVec2 away = DVec2{std::clamp(place.x, lower.x, upper.x), std::clamp(place.y, lower.y, upper.y)} - place;
+    return dot(away, away);
 }
 
 /// What is near is looked at first: once an impact is known, what is farther is only followed so far.
 void sortByDistance(const WorldState& world, const Sweep& sweep, FlightScratch& scratch) {
     scratch.nearest.clear();
     for (std::uint32_t i = 0; i < scratch.obstacles.size(); ++i) {
-        const Aabb& box = world.broadphase->box(world.shapes[scratch.obstacles[i].other].proxy);
-        const DVec2 lower = toDouble(box.lower);
-        const DVec2 upper = toDouble(box.upper);
-        const DVec2 closest{std::clamp(sweep.c0.x, lower.x, upper.x), std::clamp(sweep.c0.y, lower.y, upper.y)};
-        const DVec2 away = closest - sweep.c0;
-        scratch.nearest.push_back({dot(away, away), i});
+        scratch.nearest.push_back({squaredDistanceTo(world, scratch.obstacles[i], sweep.c0), i});
     }
     std::sort(scratch.nearest.begin(), scratch.nearest.end());
 }
@@ -178,12 +181,6 @@ double targetOf(const WorldState& world, const FlightObstacle& obstacle) {
                       static_cast<double>(kFlightTargetRatio) * extent, static_cast<double>(kTargetRatio) * extent);
 }
 
-Real roundingOf(const WorldState& world, const FlightObstacle& obstacle) {
-    const Shape& own = world.shapes[obstacle.own];
-    const Shape& other = world.shapes[obstacle.other];
-    return std::min(kFlightRoundings * kEpsilon * (own.size + other.size), slopOf(world, obstacle));
-}
-
 Real reachOf(const WorldState& world, const FlightObstacle& obstacle) {
     const double met = targetOf(world, obstacle) + 3 * toleranceOf(world, obstacle);
     return static_cast<Real>(met) + roundingOf(world, obstacle);
@@ -198,19 +195,6 @@ double levelInContact(const WorldState& world, const FlightObstacle& obstacle, d
 
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle) {
     return toleranceOf(world, targetOf(world, obstacle));
-}
-
-double toleranceOf(const WorldState& world, double target) {
-    const auto wanted = static_cast<double>(world.settings.toiTolerance);
-    return wanted > 0 ? std::min(wanted, target / 2) : target / 4;
-}
-
-Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return kTargetRatio * std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
-}
-
-double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return static_cast<double>(slopOf(world, obstacle) * (kSlackRatio / kTargetRatio));
 }
 
 double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts) {
@@ -231,6 +215,7 @@ Aabb boxOfPath(const Shape& own, const Sweep& sweep) {
 
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
     scratch.obstacles.clear();
+    bool isPlaced = false;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& own = world.shapes[slot];
         if (own.def.sensor) { continue; }
@@ -241,7 +226,9 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
         });
         if (scratch.found.empty()) { continue; }
         std::sort(scratch.found.begin(), scratch.found.end());
-        StartOfCore core(own, sweep);
+        if (!isPlaced) { scratch.startPose = poseOf(sweep.c0, sweep.a0, world.bodies[body].localCenter); }
+        isPlaced = true;
+        StartOfCore core(own, scratch.startPose);
         for (const std::uint32_t found : scratch.found) {
             const Shape& other = world.shapes[found];
             if (!isObstacle(world, own, other) || isBehindChain(world, other, core)) { continue; }
@@ -260,24 +247,32 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
 
 void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch) {
     scratch.normals.clear();
+    std::uint32_t otherBody = kNoIndex;
+    WorldTransform otherPose;
     for (FlightObstacle& obstacle : scratch.obstacles) {
         const Shape& own = world.shapes[obstacle.own];
         const Shape& other = world.shapes[obstacle.other];
         const Real margin = contactReach(world, own) + contactReach(world, other);
         if (obstacle.height > margin + roundingOf(world, obstacle)) { continue; }
-        const Sweep otherSweep = obstacleSweep(world, other.body, 0, dt);
-        const StartContact contact = contactAtStart(world, obstacle, sweep, otherSweep, margin);
+        // Of a path that is long, most is not where it begins. (The slop is more than was rounded.)
+        const auto farthest = static_cast<double>(own.radius + margin + slopOf(own, other));
+        if (squaredDistanceTo(world, obstacle, sweep.c0) > farthest * farthest) { continue; }
+        if (other.body != otherBody) {  // of a chain, all are of one
+            otherPose = startOf(obstacleSweep(world, other.body, 0, dt));
+            otherBody = other.body;
+        }
+        const StartContact contact = contactAtStart(world, obstacle, scratch.startPose, otherPose, margin);
         if (!contact.touches) { continue; }
         obstacle.lift = slackOf(world, obstacle) * toDouble(contact.normal);
         if (contact.deepest <= kEndRatio * std::min(own.extent, other.extent)) {
             scratch.normals.push_back(contact.normal);
         }
     }
-    liftFlush(world, sweep, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, scratch);
+    liftFlush(world, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, scratch);
 }
 
-void allowSag(const WorldState& world, const Sweep& sweep, std::span<const Vec2> normals, FlightScratch& scratch) {
-    liftFlush(world, sweep, kSagSlops, normals, scratch);
+void allowSag(const WorldState& world, std::span<const Vec2> normals, FlightScratch& scratch) {
+    liftFlush(world, kSagSlops, normals, scratch);
 }
 
 FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "flight.h"
+#include "tolerances.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -17,19 +19,35 @@ Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, do
 double targetOf(const WorldState& world, const FlightObstacle& obstacle);
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle);
 /// The latter by the former.
-double toleranceOf(const WorldState& world, double target);
+inline double toleranceOf(const WorldState& world, double target) {
+    const auto wanted = static_cast<double>(world.settings.toiTolerance);
+    return wanted > 0 ? std::min(wanted, target / 2) : target / 4;
+}
+/// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
+/// carries it, metres.
+inline Real slopOf(const Shape& own, const Shape& other) { return kTargetRatio * std::min(own.extent, other.extent); }
+inline Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
+    return slopOf(world.shapes[obstacle.own], world.shapes[obstacle.other]);
+}
 /// Largest error of a manifold's separation (`Real`) against that of the sweeps (double), metres.
-Real roundingOf(const WorldState& world, const FlightObstacle& obstacle);
+inline Real roundingOf(const Shape& own, const Shape& other) {
+    return std::min(kFlightRoundings * kEpsilon * (own.size + other.size), slopOf(own, other));
+}
+inline Real roundingOf(const WorldState& world, const FlightObstacle& obstacle) {
+    return roundingOf(world.shapes[obstacle.own], world.shapes[obstacle.other]);
+}
 /// Separation up to which what the sweeps met shows up in a manifold, metres.
 Real reachOf(const WorldState& world, const FlightObstacle& obstacle);
 /// Separation at which what has this separation, and was dealt with, counts as met again, metres.
 double levelInContact(const WorldState& world, const FlightObstacle& obstacle, double separation);
-/// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
-/// carries it, metres.
-Real slopOf(const WorldState& world, const FlightObstacle& obstacle);
 
 /// How far a body may sink into what the solver holds it off, metres.
-double slackOf(const WorldState& world, const FlightObstacle& obstacle);
+inline double slackOf(const Shape& own, const Shape& other) {
+    return static_cast<double>(slopOf(own, other) * (kSlackRatio / kTargetRatio));
+}
+inline double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
+    return slackOf(world.shapes[obstacle.own], world.shapes[obstacle.other]);
+}
 
 /// Box of all places of a shape on the path of its body, however that turns.
 Aabb boxOfPath(const Shape& own, const Sweep& sweep);
@@ -61,7 +79,7 @@ double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impa
 
 /// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of
 /// the slop.
-void allowSag(const WorldState& world, const Sweep& sweep, std::span<const Vec2> normals, FlightScratch& scratch);
+void allowSag(const WorldState& world, std::span<const Vec2> normals, FlightScratch& scratch);
 
 struct FirstImpact {
     bool hit = false;
