@@ -190,8 +190,11 @@ Real movedRadius(const WorldState& world, const TouchingPair& pair) {
 
 RestLimits restLimitsFor(Profile profile) { return profile == Profile::fast ? kFastLimits : kAccurateLimits; }
 
-bool isStill(const WorldState& world, const Body& body, const BodyMotion& motion, Real dt) {
-    const Real speed = restLimitsFor(world.settings.profile).speed * length(world.settings.gravity) * dt;
+Real restSpeedOf(const WorldState& world, Real dt) {
+    return restLimitsFor(world.settings.profile).speed * length(world.settings.gravity) * dt;
+}
+
+bool isStill(const Body& body, const BodyMotion& motion, Real speed, Real dt) {
     if (!isSlow(body, motion, speed)) { return false; }
     const double way = lengthAtMost(motion.center - body.startCenter) +
                        std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);

@@ -58,9 +58,11 @@ RestLimits limitsOf(const WorldState& world, const IslandRest& rest);
 /// Radius of the smaller one of the bodies of a contact that can move, metres.
 Real movedRadius(const WorldState& world, const TouchingPair& pair);
 
-/// Whether no point of a body was faster, at the end of the last step, than what rests may be, and none moved farther
-/// in it (overlap is pushed out of without speed). @pre `Body::startCenter` and angle are those of the last step
-bool isStill(const WorldState& world, const Body& body, const BodyMotion& motion, Real dt);
+/// How fast what rests may be, m/s.
+Real restSpeedOf(const WorldState& world, Real dt);
+/// Whether no point of a body was faster than that, at the end of the last step, and none moved farther in it (overlap
+/// is pushed out of without speed). @pre `Body::startCenter` and angle are those of the last step
+bool isStill(const Body& body, const BodyMotion& motion, Real restSpeed, Real dt);
 
 /// Finds out which islands are still and in balance: what acts on each body in this step is, but for `RestLimits`,
 /// undone by the impulses that its contacts had in the last one. These are impulses that contacts and friction can

@@ -179,9 +179,13 @@ void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const EnergyEn
 }
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {
+    const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
     const auto gained = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
-    if (std::none_of(group.desk.energyRoots.begin(), group.desk.energyRoots.end(), gained)) { return; }
+    if (std::none_of(roots.begin(), roots.end(), gained)) { return; }
     noteOthers(world, group);
+    // What platforms carry gains all the time, and is driven.
+    const auto pays = [&](std::uint32_t root) { return gained(root) && !world.energyAccounts[root].isDriven; };
+    if (std::none_of(roots.begin(), roots.end(), pays)) { return; }
     findIslandMotions(world, group);
     findShares(world, group.desk);
     forEachGainer(world, group, [&](std::uint32_t slot, const EnergyAccount& account) {

@@ -12,7 +12,8 @@ namespace {
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kResetGrain = 128;
 
-void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
+/// @param restSpeed  `restSpeedOf` the step
+void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
     body.deepContact = false;
@@ -21,7 +22,7 @@ void resetBody(WorldState& world, std::uint32_t slot, Real dt) {
     const Real known = world.glances[slot].motion;
     const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
     body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
-    const bool isAtRest = isStill(world, body, motion, dt);
+    const bool isAtRest = isStill(body, motion, restSpeed, dt);
     if (!isAtRest) { body.soughtSteps = 0; }
     world.traits[slot] = static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) |
                                                  (body.fast ? kIsFast : 0) | (isAtRest ? kIsStill : 0));
@@ -40,7 +41,8 @@ void startle(WorldState& world, const Contact& contact, Real dt) {
     if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) { return; }
     const std::size_t before = world.awake.size();
     wake(world, other);
-    for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], dt); }
+    const Real restSpeed = restSpeedOf(world, dt);
+    for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], restSpeed, dt); }
     body.fast = body.startled = true;
     // Nor is it held (held_islands.h): what passes over it in this step may not touch it yet.
     world.traits[other] = static_cast<BodyTraits>((world.traits[other] | kIsFast) & ~kIsStill);
@@ -235,8 +237,9 @@ void giveRoles(WorldState& world) {
 
 void assignRoles(WorldState& world, Real dt) {
     world.traits.assign(world.bodies.slotCount(), 0);
-    world.loops->run(world.awake.size(), kResetGrain, [&world, dt](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { resetBody(world, world.awake[i], dt); }
+    const Real restSpeed = restSpeedOf(world, dt);
+    world.loops->run(world.awake.size(), kResetGrain, [&world, restSpeed, dt](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { resetBody(world, world.awake[i], restSpeed, dt); }
     });
     if (world.kinematicBodies > 0) {
         startleNearKinematicBodies(world, dt);

@@ -59,7 +59,7 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, C
         ranges[c] = {begin, begin + counts[c]};
         next[c] = begin;
         begin += counts[c];
-        isUsed_[c] = isUsed_[c] || counts[c] > 0;
+        isUsed_ |= std::uint64_t{counts[c] > 0} << c;
     }
     for (std::uint32_t i = 0; i < constraints.size(); ++i) { places_[next[colours_[i]]++] = i; }
 }
@@ -67,15 +67,14 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, C
 /// What stands in blocks has its places there: no list by colour.
 void ConstraintGraph::colourLinks(const std::vector<ContactLink>& links) {
     places_.clear();
-    rangesOf<ContactConstraint>() = {};
+    ColourRanges& ranges = rangesOf<ContactConstraint>();
+    if (ranges.back().end > 0) { ranges = {}; }
     colours_.resize(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) {
         const auto colour = static_cast<std::size_t>(colourFor(bodySlots(links[i])));
         colours_[i] = static_cast<std::uint8_t>(colour);
+        isUsed_ |= std::uint64_t{1} << colour;
         ++pointCounts_[colour][links[i].pointsInBlock()];
-    }
-    for (std::size_t c = 0; c < kColourCount; ++c) {
-        isUsed_[c] = isUsed_[c] || pointCounts_[c] != PointCounts::value_type{};
     }
 }
 
@@ -97,11 +96,11 @@ void ConstraintGraph::sortAsListed(std::vector<Constraint>& constraints) {
 void ConstraintGraph::begin(const SolverBatch& batch) {
     used_.resize(batch.inertias.size());
     for (std::size_t i = 0; i < used_.size(); ++i) { used_[i] = isMovable(batch.inertias[i]) ? 0 : kIsFixed; }
-    isUsed_ = {};
+    isUsed_ = 0;
 }
 
 void ConstraintGraph::finish(const SolverBatch& batch) {
-    pointCounts_ = {};
+    for (const int colour : active_) { pointCounts_[static_cast<std::size_t>(colour)] = {}; }  // others have none
     if (batch.store != nullptr) {
         colourLinks(batch.links);
     } else {
@@ -109,9 +108,7 @@ void ConstraintGraph::finish(const SolverBatch& batch) {
         countPoints(batch.contacts);
     }
     active_.clear();
-    for (int c = 0; c < kColourCount; ++c) {
-        if (isUsed_[static_cast<std::size_t>(c)]) { active_.push_back(c); }
-    }
+    for (std::uint64_t left = isUsed_; left != 0; left &= left - 1) { active_.push_back(std::countr_zero(left)); }
 }
 
 void ConstraintGraph::colour(SolverBatch& batch) {

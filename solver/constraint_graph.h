@@ -80,7 +80,7 @@ private:
     std::vector<std::uint32_t> places_;  ///< likewise
     std::vector<std::uint8_t> hingeColours_;
     PointCounts pointCounts_{};
-    std::array<bool, kColourCount> isUsed_{};
+    std::uint64_t isUsed_ = 0;  ///< one bit per colour
     std::vector<int> active_;
     std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>,
                Kind<WheelConstraint>, Kind<WeldConstraint>, Kind<MotorConstraint>, Kind<MouseConstraint>,
