@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <tuple>
 
@@ -231,11 +232,24 @@ void sortContactEvents(WorldState& world) {
 
 }  // namespace
 
+namespace {
+
+/// A kinematic body got where the box of its step ends, unless its speed was cut. The next step makes the box for what
+/// it moves then, before anything looks at it.
+bool isInBoxOfStep(const WorldState& world, std::uint32_t slot) {
+    return world.bodies[slot].def.type == BodyType::kinematic &&
+           !(world.settings.maxSpeed < std::numeric_limits<Real>::infinity());
+}
+
+}  // namespace
+
 /// Several workers make boxes side by side, and give those that were outgrown to the broadphase.
 void moveProxies(WorldState& world) {
     world.broadphase->beginMoves();
     world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { renewBoxes(world, world.awake[i]); }
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!isInBoxOfStep(world, world.awake[i])) { renewBoxes(world, world.awake[i]); }
+        }
     });
     world.counters.proxiesMoved += world.broadphase->endMoves(*world.loops);
 }

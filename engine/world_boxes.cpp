@@ -11,16 +11,16 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// The box of a kinematic shape spans its whole next step: others are swept against it there.
-Aabb boxAfter(const WorldState& world, const Shape& shape, const Aabb& tight) {
+Aabb spanningBox(const WorldState& world, const Shape& shape, Real reach) {
     const BodyMotion& motion = world.motions[shape.body];
     const Body& body = world.bodies[shape.body];
     const DVec2 center = motion.center + world.lastDt * toDouble(motion.velocity);
     const double angle = motion.angle + world.lastDt * static_cast<double>(motion.angularVelocity);
-    const bool turns = angle != motion.angle;  // most platforms do not, and a sine and a cosine are most of a pose
-    if (!turns && center == motion.center) { return tight; }
-    const WorldTransform pose =
-        turns ? poseOf(center, angle, body.localCenter) : poseOf(center, motion.pose.rotation, body.localCenter);
-    return hullOf(tight, boundsOf(shape.polygon, pose));
+    if (angle == motion.angle) {  // most platforms do not turn, and a sine and a cosine are most of a pose
+        return boundsOf(shape.polygon, motion.pose, center - motion.center, reach);
+    }
+    return hullOf(boundsOf(shape.polygon, motion.pose, {}, reach),
+                  boundsOf(shape.polygon, poseOf(center, angle, body.localCenter), {}, reach));
 }
 
 /// What is fast leaves its box in every step, so a box that is quickly made is better than a tight one: that of its
@@ -44,8 +44,8 @@ Aabb neededBoxOf(const WorldState& world, const Shape& shape, Real motion) {
         return circleBox(world.motions[shape.body].center,
                          static_cast<double>(radius) * (1 + static_cast<double>(kEpsilon)));
     }
-    const Aabb tight = boundsOf(shape.polygon, world.motions[shape.body].pose);
-    return grown(body.isDynamic() ? tight : boxAfter(world, shape, tight), reach);
+    return body.isDynamic() ? boundsOf(shape.polygon, world.motions[shape.body].pose, {}, reach)
+                            : spanningBox(world, shape, reach);
 }
 
 }  // namespace

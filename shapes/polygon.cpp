@@ -157,31 +157,51 @@ Real extentOf(const Polygon& polygon) {
     return static_cast<Real>(smallest + rounding);
 }
 
-Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose) {
-    const double c = static_cast<double>(pose.rotation.c);
-    const double s = static_cast<double>(pose.rotation.s);
+Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose) { return boundsOf(polygon, pose, {}, 0); }
+
+Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose, DVec2 way, Real reach) {
+    typedef double Pair [[gnu::vector_size(16)]];  // both axes at once: boxes are made for all that moves, in each step
+    const auto abs = [](Pair v) { return -v > v ? -v : v; };
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    DVec2 lower{kInfinity, kInfinity};
-    DVec2 upper{-kInfinity, -kInfinity};
-    double reach = 0;
+    const auto c = static_cast<double>(pose.rotation.c);
+    const auto s = static_cast<double>(pose.rotation.s);
+    const Pair alongX{c, s};
+    const Pair alongY{-s, c};
+    Pair lower{kInfinity, kInfinity};
+    Pair upper{-kInfinity, -kInfinity};
+    Pair widest{};
     for (const Vec2 vertex : polygon.points()) {
         const DVec2 v = toDouble(vertex);
-        const DVec2 turned{c * v.x - s * v.y, s * v.x + c * v.y};
-        // Comparisons: std::fmin is a call, and all of them were half of what the box costs.
-        lower = {turned.x < lower.x ? turned.x : lower.x, turned.y < lower.y ? turned.y : lower.y};
-        upper = {turned.x > upper.x ? turned.x : upper.x, turned.y > upper.y ? turned.y : upper.y};
-        const double away = std::fabs(v.x) + std::fabs(v.y);
-        reach = away > reach ? away : reach;
+        const Pair turned = alongX * v.x + alongY * v.y;
+        lower = turned < lower ? turned : lower;
+        upper = turned > upper ? turned : upper;
+        const Pair away = abs(Pair{v.x, v.y});
+        widest = away > widest ? away : widest;
     }
     // Two roundings in `Real` for callers who turn the vertices in `Real`, and what the sums below may lose in double.
     constexpr double kTurnError = 2 * static_cast<double>(kEpsilon);
     constexpr double kSumError = 4 * std::numeric_limits<double>::epsilon();
-    const double r = static_cast<double>(polygon.radius);
-    const double local = r + kTurnError * reach;
-    const double marginX = local + kSumError * (std::fabs(pose.position.x) + reach + r);
-    const double marginY = local + kSumError * (std::fabs(pose.position.y) + reach + r);
-    return roundedOutward({pose.position.x + (lower.x - marginX), pose.position.y + (lower.y - marginY)},
-                          {pose.position.x + (upper.x + marginX), pose.position.y + (upper.y + marginY)});
+    const double size = widest[0] + widest[1];
+    const double around = static_cast<double>(polygon.radius) + static_cast<double>(reach);
+    const Pair from{pose.position.x, pose.position.y};
+    const Pair along{way.x, way.y};
+    const Pair to = from + along;
+    const Pair margin = around + kTurnError * size + kSumError * (abs(from) + abs(along) + (size + around));
+    Pair low = (to < from ? to : from) + (lower - margin);
+    Pair high = (to > from ? to : from) + (upper + margin);
+    // Outward by what rounding to `Real` may take away, so that nobody need ask which way it went.
+    if constexpr (sizeof(Real) < sizeof(double)) {
+        constexpr double kRealError = static_cast<double>(kEpsilon);
+        constexpr double kLeast = static_cast<double>(std::numeric_limits<Real>::denorm_min());
+        low -= kRealError * abs(low) + kLeast;
+        high += kRealError * abs(high) + kLeast;
+    }
+    constexpr double kMost = static_cast<double>(std::numeric_limits<Real>::max());
+    const Pair most{kMost, kMost};
+    low = low < -most ? -most : (low > most ? most : low);
+    high = high < -most ? -most : (high > most ? most : high);
+    return {{static_cast<Real>(low[0]), static_cast<Real>(low[1])},
+            {static_cast<Real>(high[0]), static_cast<Real>(high[1])}};
 }
 
 Real radiusAbout(const Polygon& polygon, Vec2 center) {

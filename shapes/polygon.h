@@ -54,6 +54,10 @@ Real extentOf(const Polygon& polygon);
 
 /// World bounds of a placed polygon, radius included, rounded outward.
 Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose);
+/// The same of all places where it is on a straight way, without turning, and as far around them as it reaches.
+/// @param way    metres, from the pose on
+/// @param reach  metres, not negative
+Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose, DVec2 way, Real reach);
 
 /// Radius of the smallest circle about `center` (body frame) that holds the whole shape, radius included; rounded up.
 Real radiusAbout(const Polygon& polygon, Vec2 center);

@@ -266,6 +266,26 @@ TEST(Queries, VisitorsMayStop) {
     EXPECT_EQ(calls, 3);
 }
 
+/// Their boxes are made as a step begins, for all of it.
+TEST(Queries, SeeKinematicBodiesWhereAStepLeftThem) {
+    for (const Real maxSpeed : {std::numeric_limits<Real>::infinity(), real(5)}) {
+        WorldSettings settings = awakeSettings();
+        settings.maxSpeed = maxSpeed;
+        World world = makeWorld(settings);
+        const BodyId body = addBody(world, bodyAt(BodyType::kinematic, {1, 2}), box(2, 0.1));
+        for (int i = 0; i < 60; ++i) {
+            must(world.setVelocity(body, vec(20 * std::sin(i), 9 * std::cos(i)), real(12 * std::sin(0.5 * i))));
+            must(world.step(kStep));
+            for (const double end : {-1.99, 1.99}) {
+                const DVec2 point = world.position(body) + turned({end, 0}, world.angle(body));
+                int seen = 0;
+                world.overlapShape(circle(0.001), {point, {}}, {}, [&](ShapeId) { return ++seen > 0; });
+                EXPECT_EQ(seen, 1) << "step " << i << ", up to " << maxSpeed << " m/s";
+            }
+        }
+    }
+}
+
 TEST(Queries, RayVisitorsSeeAllThatIsOnTheRay) {
     World world = makeWorld();
     for (int i = 0; i < 5; ++i) { addStatic(world, circle(0.25), {}, {2.0 * i, 0}); }

@@ -88,6 +88,29 @@ TEST(Bounds, ContainTheShapeWhereverItIs) {
     }
 }
 
+TEST(Bounds, OfAWayContainBothItsEndsGrownByTheReach) {
+    Random random(4);
+    for (int i = 0; i < 5'000; ++i) {
+        const Polygon polygon = randomShape(random, 0);
+        const double far = std::pow(10.0, random.range(0, 12));
+        const DVec2 from{random.range(-far, far), random.range(-far, far)};
+        const DVec2 way{random.range(-far, far), random.range(-2, 2)};
+        const Rotation rotation = rotationFromAngle(random.range(-4, 4));
+        const Real reach = real(random.range(0, 3));
+        const Aabb box = boundsOf(polygon, {from, rotation}, way, reach);
+        const Point grown{exact(polygon.radius) + exact(reach), exact(polygon.radius) + exact(reach)};
+        for (const Vec2 v : polygon.points()) {
+            for (const Point end : {exact(from), exact(from) + exact(way)}) {
+                const Point p = placed({{}, rotation}, exact(v)) + end;
+                ASSERT_LE(exact(box.lower).x, p.x - grown.x) << "case " << i << ": " << polygon;
+                ASSERT_LE(exact(box.lower).y, p.y - grown.y) << "case " << i << ": " << polygon;
+                ASSERT_GE(exact(box.upper).x, p.x + grown.x) << "case " << i << ": " << polygon;
+                ASSERT_GE(exact(box.upper).y, p.y + grown.y) << "case " << i << ": " << polygon;
+            }
+        }
+    }
+}
+
 TEST(RadiusAbout, IsTheFarthestPointRoundedUp) {
     Random random(3);
     for (int i = 0; i < 20'000; ++i) {
