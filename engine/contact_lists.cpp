@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "beside.h"
 #include "pair_boxes.h"
 #include "travel.h"
 #include "world_state.h"
@@ -72,12 +73,14 @@ void listBlocks(WorldState& world) {
     const std::size_t blocks = (count + kProbesPerBlock - 1) / kProbesPerBlock;
     for (auto* const list : {&lists.noted, &lists.near, &lists.ground, &lists.apart}) { list->resize(count); }
     lists.counts.resize(blocks);
-    world.loops->run(blocks, 1, [&world, &lists, &question, count](std::size_t first, std::size_t last, int) {
+    const auto listSome = [&world, &lists, &question, count](std::size_t first, std::size_t last) {
         for (std::size_t block = first; block < last; ++block) {
             const std::size_t begin = block * kProbesPerBlock;
             lists.counts[block] = listBlock<kWatched>(world, question, begin, std::min(begin + kProbesPerBlock, count));
         }
-    });
+    };
+    runBeside(
+        *world.loops, [&world] { closeCandidates(world); }, blocks, listSome);
 }
 
 /// One block behind the other.

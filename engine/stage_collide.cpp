@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "../shapes/distance.h"
+#include "beside.h"
 #include "contact_batch.h"
 #include "contact_fetch.h"
 #include "contact_manifold.h"
@@ -17,22 +18,31 @@ namespace {
 
 /// Contacts per block: enough work, some microseconds, to pay for handing it over.
 constexpr std::size_t kContactGrain = 32;
-constexpr std::size_t kBodyGrain = 128;
 
 bool isAwake(const WorldState& world, std::uint32_t body) { return world.glances[body].isAwake(); }
 
 /// So that the contacts of a body need not ask it one by one. @param haveContacts  else a bound of its motion is all
 /// that is asked
+void noteSome(WorldState& world, std::span<const std::uint32_t> awake, bool haveContacts) {
+    for (std::size_t i = 0; i < awake.size(); ++i) {
+        fetchAhead(world, awake.subspan(i));
+        const std::uint32_t slot = awake[i];
+        world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
+        if (haveContacts) { noteMotion(world, slot); }
+    }
+}
+
+/// Of all that is awake, while one worker takes up the new pairs. What these release is awake then, too.
 void noteMotions(WorldState& world, bool haveContacts) {
-    world.loops->run(world.awake.size(), kBodyGrain, [&world, haveContacts](std::size_t begin, std::size_t end, int) {
-        const std::span<const std::uint32_t> awake = world.awake;
-        for (std::size_t i = begin; i < end; ++i) {
-            fetchAhead(world, awake.subspan(i, end - i));
-            const std::uint32_t slot = awake[i];
-            world.glances[slot].motion = motionBound(world, slot, static_cast<Real>(world.lastDt));
-            if (haveContacts) { noteMotion(world, slot); }
-        }
-    });
+    const std::span<const std::uint32_t> awake = world.awake;
+    const auto note = [&world, awake, haveContacts](std::size_t begin, std::size_t end) {
+        noteSome(world, awake.subspan(begin, end - begin), haveContacts);
+    };
+    const std::size_t before = awake.size();
+    runBeside(
+        *world.loops, [&world] { addPairs(world); }, before, note);
+    releaseMet(world);
+    noteSome(world, std::span(world.awake).subspan(before), haveContacts);
 }
 
 /// `contactReach` of one side. @tparam kWatched  whether the world is: that of speculative bodies is not what was noted
@@ -332,11 +342,12 @@ void listHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
 }
 
 void collideContacts(WorldState& world) {
+    const bool mayHaveContacts = !world.probes.empty() || !world.candidates.empty() || !world.newPairs.empty();
+    noteMotions(world, mayHaveContacts || !world.parked.candidates.empty());
     unparkContacts(world);
     parkContacts(world);
     closeGaps(world);
     const bool haveContacts = world.activeContacts > 0 || !world.candidates.empty();
-    noteMotions(world, haveContacts);
     world.touching.clear();
     if (!haveContacts) {
         world.lists.clear();

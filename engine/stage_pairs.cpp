@@ -198,7 +198,6 @@ NewPair newPairOf(const WorldState& world, std::uint32_t a, std::uint32_t b) {
 /// @return false when the two may not touch, or have a contact already
 bool addPair(WorldState& world, const NewPair& pair, bool isNear) {
     if (!pair.mayTouch || !world.pairs.insert(pair.shapeA, pair.shapeB)) { return false; }
-    if (!pair.isKnown) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
     if (!isNear && pair.mayWait) {
         world.candidates.push_back(pair);
     } else {
@@ -214,7 +213,10 @@ constexpr std::size_t kNewPairGrain = 32;
 }  // namespace
 
 bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    return addPair(world, newPairOf(world, a, b), true);
+    const NewPair pair = newPairOf(world, a, b);
+    if (!addPair(world, pair, true)) { return false; }
+    if (!pair.isKnown) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
+    return true;
 }
 
 void findPairs(WorldState& world) {
@@ -229,13 +231,23 @@ void findPairs(WorldState& world) {
             found[i] = newPairOf(world, shapeOf(world, pair.a), shapeOf(world, pair.b));
         }
     });
+}
+
+void addPairs(WorldState& world) {
+    const std::vector<NewPair>& found = world.newPairKinds;
+    world.metPairs.clear();
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (i + kLookedUpAhead < found.size()) {
             const NewPair& coming = found[i + kLookedUpAhead];
             world.pairs.fetch(coming.shapeA, coming.shapeB);
         }
-        addPair(world, found[i], false);
+        if (addPair(world, found[i], false) && !found[i].isKnown) { world.metPairs.push_back(found[i]); }
     }
+}
+
+void releaseMet(WorldState& world) {
+    for (const ContactPair& pair : world.metPairs) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
+    world.metPairs.clear();
 }
 
 namespace {
@@ -276,23 +288,26 @@ void promoteCandidates(WorldState& world) {
             world.candidateFates[i] = fateOf(world, boxes, world.candidates[i]);
         }
     });
+    std::size_t leaves = nextThatLeaves(world.candidateFates, 0);
+    while (leaves < world.candidates.size()) {
+        const bool goes = world.candidateFates[leaves] == CandidateFate::goes;
+        (goes ? world.droppedPairs : world.promoted).push_back(world.candidates[leaves]);
+        leaves = nextThatLeaves(world.candidateFates, leaves + 1);
+    }
+    makeContacts(world, world.promoted);
+}
+
+void closeCandidates(WorldState& world) {
     const std::span<ContactPair> candidates = world.candidates;
     std::size_t leaves = nextThatLeaves(world.candidateFates, 0);
     std::size_t kept = leaves;
     while (leaves < candidates.size()) {
-        const ContactPair& pair = candidates[leaves];
-        if (world.candidateFates[leaves] == CandidateFate::goes) {
-            world.droppedPairs.push_back(pair);
-        } else {
-            world.promoted.push_back(pair);
-        }
         const std::size_t next = nextThatLeaves(world.candidateFates, leaves + 1);
         std::copy(&candidates[leaves] + 1, candidates.data() + next, candidates.data() + kept);
         kept += next - leaves - 1;
         leaves = next;
     }
     world.candidates.resize(kept);
-    makeContacts(world, world.promoted);
     dropPairs(world, world.droppedPairs);
 }
 

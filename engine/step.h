@@ -15,8 +15,12 @@ void reachAhead(WorldState& world);
 void limitWays(WorldState& world, double dt);
 /// The boxes of kinematic bodies span their coming step, whatever their velocity was when the last one ended.
 void reachWithKinematicBodies(WorldState& world);
-/// Pairs of boxes that began to overlap become contacts (stage_pairs.cpp).
+/// Pairs of boxes that began to overlap, and what each is by itself (stage_pairs.cpp).
 void findPairs(WorldState& world);
+/// These become contacts, or candidates for that, in their order; what two of them met where nothing moves is awake
+/// after the second call. (Stage of contacts: beside the first one others may look at bodies.)
+void addPairs(WorldState& world);
+void releaseMet(WorldState& world);
 /// @return false when the two may not touch, or have a contact already
 bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
 /// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is

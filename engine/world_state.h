@@ -144,6 +144,7 @@ struct WorldState {
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
     std::vector<ProxyPair> newPairs;
     std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
+    std::vector<ContactPair> metPairs;  ///< of these, what met where nothing moves
 
     std::vector<Contact> contacts;           ///< in the order in which they began, with gaps where some ended
     std::vector<ContactProbe> probes;        ///< one for each contact, by which it is reached
@@ -225,8 +226,11 @@ void removeApartContacts(WorldState& world);
 /// So that the broadphase may find the pair anew.
 void dropPair(WorldState& world, const ContactPair& pair);
 void dropPairs(WorldState& world, std::span<const ContactPair> pairs);
-/// Candidates that came near become contacts; those whose boxes came apart are gone.
+/// Candidates that came near become contacts.
 void promoteCandidates(WorldState& world);
+/// Closes the gaps that these left, and those whose boxes came apart, which are gone: not yet before, since others may
+/// look at contacts meanwhile.
+void closeCandidates(WorldState& world);
 /// Those that are meant become contacts, without points until the next step looks at them.
 void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant);
 

@@ -89,7 +89,7 @@ TEST(SharedPairs, OfBoxesThatAreMovedBesideEachOther) {
     for (int kind = 0; kind < kBroadphaseKindCount; ++kind) {
         ThreadTasks tasks(3);
         Crowd crowd(23);
-        const auto alone = makeBroadphase(BroadphaseKind::allPairs);
+        const auto alone = makeBroadphase(BroadphaseKind::automatic);
         const auto shared = makeBroadphase(static_cast<BroadphaseKind>(kind));
         crowd.insertInto(*alone);
         crowd.insertInto(*shared);
