@@ -142,7 +142,7 @@ void listChainTouches(WorldState& world) {
     const std::vector<std::uint8_t>& isSegment = world.chainSegments;
     const auto headOf = [&](std::uint32_t shape) { return isSegment[shape] != 0 ? world.shapes[shape].head : shape; };
     for (const ContactProbe& probe : world.probes) {
-        if (probe.isPlain) { continue; }  // chains do not move
+        if (probe.isPlain || probe.isIdle) { continue; }  // chains do not move; what is idle does not touch
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.touching || (isSegment[contact.shapeA] | isSegment[contact.shapeB]) == 0) { continue; }
         world.chainTouches.push_back({headOf(contact.shapeA), headOf(contact.shapeB)});
