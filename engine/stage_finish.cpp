@@ -243,8 +243,15 @@ bool isInBoxOfStep(const WorldState& world, std::uint32_t slot) {
 
 }  // namespace
 
-/// Several workers make boxes side by side, and give those that were outgrown to the broadphase.
+/// Several workers make boxes side by side, and give those that were outgrown to the broadphase. What is no more than a
+/// block is moved one by one: to gather it first takes longer.
 void moveProxies(WorldState& world) {
+    if (world.awake.size() <= kProxyGrain) {
+        for (const std::uint32_t slot : world.awake) {
+            if (!isInBoxOfStep(world, slot)) { updateProxies(world, slot); }
+        }
+        return;
+    }
     world.broadphase->beginMoves();
     world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
