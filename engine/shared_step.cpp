@@ -1,5 +1,7 @@
 #include "shared_step.h"
 
+#include <algorithm>
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
@@ -14,21 +16,25 @@ constexpr double kPerSolve = 2e-6;
 /// Of solves whose colours are shared.
 constexpr double kPerConstraint = 1.5e-7;
 constexpr double kPerBodySubStep = 3e-8;
-/// So many constraints of a colour (`Solver`), in the mean.
-constexpr std::uint64_t kFewestPerColour = 384;
+/// So many constraints of a colour, in the mean: some colours of a solve that is shared (`Solver`) are small.
+constexpr std::uint64_t kFewestPerColour = 224;
 /// So many times as long as starting it takes is what others may take part in. Two threads save half of that at most.
 constexpr double kWorthStarting = 3;
 
 }  // namespace
 
 double workOf(const StepCounters& counters) {
+    // What is solved all at once is not shared: its constraints count with the others', by its bodies.
+    const std::uint64_t iterated = counters.solvedBodies - std::min(counters.solvedBodies, counters.directBodies);
+    const double share =
+        counters.solvedBodies > 0 ? static_cast<double>(iterated) / static_cast<double>(counters.solvedBodies) : 0;
     const bool areColoursShared = counters.constraints >= kFewestPerColour * counters.colours;
     const double ofSolves = kPerConstraint * static_cast<double>(counters.constraints) +
                             kPerBodySubStep * static_cast<double>(counters.bodySubSteps);
     return kPerAwakeBody * static_cast<double>(counters.awakeBodies - counters.settledBodies) +
            kPerFlyer * static_cast<double>(counters.flyers) + kPerManifold * static_cast<double>(counters.manifolds) +
            kPerToiCall * static_cast<double>(counters.toiCalls) +
-           kPerSolve * static_cast<double>(counters.effortClasses) + (areColoursShared ? ofSolves : 0);
+           kPerSolve * static_cast<double>(counters.effortClasses) + (areColoursShared ? share * ofSolves : 0);
 }
 
 void shareStep(WorldState& world, double work, FunctionRef<void()> pipeline) {
