@@ -42,7 +42,8 @@ inline constexpr std::size_t kMostClashing = 8;
 /// sinking in a little and being set apart, so that a bullet on something that whirls stays on its side. Touches only
 /// the state of the bodies, of the contacts, and the scratch, so clashes may go in any order.
 /// @param members   slots of dynamic bodies, all of the island
-/// @param contacts  indices of the probes of the contacts of the island: of all pairs of members that may meet, and of ground
+/// @param contacts  indices of the probes of the contacts of the island: of all pairs of members that may meet, and of
+/// ground
 /// @return false: this is no such island, or something comes to rest in it, so it is for the solver. Nothing was
 /// changed.
 bool clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,

@@ -6,6 +6,7 @@
 #include "../broadphase/broadphase.h"
 #include "../shapes/manifold.h"
 #include "../solver/contact_row.h"
+#include "touching.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -85,14 +86,10 @@ struct NewPair : ContactPair {
 };
 
 /// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
+/// Of the traits those of its points are told in state `near`.
 /// Probes stand in the order in which their pairs came near; contacts stay where they are while a step goes on.
-struct ContactProbe : ContactPair {
-    double apartUntil =
-        0;          ///< there are no points as long as the bodies moved less since (travel.h), metres; 0: not known
-    Vec2 offset{};  ///< from centre of mass to centre of mass at that time, world
-    std::uint32_t contact = 0;  ///< place in `WorldState::contacts`
+struct ContactProbe : ContactPair, TouchTraits {
     ContactState state = ContactState::asleep;
-    std::uint8_t points = 0;  ///< of state `near`
     bool isIdle : 1 = false;  ///< it is no sensor, and had no points when they were renewed last, so it does not touch:
                               ///< while they are apart nothing changes
     bool isPlain : 1 =
@@ -100,12 +97,11 @@ struct ContactProbe : ContactPair {
     bool wasKept : 1 = false;   ///< its manifold was, when it was near last: most likely it is again
     bool areUp : 1 = false;     ///< of state `near`: what of both is dynamic was awake, as the stage of contacts began;
                                 ///< not of sensors
-    bool bounces : 1 = false;   ///< has restitution
     bool turns : 1 = false;     ///< of state `near`: touching begins or ends
-    bool isOpen : 1 = false;    ///< of state `near`: `TouchingPair::isOpen`
-    bool isDeep : 1 = false;    ///< of state `near`: `TouchingPair::isDeep`
-    bool dynamicA : 1 = false;  ///< the body is
-    bool dynamicB : 1 = false;
+    std::uint32_t contact = 0;  ///< place in `WorldState::contacts`
+    double apartUntil =
+        0;          ///< there are no points as long as the bodies moved less since (travel.h), metres; 0: not known
+    Vec2 offset{};  ///< from centre of mass to centre of mass at that time, world
 };
 static_assert(sizeof(ContactProbe) <= 48, "a step reads all of them");
 

@@ -7,7 +7,7 @@
 #include "../shapes/cache_line.h"
 #include "world_state.h"
 
-/// What the stage of contacts fetches from memory before it gets there.
+/// What the stages of contacts and of boxes fetch from memory before they get there.
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -52,6 +52,25 @@ template <class T>
     __builtin_prefetch(&world.motions[slot]);
     __builtin_prefetch(&world.travels[slot]);
     __builtin_prefetch(&world.glances[slot], 1);
+}
+
+/// What is asked of a body, and of the first of its shapes, as its boxes are made anew.
+[[gnu::always_inline]] inline void fetchForBoxes(const WorldState& world, std::span<const std::uint32_t> coming) {
+    if (coming.size() <= kBodiesAhead + kShapesAhead) { return; }
+    const std::uint32_t slot = coming[kBodiesAhead + kShapesAhead];
+    const Body& body = world.bodies[slot];
+    __builtin_prefetch(&body);
+    __builtin_prefetch(&body.def.type);
+    __builtin_prefetch(&body.shapes);
+    __builtin_prefetch(&world.motions[slot]);
+    __builtin_prefetch(&world.travels[slot]);
+    __builtin_prefetch(world.bodies[coming[kBodiesAhead]].shapes.data());
+    const Body& next = world.bodies[coming[kShapesAhead]];
+    if (next.shapes.empty()) { return; }
+    const Shape& shape = world.shapes[next.shapes.front()];
+    __builtin_prefetch(shape.polygon.vertices.data());
+    __builtin_prefetch(&shape.polygon.radius);
+    __builtin_prefetch(&shape.proxy);
 }
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several

@@ -21,8 +21,7 @@ struct Question {
 };
 
 Question questionOf(const WorldState& world) {
-    return {world.broadphase->boxes(), static_cast<Real>(world.lastDt),
-            world.awake.size() + world.fixedBodies == world.bodies.size()};
+    return {world.broadphase->boxes(), static_cast<Real>(world.lastDt), areAllUp(world)};
 }
 
 /// @tparam kWatched  speculative bodies reach farther than was noted

@@ -117,7 +117,11 @@ template <bool kWatched>
 class NearUpdate {
 public:
     NearUpdate(WorldState& world, NearestPoints asked)
-        : world_(world), asked_(asked), slides_(world.slides), batches_(world, Finish{this}) {}
+        : world_(world),
+          asked_(asked),
+          areAllUp_(areAllUp(world)),
+          slides_(world.slides),
+          batches_(world, Finish{this}) {}
 
     void add(ContactProbe& probe, Contact& contact) {
         if (contact.sensor) {
@@ -128,8 +132,8 @@ public:
         }
         const Transform bInA = relativePoseOf(world_, contact);
         const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact, asked_);
-        probe.areUp =
-            (isAwake(world_, contact.bodyA) || !probe.dynamicA) && (isAwake(world_, contact.bodyB) || !probe.dynamicB);
+        probe.areUp = areAllUp_ || ((isAwake(world_, contact.bodyA) || !probe.dynamicA) &&
+                                    (isAwake(world_, contact.bodyB) || !probe.dynamicB));
         probe.wasKept = mayKeepManifold(contact, bInA) && keepsManifold(contact, bInA, reach);
         if (!probe.wasKept) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
@@ -162,6 +166,7 @@ private:
 
     const WorldState& world_;
     NearestPoints asked_;
+    bool areAllUp_;  ///< then no body need be asked
     std::span<Slide> slides_;
     ContactBatches<Finish> batches_;
 };
@@ -239,29 +244,17 @@ void wakeAcrossJoints(WorldState& world) {
 }
 
 TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
-    return {.contact = place,
-            .bodyA = contact.bodyA,
-            .bodyB = contact.bodyB,
-            .points = static_cast<std::uint8_t>(contact.manifold.count),
-            .dynamicA = contact.dynamicA,
-            .dynamicB = contact.dynamicB,
-            .bounces = contact.restitution > 0,
-            .isOpen = isOpen(contact),
-            .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
+    const TouchTraits traits{.points = static_cast<std::uint8_t>(contact.manifold.count),
+                             .dynamicA = contact.dynamicA,
+                             .dynamicB = contact.dynamicB,
+                             .bounces = contact.restitution > 0,
+                             .isOpen = isOpen(contact),
+                             .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
+    return {traits, place, contact.bodyA, contact.bodyB};
 }
 
 /// Of what `isTold`.
-TouchingPair touchingPair(const ContactProbe& probe) {
-    return {.contact = probe.contact,
-            .bodyA = probe.bodyA,
-            .bodyB = probe.bodyB,
-            .points = probe.points,
-            .dynamicA = probe.dynamicA,
-            .dynamicB = probe.dynamicB,
-            .bounces = probe.bounces,
-            .isOpen = probe.isOpen,
-            .isDeep = probe.isDeep};
-}
+TouchingPair touchingPair(const ContactProbe& probe) { return {probe, probe.contact, probe.bodyA, probe.bodyB}; }
 
 /// Few contacts lose their points to others of the same body: their probes tell what they had before.
 void distrustGhosts(WorldState& world) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <tuple>
 
+#include "contact_fetch.h"
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
@@ -254,8 +255,10 @@ void moveProxies(WorldState& world) {
     }
     world.broadphase->beginMoves();
     world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
+        const std::span<const std::uint32_t> awake = world.awake;
         for (std::size_t i = begin; i < end; ++i) {
-            if (!isInBoxOfStep(world, world.awake[i])) { renewBoxes(world, world.awake[i]); }
+            fetchForBoxes(world, awake.subspan(i, end - i));
+            if (!isInBoxOfStep(world, awake[i])) { renewBoxes(world, awake[i]); }
         }
     });
     world.counters.proxiesMoved += world.broadphase->endMoves(*world.loops);

@@ -59,10 +59,9 @@ void listBodies(WorldState& world) {
         fast.numbers[slot] = number;
         fast.bodies.add(number, slot);
     }
+    if (world.kinematicBodies == 0) { return fast.bodies.sort(fast.isDone.size()); }
     for (const std::uint32_t slot : world.awake) {
-        if (world.kinematicBodies > 0 && world.bodies[slot].def.type == BodyType::kinematic) {
-            fast.kinematics.push_back(slot);
-        }
+        if ((world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake) { fast.kinematics.push_back(slot); }
     }
     fast.bodies.sort(fast.isDone.size());
 }

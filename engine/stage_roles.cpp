@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
 
 #include "modes.h"
 #include "step.h"
@@ -154,20 +155,22 @@ void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, 
 constexpr std::size_t kPairsAhead = 8;
 
 /// Those that may pass each other are looked at (`passEachOther`).
-void fetchAhead(const WorldState& world, std::size_t place) {
-    if (place + kPairsAhead >= world.touching.size()) { return; }
-    const TouchingPair& coming = world.touching[place + kPairsAhead];
+void fetchAhead(const WorldState& world, std::span<const TouchingPair> pairs, std::size_t place) {
+    if (place + kPairsAhead >= pairs.size()) { return; }
+    const TouchingPair& coming = pairs[place + kPairsAhead];
     if (coming.isOpen) { __builtin_prefetch(&world.contacts[coming.contact].manifold); }
 }
 
 /// What the contacts tell about their bodies, and which bodies they tie together. Forgets what sleeps or passes by.
 void noteTouching(WorldState& world, Real dt) {
-    std::vector<BodyTraits>& traits = world.traits;
+    // Where they are does not change, but who writes bytes might have written that, too, as far as compilers know.
+    const std::span<BodyTraits> traits = world.traits;
+    const std::span<TouchingPair> pairs = world.touching;
     world.hemmed.passing.clear();
-    auto keep = world.touching.begin();
-    for (std::size_t i = 0; i < world.touching.size(); ++i) {
-        fetchAhead(world, i);
-        const TouchingPair pair = world.touching[i];
+    auto keep = pairs.begin();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        fetchAhead(world, pairs, i);
+        const TouchingPair pair = pairs[i];
         BodyTraits& a = traits[pair.bodyA];
         BodyTraits& b = traits[pair.bodyB];
         const bool awakeA = (a & kIsAwake) != 0;
@@ -186,7 +189,7 @@ void noteTouching(WorldState& world, Real dt) {
         if (awakeB) { b |= pair.dynamicA ? kHasContact | kTouchesDynamic : kHasContact; }
         *keep++ = pair;
     }
-    world.touching.erase(keep, world.touching.end());
+    world.touching.erase(world.touching.begin() + (keep - pairs.begin()), world.touching.end());
     holdHemmedPairs(world);
 }
 

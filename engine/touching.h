@@ -4,12 +4,8 @@
 
 namespace swept {
 
-/// A contact with points, as far as roles and islands are about it: most of what they ask they then find here, in
-/// order, instead of all over memory.
-struct TouchingPair {
-    std::uint32_t contact = 0;  ///< place in `WorldState::contacts`
-    std::uint32_t bodyA = 0;    ///< slots
-    std::uint32_t bodyB = 0;
+/// What is told about a contact with points, of a size that is copied at once.
+struct TouchTraits {
     std::uint8_t points = 0;
     bool dynamicA : 1 = false;  ///< the body is
     bool dynamicB : 1 = false;
@@ -19,6 +15,18 @@ struct TouchingPair {
 
     bool areDynamic() const { return dynamicA && dynamicB; }
 };
+
+/// A contact with points, as far as roles and islands are about it: most of what they ask they then find here, in
+/// order, instead of all over memory.
+struct TouchingPair : TouchTraits {
+    TouchingPair(const TouchTraits& traits, std::uint32_t place, std::uint32_t a, std::uint32_t b)
+        : TouchTraits(traits), contact(place), bodyA(a), bodyB(b) {}
+
+    std::uint32_t contact;  ///< place in `WorldState::contacts`
+    std::uint32_t bodyA;    ///< slots
+    std::uint32_t bodyB;
+};
+static_assert(sizeof(TouchingPair) == 16, "a step makes thousands, and goes through them several times");
 
 /// What becomes in this step of a pair of dynamic bodies that was never near (`WorldState::candidates`).
 enum class CandidateFate : std::uint8_t { waits, goes, becomesContact };

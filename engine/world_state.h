@@ -283,6 +283,8 @@ inline Real angularAccelerationOf(const Body& body) { return body.inverseInertia
 inline bool anyAsleep(const WorldState& world) {
     return world.awake.size() + world.held.bodies + world.fixedBodies < world.bodies.size();
 }
+/// Whether all that could move is awake, and not held either: then hardly anybody need be asked.
+inline bool areAllUp(const WorldState& world) { return world.awake.size() + world.fixedBodies == world.bodies.size(); }
 /// Length of the longest path that a point of the body can take within dt, metres.
 inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
     const Body& body = world.bodies[slot];
