@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 
 #include "table_broadphase.h"
 #include "wide_kernels.h"
@@ -25,7 +26,7 @@ private:
     void onMove(std::uint32_t slot) override;
     void onRenew(std::uint32_t slot) override { treeAt(slot).forget(places_[slot]); }
     void onRemove(std::uint32_t slot) override;
-    void onBeginMoves() override {}
+    void onBeginMoves() override;
     void onMoveBeside(std::uint32_t slot, const Aabb& box) override;
     std::size_t onEndMoves(TaskSystem& loops) override;
     void onPairsDone(TaskSystem& loops) override;
@@ -44,6 +45,7 @@ private:
 
     const WideKernels& kernels_;
     std::array<WideTree, kProxyKindCount> trees_;
+    std::array<std::atomic<bool>, kProxyKindCount> kindsBeside_{};  // some of it were moved beside each other
     std::vector<std::uint32_t> places_;  // one per slot: the place in the tree of the slot's kind
     std::vector<WideJoin> joins_;        // the pieces of a search, none of which needs another
     std::vector<WideScratch> scratch_;   // one per worker

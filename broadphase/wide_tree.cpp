@@ -16,6 +16,7 @@ constexpr std::size_t kMarkGrain = 256;
 /// Marks of places, until they are the nodes': a byte each, so that several threads may set them.
 constexpr std::uint8_t kMovedBeside = 1;
 constexpr std::uint8_t kJumpedBeside = 2;
+static_assert(kWide == sizeof(std::uint64_t), "the marks of a node are read at once");
 
 /// Halves against each other: three steps instead of a chain of eight, and the first is one for a register of four
 /// lanes.
@@ -96,8 +97,9 @@ std::uint32_t WideTree::markBesides(std::size_t begin, std::size_t end) {
         unsigned moved = 0;
         unsigned jumped = 0;
         for (std::uint32_t lane = 0; lane < kWide; ++lane) {
-            moved |= (besides[lane] & kMovedBeside) << lane;
-            jumped |= ((besides[lane] & kJumpedBeside) >> 1U) << lane;
+            const unsigned marks = besides[lane];
+            moved |= (marks & kMovedBeside) << lane;
+            jumped |= ((marks & kJumpedBeside) >> 1U) << lane;
         }
         std::memset(besides, 0, sizeof(all));
         count += static_cast<std::uint32_t>(std::popcount(moved));
@@ -198,11 +200,6 @@ bool WideTree::prepareJoin(std::span<std::uint32_t> places, TaskSystem& loops) {
     settleJumps(places);
     refit(loops);
     isPrepared_ = true;
-    // Per box, since more boxes have more nodes. What a box is compared with goes with the area of the nodes.
-    const double spread = spread_ * builtSize_;
-    const double built = builtSpread_ * size_;
-    const double ratio = built > 0 ? spread / built : 0;
-    if (ratio > 1) { decay_ += movedCount_ * (ratio * ratio - 1); }
     return due;
 }
 
@@ -312,6 +309,11 @@ void WideTree::listMovedAbove(std::size_t level) {
 void WideTree::finishJoin(TaskSystem& loops) {
     isPrepared_ = false;
     if (movedCount_ == 0) { return; }
+    // Per box, since more boxes have more nodes. What a box is compared with goes with the area of the nodes.
+    const double spread = spread_ * builtSize_;
+    const double built = builtSpread_ * size_;
+    const double ratio = built > 0 ? spread / built : 0;
+    if (ratio > 1) { decay_ += movedCount_ * (ratio * ratio - 1); }
     const std::size_t count = moved_[0].empty() ? 0 : moved_[0].size() - 1;  // without the sentinel
     loops.run(count, kNodeGrain, [this](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {

@@ -82,7 +82,7 @@ struct NewPair : ContactPair {
     std::uint32_t shapeB = 0;
     bool mayTouch = false;
     bool mayWait = false;  ///< until it is near
-    bool isKnown = false;  ///< one of the bodies is awake, and wakes what it touches
+    bool isKnown = false;  ///< one of the bodies `disturbs`
 };
 
 /// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.

@@ -207,14 +207,6 @@ ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begin
     return event;
 }
 
-/// Awake and able to push: a kinematic body at rest lets others sleep on it.
-bool disturbs(const WorldState& world, std::uint32_t slot) {
-    const Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    const bool moves = motion.velocity != Vec2{} || motion.angularVelocity != 0;
-    return body.awake && (body.isDynamic() || moves);
-}
-
 /// Between parallel updates, in order of the contacts: events, and waking of what an awake body touches.
 void noticeTouching(WorldState& world, Contact& contact) {
     const bool touching = isTouching(contact);

@@ -162,17 +162,10 @@ bool mayWait(const WorldState& world, const Shape& a, const Shape& b) {
            world.bodies[b.body].isDynamic();
 }
 
-/// Awake, and it wakes what it touches.
-bool makesItselfKnown(const WorldState& world, std::uint32_t slot) {
-    const BodyMotion& motion = world.motions[slot];
-    const bool moves = motion.velocity != Vec2{} || motion.angularVelocity != 0;
-    return world.bodies[slot].awake && (world.bodies[slot].isDynamic() || moves);
-}
-
 /// Nothing moves here, and yet the two met: something was put there. A kinematic body at rest wakes nobody, but what is
 /// held is awake to the user.
 void releaseWhatIsMet(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    if (makesItselfKnown(world, a) || makesItselfKnown(world, b)) { return; }
+    if (disturbs(world, a) || disturbs(world, b)) { return; }
     for (const std::uint32_t slot : {a, b}) {
         if (world.bodies[slot].heldIn != kNoIndex) { releaseHeld(world, slot); }
     }
@@ -191,7 +184,7 @@ NewPair newPairOf(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     pair.mayTouch = mayTouch(world, first, second);
     if (!pair.mayTouch) { return pair; }
     pair.mayWait = mayWait(world, first, second);
-    pair.isKnown = makesItselfKnown(world, first.body) || makesItselfKnown(world, second.body);
+    pair.isKnown = disturbs(world, first.body) || disturbs(world, second.body);
     return pair;
 }
 

@@ -67,6 +67,13 @@ void wake(WorldState& world, std::uint32_t start) {
     } while (slot != start);
 }
 
+bool disturbs(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const bool moves = motion.velocity != Vec2{} || motion.angularVelocity != 0;
+    return body.awake && (body.isDynamic() || moves);
+}
+
 void restAnew(WorldState& world) {
     for (const std::uint32_t slot : world.awake) { startResting(world.bodies[slot], world.motions[slot]); }
 }

@@ -240,6 +240,8 @@ void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
 /// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake and static bodies.
 void wake(WorldState& world, std::uint32_t body);
+/// Whether a body wakes what it touches: it is awake and can push. A kinematic body at rest lets others sleep on it.
+bool disturbs(const WorldState& world, std::uint32_t body);
 /// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
 double restTimeOf(const WorldState& world, const Body& body);
 /// All that is awake counts its rest from now on: nothing counts while sleep is off.

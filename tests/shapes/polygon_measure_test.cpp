@@ -111,6 +111,42 @@ TEST(Bounds, OfAWayContainBothItsEndsGrownByTheReach) {
     }
 }
 
+/// Places, ways, shapes and reaches of any size, each by itself: what they lose in a sum differs most then.
+TEST(Bounds, AreRoundedOutwardAtEveryScale) {
+    constexpr long double kMost = static_cast<long double>(std::numeric_limits<Real>::max());
+    Random random(6);
+    const auto some = [&random](double share, double mostDecade = 30) {
+        return random.chance(share) ? random.sign() * std::pow(10.0, random.range(-44, mostDecade)) : 0.0;
+    };
+    constexpr double kBeyond = 44;  // of float
+    int within = 0;
+    for (int i = 0; i < 50'000; ++i) {
+        Polygon polygon;
+        polygon.count = random.integer(1, kMaxPolygonVertices);
+        for (int k = 0; k < polygon.count; ++k) {
+            polygon.vertices[static_cast<std::size_t>(k)] = {real(some(0.8)), real(some(0.8))};
+        }
+        polygon.radius = real(std::fabs(some(0.5)));
+        const WorldTransform pose{{some(0.8, kBeyond), some(0.8, kBeyond)}, rotationFromAngle(random.range(-4, 4))};
+        const DVec2 way{some(0.5, kBeyond), some(0.5, kBeyond)};
+        const Real reach = real(std::fabs(some(0.5)));
+        const Aabb box = boundsOf(polygon, pose, way, reach);
+        ASSERT_TRUE(isValid(box)) << "case " << i;
+        const long double around = exact(polygon.radius) + exact(reach);
+        for (const Vec2 v : polygon.points()) {
+            for (const Point end : {exact(pose.position), exact(pose.position) + exact(way)}) {
+                const Point p = placed({{}, pose.rotation}, exact(v)) + end;
+                ASSERT_LE(exact(box.lower).x, std::max(p.x - around, -kMost)) << "case " << i << ": " << polygon;
+                ASSERT_LE(exact(box.lower).y, std::max(p.y - around, -kMost)) << "case " << i << ": " << polygon;
+                ASSERT_GE(exact(box.upper).x, std::min(p.x + around, kMost)) << "case " << i << ": " << polygon;
+                ASSERT_GE(exact(box.upper).y, std::min(p.y + around, kMost)) << "case " << i << ": " << polygon;
+                within += std::fabs(p.x) + around < kMost ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(within, 100'000);
+}
+
 TEST(RadiusAbout, IsTheFarthestPointRoundedUp) {
     Random random(3);
     for (int i = 0; i < 20'000; ++i) {
