@@ -22,6 +22,10 @@ namespace {
 
 /// Bodies per block whose boxes are compared.
 constexpr std::size_t kProxyGrain = 64;
+/// Bodies per awake one up to which boxes are moved side by side: all are gone through for what moved then. (Of 200 000
+/// boxes, wide tree, one thread: 100 moved 92 µs instead of 7, 3000 moved 172 instead of 103; of 20 000, 3000 moved 91
+/// instead of 127.)
+constexpr std::size_t kMostPerAwake = 16;
 /// Bodies per block whose rest is counted.
 constexpr std::size_t kRestGrain = 128;
 
@@ -245,9 +249,10 @@ bool isInBoxOfStep(const WorldState& world, std::uint32_t slot) {
 }  // namespace
 
 /// Several workers make boxes side by side, and give those that were outgrown to the broadphase. What is no more than a
-/// block is moved one by one: to gather it first takes longer.
+/// block, or few among many that sleep, is moved one by one: to gather it first takes longer.
 void moveProxies(WorldState& world) {
-    if (world.awake.size() <= kProxyGrain) {
+    const std::size_t movable = world.bodies.size() - world.fixedBodies;
+    if (world.awake.size() <= kProxyGrain || kMostPerAwake * world.awake.size() < movable) {
         for (const std::uint32_t slot : world.awake) {
             if (!isInBoxOfStep(world, slot)) { updateProxies(world, slot); }
         }
