@@ -266,7 +266,7 @@ TEST(Queries, VisitorsMayStop) {
     EXPECT_EQ(calls, 3);
 }
 
-/// Their boxes are made as a step begins, for all of it.
+/// Their boxes are made as a step begins, for all of it, however long it is and wherever they were put before.
 TEST(Queries, SeeKinematicBodiesWhereAStepLeftThem) {
     for (const Real maxSpeed : {std::numeric_limits<Real>::infinity(), real(5)}) {
         WorldSettings settings = awakeSettings();
@@ -275,7 +275,9 @@ TEST(Queries, SeeKinematicBodiesWhereAStepLeftThem) {
         const BodyId body = addBody(world, bodyAt(BodyType::kinematic, {1, 2}), box(2, 0.1));
         for (int i = 0; i < 60; ++i) {
             must(world.setVelocity(body, vec(20 * std::sin(i), 9 * std::cos(i)), real(12 * std::sin(0.5 * i))));
-            must(world.step(kStep));
+            if (i % 7 == 0) { must(world.setPose(body, {0.3 * i, -2}, i)); }
+            must(world.step(i % 5 == 0 ? 4 * kStep : (i % 3 == 0 ? kStep / 8 : kStep)));
+            if (i % 11 == 0) { must(world.setVelocity(body, {}, 0)); }
             for (const double end : {-1.99, 1.99}) {
                 const DVec2 point = world.position(body) + turned({end, 0}, world.angle(body));
                 int seen = 0;
