@@ -1,3 +1,5 @@
+#include <swept/engine/number_range.h>
+
 #include "world_support.h"
 
 /// Free flight is exact for constant acceleration: closed forms, met to rounding.
@@ -153,6 +155,23 @@ TEST(FreeFlight, GravityScaleScales) {
     const BodyId balloon = addBody(world, def, circle(0.5));
     run(world, 60);
     expectAtMost("y", std::abs(world.position(balloon).y - 2.5), roundingOf(5, 60, 1));
+}
+
+/// Not even the sum of what all others are and have may be taken for a state that overflowed.
+TEST(FreeFlight, OnlyWhatLeavesTheRangeIsPutBack) {
+    World world = makeWorld(0.0);
+    for (int i = 0; i < 40; ++i) {
+        addBody(world, bodyAt(BodyType::kinematic, {0.4 * kLargestNumber, 0.01 * i * kLargestNumber}), circle(0.5));
+    }
+    must(world.step(1));
+    EXPECT_EQ(world.counters().putBack, 0U);
+    const DVec2 start{0.6 * kLargestNumber, 0};
+    const BodyId leaver = addBody(world, bodyAt(BodyType::kinematic, start), circle(0.5));
+    must(world.setVelocity(leaver, {real(0.5 * kLargestNumber), 0}, 0));
+    must(world.step(1));
+    EXPECT_EQ(world.counters().putBack, 1U);
+    EXPECT_EQ(world.position(leaver).x, start.x);
+    EXPECT_EQ(velocityOf(world, leaver).x, 0);
 }
 
 }  // namespace
