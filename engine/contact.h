@@ -85,9 +85,9 @@ struct NewPair : ContactPair {
     bool isKnown = false;  ///< one of the bodies `disturbs`
 };
 
-/// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all.
-/// Of the traits those of its points are told in state `near`.
-/// Probes stand in the order in which their pairs came near; contacts stay where they are while a step goes on.
+/// The part of a contact that decides whether the rest of it, some cache lines in `Contact`, is looked at at all. What
+/// its traits tell of points is known in state `near`. Probes stand in the order in which their pairs came near;
+/// contacts stay where they are while a step goes on.
 struct ContactProbe : ContactPair, TouchTraits {
     ContactState state = ContactState::asleep;
     bool isIdle : 1 = false;  ///< it is no sensor, and had no points when they were renewed last, so it does not touch:

@@ -59,11 +59,11 @@ void listBodies(WorldState& world) {
         fast.numbers[slot] = number;
         fast.bodies.add(number, slot);
     }
-    if (world.kinematicBodies == 0) { return fast.bodies.sort(fast.isDone.size()); }
+    fast.bodies.sort(fast.isDone.size());
+    if (world.kinematicBodies == 0) { return; }
     for (const std::uint32_t slot : world.awake) {
         if ((world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake) { fast.kinematics.push_back(slot); }
     }
-    fast.bodies.sort(fast.isDone.size());
 }
 
 /// What bounces off another one in flight, or is a bullet that rides on it, may meet any other member of its island
