@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <tuple>
 
+#include "../shapes/bit_cast.h"
 #include "contact_fetch.h"
 #include "step.h"
 #include "tolerances.h"
@@ -135,7 +135,7 @@ void sortPlaces(std::span<EventPlace> places, std::span<const ContactEvent> even
 std::uint64_t keyOfShapes(const ContactEvent& e) { return (std::uint64_t{e.shapeA.index} << 32) | e.shapeB.index; }
 
 /// @pre the fraction is larger than 0: then the larger one has the larger key
-std::uint64_t keyOfFraction(const ContactEvent& e) { return std::bit_cast<std::uint64_t>(e.fraction); }
+std::uint64_t keyOfFraction(const ContactEvent& e) { return bitCast<std::uint64_t>(e.fraction); }
 
 bool isChainOrGone(const WorldState& world, ShapeId id) {
     const Shape* shape = world.shapes.find(id);
