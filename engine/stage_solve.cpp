@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 
+#include "../solver/wide_motion.h"
 #include "energy_guard.h"
 #include "joint_builder.h"
 #include "modes.h"
@@ -156,7 +158,7 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     return report;
 }
 
-/// @return whether the body was flung
+/// All but its pose. @return whether the body was flung
 bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
     Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
@@ -166,13 +168,20 @@ bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
     motion.angle += static_cast<double>(state.deltaAngle);
     motion.velocity = state.velocity;
     motion.angularVelocity = state.angularVelocity;
-    updatePose(world, slot);
     return flung;
 }
 
-/// Of a range of those that took part. Their slots end here: no other solve must take them for its own.
+/// Bodies whose sines and cosines, which are most of a pose, are found side by side.
+constexpr std::size_t kPosesAtOnce = 32;
+
+/// Of a few of those that took part. Their slots end here: no other solve must take them for its own.
 /// @return whether some body was flung
-bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
+bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
+    std::array<double, kPosesAtOnce> angles;
+    std::array<Rotation, kPosesAtOnce> rotations;
+    std::array<std::size_t, kPosesAtOnce> places;
+    const FindRotations find = rotationKernel();
+    std::size_t count = 0;
     bool any = false;
     for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t slot = desk.bodies[i];
@@ -181,6 +190,22 @@ bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
         if (isWatched) { desk.energyEntries[i] = entryOf(world, slot, state, time); }
         any = readBody(world, slot, state) || any;
+        places[count] = i;
+        angles[count++] = world.motions[slot].angle;
+    }
+    (find != nullptr ? find : findRotations)(std::span(angles).first(count), rotations);
+    for (std::size_t k = 0; k < count; ++k) {
+        BodyMotion& motion = world.motions[desk.bodies[places[k]]];
+        motion.pose = poseOf(motion.center, rotations[k], desk.localCenters[places[k] + 1]);
+    }
+    return any;
+}
+
+/// @return whether some body was flung
+bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
+    bool any = false;
+    for (; begin < end; begin += kPosesAtOnce) {
+        any = readFew(world, desk, isWatched, time, begin, std::min(begin + kPosesAtOnce, end)) || any;
     }
     return any;
 }

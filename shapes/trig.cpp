@@ -9,18 +9,9 @@ namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-// π/2 = kHalfPi1 + kHalfPi2 + kHalfPi3 up to 2⁻¹¹⁸. The first two have at most 33 bits, so their products with a
-// quadrant number of 20 bits are exact.
-constexpr double kHalfPi1 = 0x1.921fb544p+0;
-constexpr double kHalfPi2 = 0x1.0b4611a4p-34;
-constexpr double kHalfPi3 = 0x1.13198a2e03707p-65;
-
 constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kPiRest = 0x1.1a62633145c07p-53;  // π − kPi
 constexpr double kTwoPi = 2 * kPi;
-
-/// Beyond this the angle is first reduced by the exact remainder of the rounded 2π.
-constexpr double kLargestExactAngle = 0x1p20;
 
 /// A number as the unevaluated sum of a rounded one and a small rest.
 struct TwoParts {

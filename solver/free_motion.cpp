@@ -9,6 +9,7 @@ namespace swept::inline SWEPT_PRECISION {
 
 #ifndef SWEPT_SIMD
 MoveBodies motionKernel() { return nullptr; }
+FindRotations rotationKernel() { return nullptr; }
 #endif
 
 void moveBodies(std::span<BodyState> bodies, Real h) {
@@ -17,6 +18,10 @@ void moveBodies(std::span<BodyState> bodies, Real h) {
         body.deltaAngle += h * body.angularVelocity;
         body.deltaRotation = rotationFromAngle(static_cast<double>(body.deltaAngle));
     }
+}
+
+void findRotations(std::span<const double> angles, std::span<Rotation> rotations) {
+    for (std::size_t i = 0; i < angles.size(); ++i) { rotations[i] = rotationFromAngle(angles[i]); }
 }
 
 bool limitSpeed(BodyState& body, Real maxSpeed) {

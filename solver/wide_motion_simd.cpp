@@ -1,5 +1,6 @@
 // Compiled once per instruction set: foreach_target.h reads this file again for each.
 #include <array>
+#include <cstddef>
 
 #include "../shapes/trig_series.h"
 #include "wide_contacts.h"
@@ -17,6 +18,7 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 MoveBodies kernelForMotion() { return nullptr; }
+FindRotations kernelForRotations() { return nullptr; }
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION
 #else
@@ -113,6 +115,85 @@ void moveGroups(std::span<BodyState> bodies, Real h) {
 
 MoveBodies kernelForMotion() { return moveGroups; }
 
+constexpr std::size_t kAngles = hn::MaxLanes(Angles());
+
+/// `reduced` of shapes/trig.cpp, and `sinCosOfReduced`.
+HWY_INLINE void sinCosInQuadrant(AngleLanes angle, AngleLanes quadrant, AngleLanes& sine, AngleLanes& cosine) {
+    const Angles tag;
+    const AngleLanes one = hn::Set(tag, 1.0);
+    const AngleLanes afterFirst = hn::Sub(angle, hn::Mul(quadrant, hn::Set(tag, kHalfPi1)));
+    const AngleLanes second = hn::Mul(quadrant, hn::Set(tag, kHalfPi2));
+    const AngleLanes afterSecond = hn::Sub(afterFirst, second);
+    const AngleLanes subtracted = hn::Sub(afterFirst, afterSecond);
+    const AngleLanes lost = hn::Add(hn::Sub(afterFirst, hn::Add(afterSecond, subtracted)), hn::Sub(subtracted, second));
+    const AngleLanes rest = hn::Sub(lost, hn::Mul(quadrant, hn::Set(tag, kHalfPi3)));
+    const AngleLanes high = hn::Add(afterSecond, rest);
+    const AngleLanes low = hn::Add(hn::Sub(afterSecond, high), rest);
+    const AngleLanes z = hn::Mul(high, high);
+    const AngleLanes half = hn::Mul(hn::Set(tag, 0.5), z);
+    const AngleLanes top = hn::Sub(one, half);
+    sine = hn::Add(high, hn::Add(hn::Mul(hn::Mul(high, z), polynomial(kSine, z)), hn::Mul(low, top)));
+    cosine = hn::Add(top, hn::Add(hn::Sub(hn::Sub(one, top), half),
+                                  hn::Sub(hn::Mul(hn::Mul(z, z), polynomial(kCosine, z)), hn::Mul(high, low))));
+}
+
+/// @tparam Number  of `Rotation`
+template <class Number>
+HWY_INLINE void storeRotations(AngleLanes cosines, AngleLanes sines, Number* out) {
+    const hn::Rebind<Number, Angles> tag;
+    if constexpr (sizeof(Number) == sizeof(double)) {
+        hn::StoreInterleaved2(cosines, sines, tag, out);
+    } else {
+        hn::StoreInterleaved2(hn::DemoteTo(tag, cosines), hn::DemoteTo(tag, sines), tag, out);
+    }
+}
+
+/// `rotationFromAngle` of a group. @return whether all angles are such as are reduced by quadrants alone; else nothing
+/// is found
+HWY_INLINE bool rotateGroup(const double* angles, Rotation* rotations) {
+    const Angles tag;
+    const AngleLanes angle = hn::LoadU(tag, angles);
+    if (!hn::AllTrue(tag, hn::Le(hn::Abs(angle), hn::Set(tag, kLargestExactAngle)))) { return false; }
+    const AngleLanes zero = hn::Zero(tag);
+    const AngleLanes quadrant = hn::Floor(hn::Add(hn::Mul(angle, hn::Set(tag, kTwoOverPi)), hn::Set(tag, 0.5)));
+    AngleLanes sine;
+    AngleLanes cosine;
+    sinCosInQuadrant(angle, quadrant, sine, cosine);
+    // Of four quadrants, exactly.
+    const AngleLanes turns = hn::Floor(hn::Mul(quadrant, hn::Set(tag, 0.25)));
+    const AngleLanes place = hn::Sub(quadrant, hn::Mul(hn::Set(tag, 4.0), turns));
+    const auto isLast = hn::Ge(place, hn::Set(tag, 3.0));
+    const auto isBack = hn::Ge(place, hn::Set(tag, 2.0));
+    const auto isTurned = hn::Ge(place, hn::Set(tag, 1.0));
+    const auto isOdd = hn::Or(hn::AndNot(isBack, isTurned), isLast);
+    const AngleLanes ofSine = hn::IfThenElse(isOdd, cosine, sine);
+    const AngleLanes ofCosine = hn::IfThenElse(isOdd, sine, cosine);
+    const AngleLanes sines = hn::IfThenElse(isBack, hn::Neg(ofSine), ofSine);
+    const AngleLanes cosines = hn::IfThenElse(hn::AndNot(isLast, isTurned), hn::Neg(ofCosine), ofCosine);
+    const AngleLanes s = hn::IfThenElse(hn::Eq(angle, zero), angle, sines);  // keeps the sign of −0
+    storeRotations(cosines, s, reinterpret_cast<Real*>(rotations));
+    return true;
+}
+
+void rotateGroups(std::span<const double> angles, std::span<Rotation> rotations) {
+    static_assert(sizeof(Rotation) == 2 * sizeof(Real) && offsetof(Rotation, s) == sizeof(Real));
+    std::size_t i = 0;
+    for (; i + kAngles <= angles.size(); i += kAngles) {
+        if (!rotateGroup(&angles[i], &rotations[i])) {
+            findRotations(angles.subspan(i, kAngles), rotations.subspan(i, kAngles));
+        }
+    }
+    if (i == angles.size()) { return; }
+    const std::size_t left = angles.size() - i;
+    double some[kAngles] = {};
+    Rotation found[kAngles];
+    for (std::size_t k = 0; k < left; ++k) { some[k] = angles[i + k]; }
+    if (!rotateGroup(some, found)) { return findRotations(angles.subspan(i), rotations.subspan(i)); }
+    for (std::size_t k = 0; k < left; ++k) { rotations[i + k] = found[k]; }
+}
+
+FindRotations kernelForRotations() { return rotateGroups; }
+
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION
 HWY_AFTER_NAMESPACE();
@@ -123,9 +204,11 @@ namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 HWY_EXPORT(kernelForMotion);
-}
+HWY_EXPORT(kernelForRotations);
+}  // namespace
 
 MoveBodies motionKernel() { return HWY_DYNAMIC_DISPATCH(kernelForMotion)(); }
+FindRotations rotationKernel() { return HWY_DYNAMIC_DISPATCH(kernelForRotations)(); }
 
 }  // namespace swept::inline SWEPT_PRECISION
 #endif

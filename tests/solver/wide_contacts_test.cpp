@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include <swept/shapes/bit_cast.h>
@@ -274,8 +276,7 @@ std::vector<Real> numbersOf(const BodyState& body) {
 std::vector<std::uint64_t> bitsOf(const BodyState& body) {
     std::vector<std::uint64_t> bits;
     for (const Real number : numbersOf(body)) {
-        bits.push_back(std::isnan(number) ? ~std::uint64_t{0}
-                                          : bitCast<std::uint64_t>(static_cast<double>(number)));
+        bits.push_back(std::isnan(number) ? ~std::uint64_t{0} : bitCast<std::uint64_t>(static_cast<double>(number)));
     }
     return bits;
 }
@@ -296,6 +297,34 @@ TEST_P(WideContacts, BodiesMoveToTheBitAsOneByOne) {
         ASSERT_EQ(bitsOf(bodies[i]), bitsOf(wanted[i])) << wanted[i].deltaAngle;
         const Rotation rotation = rotationFromAngle(static_cast<double>(bodies[i].deltaAngle));
         ASSERT_EQ(bodies[i].deltaRotation, rotation) << wanted[i].deltaAngle;
+    }
+}
+
+TEST_P(WideContacts, RotationsAreFoundToTheBitAsOneByOne) {
+    const FindRotations find = rotationKernel();
+    ASSERT_EQ(find == nullptr, motionKernel() == nullptr);
+    if (find == nullptr) { return; }
+    std::vector<double> angles{0.0, -0.0, 1e-300, -1e-9, 0x1p20, -0x1p20, 1e6, -1e6};
+    for (int i = -4000; i < 4000; ++i) { angles.push_back(i * 0.0123); }
+    for (int i = -300; i < 300; ++i) {  // borders of quadrants, and beside them
+        const double border = (i + 0.5) * 1.5707963267948966;
+        angles.insert(angles.end(), {border, std::nextafter(border, 1e9), std::nextafter(border, -1e9), 2 * border});
+    }
+    const std::vector<double> rare{1e7, -0x1p40, 1e300, std::numeric_limits<double>::infinity(),
+                                   std::numeric_limits<double>::quiet_NaN()};
+    for (std::size_t i = 0; i < rare.size(); ++i) { angles.insert(angles.begin() + 500 * (i + 1), rare[i]); }
+    std::vector<Rotation> wanted(angles.size());
+    findRotations(angles, wanted);
+    std::vector<Rotation> rotations(angles.size());
+    for (std::size_t begin = 0; begin < angles.size(); begin += 19) {  // and what is left over
+        const std::size_t count = std::min<std::size_t>(19, angles.size() - begin);
+        find(std::span(angles).subspan(begin, count), std::span(rotations).subspan(begin, count));
+    }
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        ASSERT_EQ(wanted[i], rotationFromAngle(angles[i])) << angles[i];
+        ASSERT_EQ(rotations[i], wanted[i]) << angles[i];
+        ASSERT_EQ(std::signbit(rotations[i].s), std::signbit(wanted[i].s)) << angles[i];
+        ASSERT_EQ(std::signbit(rotations[i].c), std::signbit(wanted[i].c)) << angles[i];
     }
 }
 
