@@ -1,4 +1,4 @@
-#include "world_support.h"
+#include "joint_support.h"
 
 #include <random>
 
@@ -282,6 +282,34 @@ std::vector<double> whirl(std::uint32_t seed, double unit) {
 
 TEST(JointMotion, WhirlingChainsKnowNoUnitOfMass) {
     for (std::uint32_t seed = 0; seed < 24; ++seed) { EXPECT_EQ(whirl(seed, 1), whirl(seed, 8)) << "seed " << seed; }
+}
+
+/// Sub-steps of the parts of a step in which a small disk that whirls presses on a bar that hangs on the ground, or on
+/// a second bar that does.
+std::uint64_t subStepsBesideAWhirl(bool isChained) {
+    WorldSettings settings = awakeSettings(0);
+    settings.profile = Profile::fast;
+    World world = makeWorld(settings);
+    const BodyId bar = addBody(world, dynamicAt({0, 0}), box(1, 0.1));
+    RevoluteJointDef hinge;
+    hinge.base = between(anchorOf(world), bar);
+    must(world.createJoint(hinge));
+    if (isChained) {
+        RevoluteJointDef next;
+        next.base = between(bar, addBody(world, dynamicAt({-2, 0}), box(1, 0.1)));
+        next.anchor = {-1, 0};
+        must(world.createJoint(next));
+    }
+    addBody(world, dynamicAt({0.8, 0.199}, vec(0, -1), 90), circle(0.1));  // 1.5 rad in a step, in parts of 0.5
+    must(world.step(kStep));
+    return world.counters().subSteps;
+}
+
+/// No joint has to hand on what a whirling neighbour does to the only body that joints hold.
+TEST(JointMotion, WhatWhirlsBesideABarOnTheGroundAsksForNoMoreSubSteps) {
+    constexpr std::uint64_t kUsual = 4;
+    EXPECT_LE(subStepsBesideAWhirl(false), 2 * kUsual);
+    EXPECT_GE(subStepsBesideAWhirl(true), 3 * kUsual);
 }
 
 }  // namespace
