@@ -42,7 +42,10 @@ Aabb WideBoxes::hull() const {
 }
 
 void WideTree::insert(std::uint32_t slot, const Aabb& box, std::span<std::uint32_t> places) {
-    if (misplaced_ > 2 * size_ + kWide) { rebuild(places); }  // pairs are never asked for: room stays bounded
+    if (misplaced_ > 2 * size_ + kWide) {  // pairs are never asked for: room stays bounded
+        SerialTaskSystem alone;
+        rebuild(places, alone);
+    }
     places[slot] = append(slot, box, kNoBox);
     ++size_;
 }
@@ -196,7 +199,7 @@ void WideTree::mark(std::uint32_t place) {
 bool WideTree::prepareJoin(std::span<std::uint32_t> places, TaskSystem& loops) {
     if (isPrepared_) { return false; }
     const bool due = isWorthRebuilding();
-    if (due) { rebuild(places); }
+    if (due) { rebuild(places, loops); }
     settleJumps(places);
     refit(loops);
     isPrepared_ = true;

@@ -121,10 +121,11 @@ private:
     void refitNodes(std::size_t begin, std::size_t end);
     void listMovedAbove(std::size_t level);
     bool isWorthRebuilding() const;
-    void rebuild(std::span<std::uint32_t> places);
-    void collectItems();
-    void layOut(std::span<std::uint32_t> places);
-    void buildLevels();
+    void rebuild(std::span<std::uint32_t> places, TaskSystem& loops);
+    void collectItems(TaskSystem& loops);
+    void layOut(std::span<std::uint32_t> places, TaskSystem& loops);
+    void layOutNode(std::uint32_t node, std::span<std::uint32_t> places);
+    void buildLevels(TaskSystem& loops);
 
     std::array<std::vector<WideBoxes>, kMaxLevels> levels_;
     std::vector<WideBoxes> known_;

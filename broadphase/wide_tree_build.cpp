@@ -20,52 +20,93 @@ float toFloat(Real x) {
     return static_cast<float>(std::clamp(x, -kMost, kMost));
 }
 
-/// Orders items between two places so that each node of the implicit tree gets what lies together: halves at the median
-/// of the wider axis, at the border between two nodes of `capacity` places.
+/// Items between two places, in nodes of so many places.
+struct BuildPart {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    std::uint32_t capacity = 0;
+
+    /// Also where there is nothing.
+    bool isOneNode() const { return last <= first || first >> kLaneBits == (last - 1) >> kLaneBits; }
+};
+
+/// Orders items of a part that is more than one node, so that those of its two halves lie together: at the median of
+/// the wider axis, at the border between two nodes of `capacity` places. Leaves the second half. @return the first one
 template <class Item>
-void halve(Item* items, std::uint32_t first, std::uint32_t last, std::uint32_t capacity) {
-    while (last - first > kWide || (first >> kLaneBits) != ((last - 1) >> kLaneBits)) {
-        const std::uint32_t firstNode = first / capacity;
-        const std::uint32_t endNode = (last - 1) / capacity + 1;
-        if (endNode - firstNode == 1) {
-            capacity /= kWide;
-            continue;
-        }
-        float lowX = items[first].x;
-        float highX = lowX;
-        float lowY = items[first].y;
-        float highY = lowY;
-        for (std::uint32_t i = first + 1; i < last; ++i) {
-            lowX = std::min(lowX, items[i].x);
-            highX = std::max(highX, items[i].x);
-            lowY = std::min(lowY, items[i].y);
-            highY = std::max(highY, items[i].y);
-        }
-        const std::uint32_t middle = (firstNode + (endNode - firstNode) / 2) * capacity;
-        if (highX - lowX > highY - lowY) {
-            std::nth_element(items + first, items + middle, items + last,
-                             [](const Item& a, const Item& b) { return a.x < b.x; });
-        } else {
-            std::nth_element(items + first, items + middle, items + last,
-                             [](const Item& a, const Item& b) { return a.y < b.y; });
-        }
-        halve(items, first, middle, capacity);
-        first = middle;
+BuildPart halveOnce(Item* items, BuildPart& part) {
+    std::uint32_t firstNode = part.first / part.capacity;
+    std::uint32_t endNode = (part.last - 1) / part.capacity + 1;
+    while (endNode - firstNode == 1) {
+        part.capacity /= kWide;
+        firstNode = part.first / part.capacity;
+        endNode = (part.last - 1) / part.capacity + 1;
     }
+    float lowX = items[part.first].x;
+    float highX = lowX;
+    float lowY = items[part.first].y;
+    float highY = lowY;
+    for (std::uint32_t i = part.first + 1; i < part.last; ++i) {
+        lowX = std::min(lowX, items[i].x);
+        highX = std::max(highX, items[i].x);
+        lowY = std::min(lowY, items[i].y);
+        highY = std::max(highY, items[i].y);
+    }
+    const std::uint32_t middle = (firstNode + (endNode - firstNode) / 2) * part.capacity;
+    if (highX - lowX > highY - lowY) {
+        std::nth_element(items + part.first, items + middle, items + part.last,
+                         [](const Item& a, const Item& b) { return a.x < b.x; });
+    } else {
+        std::nth_element(items + part.first, items + middle, items + part.last,
+                         [](const Item& a, const Item& b) { return a.y < b.y; });
+    }
+    const BuildPart before{part.first, middle, part.capacity};
+    part.first = middle;
+    return before;
+}
+
+/// Orders items so that each node of the implicit tree gets what lies together.
+template <class Item>
+void halve(Item* items, BuildPart part) {
+    while (!part.isOneNode()) { halve(items, halveOnce(items, part)); }
+}
+
+/// Fewer items than this are ordered before another worker has begun: some 100 us.
+constexpr std::uint32_t kFewestToOrder = 2048;
+constexpr std::size_t kOrderedParts = 16;
+/// Nodes per block of a parallel loop; and of one in which each node asks for all that are below it.
+constexpr std::size_t kBuildGrain = 64;
+constexpr std::size_t kHullGrain = kBuildGrain / kWide;
+
+/// The same, by all workers: first each halves one part, then each has parts of its own.
+template <class Item>
+void halve(Item* items, const BuildPart& whole, TaskSystem& loops) {
+    const bool hasMany = loops.startSeconds() < TaskSystem::kAtOnce || whole.last - whole.first >= kFewestToOrder;
+    if (loops.workerCount() <= 1 || !hasMany) { return halve(items, whole); }
+    std::array<BuildPart, kOrderedParts> parts{whole};
+    for (std::size_t count = 1; count < kOrderedParts; count *= 2) {
+        loops.run(count, 1, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (!parts[i].isOneNode()) { parts[count + i] = halveOnce(items, parts[i]); }
+            }
+        });
+    }
+    loops.run(kOrderedParts, 1, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { halve(items, parts[i]); }
+    });
 }
 
 }  // namespace
 
-void WideTree::rebuild(std::span<std::uint32_t> places) {
-    collectItems();
-    layOut(places);
-    buildLevels();
+void WideTree::rebuild(std::span<std::uint32_t> places, TaskSystem& loops) {
+    collectItems(loops);
+    layOut(places, loops);
+    buildLevels(loops);
     misplaced_ = 0;
     decay_ = 0;
 }
 
 /// All proxies, sorted by size; each size class begins a new node, the gaps are items that come from nowhere.
-void WideTree::collectItems() {
+void WideTree::collectItems(TaskSystem& loops) {
     std::array<std::uint32_t, 256> classes = {};
     oldBoxes_.swap(levels_[0]);
     oldKnown_.swap(known_);
@@ -99,54 +140,69 @@ void WideTree::collectItems() {
     std::uint32_t capacity = kWide;
     while (capacity < next) { capacity *= kWide; }
     for (std::size_t i = 0; i < classes.size(); ++i) {
-        if (ends[i] > classes[i]) { halve(items_.data(), classes[i], ends[i], capacity); }
+        if (ends[i] > classes[i]) { halve(items_.data(), {classes[i], ends[i], capacity}, loops); }
     }
     end_ = next;
 }
 
+/// Boxes, slots and marks of a node from where its items come from.
+void WideTree::layOutNode(std::uint32_t node, std::span<std::uint32_t> places) {
+    WideBoxes boxes = WideBoxes::empty();
+    WideBoxes known = WideBoxes::empty();
+    std::uint32_t moved = 0;
+    for (std::uint32_t lane = 0; lane < kWide; ++lane) {
+        const std::uint32_t place = (node << kLaneBits) + lane;
+        const std::uint32_t from = items_[place].from;
+        slots_[place] = from != kNoSlot ? oldSlots_[from] : kNoSlot;
+        if (from == kNoSlot) { continue; }
+        boxes.set(lane, oldBoxes_[from >> kLaneBits].box(from & kLaneMask));
+        known.set(lane, oldKnown_[from >> kLaneBits].box(from & kLaneMask));
+        places[oldSlots_[from]] = place;
+        moved |= ((oldMoved_[from >> kLaneBits] >> (from & kLaneMask)) & 1U) << lane;
+    }
+    levels_[0][node] = boxes;
+    known_[node] = known;
+    movedLanes_[node] = static_cast<std::uint8_t>(moved);
+}
+
 /// Brings boxes, slots and marks into the order of the items.
-void WideTree::layOut(std::span<std::uint32_t> places) {
+void WideTree::layOut(std::span<std::uint32_t> places, TaskSystem& loops) {
     const std::size_t nodes = end_ >> kLaneBits;
-    levels_[0].assign(nodes, WideBoxes::empty());
-    known_.assign(nodes, WideBoxes::empty());
-    slots_.assign(end_, kNoSlot);
-    movedLanes_.assign(nodes, 0);
+    levels_[0].resize(nodes);
+    known_.resize(nodes);
+    slots_.resize(end_);
+    movedLanes_.resize(nodes);
     jumpedLanes_.assign(nodes, 0);
     jumped_.clear();
     besides_.assign(end_, 0);
     nodeSpreads_.assign(nodes, 0);
-    for (std::uint32_t place = 0; place < end_; ++place) {
-        const std::uint32_t from = items_[place].from;
-        if (from == kNoSlot) { continue; }
-        const std::uint32_t node = place >> kLaneBits;
-        levels_[0][node].set(place & kLaneMask, oldBoxes_[from >> kLaneBits].box(from & kLaneMask));
-        known_[node].set(place & kLaneMask, oldKnown_[from >> kLaneBits].box(from & kLaneMask));
-        slots_[place] = oldSlots_[from];
-        places[oldSlots_[from]] = place;
-        const std::uint32_t moved = (oldMoved_[from >> kLaneBits] >> (from & kLaneMask)) & 1U;
-        movedLanes_[node] |= static_cast<std::uint8_t>(moved << (place & kLaneMask));
-    }
+    loops.run(nodes, kBuildGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t node = begin; node < end; ++node) { layOutNode(static_cast<std::uint32_t>(node), places); }
+    });
     movedNodes_.clear();
     for (std::uint32_t node = 0; node < nodes; ++node) {
         if (movedLanes_[node] != 0) { movedNodes_.push_back(node); }
     }
 }
 
-void WideTree::buildLevels() {
+void WideTree::buildLevels(TaskSystem& loops) {
     height_ = end_ > 0 ? 1 : 0;
     builtSpread_ = 0;
     for (std::size_t level = 1; level < kMaxLevels; ++level) {
         const std::vector<WideBoxes>& below = levels_[level - 1];
-        levels_[level].assign(below.size() > 1 ? (below.size() + kLaneMask) >> kLaneBits : 0, WideBoxes::empty());
+        std::vector<WideBoxes>& here = levels_[level];
+        here.assign(below.size() > 1 ? (below.size() + kLaneMask) >> kLaneBits : 0, WideBoxes::empty());
         if (below.size() <= 1) { continue; }
         height_ = level + 1;
-        for (std::uint32_t i = 0; i < below.size(); ++i) {
-            const Aabb hull = below[i].hull();
-            levels_[level][i >> kLaneBits].set(i & kLaneMask, hull);
-            if (level > 1) { continue; }
-            builtSpread_ += spreadOf(hull);
-            nodeSpreads_[i] = spreadOf(hull);
-        }
+        loops.run(here.size(), kHullGrain, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t i = begin * kWide; i < std::min(end * kWide, below.size()); ++i) {
+                const Aabb hull = below[i].hull();
+                here[i >> kLaneBits].set(static_cast<std::uint32_t>(i) & kLaneMask, hull);
+                if (level == 1) { nodeSpreads_[i] = spreadOf(hull); }
+            }
+        });
+        if (level > 1) { continue; }
+        for (const double spread : nodeSpreads_) { builtSpread_ += spread; }  // in order, for any number of workers
     }
     spread_ = builtSpread_;
     builtSize_ = size_;
