@@ -144,11 +144,43 @@ void ContactBlocks::prepare(std::span<WideContact<kPoints>> blocks) const {
     }
 }
 
-/// In ranges that any worker may take, like the next.
+/// @pre listed
+void ContactBlocks::listHalves(const ConstraintGraph& graph) {
+    one_.halves.clear();
+    two_.halves.clear();
+    for (const int active : graph.activeColours()) {
+        const auto c = static_cast<std::size_t>(active);
+        Colour& colour = colours_[c];
+        // The places of the first half ended there.
+        colour.middleOfOne = next_[c][kOnePoint] / kLanes;
+        colour.middleOfTwo = next_[c][kTwoPoints] / kLanes;
+        one_.halves.push_back({colour.one.begin, colour.middleOfOne});
+        two_.halves.push_back({colour.two.begin, colour.middleOfTwo});
+    }
+    for (const int active : graph.activeColours()) {
+        const Colour& colour = colours_[static_cast<std::size_t>(active)];
+        one_.halves.push_back({colour.middleOfOne, colour.one.end});
+        two_.halves.push_back({colour.middleOfTwo, colour.two.end});
+    }
+}
+
+template <std::size_t kPoints>
+template <class Take>
+void ContactBlocks::Blocks<kPoints>::share(TaskSystem& loops, const Take& take) const {
+    if (count == 0) { return; }
+    loops.run(count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+        RangeCut cut(begin, end);
+        if (cut.isWhole(count)) { return take(std::size_t{0}, std::size_t{count}); }
+        for (const ColourRange& half : halves) {
+            const ColourRange some = cut.next(half);
+            if (some.begin < some.end) { take(std::size_t{some.begin}, std::size_t{some.end}); }
+        }
+    });
+}
+
 template <std::size_t kPoints>
 void ContactBlocks::fillFromStore(SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops) {
-    if (blocks.count == 0) { return; }
-    loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+    blocks.share(loops, [&](std::size_t begin, std::size_t end) {
         batch.store->fill(blocks.all().subspan(begin, end - begin), blocks.linksOf(begin, end));
     });
 }
@@ -156,8 +188,7 @@ void ContactBlocks::fillFromStore(SolverBatch& batch, Blocks<kPoints>& blocks, T
 /// Blocks from constraints; what is left over stays where it is.
 template <std::size_t kPoints>
 void ContactBlocks::fillFromBatch(const SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops) {
-    if (blocks.count == 0) { return; }
-    loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+    blocks.share(loops, [&](std::size_t begin, std::size_t end) {
         const std::span<WideContact<kPoints>> some = blocks.all().subspan(begin, end - begin);
         for (std::size_t i = begin; i < end; ++i) {
             const std::span<const std::uint32_t> places = blocks.placesOf(i, i + 1);
@@ -174,12 +205,14 @@ void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, cons
     layOut(graph);
     if (batch.store != nullptr) {
         listLinks(batch, graph);
+        listHalves(graph);
         batch.contacts.resize(rest_.size());
         fillFromStore(batch, two_, loops);
         fillFromStore(batch, one_, loops);
         batch.store->fill(std::span(batch.contacts), restLinks_);
     } else {
         listContacts(batch, graph);
+        listHalves(graph);
         fillFromBatch(batch, two_, loops);
         fillFromBatch(batch, one_, loops);
     }
@@ -208,40 +241,54 @@ std::size_t ContactBlocks::countOf(int colour) const {
            (ranges.rest.end - ranges.rest.begin);
 }
 
-void ContactBlocks::warmStart(SolverBatch& batch, int colour, RangeCut cut) {
+/// Of each list first what meets the first half of the bodies, and then the others, the other way round: whoever begins
+/// at one end of the colour keeps to the same half whichever list he is in. Nothing is cut in two where one worker does
+/// it all.
+template <class TakeOne, class TakeTwo, class TakeRest>
+void ContactBlocks::forEachList(int colour, RangeCut cut, const TakeOne& takeOne, const TakeTwo& takeTwo,
+                                const TakeRest& takeRest) {
     const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
+    const auto one = [&](ColourRange range) {
+        if (const auto blocks = cut.next(one_.blocks, range); !blocks.empty()) { takeOne(blocks); }
+    };
+    const auto two = [&](ColourRange range) {
+        if (const auto blocks = cut.next(two_.blocks, range); !blocks.empty()) { takeTwo(blocks); }
+    };
+    if (cut.isWhole(countOf(colour))) {
+        two(ranges.two);
+        one(ranges.one);
+        takeRest(cut.next(rest_, ranges.rest));
+        return;
+    }
+    two({ranges.two.begin, ranges.middleOfTwo});
+    one({ranges.one.begin, ranges.middleOfOne});
+    takeRest(cut.next(rest_, ranges.rest));
+    one({ranges.middleOfOne, ranges.one.end});
+    two({ranges.middleOfTwo, ranges.two.end});
+}
+
+void ContactBlocks::warmStart(SolverBatch& batch, int colour, RangeCut cut) {
     const SolverBodies bodies{batch.states, batch.inertias};
-    if (const auto blocks = cut.next(two_.blocks, ranges.two); !blocks.empty()) {
-        kernels_->warmStartTwo(blocks, bodies);
-    }
-    if (const auto blocks = cut.next(one_.blocks, ranges.one); !blocks.empty()) {
-        kernels_->warmStartOne(blocks, bodies);
-    }
-    warmStartContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies);
+    forEachList(
+        colour, cut, [&](auto blocks) { kernels_->warmStartOne(blocks, bodies); },
+        [&](auto blocks) { kernels_->warmStartTwo(blocks, bodies); },
+        [&](auto rest) { warmStartContacts(batch.contacts, rest, bodies); });
 }
 
 void ContactBlocks::bounce(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass) {
-    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
     const SolverBodies bodies{batch.states, batch.inertias};
-    if (const auto blocks = cut.next(two_.blocks, ranges.two); !blocks.empty()) {
-        kernels_->bounceTwo(blocks, bodies, pass);
-    }
-    if (const auto blocks = cut.next(one_.blocks, ranges.one); !blocks.empty()) {
-        kernels_->bounceOne(blocks, bodies, pass);
-    }
-    bounceContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies, pass);
+    forEachList(
+        colour, cut, [&](auto blocks) { kernels_->bounceOne(blocks, bodies, pass); },
+        [&](auto blocks) { kernels_->bounceTwo(blocks, bodies, pass); },
+        [&](auto rest) { bounceContacts(batch.contacts, rest, bodies, pass); });
 }
 
 void ContactBlocks::solve(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass) {
-    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
     const SolverBodies bodies{batch.states, batch.inertias};
-    if (const auto blocks = cut.next(two_.blocks, ranges.two); !blocks.empty()) {
-        kernels_->solveTwo(blocks, bodies, pass);
-    }
-    if (const auto blocks = cut.next(one_.blocks, ranges.one); !blocks.empty()) {
-        kernels_->solveOne(blocks, bodies, pass);
-    }
-    solveContacts(batch.contacts, cut.next(rest_, ranges.rest), bodies, pass);
+    forEachList(
+        colour, cut, [&](auto blocks) { kernels_->solveOne(blocks, bodies, pass); },
+        [&](auto blocks) { kernels_->solveTwo(blocks, bodies, pass); },
+        [&](auto rest) { solveContacts(batch.contacts, rest, bodies, pass); });
 }
 
 Real ContactBlocks::mostRestitution(const SolverBatch& batch) const {
@@ -273,8 +320,7 @@ void ContactBlocks::addUpBouncing(SolverBatch& batch) const {
 void ContactBlocks::readBack(SolverBatch& batch, TaskSystem& loops) {
     if (batch.store != nullptr) {
         const auto take = [&](const auto& blocks) {
-            if (blocks.count == 0) { return; }
-            loops.run(blocks.count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+            blocks.share(loops, [&](std::size_t begin, std::size_t end) {
                 batch.store->take(blocks.all().subspan(begin, end - begin), blocks.linksOf(begin, end));
             });
         };

@@ -47,6 +47,9 @@ private:
         ColourRange one;
         ColourRange two;
         ColourRange rest;
+        // Where, roughly, the blocks begin that hold contacts of the second half of the bodies:
+        std::uint32_t middleOfOne = 0;
+        std::uint32_t middleOfTwo = 0;
     };
     /// What kind of place a contact gets within its colour: where there are blocks, by its points there.
     enum Kind : std::uint8_t { kAlone, kOnePoint, kTwoPoints, kKindCount };
@@ -59,7 +62,12 @@ private:
         std::vector<std::uint32_t> places;         ///< of lanes: in the batch
         std::vector<ContactLink> links;            ///< likewise, of a store: instead
         std::uint32_t count = 0;                   ///< in use
+        std::vector<ColourRange> halves;           ///< of colours, those of the first half of the bodies first
 
+        /// Goes through all on several workers, each of which meets the same bodies as in the solve, if it can.
+        /// @param take  called with ranges of blocks that cover them exactly once
+        template <class Take>
+        void share(TaskSystem& loops, const Take& take) const;
         std::span<WideContact<kPoints>> all() { return std::span(blocks).first(count); }
         std::span<const WideContact<kPoints>> all() const { return std::span(blocks).first(count); }
         std::span<const std::uint32_t> placesOf(std::size_t begin, std::size_t end) const {
@@ -78,6 +86,10 @@ private:
     void listPlaces(const ConstraintGraph& graph, const Contacts& contacts, std::size_t bodies, const List& list);
     void listContacts(const SolverBatch& batch, const ConstraintGraph& graph);
     void listLinks(const SolverBatch& batch, const ConstraintGraph& graph);
+    template <class TakeOne, class TakeTwo, class TakeRest>
+    void forEachList(int colour, RangeCut cut, const TakeOne& takeOne, const TakeTwo& takeTwo,
+                     const TakeRest& takeRest);
+    void listHalves(const ConstraintGraph& graph);
     template <std::size_t kPoints>
     void fillFromStore(SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops);
     template <std::size_t kPoints>
