@@ -50,8 +50,8 @@ template <class T>
     __builtin_prefetch(&body.def.type);
     __builtin_prefetch(&body.def.gravityScale);
     __builtin_prefetch(&world.motions[slot]);
-    __builtin_prefetch(&world.travels[slot]);
-    __builtin_prefetch(&world.glances[slot], 1);
+    fetchToWrite(world.travels[slot]);
+    fetchToWrite(world.glances[slot]);
 }
 
 /// What is asked of a body, and of the first of its shapes, as its boxes are made anew.
@@ -63,7 +63,7 @@ template <class T>
     __builtin_prefetch(&body.def.type);
     __builtin_prefetch(&body.shapes);
     __builtin_prefetch(&world.motions[slot]);
-    __builtin_prefetch(&world.travels[slot]);
+    fetchToWrite(world.travels[slot]);
     __builtin_prefetch(world.bodies[coming[kBodiesAhead]].shapes.data());
     const Body& next = world.bodies[coming[kShapesAhead]];
     if (next.shapes.empty()) { return; }

@@ -13,6 +13,20 @@ namespace {
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kResetGrain = 128;
 
+/// Bodies that are fetched ahead: most of them are written, and others read them since.
+constexpr std::size_t kResetAhead = 16;
+
+/// @param coming  of the same worker
+void fetchForReset(const WorldState& world, std::span<const std::uint32_t> coming) {
+    if (coming.size() <= kResetAhead) { return; }
+    const std::uint32_t slot = coming[kResetAhead];
+    const Body& body = world.bodies[slot];
+    fetchToWrite(body.awake);
+    fetchToWrite(body.startAngle);
+    __builtin_prefetch(&world.motions[slot]);
+    __builtin_prefetch(&world.glances[slot]);
+}
+
 /// @param restSpeed  `restSpeedOf` the step
 void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     Body& body = world.bodies[slot];
@@ -242,7 +256,11 @@ void assignRoles(WorldState& world, Real dt) {
     world.traits.assign(world.bodies.slotCount(), 0);
     const Real restSpeed = restSpeedOf(world, dt);
     world.loops->run(world.awake.size(), kResetGrain, [&world, restSpeed, dt](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) { resetBody(world, world.awake[i], restSpeed, dt); }
+        const std::span<const std::uint32_t> awake = world.awake;
+        for (std::size_t i = begin; i < end; ++i) {
+            fetchForReset(world, awake.subspan(i, end - i));
+            resetBody(world, awake[i], restSpeed, dt);
+        }
     });
     if (world.kinematicBodies > 0) {
         startleNearKinematicBodies(world, dt);

@@ -67,6 +67,18 @@ std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     return limited;
 }
 
+/// Free bodies that are fetched ahead.
+constexpr std::size_t kFreeAhead = 12;
+
+void fetchFree(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    __builtin_prefetch(&body.role);
+    if ((world.traits[slot] & (kIsTied | kIsFlyer)) != 0) { return; }
+    __builtin_prefetch(&body.def.type);
+    __builtin_prefetch(&body.def.linearDamping);
+    fetchToWrite(world.motions[slot]);
+}
+
 void setDrive(BodyDrive& drive, const WorldState& world, const Body& body, Real h) {
     if (!body.isDynamic()) { return; }
     const auto step = static_cast<double>(h);
@@ -173,6 +185,16 @@ bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
 
 /// Bodies whose sines and cosines, which are most of a pose, are found side by side.
 constexpr std::size_t kPosesAtOnce = 32;
+/// Bodies that are fetched ahead where a solve gives them back.
+constexpr std::size_t kBodiesFetched = 12;
+
+void fetchToTakeBack(const WorldState& world, std::span<const std::uint32_t> bodies, std::size_t place) {
+    if (place + kBodiesFetched >= bodies.size()) { return; }
+    const std::uint32_t slot = bodies[place + kBodiesFetched];
+    fetchToWrite(world.motions[slot]);
+    fetchToWrite(world.solverSlots[slot]);
+    __builtin_prefetch(&world.bodies[slot]);
+}
 
 /// Of a few of those that took part. Their slots end here: no other solve must take them for its own.
 /// @return whether some body was flung
@@ -184,6 +206,7 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
     std::size_t count = 0;
     bool any = false;
     for (std::size_t i = begin; i < end; ++i) {
+        fetchToTakeBack(world, desk.bodies, i);
         const std::uint32_t slot = desk.bodies[i];
         const BodyState& state = desk.batch.states[i + 1];
         world.solverSlots[slot] = kFixedSlot;
@@ -241,8 +264,10 @@ void moveFreeBodies(WorldState& world, double dt) {
     std::atomic<std::uint64_t> limited = 0;
     world.loops->run(world.awake.size(), kFreeGrain, [&](std::size_t begin, std::size_t end, int) {
         std::uint64_t some = 0;
+        const std::span<const std::uint32_t> awake = world.awake;
         for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t slot = world.awake[i];
+            if (i + kFreeAhead < end) { fetchFree(world, awake[i + kFreeAhead]); }
+            const std::uint32_t slot = awake[i];
             const Body& body = world.bodies[slot];
             if (body.role == BodyRole::free && body.isDynamic()) { some += moveFreely(world, slot, dt); }
         }
