@@ -18,6 +18,10 @@ inline constexpr std::size_t kShapesAhead = 4;
 /// Bodies whose motion is noted: they are awake in an order that is not that of their slots.
 inline constexpr std::size_t kBodiesAhead = 8;
 
+/// Contacts that begin or end, of which there are few in between, and then what is told of their ends.
+inline constexpr std::size_t kEventContactsAhead = 8;
+inline constexpr std::size_t kEventShapesAhead = 4;
+
 /// (What only fetches has no effect that GCC knows of: calls of such a function that it does not inline at once are
 /// dropped.)
 template <class T>
@@ -87,6 +91,22 @@ template <class T>
         if (probe.wasKept) { return; }
         fetchPolygon(world.shapes[contact.shapeA].polygon, contact.verticesA);
         fetchPolygon(world.shapes[contact.shapeB].polygon, contact.verticesB);
+    }
+}
+
+/// What is asked of a contact that begins or ends. @param coming  probes of such contacts, from that on which is next
+[[gnu::always_inline]] inline void fetchForEvents(const WorldState& world, std::span<const std::uint32_t> coming) {
+    if (coming.size() > kEventContactsAhead) {
+        const Contact& contact = world.contacts[world.probes[coming[kEventContactsAhead]].contact];
+        __builtin_prefetch(&contact);
+        __builtin_prefetch(&contact.touching, 1);
+    }
+    if (coming.size() > kEventShapesAhead) {
+        const Contact& contact = world.contacts[world.probes[coming[kEventShapesAhead]].contact];
+        __builtin_prefetch(&world.shapes[contact.shapeA].head);
+        __builtin_prefetch(&world.shapes[contact.shapeB].head);
+        world.bodies.fetchId(contact.bodyA);
+        world.bodies.fetchId(contact.bodyB);
     }
 }
 

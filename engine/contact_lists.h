@@ -17,6 +17,7 @@ struct ContactLists {
     std::vector<std::uint32_t> ground;   ///< contacts of these, in the same order, that are not `isPlain`
     std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other (told by `collideContacts`)
     std::vector<std::uint32_t> apart;    ///< of these, probes whose boxes are apart
+    std::vector<std::uint32_t> turning;  ///< of those near, whose touching begins or ends (told likewise)
 
     /// Of a block of probes: how many are in each list.
     struct Counts {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../shapes/bit_cast.h"
 #include "tolerances.h"
 #include "world_state.h"
 
@@ -15,13 +16,11 @@ inline Transform relativePoseOf(const WorldState& world, const Contact& contact)
 /// certain: it has to be made anew
 /// @param reach  of points, metres
 bool keepsManifold(Contact& contact, const Transform& bInA, ManifoldReach reach);
-/// What has turned too far for that, as most of what moves has. (At once, so that the branch on it is foretold: whether
-/// there are two points is not.)
+/// What has turned too far for that, as most of what moves has. (That is asked first, so that the branch on it is
+/// foretold: whether there are two points is not.)
 inline bool mayKeepManifold(const Contact& contact, const Transform& bInA) {
     const Rotation turn = bInA.rotation * inverse(contact.kept.bInA.rotation);
-    const bool isLittle = std::fabs(turn.s) <= kKeepRatio;
-    const bool isAhead = turn.c > 0;
-    return bool(int{contact.isKept} & int{isLittle} & int{isAhead});
+    return std::fabs(turn.s) <= kKeepRatio && turn.c > 0 && contact.isKept;
 }
 /// Makes it anew. Points that were there before keep their impulses.
 void renewManifold(const WorldState& world, Contact& contact, const Transform& bInA, ManifoldReach reach);
@@ -38,10 +37,9 @@ inline void keepManifold(Contact& contact, const Transform& bInA) {
     contact.kept.separations[0] = manifold.points[0].separation;
     contact.kept.separations[1] = manifold.points[1].separation;
     contact.isKept = manifold.count == 2;
-    // Chosen, not branched: no branch would foretell whether there is one point or two.
-    static constexpr Real kNone = 0;
-    contact.normalImpulse[1] = *(manifold.count < 2 ? &kNone : &contact.normalImpulse[1]);
-    contact.tangentImpulse[1] = *(manifold.count < 2 ? &kNone : &contact.tangentImpulse[1]);
+    // No branch would foretell whether there is one point or two.
+    contact.normalImpulse[1] = orZero(manifold.count > 1, contact.normalImpulse[1]);
+    contact.tangentImpulse[1] = orZero(manifold.count > 1, contact.tangentImpulse[1]);
     if (manifold.count < 1) { contact.normalImpulse[0] = contact.tangentImpulse[0] = 0; }
 }
 /// The second half of that, of what it was found to be.

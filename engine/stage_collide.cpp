@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "../shapes/distance.h"
@@ -70,7 +71,7 @@ enum class NearestPoints : std::uint8_t {
 
 /// What touched or pressed has points as long as it may, so that its end is told where it was.
 bool mayPass(const ContactProbe& probe, const Contact& contact) {
-    return probe.isPlain && !contact.touching && !contact.pressed;
+    return (int{probe.isPlain} & int{!contact.touching} & int{!contact.pressed}) != 0;
 }
 
 /// Of a contact that may have points. @tparam kWatched  as above
@@ -78,8 +79,10 @@ template <bool kWatched>
 ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const Contact& contact, NearestPoints asked) {
     const Real margin = reachOf<kWatched>(world, contact.bodyA, contact.shapeA, contact.extentA) +
                         reachOf<kWatched>(world, contact.bodyB, contact.shapeB, contact.extentB);
-    if (kWatched || asked == NearestPoints::all || !mayPass(probe, contact)) { return {margin, margin}; }
+    if (kWatched || asked == NearestPoints::all) { return {margin, margin}; }
     const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
+    // One branch: none of these foretells the other.
+    if ((int{mayPass(probe, contact)} & int{bodies.canPass()}) == 0) { return {margin, margin}; }
     return {margin, bodies.passesBeyond(static_cast<Real>(world.lastDt))};
 }
 
@@ -98,15 +101,17 @@ bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold)
 [[gnu::always_inline]] inline void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact,
                                               const Transform& bInA) {
     contact.totalImpulse = {};
-    contact.pressed = contact.pressed && contact.manifold.count > 0;
+    contact.pressed = (int{contact.pressed} & int{contact.manifold.count > 0}) != 0;
     probe.apartUntil = 0;
     if (contact.manifold.count == 0 && contact.memory.verdict == ManifoldMemory::Verdict::apart) {
         rememberApart(world, probe, contact.memory.room - contact.memory.motionTo(bInA));
     }
     const Real deepest = deepestSeparation(contact.manifold);
-    const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
+    // Looked up, not branched on, like the rest: nothing foretells whether it touched, or has points.
+    static constexpr std::array<Real, 2> kRatios{kBeginRatio, kEndRatio};
+    const Real limit = kRatios[contact.touching ? 1 : 0] * contact.extent;
     probe.points = static_cast<std::uint8_t>(contact.manifold.count);
-    probe.turns = (contact.manifold.count > 0 && deepest <= limit) != contact.touching;
+    probe.turns = (int{contact.manifold.count > 0} & int{deepest <= limit}) != int{contact.touching};
     probe.isOpen = deepest > kEndRatio * contact.extent;
     probe.isDeep = !probe.isPlain && deepest < -kShallowRatio * contact.extent;
 }
@@ -257,7 +262,9 @@ void distrustGhosts(WorldState& world) {
 }
 
 /// Whether the probe of a contact tells all: mostly.
-bool isTold(const ContactProbe& probe) { return probe.state == ContactState::near && probe.areUp && !probe.turns; }
+bool isTold(const ContactProbe& probe) {
+    return (int{probe.state == ContactState::near} & int{probe.areUp} & int{!probe.turns}) != 0;
+}
 
 /// @pre `isTold`
 [[gnu::always_inline]] inline void listTold(WorldState& world, ContactProbe& probe) {
@@ -275,13 +282,33 @@ void listOther(WorldState& world, ContactProbe& probe) {
     if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
 }
 
+/// Of what is near: probes whose touching begins or ends.
+void findTurning(WorldState& world) {
+    std::vector<std::uint32_t>& turning = world.lists.turning;
+    const std::span<const ContactProbe> probes = world.probes;
+    turning.resize(world.lists.near.size());
+    std::size_t count = 0;
+    for (const std::uint32_t place : world.lists.near) {  // no branch: nothing foretells which
+        turning[count] = place;
+        count += probes[place].turns ? 1 : 0;
+    }
+    turning.resize(count);
+}
+
 /// Events, waking, and the lists for the stages that follow.
 void listTouching(WorldState& world) {
+    findTurning(world);
+    const std::span<ContactProbe> probes = world.probes;
+    const std::span<const std::uint32_t> turning = world.lists.turning;
+    std::size_t told = 0;
     for (const std::uint32_t i : world.lists.noted) {
-        ContactProbe& probe = world.probes[i];
+        ContactProbe& probe = probes[i];
         if (isTold(probe)) {
             listTold(world, probe);
-        } else if (probe.state == ContactState::near || probe.state == ContactState::asleep) {
+            continue;
+        }
+        if (told < turning.size() && turning[told] == i) { fetchForEvents(world, turning.subspan(told++)); }
+        if (probe.state == ContactState::near || probe.state == ContactState::asleep) {
             listOther(world, probe);
         } else if (probe.state == ContactState::passing) {
             world.lists.passing.push_back(i);

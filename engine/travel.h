@@ -28,7 +28,9 @@ struct BodyGlances {
     const BodyGlance& b;
 
     /// Whether they may pass each other: both are awake, and one of them is fast. @pre both are dynamic
-    bool canPass() const { return (a.isFast || b.isFast) && a.isAwake() && b.isAwake(); }
+    bool canPass() const {  // at once: which of them it is that is fast nothing foretells
+        return ((int{a.isFast} | int{b.isFast}) & int{a.isAwake()} & int{b.isAwake()}) != 0;
+    }
     /// Whether they are too far from each other for any contact point, whatever was rounded.
     bool areFar() const {
         const DVec2 offset = b.center - a.center;

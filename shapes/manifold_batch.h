@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
+#include "bit_cast.h"
 #include "manifold.h"
 #include "wide_pairs.h"
 
@@ -113,9 +115,9 @@ public:
         manifold.normal = {pairs_.normalX[pair], pairs_.normalY[pair]};
         manifold.isNormalOfB = (pairs_.ofA & bit) == 0;
         manifold.count = 1 + static_cast<int>(hasFirst && hasSecond);
-        // Likewise: where there is one point, the second one is copied from nowhere.
-        copyPoint(pairs_.point[hasFirst ? 0 : 1], pair, manifold.points[0]);
-        copyPoint(hasFirst && hasSecond ? pairs_.point[1] : kNoPoint, pair, manifold.points[1]);
+        // Likewise: where there is one point, the second one is zero.
+        copyPoint<false>(pairs_.point[hasFirst ? 0 : 1], pair, true, manifold.points[0]);
+        copyPoint<true>(pairs_.point[1], pair, hasFirst && hasSecond, manifold.points[1]);
     }
     /// Whether a pair was too doubtful for the batch, and is collided by itself. @pre collided
     bool isLeft(std::size_t pair) const {
@@ -131,16 +133,17 @@ public:
     void clear() { size_ = 0; }
 
 private:
-    static constexpr WidePairs::Point kNoPoint{};  ///< what a point that is not there is made of
-
     FeatureId idOf(std::size_t point, std::size_t pair) const {
         return static_cast<FeatureId>(static_cast<std::int32_t>(pairs_.point[point].id[pair]));
     }
-    static void copyPoint(const WidePairs::Point& from, std::size_t pair, ManifoldPoint& to) {
-        to.point.x = from.x[pair];
-        to.point.y = from.y[pair];
-        to.separation = from.separation[pair];
-        to.id = static_cast<FeatureId>(static_cast<std::int32_t>(from.id[pair]));
+    /// @param isThere  else all of it is zero, without a branch
+    template <bool kMayLack>
+    static void copyPoint(const WidePairs::Point& from, std::size_t pair, bool isThere, ManifoldPoint& to) {
+        const auto value = [isThere](Real number) { return kMayLack ? orZero(isThere, number) : number; };
+        to.point.x = value(from.x[pair]);
+        to.point.y = value(from.y[pair]);
+        to.separation = value(from.separation[pair]);
+        to.id = static_cast<FeatureId>(static_cast<std::int32_t>(value(from.id[pair])));
     }
     Manifold otherManifold(std::size_t pair, ManifoldMemory& memory) const;
 
