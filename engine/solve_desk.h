@@ -15,12 +15,6 @@ namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
 
-/// Found while a solve is read back.
-struct ContactHit {
-    std::uint32_t contact = 0;  ///< place among those of the group
-    ContactEvent event;
-};
-
 /// Where a group is solved. Several may be at the same time, each at a desk of its own, as long as no body moves in two
 /// of them. What a solve leaves for the whole step stays here until `clearDesk`. Kept for its capacity.
 struct alignas(kCacheLine) SolveDesk {
@@ -30,7 +24,6 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<std::uint8_t> takesPart;      ///< in the present solve: by place among the bodies of the group
     std::vector<std::uint32_t> bodies;        ///< slots in the world of what does, by slot of the solve less one
     std::vector<Vec2> localCenters;           ///< of the bodies of the present solve, by their slot there
-    std::vector<ContactHit> hits;             ///< of the present solve
     std::vector<EnergyEntry> energyEntries;   ///< likewise, by place in `bodies`
     std::vector<std::uint32_t> energyRoots;   ///< likewise
     std::vector<IslandMotion> islandMotions;  ///< likewise

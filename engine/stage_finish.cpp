@@ -2,9 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <tuple>
 
-#include "../shapes/bit_cast.h"
 #include "contact_fetch.h"
 #include "step.h"
 #include "tolerances.h"
@@ -113,132 +111,6 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
     ++world.counters.fellAsleep;
 }
 
-bool isBegin(const ContactEvent& e) {
-    return e.type == ContactEventType::begin || e.type == ContactEventType::sensorBegin;
-}
-
-/// Ends first: what a call between the steps ended may begin again in the step.
-auto eventKey(const ContactEvent& e) {
-    return std::make_tuple(e.fraction, e.shapeA.index, e.shapeB.index, isBegin(e), e.type, e.approachSpeed, e.impulse,
-                           e.point.x, e.point.y, e.shapeA.generation, e.shapeB.generation);
-}
-
-/// Sorts events by their keys, and where these are the same by `isLess`: what is moved about while they are sorted is
-/// small, and mostly told apart by one comparison of whole numbers.
-template <class IsLess>
-void sortPlaces(std::span<EventPlace> places, std::span<const ContactEvent> events, const IsLess& isLess) {
-    std::sort(places.begin(), places.end(), [&](const EventPlace& a, const EventPlace& b) {
-        return a.key != b.key ? a.key < b.key : isLess(events[a.index], events[b.index]);
-    });
-}
-
-std::uint64_t keyOfShapes(const ContactEvent& e) { return (std::uint64_t{e.shapeA.index} << 32) | e.shapeB.index; }
-
-/// @pre the fraction is larger than 0: then the larger one has the larger key
-std::uint64_t keyOfFraction(const ContactEvent& e) { return bitCast<std::uint64_t>(e.fraction); }
-
-bool isChainOrGone(const WorldState& world, ShapeId id) {
-    const Shape* shape = world.shapes.find(id);
-    return shape == nullptr || shape->isChainSegment;
-}
-
-void listChainTouches(WorldState& world) {
-    world.chainTouches.clear();
-    const std::vector<std::uint8_t>& isSegment = world.chainSegments;
-    const auto headOf = [&](std::uint32_t shape) { return isSegment[shape] != 0 ? world.shapes[shape].head : shape; };
-    for (const ContactProbe& probe : world.probes) {
-        if (probe.isPlain || probe.isIdle) { continue; }  // chains do not move; what is idle does not touch
-        const Contact& contact = world.contacts[probe.contact];
-        if (!contact.touching || (isSegment[contact.shapeA] | isSegment[contact.shapeB]) == 0) { continue; }
-        world.chainTouches.push_back({headOf(contact.shapeA), headOf(contact.shapeB)});
-    }
-    std::sort(world.chainTouches.begin(), world.chainTouches.end());
-}
-
-/// Segments by which a pair touches now.
-std::ptrdiff_t touchesNow(const WorldState& world, ShapeId a, ShapeId b) {
-    if (!world.shapes.isValid(a) || !world.shapes.isValid(b)) { return 0; }
-    const auto [first, last] =
-        std::equal_range(world.chainTouches.begin(), world.chainTouches.end(), ChainTouch{a.index, b.index});
-    return last - first;
-}
-
-/// Whether it is a begin or an end with a chain, or with what may have been one: a shape that is gone. Of what the step
-/// itself found both shapes are there.
-bool concernsChain(const WorldState& world, std::size_t index) {
-    const ContactEvent& e = world.contactEvents[index];
-    if (e.type == ContactEventType::hit) { return false; }
-    if (index < world.eventsBetween) { return isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB); }
-    return world.chainSegments[e.shapeA.index] != 0 || world.chainSegments[e.shapeB.index] != 0;
-}
-
-/// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last. Leaves of the
-/// places of begins and ends with chains those.
-void mergeChainEvents(WorldState& world) {
-    std::vector<EventPlace>& places = world.eventPlaces.ofChains;
-    if (places.empty()) { return; }
-    const std::span<const ContactEvent> events = world.contactEvents;
-    listChainTouches(world);
-    const auto pairKey = [](const ContactEvent& e) {
-        return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation);
-    };
-    sortPlaces(places, events, [&](const ContactEvent& a, const ContactEvent& b) {
-        return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
-    });
-    auto keep = places.begin();
-    for (auto group = places.begin(); group != places.end();) {
-        const ContactEvent& first = events[group->index];
-        const auto last = std::find_if(group, places.end(), [&](const EventPlace& place) {
-            return pairKey(events[place.index]) != pairKey(first);
-        });
-        const auto begins = [&](const EventPlace& place) { return isBegin(events[place.index]); };
-        const auto begun = std::count_if(group, last, begins);
-        const auto now = touchesNow(world, first.shapeA, first.shapeB);
-        const auto before = now - begun + ((last - group) - begun);
-        const bool began = now > 0;
-        if (began != (before > 0)) {
-            *keep++ = *std::find_if(group, last, [&](const EventPlace& place) { return begins(place) == began; });
-        }
-        group = last;
-    }
-    places.erase(keep, places.end());
-}
-
-/// By fraction, shapes, and the rest of `eventKey`. Most are of the start of the step, where shapes are the key.
-void sortContactEvents(WorldState& world) {
-    const std::vector<ContactEvent>& events = world.contactEvents;
-    std::vector<EventPlace>& ofChains = world.eventPlaces.ofChains;
-    std::vector<EventPlace>& atStart = world.eventPlaces.atStart;
-    std::vector<EventPlace>& later = world.eventPlaces.later;
-    ofChains.clear();
-    atStart.clear();
-    later.clear();
-    const auto addPlace = [&](std::uint32_t i) {
-        const bool isLater = events[i].fraction > 0;
-        (isLater ? later : atStart).push_back({isLater ? keyOfFraction(events[i]) : keyOfShapes(events[i]), i});
-    };
-    for (std::uint32_t i = 0; i < events.size(); ++i) {
-        if (concernsChain(world, i)) {
-            ofChains.push_back({keyOfShapes(events[i]), i});
-        } else {
-            addPlace(i);
-        }
-    }
-    mergeChainEvents(world);
-    for (const EventPlace& place : ofChains) { addPlace(place.index); }
-    const auto isLess = [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); };
-    world.sortedEvents.clear();
-    for (std::vector<EventPlace>* places : {&atStart, &later}) {
-        sortPlaces(*places, events, isLess);
-        for (const EventPlace& place : *places) { world.sortedEvents.push_back(events[place.index]); }
-    }
-    world.contactEvents.swap(world.sortedEvents);
-}
-
-}  // namespace
-
-namespace {
-
 /// A kinematic body got where the box of its step ends, unless its speed was cut. The next step makes the box for what
 /// it moves then, before anything looks at it.
 bool isInBoxOfStep(const WorldState& world, std::uint32_t slot) {
@@ -313,17 +185,6 @@ void countLostTime(WorldState& world) {
         world.counters.overLostTime += isOver && (last == nullptr || last->body != entry.body) ? 1 : 0;
         last = &entry;
     }
-}
-
-void sortEvents(WorldState& world) {
-    sortContactEvents(world);
-    std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
-        return std::tie(a.body.index, a.seconds) < std::tie(b.body.index, b.seconds);
-    });
-    std::sort(world.impactPoses.begin(), world.impactPoses.end(), [](const ImpactPose& a, const ImpactPose& b) {
-        return std::tie(a.body.index, a.fraction, a.position.x, a.position.y) <
-               std::tie(b.body.index, b.fraction, b.position.x, b.position.y);
-    });
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "modes.h"
@@ -172,7 +173,8 @@ constexpr std::size_t kPairsAhead = 8;
 void fetchAhead(const WorldState& world, std::span<const TouchingPair> pairs, std::size_t place) {
     if (place + kPairsAhead >= pairs.size()) { return; }
     const TouchingPair& coming = pairs[place + kPairsAhead];
-    if (coming.isOpen) { __builtin_prefetch(&world.contacts[coming.contact].manifold); }
+    const auto contact = coming.contact & (0U - std::uint32_t{coming.isOpen});  // the first one instead of a branch
+    __builtin_prefetch(&world.contacts[contact].manifold);
 }
 
 /// What the contacts tell about their bodies, and which bodies they tie together. Forgets what sleeps or passes by.
@@ -190,10 +192,11 @@ void noteTouching(WorldState& world, Real dt) {
         const bool awakeA = (a & kIsAwake) != 0;
         const bool awakeB = (b & kIsAwake) != 0;
         if (!awakeA && !awakeB) { continue; }
+        const bool mayPass = (std::uint32_t{pair.isOpen} & ((a | b) / kIsFast)) != 0;  // one branch for both
         if (!pair.areDynamic()) {
             if (pair.dynamicA && awakeA) { noteGround(world, pair.bodyA, pair.bodyB, pair, dt); }
             if (pair.dynamicB && awakeB) { noteGround(world, pair.bodyB, pair.bodyA, pair, dt); }
-        } else if (pair.isOpen && ((a | b) & kIsFast) != 0 && passEachOther(world, world.contacts[pair.contact], dt)) {
+        } else if (mayPass && passEachOther(world, world.contacts[pair.contact], dt)) {
             passBy(world, pair, awakeA && awakeB);
             continue;
         } else if (awakeA && awakeB) {

@@ -55,10 +55,11 @@ void sweepSensors(WorldState& world, double dt);
 /// the start of the step, at rest, and is counted (stage_guard.cpp). Only inputs at the ends of what can be written do
 /// that.
 void putBackOverflown(WorldState& world);
-/// Boxes, breaking joints, sleep, order of events (stage_finish.cpp).
+/// Boxes, breaking joints, sleep (stage_finish.cpp).
 void moveProxies(WorldState& world);
 void breakJoints(WorldState& world);
 void putToSleep(WorldState& world, double dt);
+/// Events are put into their order, and chains become one shape in them (event_order.cpp).
 void sortEvents(WorldState& world);
 /// Of each body, and who lost more than its budget.
 void countLostTime(WorldState& world);

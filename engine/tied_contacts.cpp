@@ -215,15 +215,6 @@ void TiedContacts::anchorAhead() {
 
 void TiedContacts::readConstraints() {
     for (const ContactConstraint& constraint : group_.desk.batch.contacts) { takeConstraint(constraint); }
-    end();
-}
-
-/// Hits become events in the order of their contacts, whoever found them.
-void TiedContacts::end() {
-    std::vector<ContactHit>& hits = group_.desk.hits;
-    std::sort(hits.begin(), hits.end(), [](const ContactHit& a, const ContactHit& b) { return a.contact < b.contact; });
-    for (const ContactHit& hit : hits) { group_.desk.events.push_back(hit.event); }
-    hits.clear();
 }
 
 std::size_t TiedContacts::count() const {
@@ -267,7 +258,7 @@ void TiedContacts::takeBlocks(std::span<const WideContact<kPoints>> blocks, Link
                 contact.totalImpulse[k] = block.points[k].totalNormalImpulse[lane];
             }
             const bool presses = (pressing >> lane & 1U) != 0;
-            began |= (presses && !contact.pressed ? 1U : 0U) << lane;
+            began |= (std::uint32_t{presses} & std::uint32_t{!contact.pressed}) << lane;
             contact.pressedOn = contact.pressed && presses;
             contact.pressed = presses;
         }
@@ -316,7 +307,6 @@ void TiedContacts::noteHit(const Contact& contact, Vec2 normal, Real bounceAppro
     // The gap closes at the approach speed: a first-order estimate of when in the step.
     const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
     const double wait = std::min(gap / static_cast<double>(speed), part_.length);
-    const auto place = static_cast<std::uint32_t>(&contact - group_.contacts.data());
     const ContactEvent hit{.type = ContactEventType::hit,
                            .shapeA = world_.shapes.idOf(world_.shapes[contact.shapeA].head),
                            .shapeB = world_.shapes.idOf(world_.shapes[contact.shapeB].head),
@@ -328,7 +318,7 @@ void TiedContacts::noteHit(const Contact& contact, Vec2 normal, Real bounceAppro
                            .approachSpeed = speed,
                            .impulse = impulse};
     const HeldLock lock(hitting_);
-    group_.desk.hits.push_back({place, hit});
+    group_.desk.events.push_back(hit);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -34,7 +34,6 @@ public:
     void take(std::span<const WideContact<1>> blocks, Links links) override;
     void take(std::span<const WideContact<2>> blocks, Links links) override;
     void take(std::span<const ContactConstraint> alone, Links links) override;
-    void end() override;
 
 private:
     template <class Visit>
@@ -56,7 +55,7 @@ private:
     WorldState& world_;
     const TiedGroup& group_;
     const StepPart& part_;
-    ShortLock hitting_;  ///< held by who adds to `SolveDesk::hits`
+    ShortLock hitting_;  ///< held by who adds to `SolveDesk::events`
     Real scale_;
     Real dt_;
     Real hitThreshold_;                                         ///< approach speed of what only rests, m/s

@@ -71,7 +71,10 @@ inline double lengthAtMost(DVec2 v) {
     constexpr double kDiagonal = 0.41421357;  // a little above √2 − 1
     const double x = std::fabs(v.x);
     const double y = std::fabs(v.y);
-    return x > y ? x + kDiagonal * y : y + kDiagonal * x;
+    // The larger one has the longer side whole. Which that is, is as good as random: a maximum is no branch.
+    const double ofX = x + kDiagonal * y;
+    const double ofY = y + kDiagonal * x;
+    return ofX > ofY ? ofX : ofY;
 }
 
 inline double BodyGlances::movedSince(const ContactProbe& probe) const {

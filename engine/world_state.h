@@ -49,15 +49,17 @@ enum class Tiredness : std::uint8_t { driven, restless, tired };
 
 /// What the order of events is told by, mostly.
 struct EventPlace {
-    std::uint64_t key = 0;    ///< slots of its shapes, first the one, then the other; or its fraction, as bits
+    std::uint64_t key = 0;    ///< slots of its shapes, the first above the second; or its fraction, as bits
     std::uint32_t index = 0;  ///< in `WorldState::contactEvents`
 };
 
 /// Scratch of `sortEvents`, kept for its capacity.
 struct EventPlaces {
-    std::vector<EventPlace> ofChains;  ///< begins and ends
-    std::vector<EventPlace> atStart;   ///< of the step: all others of fraction 0
-    std::vector<EventPlace> later;     ///< by fraction
+    std::vector<EventPlace> ofChains;   ///< begins and ends
+    std::vector<EventPlace> atStart;    ///< of the step: all others of fraction 0
+    std::vector<EventPlace> later;      ///< by fraction
+    std::vector<EventPlace> spare;      ///< of `sortByKeys`
+    std::vector<std::uint8_t> isNamed;  ///< by slot of a shape: it begins or ends to touch a chain, or is one
 };
 
 /// A sensor and a shape that may pass it within the step.
@@ -204,7 +206,7 @@ struct WorldState {
     std::size_t eventsBetween = 0;  ///< at the front: of calls since the last step
     EventPlaces eventPlaces;
     std::vector<ContactEvent> sortedEvents;  ///< scratch of `sortEvents`
-    std::vector<ChainTouch> chainTouches;    ///< scratch: pairs with a chain that touch, one entry per segment
+    std::vector<ChainTouch> chainTouches;    ///< scratch: touches with chains that events ask for, one per segment
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;

@@ -98,10 +98,14 @@ void ContactBlocks::listPlaces(const ConstraintGraph& graph, const Contacts& con
         const std::size_t kind = kinds[c][pointsInBlock(contacts[i])];
         if (kind == kAlone || next_[c][kind] == ends[c][kind]) {  // or left over
             list(kAlone, next_[c][kAlone]++, i);
-        } else if (2 * std::size_t{std::max(contacts[i].slotA, contacts[i].slotB)} < bodies) {
-            list(kind, next_[c][kind]++, i);
-        } else {
-            list(kind, --ends[c][kind], i);
+        } else {  // from the front or from the back, without a branch: one in two would go wrong
+            const std::uint32_t isFront =
+                2 * std::size_t{std::max(contacts[i].slotA, contacts[i].slotB)} < bodies ? 1 : 0;
+            const std::uint32_t front = next_[c][kind];
+            const std::uint32_t back = ends[c][kind] - 1;
+            list(kind, back + isFront * (front - back), i);
+            next_[c][kind] = front + isFront;
+            ends[c][kind] = back + isFront;
         }
     }
 }
@@ -327,7 +331,6 @@ void ContactBlocks::readBack(SolverBatch& batch, TaskSystem& loops) {
         take(std::as_const(two_));
         take(std::as_const(one_));
         batch.store->take(std::span<const ContactConstraint>(batch.contacts), restLinks_);
-        batch.store->end();
         return;
     }
     const auto read = [](ContactConstraint& contact, const auto& block, std::size_t lane) {

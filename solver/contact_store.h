@@ -40,8 +40,6 @@ public:
     virtual void take(std::span<const WideContact<1>> blocks, Links links) = 0;
     virtual void take(std::span<const WideContact<2>> blocks, Links links) = 0;
     virtual void take(std::span<const ContactConstraint> alone, Links links) = 0;
-    /// All were taken back.
-    virtual void end() {}
 
 protected:
     ContactStore() = default;
