@@ -32,9 +32,8 @@ void sortPlaces(WorldState& world, std::vector<EventPlace>& places, const IsLess
 }
 
 /// @param bits  of the largest slot of a shape
-std::uint64_t keyOfShapes(const ContactEvent& e, int bits) {
-    return (std::uint64_t{e.shapeA.index} << bits) | e.shapeB.index;
-}
+std::uint64_t keyOfShapes(std::uint32_t a, std::uint32_t b, int bits) { return (std::uint64_t{a} << bits) | b; }
+std::uint64_t keyOfShapes(const ContactEvent& e, int bits) { return keyOfShapes(e.shapeA.index, e.shapeB.index, bits); }
 
 /// @pre the fraction is larger than 0: then the larger one has the larger key
 std::uint64_t keyOfFraction(const ContactEvent& e) { return bitCast<std::uint64_t>(e.fraction); }
@@ -46,8 +45,9 @@ bool isChainOrGone(const WorldState& world, ShapeId id) {
 
 /// Touches of the pairs that begin or end with a chain, and of few others: one byte per shape tells whether it is in
 /// any of these.
-void listChainTouches(WorldState& world) {
-    world.chainTouches.clear();
+void listChainTouches(WorldState& world, int bits) {
+    std::vector<EventPlace>& touches = world.eventPlaces.chainTouches;
+    touches.clear();
     std::vector<std::uint8_t>& isNamed = world.eventPlaces.isNamed;
     isNamed.assign(world.shapes.slotCount(), 0);
     for (const EventPlace& place : world.eventPlaces.ofChains) {
@@ -60,18 +60,19 @@ void listChainTouches(WorldState& world) {
         if (probe.isPlain || probe.isIdle) { continue; }  // chains do not move; what is idle does not touch
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.touching || (isSegment[contact.shapeA] | isSegment[contact.shapeB]) == 0) { continue; }
-        const ChainTouch touch{headOf(contact.shapeA), headOf(contact.shapeB)};
-        if ((isNamed[touch.shapeA] & isNamed[touch.shapeB]) != 0) { world.chainTouches.push_back(touch); }
+        const std::uint32_t a = headOf(contact.shapeA);
+        const std::uint32_t b = headOf(contact.shapeB);
+        if ((isNamed[a] & isNamed[b]) != 0) { touches.push_back({keyOfShapes(a, b, bits), 0}); }
     }
-    std::sort(world.chainTouches.begin(), world.chainTouches.end());
+    sortByKeys(touches, world.eventPlaces.spare, [](const EventPlace&, const EventPlace&) { return false; });
 }
 
-/// Segments by which a pair touches now.
-std::ptrdiff_t touchesNow(const WorldState& world, ShapeId a, ShapeId b) {
-    if (!world.shapes.isValid(a) || !world.shapes.isValid(b)) { return 0; }
-    const auto [first, last] =
-        std::equal_range(world.chainTouches.begin(), world.chainTouches.end(), ChainTouch{a.index, b.index});
-    return last - first;
+/// Segments by which the shapes of an event touch now. @param touches  from the first on that is not before theirs
+std::ptrdiff_t touchesNow(const WorldState& world, const EventPlace& place, std::span<const EventPlace> touches) {
+    const ContactEvent& e = world.contactEvents[place.index];
+    if (!world.shapes.isValid(e.shapeA) || !world.shapes.isValid(e.shapeB)) { return 0; }
+    const auto isOther = [&place](const EventPlace& touch) { return touch.key != place.key; };
+    return std::find_if(touches.begin(), touches.end(), isOther) - touches.begin();
 }
 
 /// Whether it is a begin or an end with a chain, or with what may have been one: a shape that is gone. Of what the step
@@ -85,11 +86,12 @@ bool concernsChain(const WorldState& world, std::size_t index) {
 
 /// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last. Leaves of the
 /// places of begins and ends with chains those.
-void mergeChainEvents(WorldState& world) {
+void mergeChainEvents(WorldState& world, int bits) {
     std::vector<EventPlace>& places = world.eventPlaces.ofChains;
     if (places.empty()) { return; }
     const std::span<const ContactEvent> events = world.contactEvents;
-    listChainTouches(world);
+    listChainTouches(world, bits);
+    std::span<const EventPlace> touches = world.eventPlaces.chainTouches;
     const auto pairKey = [](const ContactEvent& e) {
         return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation);
     };
@@ -104,7 +106,8 @@ void mergeChainEvents(WorldState& world) {
         });
         const auto begins = [&](const EventPlace& place) { return isBegin(events[place.index]); };
         const auto begun = std::count_if(group, last, begins);
-        const auto now = touchesNow(world, first.shapeA, first.shapeB);
+        while (!touches.empty() && touches.front().key < group->key) { touches = touches.subspan(1); }
+        const auto now = touchesNow(world, *group, touches);
         const auto before = now - begun + ((last - group) - begun);
         const bool began = now > 0;
         if (began != (before > 0)) {
@@ -124,7 +127,7 @@ void sortContactEvents(WorldState& world) {
     ofChains.clear();
     atStart.clear();
     later.clear();
-    const int bits = std::bit_width(world.shapes.slotCount());
+    const auto bits = static_cast<int>(std::bit_width(world.shapes.slotCount()));
     const auto addPlace = [&](std::uint32_t i) {
         const bool isLater = events[i].fraction > 0;
         (isLater ? later : atStart).push_back({isLater ? keyOfFraction(events[i]) : keyOfShapes(events[i], bits), i});
@@ -136,7 +139,7 @@ void sortContactEvents(WorldState& world) {
             addPlace(i);
         }
     }
-    mergeChainEvents(world);
+    mergeChainEvents(world, bits);
     for (const EventPlace& place : ofChains) { addPlace(place.index); }
     const auto isLess = [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); };
     world.sortedEvents.clear();

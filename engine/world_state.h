@@ -37,29 +37,23 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A touching pair of which one is a chain, under the ids that the user knows.
-struct ChainTouch {
-    std::uint32_t shapeA = 0;  ///< slots
-    std::uint32_t shapeB = 0;
-    auto operator<=>(const ChainTouch&) const = default;
-};
-
 /// Whether a body may sleep, as far as its own motion tells.
 enum class Tiredness : std::uint8_t { driven, restless, tired };
 
 /// What the order of events is told by, mostly.
 struct EventPlace {
     std::uint64_t key = 0;    ///< slots of its shapes, the first above the second; or its fraction, as bits
-    std::uint32_t index = 0;  ///< in `WorldState::contactEvents`
+    std::uint32_t index = 0;  ///< in `WorldState::contactEvents`, where that is asked
 };
 
 /// Scratch of `sortEvents`, kept for its capacity.
 struct EventPlaces {
-    std::vector<EventPlace> ofChains;   ///< begins and ends
-    std::vector<EventPlace> atStart;    ///< of the step: all others of fraction 0
-    std::vector<EventPlace> later;      ///< by fraction
-    std::vector<EventPlace> spare;      ///< of `sortByKeys`
-    std::vector<std::uint8_t> isNamed;  ///< by slot of a shape: it begins or ends to touch a chain, or is one
+    std::vector<EventPlace> ofChains;      ///< begins and ends
+    std::vector<EventPlace> atStart;       ///< of the step: all others of fraction 0
+    std::vector<EventPlace> later;         ///< by fraction
+    std::vector<EventPlace> chainTouches;  ///< touches with chains that events ask for, one per segment: keys alone
+    std::vector<EventPlace> spare;         ///< of `sortByKeys`
+    std::vector<std::uint8_t> isNamed;     ///< by slot of a shape: it begins or ends to touch a chain, or is one
 };
 
 /// A sensor and a shape that may pass it within the step.
@@ -206,7 +200,6 @@ struct WorldState {
     std::size_t eventsBetween = 0;  ///< at the front: of calls since the last step
     EventPlaces eventPlaces;
     std::vector<ContactEvent> sortedEvents;  ///< scratch of `sortEvents`
-    std::vector<ChainTouch> chainTouches;    ///< scratch: touches with chains that events ask for, one per segment
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;

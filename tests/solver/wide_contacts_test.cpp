@@ -312,7 +312,9 @@ TEST_P(WideContacts, RotationsAreFoundToTheBitAsOneByOne) {
     }
     const std::vector<double> rare{1e7, -0x1p40, 1e300, std::numeric_limits<double>::infinity(),
                                    std::numeric_limits<double>::quiet_NaN()};
-    for (std::size_t i = 0; i < rare.size(); ++i) { angles.insert(angles.begin() + 500 * (i + 1), rare[i]); }
+    for (std::size_t i = 0; i < rare.size(); ++i) {
+        angles.insert(angles.begin() + static_cast<std::ptrdiff_t>(500 * (i + 1)), rare[i]);
+    }
     std::vector<Rotation> wanted(angles.size());
     findRotations(angles, wanted);
     std::vector<Rotation> rotations(angles.size());

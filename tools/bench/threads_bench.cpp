@@ -9,6 +9,7 @@
 #include <swept/samples/scene_builder.h>
 
 #include "../task_threads.h"
+#include "hand_over.h"
 #include "text_table.h"
 #ifdef SWEPT_BENCH_BOX2D3
 #include "box2d3/box2d3_threads.h"
@@ -140,7 +141,10 @@ std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
     const ThreadSpread spread;  // of both engines: their tasks run on the same threads
     std::vector<ThreadsBenchRow> rows;
     const auto add = [&](ThreadsBenchRow row, TimedWorld& one, TimedWorld& several) {
+        const std::optional<double> before = handOverSeconds(*tasks);
         measure(one, several, settings.seconds, row);
+        const std::optional<double> after = handOverSeconds(*tasks);
+        if (before && after) { row.handOver = std::max(*before, *after); }
         watch(row);
         rows.push_back(std::move(row));
     };
@@ -164,22 +168,27 @@ std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
 }
 
 void writeThreadsTable(std::ostream& out, const std::vector<ThreadsBenchRow>& rows) {
-    TextTable table(
-        {"scene", "engine", "bodies", "one, us", "several, us", "ratio", "quickest one, us", "several, us", "ratio"});
+    TextTable table({"scene", "engine", "bodies", "one, us", "several, us", "ratio", "quickest one, us", "several, us",
+                     "ratio", "hand-over, ns"});
     for (const ThreadsBenchRow& row : rows) {
         table.add({row.scene, row.engine, std::to_string(row.bodies), threeDigits(1e6 * row.oneSeconds),
                    threeDigits(1e6 * row.severalSeconds), threeDigits(row.oneSeconds / row.severalSeconds),
                    threeDigits(1e6 * row.quickestOne), threeDigits(1e6 * row.quickestSeveral),
-                   threeDigits(row.quickestOne / row.quickestSeveral)});
+                   threeDigits(row.quickestOne / row.quickestSeveral),
+                   row.handOver ? threeDigits(1e9 * *row.handOver) : "-"});
     }
     table.write(out);
+    out << "hand-over: what a cache line takes from one thread to another, the longer of before and after the row;\n"
+           "where it grows, cores moved apart, and rows from before and after cannot be compared\n";
 }
 
 void writeThreadsCsv(std::ostream& csv, const std::vector<ThreadsBenchRow>& rows, int threads) {
-    csv << "scene,engine,bodies,threads,one,several,quickest_one,quickest_several\n";
+    csv << "scene,engine,bodies,threads,one,several,quickest_one,quickest_several,hand_over\n";
     for (const ThreadsBenchRow& row : rows) {
         csv << row.scene << ',' << row.engine << ',' << row.bodies << ',' << threads << ',' << row.oneSeconds << ','
-            << row.severalSeconds << ',' << row.quickestOne << ',' << row.quickestSeveral << '\n';
+            << row.severalSeconds << ',' << row.quickestOne << ',' << row.quickestSeveral << ',';
+        if (row.handOver) { csv << *row.handOver; }
+        csv << '\n';
     }
 }
 
