@@ -33,7 +33,7 @@ struct ThreadsBenchRow {
     double severalSeconds = 0;  ///< likewise
     double quickestOne = 0;     ///< of any step: on a machine that others use too this says more
     double quickestSeveral = 0;
-    std::optional<double> handOver;  ///< s that a cache line takes from thread to thread, longer of before and after
+    std::optional<double> handOver{};  ///< s that a cache line takes from thread to thread, longer of before and after
 };
 
 /// Scenes of so many bodies each: pyramids at rest, mixed shapes that fall on a heap, fast disks between walls.
