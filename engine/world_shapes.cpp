@@ -157,11 +157,13 @@ Status World::destroyShape(ShapeId id) {
     if (!isValid(id)) { return {StatusCode::staleId, "shape"}; }
     const std::uint32_t body = world.shapes[id.index].body;
     wakeNeighbours(world, body);
-    for (std::uint32_t slot = id.index; slot != kNoIndex;) {
+    // The head of a chain goes last: what ends with another segment is told under its name.
+    for (std::uint32_t slot = world.shapes[id.index].nextInChain; slot != kNoIndex;) {
         const std::uint32_t next = world.shapes[slot].nextInChain;
         removeOne(world, slot);
         slot = next;
     }
+    removeOne(world, id.index);
     refresh(world, body);
     return Status::success();
 }

@@ -96,6 +96,30 @@ TEST(Events, WhatBeginsEnds) {
     EXPECT_EQ(listener.begins(), listener.ends());
 }
 
+/// A chain is one shape, whichever of its segments something touches when it is taken away, and also where another one
+/// takes its place before the next step.
+TEST(Events, ChainsThatAreTakenAwayEndUnderTheirName) {
+    for (const bool isReplaced : {false, true}) {
+        World world = makeWorld();
+        const BodyId ground = must(world.createBody({}));
+        const std::vector<Vec2> points{vec(6, 0), vec(4, 0), vec(2, 0), vec(0, 0), vec(-2, 0)};
+        const ShapeId chain = must(world.addChain(ground, points, false, material(0.3)));
+        addBody(world, dynamicAt({1, 0.5}), circle(0.5));  // on the last but one
+        Listener listener;
+        for (int step = 0; step < 5; ++step) {
+            must(world.step(kStep));
+            listener.listen(world);
+        }
+        ASSERT_EQ(listener.touching(), 1u);
+        must(world.destroyShape(chain));
+        if (isReplaced) { must(world.addChain(ground, points, false, material(0.3))); }
+        must(world.step(kStep));
+        listener.listen(world);
+        EXPECT_EQ(listener.ends(), 1) << isReplaced;
+        EXPECT_EQ(listener.begins(), isReplaced ? 2 : 1) << isReplaced;
+    }
+}
+
 /// A ball that falls from rest on a floor: v = √(2 g s), t = v/g, impulse = (1 + e) m v.
 TEST(Events, HitOfAFlyerIsThatOfTheClosedForm) {
     World world = makeWorld();

@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kThrows = 4000;
 constexpr int kTries = 5;
-constexpr std::chrono::milliseconds kPatience{20};  ///< for the other one to come, and to throw back
+constexpr std::chrono::milliseconds kPatience{200};  ///< for the other one to come, and for the game
 constexpr int kLooksPerClock = 1024;
 
 /// A line that two players hand to each other.
