@@ -15,14 +15,15 @@ TEST(HandOver, OneWorkerHasNobodyToHandTo) {
     EXPECT_FALSE(handOverSeconds(alone));
 }
 
+/// Where threads share one processor a game may have no end in time; then nothing is told, instead of a wrong number.
 TEST(HandOver, BetweenTwoThreadsTakesNoLongerThanMemory) {
-    if (std::thread::hardware_concurrency() < 2) { GTEST_SKIP() << "one processor"; }
     test::ThreadTasks tasks(2);
     std::optional<double> seconds;
     for (int i = 0; i < 20 && !seconds; ++i) { seconds = handOverSeconds(tasks); }  // others may keep a processor busy
-    ASSERT_TRUE(seconds);
-    EXPECT_GT(*seconds, 1e-10);
-    EXPECT_LT(*seconds, 5e-6);
+    const bool hasTwo = std::thread::hardware_concurrency() > 1;
+    EXPECT_TRUE(seconds || !hasTwo);
+    EXPECT_GT(seconds.value_or(1), 1e-10);
+    if (hasTwo) { EXPECT_LT(seconds.value_or(1), 5e-6); }  // a game may take ten times as long before it is given up
 }
 
 }  // namespace
