@@ -99,7 +99,7 @@ template <class T>
     if (coming.size() > kEventContactsAhead) {
         const Contact& contact = world.contacts[world.probes[coming[kEventContactsAhead]].contact];
         __builtin_prefetch(&contact);
-        __builtin_prefetch(&contact.touching, 1);
+        fetchToWrite(contact.touching);
     }
     if (coming.size() > kEventShapesAhead) {
         const Contact& contact = world.contacts[world.probes[coming[kEventShapesAhead]].contact];

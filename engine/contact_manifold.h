@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../shapes/bit_cast.h"
+#include "../shapes/branchless.h"
 #include "tolerances.h"
 #include "world_state.h"
 

@@ -52,16 +52,22 @@ struct Course {
     std::size_t eventsBefore = 0;
 };
 
-double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members) {
+/// Of which bodies the spin is asked.
+enum class Spinners : std::uint8_t { all, heldByJoints };
+
+/// rad/s, without its sign
+double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members, Spinners which) {
     double fastest = 0;
     for (const std::uint32_t slot : members) {
+        if (which == Spinners::heldByJoints && world.bodies[slot].holdingJoints == 0) { continue; }
         fastest = std::max(fastest, std::fabs(static_cast<double>(world.motions[slot].angularVelocity)));
     }
     return fastest;
 }
 
-double fastestSpin(const Course& course) {
-    double fastest = fastestSpin(course.world, course.island.members);
+/// The same, and of rods.
+double fastestSpin(const Course& course, Spinners which) {
+    double fastest = fastestSpin(course.world, course.island.members, which);
     for (const std::uint32_t slot : course.island.jointSlots) {
         fastest = std::max(fastest, rodTurnOf(course.world, course.world.joints[slot]));
     }
@@ -101,19 +107,6 @@ bool areMembersJoined(const Course& course) {
     });
 }
 
-/// rad/s of what joints hold, and of rods. What else is in the island may whirl: no joint has to follow that.
-double fastestHeldSpin(const Course& course) {
-    double fastest = 0;
-    for (const std::uint32_t slot : course.island.members) {
-        if (course.world.bodies[slot].holdingJoints == 0) { continue; }
-        fastest = std::max(fastest, std::fabs(static_cast<double>(course.world.motions[slot].angularVelocity)));
-    }
-    for (const std::uint32_t slot : course.island.jointSlots) {
-        fastest = std::max(fastest, rodTurnOf(course.world, course.world.joints[slot]));
-    }
-    return fastest;
-}
-
 int subStepsFor(const Course& course, double time) {
     const Effort effort = course.world.bodies[course.island.members[0]].effort;
     const int usual = subStepsOf(course.world.settings);
@@ -129,7 +122,8 @@ int subStepsFor(const Course& course, double time) {
     const double share = std::ceil(standard * time / course.dt * (1 - kShortestPart));
     if (!isJointed) { return std::clamp(static_cast<int>(share), 1, standard); }
     const bool areJoined = areMembersJoined(course);
-    const double spin = areJoined ? fastestSpin(course) : fastestHeldSpin(course);
+    // What is loose may whirl beside joints that lead to the ground alone: none of these has to follow that.
+    const double spin = fastestSpin(course, areJoined ? Spinners::all : Spinners::heldByJoints);
     const double turns = std::ceil(spin * time / kMaxTurnOfSubStep);
     const int fewest = areJoined ? std::min(kFewestJointedSubSteps, standard) : 1;
     return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);
@@ -302,7 +296,7 @@ bool fliesInstead(const Course& course) {
 }  // namespace
 
 bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
-    return fastestSpin(world, members) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
+    return fastestSpin(world, members, Spinners::all) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
 }
 
 double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
@@ -338,7 +332,7 @@ void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch&
     while (course.elapsed < dt) {
         const double rest = dt - course.elapsed;
         if (made++ == mostTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
-        const double spin = fastestSpin(course);
+        const double spin = fastestSpin(course, Spinners::all);
         if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
         double time = std::max(next, course.shortest);
         if (spin * time > maxTurn) { time = std::max(maxTurn / spin, course.shortest); }

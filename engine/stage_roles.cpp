@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "../shapes/branchless.h"
 #include "modes.h"
 #include "step.h"
 #include "tolerances.h"
@@ -18,7 +19,7 @@ constexpr std::size_t kResetGrain = 128;
 constexpr std::size_t kResetAhead = 16;
 
 /// @param coming  of the same worker
-void fetchForReset(const WorldState& world, std::span<const std::uint32_t> coming) {
+[[gnu::always_inline]] inline void fetchForReset(const WorldState& world, std::span<const std::uint32_t> coming) {
     if (coming.size() <= kResetAhead) { return; }
     const std::uint32_t slot = coming[kResetAhead];
     const Body& body = world.bodies[slot];
@@ -170,10 +171,11 @@ void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, 
 constexpr std::size_t kPairsAhead = 8;
 
 /// Those that may pass each other are looked at (`passEachOther`).
-void fetchAhead(const WorldState& world, std::span<const TouchingPair> pairs, std::size_t place) {
+[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const TouchingPair> pairs,
+                                              std::size_t place) {
     if (place + kPairsAhead >= pairs.size()) { return; }
     const TouchingPair& coming = pairs[place + kPairsAhead];
-    const auto contact = coming.contact & (0U - std::uint32_t{coming.isOpen});  // the first one instead of a branch
+    const auto contact = coming.contact & maskOf<std::uint32_t>(coming.isOpen);  // the first one instead of a branch
     __builtin_prefetch(&world.contacts[contact].manifold);
 }
 

@@ -67,10 +67,10 @@ std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     return limited;
 }
 
-/// Free bodies that are fetched ahead.
-constexpr std::size_t kFreeAhead = 12;
+/// Bodies that are fetched ahead, where they fly freely and where a solve gives them back.
+constexpr std::size_t kFetchedAhead = 12;
 
-void fetchFree(const WorldState& world, std::uint32_t slot) {
+[[gnu::always_inline]] inline void fetchFree(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     __builtin_prefetch(&body.role);
     if ((world.traits[slot] & (kIsTied | kIsFlyer)) != 0) { return; }
@@ -185,20 +185,21 @@ bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
 
 /// Bodies whose sines and cosines, which are most of a pose, are found side by side.
 constexpr std::size_t kPosesAtOnce = 32;
-/// Bodies that are fetched ahead where a solve gives them back.
-constexpr std::size_t kBodiesFetched = 12;
 
-void fetchToTakeBack(const WorldState& world, std::span<const std::uint32_t> bodies, std::size_t place) {
-    if (place + kBodiesFetched >= bodies.size()) { return; }
-    const std::uint32_t slot = bodies[place + kBodiesFetched];
+/// @param coming  of the same worker
+[[gnu::always_inline]] inline void fetchToTakeBack(const WorldState& world, std::span<const std::uint32_t> coming) {
+    if (coming.size() <= kFetchedAhead) { return; }
+    const std::uint32_t slot = coming[kFetchedAhead];
     fetchToWrite(world.motions[slot]);
     fetchToWrite(world.solverSlots[slot]);
     __builtin_prefetch(&world.bodies[slot]);
 }
 
-/// Of a few of those that took part. Their slots end here: no other solve must take them for its own.
+/// Of the first few of a range of those that took part. Their slots end here: no other solve must take them for its
+/// own.
 /// @return whether some body was flung
-bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
+bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t rangeEnd) {
+    const std::size_t end = std::min(begin + kPosesAtOnce, rangeEnd);
     std::array<double, kPosesAtOnce> angles;
     std::array<Rotation, kPosesAtOnce> rotations;
     std::array<std::size_t, kPosesAtOnce> places;
@@ -206,7 +207,7 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
     std::size_t count = 0;
     bool any = false;
     for (std::size_t i = begin; i < end; ++i) {
-        fetchToTakeBack(world, desk.bodies, i);
+        fetchToTakeBack(world, std::span(desk.bodies).subspan(i, rangeEnd - i));
         const std::uint32_t slot = desk.bodies[i];
         const BodyState& state = desk.batch.states[i + 1];
         world.solverSlots[slot] = kFixedSlot;
@@ -227,9 +228,7 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
 /// @return whether some body was flung
 bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
     bool any = false;
-    for (; begin < end; begin += kPosesAtOnce) {
-        any = readFew(world, desk, isWatched, time, begin, std::min(begin + kPosesAtOnce, end)) || any;
-    }
+    for (; begin < end; begin += kPosesAtOnce) { any = readFew(world, desk, isWatched, time, begin, end) || any; }
     return any;
 }
 
@@ -266,7 +265,7 @@ void moveFreeBodies(WorldState& world, double dt) {
         std::uint64_t some = 0;
         const std::span<const std::uint32_t> awake = world.awake;
         for (std::size_t i = begin; i < end; ++i) {
-            if (i + kFreeAhead < end) { fetchFree(world, awake[i + kFreeAhead]); }
+            if (i + kFetchedAhead < end) { fetchFree(world, awake[i + kFetchedAhead]); }
             const std::uint32_t slot = awake[i];
             const Body& body = world.bodies[slot];
             if (body.role == BodyRole::free && body.isDynamic()) { some += moveFreely(world, slot, dt); }

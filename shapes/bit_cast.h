@@ -1,8 +1,6 @@
 #pragma once
 
 #include <bit>
-#include <cstdint>
-#include <type_traits>
 
 namespace swept {
 
@@ -15,14 +13,6 @@ constexpr To bitCast(const From& from) noexcept {
 #else
     return __builtin_bit_cast(To, from);
 #endif
-}
-
-/// A number, or zero: without the branch that compilers make of a choice. For where nothing foretells it.
-/// @tparam Number  float or double
-template <class Number>
-constexpr Number orZero(bool isThere, Number number) noexcept {
-    using Bits = std::conditional_t<sizeof(Number) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
-    return bitCast<Number>(static_cast<Bits>(bitCast<Bits>(number) & (Bits{0} - Bits{isThere})));
 }
 
 }  // namespace swept

@@ -8,7 +8,8 @@ namespace swept {
 inline constexpr std::size_t kCacheLine = 64;
 
 /// Has the cache line of something that will be written soon fetched, and taken from whoever has a copy: to read it
-/// first would bring a copy alone, and then the write waits for the others to give up theirs.
+/// first would bring a copy alone, and then the write waits for the others to give up theirs. (Processors of Intel before
+/// Broadwell pass over it.)
 template <class T>
 [[gnu::always_inline]] inline void fetchToWrite(const T& thing) {
 #if defined(__x86_64__)

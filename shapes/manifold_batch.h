@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "bit_cast.h"
+#include "branchless.h"
 #include "manifold.h"
 #include "wide_pairs.h"
 

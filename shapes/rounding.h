@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "bit_cast.h"
+#include "branchless.h"
 #include "real.h"
 
 /// Directed rounding, for results that must contain or bound the exact ones.
@@ -35,7 +36,7 @@ constexpr T steppedDown(bool isAsked, T x) {
     const Bits bits = bitCast<Bits>(x);
     const Bits isNegative = bits >> (8 * sizeof(T) - 1);
     const Bits step = 2 * isNegative - 1;
-    return bitCast<T>(bits + (step & (Bits{0} - Bits{isAsked})));
+    return bitCast<T>(bits + (step & maskOf<Bits>(isAsked)));
 }
 
 /// The largest `Real` that is not above `x`; the nearest finite one where `x` is out of range. NaN stays NaN.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -94,6 +95,25 @@ TEST(Events, WhatBeginsEnds) {
     EXPECT_EQ(listener.touching(), 0u);
     EXPECT_GT(listener.begins(), 100);
     EXPECT_EQ(listener.begins(), listener.ends());
+}
+
+/// So many that they are put into order by counting (key_sort.h), in no order of their slots.
+TEST(Events, ManyOfAStepComeInOrder) {
+    World world = makeWorld();
+    const BodyId ground = must(world.createBody({}));
+    must(world.addChain(ground, std::vector<Vec2>{vec(400, 0), vec(0, 0), vec(-400, 0)}, false, material(0.3, 0.5)));
+    Random random(11);
+    for (int i = 0; i < 400; ++i) {
+        const DVec2 place{random.range(-300, 300), random.range(0.6, 0.9)};
+        addBody(world, dynamicAt(place, vec(0, -20)), circle(0.5), material(0));
+    }
+    std::size_t most = 0;
+    for (int step = 0; step < 30; ++step) {
+        must(world.step(kStep));
+        expectSorted(world);
+        most = std::max(most, world.contactEvents().size());
+    }
+    EXPECT_GT(most, 200u);
 }
 
 /// A chain is one shape, whichever of its segments something touches when it is taken away, and also where another one
