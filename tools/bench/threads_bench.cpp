@@ -122,6 +122,15 @@ void measure(TimedWorld& one, TimedWorld& several, double seconds, ThreadsBenchR
     row.quickestSeveral = severals.front();
 }
 
+bool isMeant(int bodies, const ThreadsBenchSettings& settings) {
+    return settings.fewestBodies <= bodies && bodies <= settings.mostBodies;
+}
+
+bool isMeant(const ThreadsScene& scene, const ThreadsBenchSettings& settings) {
+    const auto& names = settings.scenes;
+    return names.empty() || std::find(names.begin(), names.end(), scene.name) != names.end();
+}
+
 }  // namespace
 
 const std::vector<ThreadsScene>& threadsScenes() {
@@ -130,9 +139,9 @@ const std::vector<ThreadsScene>& threadsScenes() {
 }
 
 std::size_t threadsRowCount(const ThreadsBenchSettings& settings) {
-    const auto sizes =
-        std::count_if(kSizes.begin(), kSizes.end(), [&](int size) { return size <= settings.mostBodies; });
-    return 2 * threadsScenes().size() * static_cast<std::size_t>(sizes);
+    const auto sizes = std::count_if(kSizes.begin(), kSizes.end(), [&](int size) { return isMeant(size, settings); });
+    const std::size_t scenes = settings.scenes.empty() ? threadsScenes().size() : settings.scenes.size();
+    return (settings.ownAlone ? 1 : 2) * scenes * static_cast<std::size_t>(sizes);
 }
 
 std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
@@ -149,13 +158,15 @@ std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
         rows.push_back(std::move(row));
     };
     for (const ThreadsScene& scene : threadsScenes()) {
+        if (!isMeant(scene, settings)) { continue; }
         for (const int bodies : kSizes) {
-            if (bodies > settings.mostBodies) { break; }
+            if (!isMeant(bodies, settings)) { continue; }
             const SceneDescription description = scene.make(bodies);
             SweptWorld one(description, nullptr);
             SweptWorld several(description, tasks.get());
             add({.scene = scene.name, .engine = "Swept2D f32", .bodies = bodies}, one, several);
 #ifdef SWEPT_BENCH_BOX2D3
+            if (settings.ownAlone) { continue; }
             const auto box2dOne = makeBox2d3Threads(description, 1);
             const auto box2dSeveral = makeBox2d3Threads(description, settings.threads);
             if (box2dOne != nullptr && box2dSeveral != nullptr) {

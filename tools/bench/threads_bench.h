@@ -20,8 +20,11 @@ public:
 
 struct ThreadsBenchSettings {
     int threads = 2;
+    std::vector<std::string> scenes;  ///< all of them if there are none
+    int fewestBodies = 10;
     int mostBodies = 10'000;
-    double seconds = 1;  ///< spent on a row
+    bool ownAlone = false;  ///< without Box2D 3
+    double seconds = 1;     ///< spent on a row
 };
 
 /// One thread against several, of the same scene step by step in turns.

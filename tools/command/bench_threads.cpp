@@ -2,6 +2,8 @@
 
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "../bench/threads_bench.h"
 #include "../task_threads.h"
@@ -16,6 +18,12 @@ struct ThreadsArguments {
     bench::ThreadsBenchSettings settings;
     BenchPlaces places;
 };
+
+std::vector<std::string> threadsSceneNames() {
+    std::vector<std::string> names;
+    for (const bench::ThreadsScene& scene : bench::threadsScenes()) { names.emplace_back(scene.name); }
+    return names;
+}
 
 int measureThreads(const ThreadsArguments& arguments) {
     if (makeTaskSystem(arguments.settings.threads) == nullptr) {
@@ -47,9 +55,17 @@ void addBenchThreads(Command bench) {
     command.option("--threads", arguments->settings.threads, "Threads, the calling one included [2]")
         .type("N")
         .within(2, kMostThreads);
+    command.option("--scenes", arguments->settings.scenes, "Only these scenes, separated by commas")
+        .type("NAME,...")
+        .separatedBy(',')
+        .oneOf(threadsSceneNames());
+    command.option("--fewest", arguments->settings.fewestBodies, "Smallest number of bodies [10]")
+        .type("N")
+        .within(10, 1'000'000);
     command.option("--most", arguments->settings.mostBodies, "Largest number of bodies [10000]")
         .type("N")
         .within(10, 1'000'000);
+    command.flag("--own", arguments->settings.ownAlone, "Without Box2D 3");
     command.option("--seconds", arguments->settings.seconds, "Spent on each row [1]").type("S").withinReals(0.01, 1000);
     command.option("--csv", arguments->places.csv, "Write the table").type("FILE");
     command.runs([arguments] { return measureThreads(*arguments); });
