@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shapes/raw_vector.h"
 #include "broadphase.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -11,14 +12,14 @@ namespace swept::inline SWEPT_PRECISION {
 class PairOrder {
 public:
     /// @param slotCount  above every slot in `pairs`.
-    void sort(std::vector<ProxyPair>& pairs, std::uint32_t slotCount);
+    void sort(std::vector<ProxyPair>& pairs, std::uint32_t slotCount, TaskSystem& loops);
     std::size_t memoryBytes() const {
         return starts_.capacity() * sizeof(std::uint32_t) + sorted_.capacity() * sizeof(ProxyPair);
     }
 
 private:
     std::vector<std::uint32_t> starts_;
-    std::vector<ProxyPair> sorted_;
+    RawVector<ProxyPair> sorted_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

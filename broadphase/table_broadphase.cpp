@@ -83,7 +83,7 @@ void TableBroadphase::pairs(std::vector<ProxyPair>& out, TaskSystem& loops) {
     if (table_.listedMoved().empty() && !anyBeside_) { return; }
     PairSink sink(table_, out);
     counters_.boxTests += join(sink, loops);
-    order_.sort(out, table_.slotCount());
+    order_.sort(out, table_.slotCount(), loops);
     onPairsDone(loops);
     table_.finishPairs();
     anyBeside_ = false;

@@ -79,12 +79,11 @@ void listBlocks(WorldState& world) {
         }
     };
     runBeside(
-        *world.loops, [&world] { closeCandidates(world); }, blocks, listSome);
+        *world.loops, [&world] { closeCandidates(world); }, blocks, 1, listSome);
 }
 
 /// One block behind the other.
-void joinBlocks(const ContactLists& lists, std::uint32_t ContactLists::Counts::*count,
-                std::vector<std::uint32_t>& list) {
+void joinBlocks(const ContactLists& lists, std::uint32_t ContactLists::Counts::*count, RawVector<std::uint32_t>& list) {
     auto end = list.begin();
     for (std::size_t block = 0; block < lists.counts.size(); ++block) {
         const auto first = list.begin() + static_cast<std::ptrdiff_t>(block * kProbesPerBlock);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../shapes/raw_vector.h"
 #include "contact.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -12,12 +13,12 @@ struct WorldState;
 /// The contacts that a step has something to do for, as found in one pass over their probes: all others, most of them,
 /// are not asked again. Each list is ascending, however many threads found it.
 struct ContactLists {
-    std::vector<std::uint32_t> noted;    ///< probes: near, passing, asleep with points, or boxes apart
-    std::vector<std::uint32_t> near;     ///< of these, probes whose contacts get manifolds
-    std::vector<std::uint32_t> ground;   ///< contacts of these, in the same order, that are not `isPlain`
+    RawVector<std::uint32_t> noted;      ///< probes: near, passing, asleep with points, or boxes apart
+    RawVector<std::uint32_t> near;       ///< of these, probes whose contacts get manifolds
+    RawVector<std::uint32_t> ground;     ///< contacts of these, in the same order, that are not `isPlain`
     std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other (told by `collideContacts`)
-    std::vector<std::uint32_t> apart;    ///< of these, probes whose boxes are apart
-    std::vector<std::uint32_t> turning;  ///< of those near, whose touching begins or ends (told likewise)
+    RawVector<std::uint32_t> apart;      ///< of these, probes whose boxes are apart
+    RawVector<std::uint32_t> turning;    ///< of those near, whose touching begins or ends (told likewise)
 
     /// Of a block of probes: how many are in each list.
     struct Counts {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "island_load.h"
 #include "profile.h"
 #include "settled.h"
 #include "step.h"
@@ -43,7 +44,6 @@ constexpr int kFewestSubStepsForJoints = 8;
 constexpr std::uint32_t kFewestInCrowd = 64;
 constexpr std::uint32_t kFewestInRagdoll = 8;
 constexpr std::uint32_t kMovingShare = 8;
-constexpr Real kMovingRatioOfFall = Real(1) / 16;
 constexpr double kCrowdErrorRatio = 1.0 / 32;
 constexpr Effort kCrowd{.doublings = -1, .isCrowd = true};
 /// A heap is stirred where so many are on the move as in the smallest crowd, in what sinks in by so little when its
@@ -54,84 +54,6 @@ constexpr std::uint32_t kFewestStirring = kFewestInCrowd / kMovingShare;
 /// of a sub-step: beyond half a radian that tears them. `swept envelope`, map "chain": 16 sub-steps hold 560 : 1, not
 /// 1000 : 1; with 32 that, too, tore when it swung for ten seconds.
 constexpr Real kWhipRatio = 128;
-
-BodyLoad loadOf(const Body& body, const BodyMotion& motion, DVec2 up, Real gravity) {
-    const Real speedSquared = lengthSquared(motion.velocity);
-    const bool isStill = speedSquared == 0 && motion.angularVelocity == 0;
-    return {.height = dot(up, motion.center),
-            .mass = static_cast<Real>(body.mass),
-            .extent = body.extent,
-            .speedSquared = speedSquared,
-            .debt = body.searchDebt,
-            .isMoving = speedSquared > kMovingRatioOfFall * gravity * body.extent,
-            // The effort is still that of the last step.
-            .staysPut = isStill || body.effort.direct == DirectScope::all,
-            .isJointed = body.holdingJoints > 0};
-}
-
-void addBody(IslandLoad& load, const BodyLoad& body) {
-    if (load.bodies++ == 0) {
-        load.lightest = load.heaviest = body.mass;
-        load.thinnest = body.extent;
-        load.lowest = load.highest = body.height;
-    }
-    load.fastest = std::max(load.fastest, body.speedSquared);
-    load.moving += body.isMoving ? 1 : 0;
-    load.debt = std::max<std::uint32_t>(load.debt, body.debt);
-    load.staysPut = load.staysPut && body.staysPut;
-    if (!body.isJointed) {
-        load.heaviestLoose = std::max(load.heaviestLoose, body.mass);
-    } else {
-        load.lightestJointed = load.lightestJointed > 0 ? std::min(load.lightestJointed, body.mass) : body.mass;
-    }
-    load.lightest = std::min(load.lightest, body.mass);
-    load.heaviest = std::max(load.heaviest, body.mass);
-    load.thinnest = std::min(load.thinnest, body.extent);
-    load.lowest = std::min(load.lowest, body.height);
-    load.highest = std::max(load.highest, body.height);
-}
-
-/// Bodies per block of a parallel loop.
-constexpr std::size_t kLoadGrain = 128;
-
-/// What is to be fetched of the bodies is found by any worker; added up it is from a short record of each.
-void addBodies(WorldState& world) {
-    const auto gravity = static_cast<double>(length(world.settings.gravity));
-    const DVec2 up = gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
-    world.bodyLoads.resize(world.tied.size());
-    world.loops->run(world.tied.size(), kLoadGrain, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t slot = world.tied[i];
-            Body& body = world.bodies[slot];
-            if (body.searchDebt > 0) { --body.searchDebt; }
-            world.bodyLoads[i] = loadOf(body, world.motions[slot], up, static_cast<Real>(gravity));
-            world.islandLoads[slot] = {};
-        }
-    });
-    for (std::size_t i = 0; i < world.tied.size(); ++i) {
-        addBody(world.islandLoads[world.islands.find(world.tied[i])], world.bodyLoads[i]);
-    }
-}
-
-void addContacts(WorldState& world) {
-    for (const TouchingPair& pair : world.touching) {
-        ++world.islandLoads[world.islands.find(pair.dynamicA ? pair.bodyA : pair.bodyB)].contacts;
-    }
-}
-
-/// Sums that change only when joints do: a look at each chain, not at each joint.
-void addJoints(WorldState& world) {
-    for (const JointChain& chain : world.jointChains.list) {
-        IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
-        load.longestChain = std::max(load.longestChain, chain.joints);
-        // What only lies on a bridge makes it no chain.
-        load.hasLoop = load.hasLoop || chain.joints > chain.bodies;
-        load.isAnchored = load.isAnchored || chain.isAnchored;
-        load.joints += chain.joints;
-        load.plainJoints += chain.plainJoints;
-        load.driven += chain.drivenJoints;
-    }
-}
 
 /// From `fewest` on, until the sub-steps are short enough for the thinnest body.
 std::int8_t doublingsFor(const IslandLoad& load, std::int8_t fewest, double gravity, double dt, int subSteps) {
@@ -263,19 +185,18 @@ std::uint16_t searchDebtAfter(std::uint16_t debt, int rounds, bool isSolved) {
 
 namespace {
 
+/// Bodies per block of a parallel loop.
+constexpr std::size_t kEffortGrain = 128;
+
 void assignByLoad(WorldState& world, double dt) {
     const bool fast = world.settings.profile == Profile::fast;
-    std::vector<IslandLoad>& loads = world.islandLoads;
-    loads.resize(std::max<std::size_t>(loads.size(), world.bodies.slotCount()));
-    addBodies(world);
-    addContacts(world);
-    if (!world.activeJoints.empty()) { addJoints(world); }
+    findIslandLoads(world);
     const StepScale step{.gravity = static_cast<double>(length(world.settings.gravity)),
                          .dt = dt,
                          .subSteps = subStepsOf(world.settings),
                          .mayJostle = !hasErrorBudget(world.settings) && world.settings.subSteps <= 0};
     for (const std::uint32_t slot : world.tied) {
-        IslandLoad& load = loads[slot];
+        IslandLoad& load = world.islandLoads[slot];
         if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, step); }
     }
 }
@@ -292,15 +213,13 @@ void assignEfforts(WorldState& world, double dt) {
         if (isByLoad) { markSettledIslands(world); }
         holdBalancedIslands(world);
     }
-    if (!isByLoad) {
-        for (const std::uint32_t slot : world.tied) { world.bodies[slot].effort = {}; }
-        return;
-    }
-    if (!budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
-    world.loops->run(world.tied.size(), kLoadGrain, [&world](std::size_t begin, std::size_t end, int) {
+    if (isByLoad && !budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
+    world.tiedEfforts.resize(world.tied.size());
+    world.loops->run(world.tied.size(), kEffortGrain, [&world, isByLoad](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t slot = world.tied[i];
-            world.bodies[slot].effort = world.islandLoads[world.islands.rootOf(slot)].effort;
+            const Effort effort = isByLoad ? world.islandLoads[world.islands.rootOf(slot)].effort : Effort{};
+            world.bodies[slot].effort = world.tiedEfforts[i] = effort;
         }
     });
 }

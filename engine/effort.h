@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 #include "../solver/direct_solver.h"
 
@@ -17,8 +19,10 @@ struct Effort {
     bool isLarge = false;    ///< a web of more than `kSmallWebBodies`: searched with more patience, taken back in vain
     bool isSettled = false;  ///< contacts are right as they are (settled.h): held in one sub-step, not solved anew
 
-    constexpr bool operator==(const Effort&) const = default;
+    /// At once: a step compares thousands.
+    bool operator==(const Effort& other) const { return std::memcmp(this, &other, sizeof(Effort)) == 0; }
 };
+static_assert(std::has_unique_object_representations_v<Effort>);
 
 /// Doublings go up to this many sub-steps, unless the settings ask for more themselves.
 inline constexpr int kMostSubSteps = 64;
@@ -35,42 +39,6 @@ constexpr int subStepsFor(Effort effort, int subSteps) {
 constexpr int relaxPassesFor(Effort effort, int relaxPasses) {
     return effort.isCrowd && relaxPasses > 1 ? 1 : relaxPasses;
 }
-
-/// What decides about the effort of an island: sums over its members. Kept for its capacity.
-struct IslandLoad {
-    std::uint32_t bodies = 0;
-    std::uint32_t contacts = 0;
-    std::uint32_t joints = 0;
-    Real lightest = 0;  ///< kg
-    Real heaviest = 0;
-    std::uint32_t plainJoints = 0;   ///< rigid, without springs, limits and motors
-    bool isAnchored = false;         ///< a joint ties it to what is not dynamic
-    bool hasLoop = false;            ///< joints between some of its bodies, and the ground, close one
-    std::uint32_t longestChain = 0;  ///< joints that hang together without contacts
-    Real lightestJointed = 0;        ///< kg, of the bodies that joints hold
-    Real thinnest = 0;               ///< smallest extent, metres
-    double lowest = 0;               ///< centre of mass against gravity, metres
-    double highest = 0;
-    Real fastest = 0;          ///< square of the largest speed of a centre of mass, m²/s²
-    std::uint32_t moving = 0;  ///< bodies on the move: fast for their size
-    Real heaviestLoose = 0;    ///< kg, of the bodies that no joint holds
-    std::uint32_t driven = 0;  ///< joints with a motor or a spring
-    std::uint32_t debt = 0;    ///< largest `Body::searchDebt`
-    bool staysPut = true;      ///< each body was solved all at once in the last step, or does not move at all
-    Effort effort{};
-};
-
-/// What a body adds to the load of its island.
-struct BodyLoad {
-    double height = 0;      ///< centre of mass against gravity, metres
-    Real mass = 0;          ///< kg
-    Real extent = 0;        ///< metres
-    Real speedSquared = 0;  ///< m²/s²
-    std::uint16_t debt = 0;
-    bool isMoving = false;
-    bool staysPut = false;
-    bool isJointed = false;
-};
 
 /// Contacts that close loops are solved all at once in islands of so many bodies, as long as they are at rest. Larger
 /// ones, up to `kMostWebBodies`, have to begin at rest, or to have been solved so in the step before, and remember what

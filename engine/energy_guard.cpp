@@ -162,13 +162,9 @@ EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState
     return entry;
 }
 
-void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const EnergyEntry& entry) {
-    const std::uint32_t root = world.islands.find(slot);
-    EnergyAccount& account = world.energyAccounts[root];
-    if (account.solve != desk.energySolve) {
-        account = {.solve = desk.energySolve};
-        desk.energyRoots.push_back(root);
-    }
+namespace {
+
+void add(EnergyAccount& account, const EnergyEntry& entry) {
     account.kinetic += entry.kinetic;
     account.gained += entry.gained;
     account.work += entry.work;
@@ -176,6 +172,29 @@ void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const EnergyEn
     account.kinetic += entry.turningKinetic;
     account.gained += entry.turningGained;
     account.work += entry.turningWork;
+}
+
+}  // namespace
+
+/// Added up outside of memory as long as bodies are of one island, as mostly: each sum there waits for the one before.
+void book(WorldState& world, SolveDesk& desk) {
+    std::uint32_t root = kNoIndex;
+    EnergyAccount account;
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        const std::uint32_t next = world.islands.find(desk.bodies[i]);
+        if (next != root) {
+            if (root != kNoIndex) { world.energyAccounts[root] = account; }
+            root = next;
+            account = world.energyAccounts[root];
+            if (account.solve != desk.energySolve) {
+                account = {.solve = desk.energySolve};
+                desk.energyRoots.push_back(root);
+            }
+        }
+        add(account, desk.energyEntries[i]);
+    }
+    if (root != kNoIndex) { world.energyAccounts[root] = account; }
 }
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {

@@ -16,8 +16,8 @@ bool openAccounts(WorldState& world, const TiedGroup& group);
 /// Of a member of the group, before its motion is overwritten with what the solver made of it.
 /// @param time  that was solved for, s
 EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState& state, Real time);
-/// Books it. Sums depend on their order: one member after the other.
-void book(WorldState& world, SolveDesk& desk, std::uint32_t slot, const EnergyEntry& entry);
+/// Books the entries of all members (`SolveDesk::energyEntries`). Sums depend on their order: one after the other.
+void book(WorldState& world, SolveDesk& desk);
 /// Takes back what islands gained. @pre all members were booked, and have their new motions
 void settleAccounts(WorldState& world, const TiedGroup& group);
 

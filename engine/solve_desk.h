@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../shapes/cache_line.h"
+#include "../shapes/raw_vector.h"
 #include "../shapes/task_system.h"
 #include "../solver/solver.h"
 #include "advancing_island.h"
@@ -21,10 +22,10 @@ struct alignas(kCacheLine) SolveDesk {
     TaskSystem* loops = nullptr;  ///< where its parallel loops run
     SolverBatch batch;
     Solver solver;
-    std::vector<std::uint8_t> takesPart;      ///< in the present solve: by place among the bodies of the group
-    std::vector<std::uint32_t> bodies;        ///< slots in the world of what does, by slot of the solve less one
-    std::vector<Vec2> localCenters;           ///< of the bodies of the present solve, by their slot there
-    std::vector<EnergyEntry> energyEntries;   ///< likewise, by place in `bodies`
+    RawVector<std::uint8_t> takesPart;        ///< in the present solve: by place among the bodies of the group
+    RawVector<std::uint32_t> bodies;          ///< slots in the world of what does, by slot of the solve less one
+    RawVector<Vec2> localCenters;             ///< of the bodies of the present solve, by their slot there
+    RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`
     std::vector<std::uint32_t> energyRoots;   ///< likewise
     std::vector<IslandMotion> islandMotions;  ///< likewise
     std::uint64_t energySolve = 0;            ///< its number

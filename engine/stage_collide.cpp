@@ -19,6 +19,8 @@ namespace {
 
 /// Contacts per block: enough work, some microseconds, to pay for handing it over.
 constexpr std::size_t kContactGrain = 32;
+/// Bodies, likewise.
+constexpr std::size_t kNoteGrain = 16;
 
 bool isAwake(const WorldState& world, std::uint32_t body) { return world.glances[body].isAwake(); }
 
@@ -41,7 +43,7 @@ void noteMotions(WorldState& world, bool haveContacts) {
     };
     const std::size_t before = awake.size();
     runBeside(
-        *world.loops, [&world] { addPairs(world); }, before, note);
+        *world.loops, [&world] { addPairs(world); }, before, kNoteGrain, note);
     releaseMet(world);
     noteSome(world, std::span(world.awake).subspan(before), haveContacts);
 }
@@ -284,7 +286,7 @@ void listOther(WorldState& world, ContactProbe& probe) {
 
 /// Of what is near: probes whose touching begins or ends.
 void findTurning(WorldState& world) {
-    std::vector<std::uint32_t>& turning = world.lists.turning;
+    RawVector<std::uint32_t>& turning = world.lists.turning;
     const std::span<const ContactProbe> probes = world.probes;
     turning.resize(world.lists.near.size());
     std::size_t count = 0;
@@ -323,6 +325,8 @@ void countAhead(WorldState& world) {
     }
 }
 
+bool hasContacts(const WorldState& world) { return world.activeContacts > 0 || !world.candidates.empty(); }
+
 void countContacts(WorldState& world) {
     world.counters.contacts = world.probes.size() + world.candidates.size() + world.parked.candidates.size();
     world.counters.touching = world.touching.size() + world.parked.touching;
@@ -359,24 +363,28 @@ void collideContacts(WorldState& world) {
     unparkContacts(world);
     parkContacts(world);
     closeGaps(world);
-    const bool haveContacts = world.activeContacts > 0 || !world.candidates.empty();
     world.touching.clear();
-    if (!haveContacts) {
+    if (!hasContacts(world)) {
         world.lists.clear();
-        if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
+        return;
+    }
+    promoteCandidates(world);
+    listContacts(world);
+    if (world.watched) {
+        updateContacts<true>(world, world.lists.near, NearestPoints::unlessPassing);
     } else {
-        promoteCandidates(world);
-        listContacts(world);
-        if (world.watched) {
-            updateContacts<true>(world, world.lists.near, NearestPoints::unlessPassing);
-        } else {
-            updateContacts<false>(world, world.lists.near, NearestPoints::unlessPassing);
-        }
-        const bool anyGhost =
-            dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake, world.nextGroundContact);
-        if (anyGhost) { distrustGhosts(world); }
-        if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
-        world.counters.manifolds += world.lists.near.size();
+        updateContacts<false>(world, world.lists.near, NearestPoints::unlessPassing);
+    }
+    world.counters.manifolds += world.lists.near.size();
+}
+
+void noticeContacts(WorldState& world) {
+    const bool haveContacts = hasContacts(world);
+    const bool anyGhost = haveContacts && dropGhosts(world, world.contacts, world.slides, world.lists.ground,
+                                                     world.awake, world.nextGroundContact);
+    if (anyGhost) { distrustGhosts(world); }
+    if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
+    if (haveContacts) {
         if (world.watched) { countAhead(world); }
         listTouching(world);
         removeApartContacts(world);

@@ -3,6 +3,7 @@
 #include <limits>
 #include <span>
 
+#include "beside.h"
 #include "contact_fetch.h"
 #include "step.h"
 #include "tolerances.h"
@@ -120,19 +121,21 @@ bool isInBoxOfStep(const WorldState& world, std::uint32_t slot) {
 
 }  // namespace
 
-/// Several workers make boxes side by side, and give those that were outgrown to the broadphase. What is no more than a
-/// block, or few among many that sleep, is moved one by one: to gather it first takes longer.
-void moveProxies(WorldState& world) {
+/// Several workers make boxes side by side, and give those that were outgrown to the broadphase, beside one who puts
+/// the events into their order. What is no more than a block, or few among many that sleep, is moved one by one: to
+/// gather it first takes longer.
+void moveProxiesAndSortEvents(WorldState& world) {
     const std::size_t movable = world.bodies.size() - world.fixedBodies;
     if (world.awake.size() <= kProxyGrain || kMostPerAwake * world.awake.size() < movable) {
         for (const std::uint32_t slot : world.awake) {
             if (!isInBoxOfStep(world, slot)) { updateProxies(world, slot); }
         }
-        return;
+        return sortEvents(world);
     }
+    const std::span<const std::uint32_t> awake = world.awake;
     world.broadphase->beginMoves();
-    world.loops->run(world.awake.size(), kProxyGrain, [&world](std::size_t begin, std::size_t end, int) {
-        const std::span<const std::uint32_t> awake = world.awake;
+    const auto sort = [&world] { sortEvents(world); };
+    runBeside(*world.loops, sort, awake.size(), kProxyGrain, [&world, awake](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             fetchForBoxes(world, awake.subspan(i, end - i));
             if (!isInBoxOfStep(world, awake[i])) { renewBoxes(world, awake[i]); }

@@ -15,31 +15,19 @@ bool isFastTied(const WorldState& world, std::uint32_t slot) {
     return (world.traits[slot] & kIsFast) != 0 && modeOf(world, world.bodies[slot]) == ContinuousMode::subStep;
 }
 
-/// Islands that are too large for it stay with the others.
-void dropLargeIslands(WorldState& world) {
-    FastIslands& fast = world.fastIslands;
-    for (const std::uint32_t slot : world.tied) {
-        std::uint32_t& members = fast.numbers[world.islands.find(slot)];
-        if (members != kNoIndex) { ++members; }
-    }
-    fast.any = false;
-    for (std::uint32_t& members : fast.numbers) {
-        if (members != kNoIndex && members > mostTogether(world.settings)) { members = kNoIndex; }
-        fast.any = fast.any || members != kNoIndex;
-    }
-}
-
-/// Numbers the islands with something fast by their lowest members, which stand for them in `world.islands`.
+/// Numbers the islands with something fast by their lowest members, which stand for them in `world.islands`. Islands
+/// that are too large for it stay with the others.
 void numberIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     for (const std::uint32_t slot : world.tied) {
         if (!isFastTied(world, slot)) { continue; }
+        const std::uint32_t root = world.islands.find(slot);
+        if (fast.members[root] > mostTogether(world.settings)) { continue; }
         if (!fast.any) { fast.numbers.assign(world.bodies.slotCount(), kNoIndex); }
         fast.any = true;
-        fast.numbers[world.islands.find(slot)] = 0;
+        fast.numbers[root] = 0;
     }
     if (!fast.any) { return; }
-    dropLargeIslands(world);
     std::uint32_t count = 0;
     for (std::uint32_t& number : fast.numbers) {
         if (number != kNoIndex) { number = count++; }

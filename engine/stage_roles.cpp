@@ -13,7 +13,7 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// Bodies per block of a parallel loop.
-constexpr std::size_t kResetGrain = 128;
+constexpr std::size_t kRoleGrain = 128;
 
 /// Bodies that are fetched ahead: most of them are written, and others read them since.
 constexpr std::size_t kResetAhead = 16;
@@ -58,8 +58,7 @@ void startle(WorldState& world, const Contact& contact, Real dt) {
     if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) { return; }
     const std::size_t before = world.awake.size();
     wake(world, other);
-    const Real restSpeed = restSpeedOf(world, dt);
-    for (std::size_t i = before; i < world.awake.size(); ++i) { resetBody(world, world.awake[i], restSpeed, dt); }
+    resetBodies(world, std::span(world.awake).subspan(before), dt);
     body.fast = body.startled = true;
     // Nor is it held (held_islands.h): what passes over it in this step may not touch it yet.
     world.traits[other] = static_cast<BodyTraits>((world.traits[other] | kIsFast) & ~kIsStill);
@@ -232,7 +231,7 @@ BodyRole roleOf(const WorldState& world, const Body& body, BodyTraits traits) {
 void giveRoles(WorldState& world) {
     std::atomic<std::uint32_t> bullets = 0;
     std::atomic<bool> isAnyFast = false;
-    world.loops->run(world.awake.size(), kResetGrain, [&](std::size_t begin, std::size_t end, int) {
+    world.loops->run(world.awake.size(), kRoleGrain, [&](std::size_t begin, std::size_t end, int) {
         std::uint32_t some = 0;
         bool isOneFast = false;
         for (std::size_t i = begin; i < end; ++i) {
@@ -255,33 +254,44 @@ void giveRoles(WorldState& world) {
     world.anyFast = isAnyFast;
 }
 
+/// In order of waking. Which role is next, nothing foretells: each is written down, and kept if it was meant.
+void listRoles(WorldState& world) {
+    const std::size_t count = world.awake.size();
+    world.flyers.resize(count);
+    world.tied.resize(count);
+    std::size_t flyers = 0;
+    std::size_t tied = 0;
+    for (const std::uint32_t slot : world.awake) {
+        const BodyTraits traits = world.traits[slot];
+        world.flyers[flyers] = slot;
+        world.tied[tied] = slot;
+        flyers += (traits & kIsFlyer) != 0 ? 1 : 0;
+        tied += (traits & kIsTied) != 0 ? 1 : 0;
+    }
+    world.flyers.resize(flyers);
+    world.tied.resize(tied);
+    world.counters.freeBodies += count - flyers - tied;
+}
+
 }  // namespace
 
-void assignRoles(WorldState& world, Real dt) {
-    world.traits.assign(world.bodies.slotCount(), 0);
+void resetBodies(WorldState& world, std::span<const std::uint32_t> awake, Real dt) {
     const Real restSpeed = restSpeedOf(world, dt);
-    world.loops->run(world.awake.size(), kResetGrain, [&world, restSpeed, dt](std::size_t begin, std::size_t end, int) {
-        const std::span<const std::uint32_t> awake = world.awake;
-        for (std::size_t i = begin; i < end; ++i) {
-            fetchForReset(world, awake.subspan(i, end - i));
-            resetBody(world, awake[i], restSpeed, dt);
-        }
-    });
+    for (std::size_t i = 0; i < awake.size(); ++i) {
+        fetchForReset(world, awake.subspan(i));
+        resetBody(world, awake[i], restSpeed, dt);
+    }
+}
+
+void assignRoles(WorldState& world, Real dt) {
     if (world.kinematicBodies > 0) {
         startleNearKinematicBodies(world, dt);
         if (world.parked.woke) { listUnparked(world); }
     }
     world.islands.reset(world.bodies.slotCount());
     noteTouching(world, dt);
-    world.flyers.clear();
-    world.tied.clear();
     giveRoles(world);
-    for (const std::uint32_t slot : world.awake) {
-        const BodyTraits role = world.traits[slot] & (kIsFlyer | kIsTied);
-        if (role == kIsFlyer) { world.flyers.push_back(slot); }
-        if (role == kIsTied) { world.tied.push_back(slot); }
-        world.counters.freeBodies += role == 0 ? 1 : 0;
-    }
+    listRoles(world);
     world.counters.solvedBodies = world.tied.size();
     world.counters.settledBodies = world.held.bodies;
     world.counters.islands = world.held.islands;
@@ -295,7 +305,15 @@ void findIslands(WorldState& world) {
     for (const JointChains::Member& member : world.jointChains.members) {
         world.islands.unite(member.body, member.lowest);
     }
-    for (const std::uint32_t slot : world.tied) { world.counters.islands += world.islands.find(slot) == slot ? 1 : 0; }
+    std::vector<std::uint32_t>& members = world.fastIslands.members;
+    if (world.anyFast) { members.assign(world.bodies.slotCount(), 0); }
+    std::uint64_t count = 0;
+    for (const std::uint32_t slot : world.tied) {
+        const std::uint32_t root = world.islands.find(slot);
+        count += root == slot ? 1 : 0;
+        if (world.anyFast) { ++members[root]; }
+    }
+    world.counters.islands += count;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

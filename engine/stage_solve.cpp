@@ -1,14 +1,12 @@
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 
-#include "../solver/wide_motion.h"
-#include "energy_guard.h"
 #include "joint_builder.h"
 #include "modes.h"
 #include "profile.h"
 #include "step.h"
+#include "tied_bodies.h"
 #include "tied_contacts.h"
 #include "tied_group.h"
 #include "tied_hinges.h"
@@ -37,8 +35,6 @@ constexpr std::size_t kMostAlone = 24;
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
-constexpr std::size_t kAddGrain = 128;
-constexpr std::size_t kReadGrain = 128;
 
 /// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its
 /// speed was cut
@@ -67,7 +63,7 @@ std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     return limited;
 }
 
-/// Bodies that are fetched ahead, where they fly freely and where a solve gives them back.
+/// Bodies that are fetched ahead.
 constexpr std::size_t kFetchedAhead = 12;
 
 [[gnu::always_inline]] inline void fetchFree(const WorldState& world, std::uint32_t slot) {
@@ -77,79 +73,6 @@ constexpr std::size_t kFetchedAhead = 12;
     __builtin_prefetch(&body.def.type);
     __builtin_prefetch(&body.def.linearDamping);
     fetchToWrite(world.motions[slot]);
-}
-
-void setDrive(BodyDrive& drive, const WorldState& world, const Body& body, Real h) {
-    if (!body.isDynamic()) { return; }
-    const auto step = static_cast<double>(h);
-    const DampedMotion linear = dampedMotion(static_cast<double>(body.def.linearDamping) * step);
-    const DampedMotion angular = dampedMotion(static_cast<double>(body.def.angularDamping) * step);
-    drive.gain = static_cast<Real>(linear.phi1 * step) * accelerationOf(world, body);
-    drive.angularGain = static_cast<Real>(angular.phi1 * step) * angularAccelerationOf(body);
-    drive.decay = static_cast<Real>(linear.decay);
-    drive.angularDecay = static_cast<Real>(angular.decay);
-}
-
-/// Those of the group that are solved, and the kinematic bodies that they may meet, in order. Each is looked at by any
-/// worker, which is what it costs: bodies are large.
-void listTaking(WorldState& world, const TiedGroup& group) {
-    SolveDesk& desk = group.desk;
-    desk.takesPart.resize(group.bodies.size());
-    desk.loops->run(group.bodies.size(), kAddGrain, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Body& body = world.bodies[group.bodies[i]];
-            desk.takesPart[i] = isMember(body, group) || body.def.type == BodyType::kinematic ? 1 : 0;
-        }
-    });
-    desk.bodies.resize(group.bodies.size());
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-        desk.bodies[count] = group.bodies[i];
-        count += desk.takesPart[i];
-    }
-    desk.bodies.resize(count);
-}
-
-/// Made in place: what is written down in pieces and copied as a whole has to wait for the pieces, which took half of
-/// the time here.
-void setBody(WorldState& world, SolveDesk& desk, BodySlot place, std::uint32_t slot, Real h) {
-    const Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    world.solverSlots[slot] = place;
-    desk.localCenters[place] = body.localCenter;
-    BodyState& state = desk.batch.states[place];
-    state.velocity = motion.velocity;
-    state.angularVelocity = motion.angularVelocity;
-    BodyInertia& inertia = desk.batch.inertias[place];
-    inertia.inverseMass = body.inverseMass;
-    inertia.inverseInertia = body.inverseInertia;
-    setDrive(desk.batch.drives[place], world, body, h);
-}
-
-/// Slots for all that takes part. Free bodies were moved already: a kinematic one takes part with its velocity and its
-/// pose at the start of the step. @pre the batch holds the fixed world alone
-void addBodies(WorldState& world, const TiedGroup& group, Real h) {
-    SolveDesk& desk = group.desk;
-    listTaking(world, group);
-    const std::size_t slots = desk.bodies.size() + 1;
-    desk.batch.states.resize(slots);
-    desk.batch.inertias.resize(slots);
-    desk.batch.drives.resize(slots);
-    desk.localCenters.assign(1, {});
-    desk.localCenters.resize(slots);
-    desk.loops->run(desk.bodies.size(), kAddGrain, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i) {
-            setBody(world, desk, static_cast<BodySlot>(i + 1), desk.bodies[i], h);
-        }
-    });
-}
-
-/// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else
-/// need ask.
-bool isFlung(const Body& body, const BodyState& state) {
-    const Real moved =
-        std::fabs(state.deltaPosition.x) + std::fabs(state.deltaPosition.y) + std::fabs(state.deltaAngle) * body.radius;
-    return moved > kFastRatio * body.extent;
 }
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {
@@ -168,85 +91,6 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     readConstraints(batch, world, settings.dt);
     batch.clearJoints();  // so that nobody need look for any in a solve without
     return report;
-}
-
-/// All but its pose. @return whether the body was flung
-bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
-    Body& body = world.bodies[slot];
-    BodyMotion& motion = world.motions[slot];
-    const bool flung = isFlung(body, state);
-    if (flung) { body.flung = true; }
-    motion.center += toDouble(state.deltaPosition);
-    motion.angle += static_cast<double>(state.deltaAngle);
-    motion.velocity = state.velocity;
-    motion.angularVelocity = state.angularVelocity;
-    return flung;
-}
-
-/// Bodies whose sines and cosines, which are most of a pose, are found side by side.
-constexpr std::size_t kPosesAtOnce = 32;
-
-/// @param coming  of the same worker
-[[gnu::always_inline]] inline void fetchToTakeBack(const WorldState& world, std::span<const std::uint32_t> coming) {
-    if (coming.size() <= kFetchedAhead) { return; }
-    const std::uint32_t slot = coming[kFetchedAhead];
-    fetchToWrite(world.motions[slot]);
-    fetchToWrite(world.solverSlots[slot]);
-    __builtin_prefetch(&world.bodies[slot]);
-}
-
-/// Of the first few of a range of those that took part. Their slots end here: no other solve must take them for its
-/// own.
-/// @return whether some body was flung
-bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t rangeEnd) {
-    const std::size_t end = std::min(begin + kPosesAtOnce, rangeEnd);
-    std::array<double, kPosesAtOnce> angles;
-    std::array<Rotation, kPosesAtOnce> rotations;
-    std::array<std::size_t, kPosesAtOnce> places;
-    const FindRotations find = rotationKernel();
-    std::size_t count = 0;
-    bool any = false;
-    for (std::size_t i = begin; i < end; ++i) {
-        fetchToTakeBack(world, std::span(desk.bodies).subspan(i, rangeEnd - i));
-        const std::uint32_t slot = desk.bodies[i];
-        const BodyState& state = desk.batch.states[i + 1];
-        world.solverSlots[slot] = kFixedSlot;
-        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        if (isWatched) { desk.energyEntries[i] = entryOf(world, slot, state, time); }
-        any = readBody(world, slot, state) || any;
-        places[count] = i;
-        angles[count++] = world.motions[slot].angle;
-    }
-    (find != nullptr ? find : findRotations)(std::span(angles).first(count), rotations);
-    for (std::size_t k = 0; k < count; ++k) {
-        BodyMotion& motion = world.motions[desk.bodies[places[k]]];
-        motion.pose = poseOf(motion.center, rotations[k], desk.localCenters[places[k] + 1]);
-    }
-    return any;
-}
-
-/// @return whether some body was flung
-bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
-    bool any = false;
-    for (; begin < end; begin += kPosesAtOnce) { any = readFew(world, desk, isWatched, time, begin, end) || any; }
-    return any;
-}
-
-/// What each body did is found by any worker, and added up in order.
-void readBodies(WorldState& world, const TiedGroup& group, Real time) {
-    SolveDesk& desk = group.desk;
-    const bool isWatched = openAccounts(world, group);
-    if (isWatched) { desk.energyEntries.resize(desk.bodies.size()); }
-    std::atomic<bool> anyFlung = false;
-    desk.loops->run(desk.bodies.size(), kReadGrain, [&](std::size_t begin, std::size_t end, int) {
-        if (readSome(world, desk, isWatched, time, begin, end)) { anyFlung.store(true, std::memory_order_relaxed); }
-    });
-    desk.anyFlung = desk.anyFlung || anyFlung;
-    if (!isWatched) { return; }
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (isMovable(desk.batch.inertias[i + 1])) { book(world, desk, desk.bodies[i], desk.energyEntries[i]); }
-    }
-    settleAccounts(world, group);
 }
 
 void rememberSearch(WorldState& world, const TiedGroup& group, int rounds, bool isSolved) {
@@ -283,21 +127,30 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     SolveDesk& desk = group.desk;
     desk.batch.clearAllButJoints();  // those went when they had been read
     const DirectScope scope = group.effort.isSettled ? DirectScope::none : group.effort.direct;
-    addBodies(world, group, scope == DirectScope::none ? h : h / 2);
     const int usual = subStepsOf(world.settings);
     const Real scale =
         group.role == BodyRole::solved ? static_cast<Real>(usual) / static_cast<Real>(part.subSteps) : Real(1);
     TiedContacts contacts(world, group, part, h, scale);
-    const std::size_t bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
     const bool isIterated = scope == DirectScope::none;
     const bool mayLink = isIterated && !world.watched;
+    // Then links and colours are known without a look at the bodies.
+    const bool isPlain = mayLink && world.bouncyShapes == 0 && world.kinematicBodies == 0 && group.joints.empty();
+    if (isPlain) {
+        addBodiesBeside(world, group, h, [&] {
+            contacts.link(false);
+            desk.solver.colourAhead(desk.batch);
+        });
+    } else {
+        addBodies(world, group, isIterated ? h : h / 2);
+    }
+    const std::size_t bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
     const bool isFast = world.settings.profile == Profile::fast;
     const bool inTurn = mayLink && bouncing > (isFast ? kMostReflectedOfFast : kMostReflected);
     const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
-    if (areLinked) {
-        contacts.link(inTurn);
-    } else {
+    if (!areLinked) {
         contacts.addConstraints();
+    } else if (!isPlain) {
+        contacts.link(inTurn);
     }
     const SolverSettings settings{.dt = time,
                                   .subSteps = part.subSteps,
@@ -342,10 +195,12 @@ void solveTiedBodies(WorldState& world, double dt) {
     // Class after class, in the order in which the first of their bodies woke up.
     std::vector<Effort>& efforts = world.efforts;
     efforts.clear();
-    for (const std::uint32_t slot : world.tied) {
-        const Body& body = world.bodies[slot];
-        if (body.role != BodyRole::solved) { continue; }
-        if (std::find(efforts.begin(), efforts.end(), body.effort) == efforts.end()) { efforts.push_back(body.effort); }
+    const bool areAllSolved = !world.fastIslands.any;
+    for (std::size_t i = 0; i < world.tied.size(); ++i) {
+        const Effort effort = world.tiedEfforts[i];
+        if (!efforts.empty() && effort == efforts.back()) { continue; }  // as mostly: no body is asked
+        if (!areAllSolved && world.bodies[world.tied[i]].role != BodyRole::solved) { continue; }
+        if (std::find(efforts.begin(), efforts.end(), effort) == efforts.end()) { efforts.push_back(effort); }
     }
     SolveDesk& desk = world.desks[0];
     desk.loops = world.loops;
@@ -375,7 +230,7 @@ void solveTiedBodies(WorldState& world, double dt) {
             solveGroup(world,
                        {.desk = desk,
                         .effort = effort,
-                        .bodies = world.kinematicBodies > 0 ? world.awake : world.tied,
+                        .bodies = world.kinematicBodies > 0 ? std::span<const std::uint32_t>(world.awake) : world.tied,
                         .contacts = world.contacts,
                         .joints = world.tiedJoints},
                        {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});

@@ -23,15 +23,19 @@ void addPairs(WorldState& world);
 void releaseMet(WorldState& world);
 /// @return false when the two may not touch, or have a contact already
 bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
-/// Manifolds of all contacts with something awake, without ghosts (ghosts.h); begin and end of touching; wakes what is
-/// touched (stage_collide.cpp).
+/// Manifolds of all contacts with something awake (stage_collide.cpp).
 void collideContacts(WorldState& world);
+/// What follows from them, in their order: without ghosts (ghosts.h), begin and end of touching; wakes what is touched.
+void noticeContacts(WorldState& world);
 /// Of probes that were told to pass each other: their manifolds, with whatever points are within reach; and, of those
 /// that hold all the same, that they are part of what touches.
 void collideHemmed(WorldState& world, std::span<const std::uint32_t> probes);
 void listHemmed(WorldState& world, std::span<const std::uint32_t> probes);
 /// Of what a later stage woke: its contacts are listed, too.
 void listUnparked(WorldState& world);
+/// Of some awake bodies: what the last step left is forgotten, and how fast each may be in this one is known. While
+/// contacts are noticed others may do that. @param awake  slots @pre `traits` were cleared for this step
+void resetBodies(WorldState& world, std::span<const std::uint32_t> awake, Real dt);
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
 void assignRoles(WorldState& world, Real dt);
 void findIslands(WorldState& world);
@@ -55,9 +59,9 @@ void sweepSensors(WorldState& world, double dt);
 /// the start of the step, at rest, and is counted (stage_guard.cpp). Only inputs at the ends of what can be written do
 /// that.
 void putBackOverflown(WorldState& world);
-/// Boxes, breaking joints, sleep (stage_finish.cpp).
-void moveProxies(WorldState& world);
+/// Breaking joints, boxes, sleep (stage_finish.cpp).
 void breakJoints(WorldState& world);
+void moveProxiesAndSortEvents(WorldState& world);
 void putToSleep(WorldState& world, double dt);
 /// Events are put into their order, and chains become one shape in them (event_order.cpp).
 void sortEvents(WorldState& world);

@@ -67,7 +67,7 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
 /// Of all contacts with points of which the group moves a body, in their order, and whether they bounce.
 template <class Visit>
 void TiedContacts::forEachLink(Visit&& visit) const {
-    const std::vector<BodyInertia>& inertias = group_.desk.batch.inertias;
+    const std::span<const BodyInertia> inertias = group_.desk.batch.inertias;
     const bool allMovable = world_.kinematicBodies == 0;  // that have slots
     const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, bool bounces) {
         link.slotA = world_.solverSlots[bodyA];

@@ -13,16 +13,17 @@ public:
     /// @param h  seconds of a sub-step. In one shorter than the world's, overlap is pushed out no faster than in that:
     /// what the relaxation leaves of the push would be energy.
     /// @param scale  of the impulses that are kept, which are those of the world's sub-steps
-    /// @pre the bodies of the group have their slots. Holds on to the world and the group
+    /// Holds on to the world and the group.
     TiedContacts(WorldState& world, const TiedGroup& group, const StepPart& part, Real h, Real scale);
 
     /// Gives the batch links to contacts that it takes from here when it is solved; or makes constraints of them at
-    /// once.
+    /// once. @pre the bodies of the group have their slots, and are set; without kinematic ones slots are enough for
+    /// links
     /// @param inTurn  whether those with restitution bounce in turn (`SolverSettings::bouncesInTurn`); else together,
     /// each a constraint on its own
     void link(bool inTurn);
     void addConstraints();
-    /// How many have restitution.
+    /// How many have restitution. Likewise.
     std::size_t countBouncing() const;
     /// What has more to be said about it than a link can tell has its constraint in the batch.
     void readConstraints();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "beside.h"
 #include "modes.h"
 #include "number_range.h"
 #include "shared_step.h"
@@ -98,6 +99,24 @@ void changeStep(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) { reachWithVelocity(world, slot); }
 }
 
+/// One worker notices contacts while the others forget what bodies did in the last step, but of what wakes then.
+/// @param noticed  called when contacts are
+void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
+    world.traits.assign(world.bodies.slotCount(), 0);
+    world.awake.reserve(world.bodies.size());  // so that nothing moves when something wakes
+    const std::span<const std::uint32_t> before = world.awake;
+    const auto notice = [&world, noticed] {
+        noticeContacts(world);
+        noticed();
+    };
+    constexpr std::size_t kResetGrain = 32;  // each range has the first of its bodies fetched late
+    runBeside(*world.loops, notice, before.size(), kResetGrain,
+              [&world, before, dt](std::size_t begin, std::size_t end) {
+                  resetBodies(world, before.subspan(begin, end - begin), dt);
+              });
+    resetBodies(world, std::span(world.awake).subspan(before.size()), dt);
+}
+
 /// The pipeline. A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
 void advance(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
@@ -112,7 +131,7 @@ void advance(WorldState& world, double dt) {
     findPairs(world);
     clock.stop(world.stageTimes.pairs);
     collideContacts(world);
-    clock.stop(world.stageTimes.collide);
+    noticeAndReset(world, step, [&] { clock.stop(world.stageTimes.collide); });
     assignRoles(world, step);
     findIslands(world);
     assignEfforts(world, dt);
@@ -134,9 +153,8 @@ void advance(WorldState& world, double dt) {
     clock.stop(world.stageTimes.continuous);
     if (world.forcesGiven) { clearForces(world); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
-    moveProxies(world);
+    moveProxiesAndSortEvents(world);
     if (world.settings.sleep) { putToSleep(world, dt); }
-    sortEvents(world);
     if (!world.lostTime.empty()) { countLostTime(world); }
     clock.stop(world.stageTimes.finish);
 }

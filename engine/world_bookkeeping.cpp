@@ -220,7 +220,7 @@ void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doo
 }
 
 void removeApartContacts(WorldState& world) {
-    const std::vector<std::uint32_t>& apart = world.lists.apart;
+    const std::span<const std::uint32_t> apart = world.lists.apart;
     if (apart.empty()) { return; }
     std::vector<ContactProbe>& probes = world.probes;
     const auto at = [&probes](std::size_t place) { return probes.begin() + static_cast<std::ptrdiff_t>(place); };

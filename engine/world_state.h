@@ -23,6 +23,7 @@
 #include "flight.h"
 #include "held_islands.h"
 #include "hemmed_pairs.h"
+#include "island_load.h"
 #include "joint.h"
 #include "joint_chains.h"
 #include "load_paths.h"
@@ -142,7 +143,7 @@ struct WorldState {
     std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
     std::vector<ContactPair> metPairs;  ///< of these, what met where nothing moves
 
-    std::vector<Contact> contacts;           ///< in the order in which they began, with gaps where some ended
+    RawVector<Contact> contacts;             ///< in the order in which they began, with gaps where some ended
     std::vector<ContactProbe> probes;        ///< one for each contact, by which it is reached
     std::size_t activeContacts = 0;          ///< whose probes are the first ones; the others are parked
     std::vector<std::uint32_t> probesThere;  ///< scratch of `closeGaps`: by place of a contact
@@ -162,7 +163,7 @@ struct WorldState {
     std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                             ///< likewise
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step
-    std::vector<std::uint32_t>
+    RawVector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
 
     std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
@@ -173,7 +174,10 @@ struct WorldState {
     std::atomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
     std::vector<Effort> efforts;                  ///< classes of the present step
     std::vector<IslandLoad> islandLoads;          ///< by root, of this step
-    std::vector<BodyLoad> bodyLoads;              ///< by place in `tied`, likewise
+    std::vector<BodyLoad> bodyLoads;              ///< by place in `tied`, likewise, of whom `blockLoads` leaves out
+    std::vector<BlockLoad> blockLoads;            ///< likewise
+    std::vector<IslandContacts> islandContacts;   ///< of this step
+    std::vector<Effort> tiedEfforts;              ///< by place in `tied`: as they were given to the bodies
     JointChains jointChains;
     std::vector<std::uint8_t> islandHangs;  ///< by root: nothing in it moves (settled.cpp)
     std::vector<Pull> islandPulls;          ///< by slot: what is left of pulls and impulses of a step
@@ -185,7 +189,7 @@ struct WorldState {
     std::vector<Tiredness> tiredness;          ///< by place in `awake`: when it was asked whether to sleep
     std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
     std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
-    std::vector<std::uint32_t> flyers;
+    RawVector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     bool watched = false;       ///< this step: some body has such a mode (modes.h)
     bool anyFast = false;       ///< this step: some awake body is, or is a flyer or a bullet

@@ -133,6 +133,13 @@ void ConstraintGraph::colourContacts(const SolverBatch& batch) {
     finish(batch);
 }
 
+void ConstraintGraph::colourAhead(const SolverBatch& batch) {
+    used_.assign(batch.states.size(), 0);
+    used_[kFixedSlot] = kIsFixed;
+    isUsed_ = 0;
+    finish(batch);
+}
+
 void ConstraintGraph::sortContacts(SolverBatch& batch) {
     sortAsListed(batch.contacts);
     std::iota(places_.begin(), places_.end(), 0U);

@@ -34,6 +34,8 @@ public:
     void colour(SolverBatch& batch);
     /// The same of a batch without joints, of which nothing must be asked then.
     void colourContacts(const SolverBatch& batch);
+    /// The same before the bodies of the batch are set: all can be moved but the fixed world.
+    void colourAhead(const SolverBatch& batch);
     /// Sorts the contacts, too. @pre just coloured
     void sortContacts(SolverBatch& batch);
 
@@ -75,10 +77,10 @@ private:
     template <class Constraint>
     void sortAsListed(std::vector<Constraint>& constraints);
 
-    std::vector<std::uint64_t> used_;    ///< per slot: colours taken, one bit each; or that it cannot be moved
-    std::vector<std::uint8_t> colours_;  ///< of the kind that was coloured last: contacts, in the end
-    std::vector<std::uint32_t> places_;  ///< likewise
-    std::vector<std::uint8_t> hingeColours_;
+    RawVector<std::uint64_t> used_;    ///< per slot: colours taken, one bit each; or that it cannot be moved
+    RawVector<std::uint8_t> colours_;  ///< of the kind that was coloured last: contacts, in the end
+    RawVector<std::uint32_t> places_;  ///< likewise
+    RawVector<std::uint8_t> hingeColours_;
     PointCounts pointCounts_{};
     std::uint64_t isUsed_ = 0;  ///< one bit per colour
     std::vector<int> active_;

@@ -6,6 +6,7 @@
 
 #include "contact_lanes.h"
 #include "contact_rows.h"
+#include "halves.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -21,6 +22,12 @@ constexpr std::uint32_t kFewestLanes = 2;
 constexpr auto kLanes = static_cast<std::uint32_t>(kBlockLanes);
 /// Blocks per part of a parallel loop.
 constexpr std::size_t kBlockGrain = 8;
+
+std::size_t lengthOf(std::span<const ColourRange> ranges) {
+    std::size_t sum = 0;
+    for (const ColourRange& range : ranges) { sum += range.end - range.begin; }
+    return sum;
+}
 
 /// Of contacts of a colour, with as many points: those that make no block.
 std::uint32_t leftOver(std::uint32_t contacts) { return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0; }
@@ -161,6 +168,8 @@ void ContactBlocks::listHalves(const ConstraintGraph& graph) {
         one_.halves.push_back({colour.one.begin, colour.middleOfOne});
         two_.halves.push_back({colour.two.begin, colour.middleOfTwo});
     }
+    one_.middle = lengthOf(one_.halves);
+    two_.middle = lengthOf(two_.halves);
     for (const int active : graph.activeColours()) {
         const Colour& colour = colours_[static_cast<std::size_t>(active)];
         one_.halves.push_back({colour.middleOfOne, colour.one.end});
@@ -172,7 +181,7 @@ template <std::size_t kPoints>
 template <class Take>
 void ContactBlocks::Blocks<kPoints>::share(TaskSystem& loops, const Take& take) const {
     if (count == 0) { return; }
-    loops.run(count, kBlockGrain, [&](std::size_t begin, std::size_t end, int) {
+    runInHalves(loops, middle, count, kBlockGrain, [&](std::size_t begin, std::size_t end) {
         RangeCut cut(begin, end);
         if (cut.isWhole(count)) { return take(std::size_t{0}, std::size_t{count}); }
         for (const ColourRange& half : halves) {
@@ -243,6 +252,12 @@ std::size_t ContactBlocks::countOf(int colour) const {
     const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
     return (ranges.two.end - ranges.two.begin) + (ranges.one.end - ranges.one.begin) +
            (ranges.rest.end - ranges.rest.begin);
+}
+
+std::size_t ContactBlocks::middleOf(int colour) const {
+    const Colour& ranges = colours_[static_cast<std::size_t>(colour)];
+    return (ranges.middleOfTwo - ranges.two.begin) + (ranges.middleOfOne - ranges.one.begin) +
+           (ranges.rest.end - ranges.rest.begin) / 2;
 }
 
 /// Of each list first what meets the first half of the bodies, and then the others, the other way round: whoever begins

@@ -30,6 +30,8 @@ public:
     bool hasBlocks(int colour) const;
     /// Blocks, and contacts on their own, of a colour. Those of a range may be solved beside those of another one.
     std::size_t countOf(int colour) const;
+    /// Of these those that meet the first half of the bodies.
+    std::size_t middleOf(int colour) const;
     /// @param cut  of the parts of the colour
     void warmStart(SolverBatch& batch, int colour, RangeCut cut);
     void bounce(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
@@ -59,10 +61,11 @@ private:
     template <std::size_t kPoints>
     struct Blocks {
         std::vector<WideContact<kPoints>> blocks;  ///< keeps its size
-        std::vector<std::uint32_t> places;         ///< of lanes: in the batch
-        std::vector<ContactLink> links;            ///< likewise, of a store: instead
+        RawVector<std::uint32_t> places;           ///< of lanes: in the batch
+        RawVector<ContactLink> links;              ///< likewise, of a store: instead
         std::uint32_t count = 0;                   ///< in use
         std::vector<ColourRange> halves;           ///< of colours, those of the first half of the bodies first
+        std::size_t middle = 0;                    ///< blocks of the first half
 
         /// Goes through all on several workers, each of which meets the same bodies as in the solve, if it can.
         /// @param take  called with ranges of blocks that cover them exactly once
@@ -102,8 +105,8 @@ private:
     std::array<Colour, kColourCount> colours_{};
     Blocks<1> one_;
     Blocks<2> two_;
-    std::vector<std::uint32_t> rest_;     ///< places in the batch
-    std::vector<ContactLink> restLinks_;  ///< of a store: likewise
+    std::vector<std::uint32_t> rest_;   ///< places in the batch
+    RawVector<ContactLink> restLinks_;  ///< of a store: likewise
     std::array<KindCounts, kColourCount> next_{};
 };
 

@@ -83,8 +83,7 @@ bool integrateAndRepeat(BodyState& body, const BodyDrive& drive, Real maxSpeed, 
 }
 
 template <bool kIsFirst>
-int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, std::vector<Speeds>& free, std::size_t begin,
-                       std::size_t end) {
+int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, RawVector<Speeds>& free, std::size_t begin, std::size_t end) {
     int limited = 0;
     for (std::size_t i = begin; i < end; ++i) {
         limited += integrateAndRepeat<kIsFirst>(batch.states[i], batch.drives[i], maxSpeed, free[i]) ? 1 : 0;
@@ -94,7 +93,7 @@ int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, std::vector<Speeds>& f
 
 }  // namespace
 
-int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst, std::vector<Speeds>& free, std::size_t begin,
+int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst, RawVector<Speeds>& free, std::size_t begin,
                        std::size_t end) {
     return isFirst ? integrateAndRepeat<true>(batch, maxSpeed, free, begin, end)
                    : integrateAndRepeat<false>(batch, maxSpeed, free, begin, end);

@@ -22,7 +22,7 @@ int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, st
 /// Drives of a whole sub-step, and on top of them what constraints did to the bodies in the sub-step before, unless
 /// this is the first.
 /// @param free  by slot: speeds without these: before, and then now
-int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst, std::vector<Speeds>& free, std::size_t begin,
+int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst, RawVector<Speeds>& free, std::size_t begin,
                        std::size_t end);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,20 +1,20 @@
 #include "solver.h"
 
-#include <atomic>
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "free_motion.h"
+#include "halves.h"
 #include "solve_preparation.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-/// Joints, blocks of contacts and contacts on their own per part of a parallel loop, and bodies.
+/// Joints, blocks of contacts and contacts on their own per part of a parallel loop.
 constexpr std::size_t kConstraintGrain = 4;
-constexpr std::size_t kBodyGrain = 128;
 /// A solve is shared when such a one stands in a colour of so many, in the mean; but colours of few are never. What one
 /// worker wrote and another reads has to come from cache to cache, which takes as long as solving it.
 constexpr std::size_t kFewestPerColour = 32;
@@ -78,14 +78,14 @@ void Solver::listBouncing(SolverBatch& batch, const SolverSettings& settings) {
 }
 
 template <bool kJoints>
-void Solver::prepare(SolverBatch& batch, const SolverSettings& settings) {
+void Solver::prepare(SolverBatch& batch, const SolverSettings& settings, bool isColoured) {
     if (needsContactsPrepared(batch, settings)) {
         for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
     }
     if constexpr (kJoints) {
         prepareJoints(batch);
         graph_.colour(batch);
-    } else {
+    } else if (!isColoured) {
         graph_.colourContacts(batch);
     }
     // What is solved all at once is summed up in the order of the array.
@@ -120,8 +120,10 @@ void Solver::forEachRun(SolverBatch& batch, const Visit& visit) {
             visit(run.colour, RangeCut(0, count));
             continue;
         }
-        loops_->run(count, kConstraintGrain,
-                    [&](std::size_t begin, std::size_t end, int) { visit(run.colour, RangeCut(begin, end)); });
+        // Joints are in no such order.
+        const std::size_t middle = count == contacts_.countOf(run.colour) ? contacts_.middleOf(run.colour) : count / 2;
+        runInHalves(*loops_, middle, count, kConstraintGrain,
+                    [&](std::size_t begin, std::size_t end) { visit(run.colour, RangeCut(begin, end)); });
     }
 }
 
@@ -174,35 +176,6 @@ void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
                 [&pass, bodies = bodiesOf(batch)](auto joints) { swept::solve(joints, bodies, pass.h, pass.useBias); });
         }
         contacts_.solve(batch, colour, cut, pass);
-    });
-}
-
-/// @return bodies whose speed was cut
-int Solver::integrateVelocities(SolverBatch& batch, Real maxSpeed) {
-    std::atomic<int> limited = 0;
-    loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
-        const int some = swept::integrateVelocities(batch, maxSpeed, begin + 1, end + 1);
-        if (some > 0) { limited.fetch_add(some, std::memory_order_relaxed); }
-    });
-    return limited;
-}
-
-/// Instead of a warm start, in sub-steps after the first one: directions and arms of contacts are held for the whole
-/// step, so what the impulses of the sub-step before did to a body is the difference that they made to its speeds. Only
-/// of contacts, and where nothing else changed these.
-int Solver::integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst) {
-    std::atomic<int> limited = 0;
-    free_.resize(batch.states.size());
-    loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
-        const int some = swept::integrateAndRepeat(batch, maxSpeed, isFirst, free_, begin + 1, end + 1);
-        if (some > 0) { limited.fetch_add(some, std::memory_order_relaxed); }
-    });
-    return limited;
-}
-
-void Solver::integratePositions(SolverBatch& batch, Real h) {
-    loops_->run(batch.states.size() - 1, kBodyGrain, [&](std::size_t begin, std::size_t end, int) {
-        move_(std::span(batch.states).subspan(begin + 1, end - begin), h);
     });
 }
 
@@ -334,8 +307,8 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
 }
 
 template <bool kJoints>
-SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
-    prepare<kJoints>(batch, settings);
+SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings, bool isColoured, TaskSystem& loops) {
+    prepare<kJoints>(batch, settings, isColoured);
     move_ = settings.wide ? motionKernel() : nullptr;
     if (move_ == nullptr) { move_ = moveBodies; }
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
@@ -383,12 +356,19 @@ SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& setti
     return report;
 }
 
+void Solver::colourAhead(const SolverBatch& batch) {
+    graph_.colourAhead(batch);
+    isColoured_ = true;
+}
+
 SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
+    const bool isColoured = std::exchange(isColoured_, false);
     // Parts of a step may meet contacts that the step did not begin with.
     if (settings.direct == DirectScope::islands && batch.contacts.empty()) {
         return solveIslands(batch, settings, loops);
     }
-    return settings.joints ? solveWith<true>(batch, settings, loops) : solveWith<false>(batch, settings, loops);
+    return settings.joints ? solveWith<true>(batch, settings, isColoured, loops)
+                           : solveWith<false>(batch, settings, isColoured, loops);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -54,6 +54,11 @@ public:
         return solve(batch, settings, loops);
     }
 
+    /// Finds the colours of the links of a batch, as the next `solve` would, which spares it that. In the meantime
+    /// others may set its bodies; links stay as they are. @pre none of these is kinematic, so that all are taken for
+    /// movable; no joints, nothing is solved all at once
+    void colourAhead(const SolverBatch& batch);
+
 private:
     /// A colour, and those that were joined to it.
     struct Run {
@@ -61,6 +66,7 @@ private:
         bool inOrder = false;  ///< one after the other
     };
 
+    void forBodies(const SolverBatch& batch, FunctionRef<void(std::size_t begin, std::size_t end)> body);
     int integrateVelocities(SolverBatch& batch, Real maxSpeed);
     int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, bool isFirst);
     void integratePositions(SolverBatch& batch, Real h);
@@ -76,7 +82,7 @@ private:
     void subStepOfContacts(SolverBatch& batch, const SolverSettings& settings, Real h, bool isLast,
                            SolveReport& report);
     template <bool kJoints>
-    SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
+    SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings, bool isColoured, TaskSystem& loops);
     SolveReport solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
     template <bool kJoints>
     std::size_t partsOf(SolverBatch& batch, int colour) const;
@@ -85,7 +91,7 @@ private:
     template <bool kJoints>
     void listRuns(SolverBatch& batch);
     template <bool kJoints>
-    void prepare(SolverBatch& batch, const SolverSettings& settings);
+    void prepare(SolverBatch& batch, const SolverSettings& settings, bool isColoured);
     template <bool kJoints, class Visit>
     void forEachRun(SolverBatch& batch, const Visit& visit);
     template <bool kJoints>
@@ -101,13 +107,14 @@ private:
     std::size_t fewestToShare_ = 0;  ///< parts of a colour; fewer are gone through by one worker
     MoveBodies move_ = nullptr;      ///< likewise
     ConstraintGraph graph_;
+    bool isColoured_ = false;  ///< ahead: for the next solve alone
     ContactBlocks contacts_;
     HingeBlocks hinges_;
     DirectSolver direct_;
     JointIslands islands_;
     std::vector<Run> runs_;
-    std::vector<std::array<Real, 4>> free_;  ///< by body slot: speeds in this sub-step without constraints
-    bool isRepeated_ = false;                ///< the present solve: see `integrateAndRepeat`
+    RawVector<std::array<Real, 4>> free_;  ///< by body slot: speeds in this sub-step without constraints
+    bool isRepeated_ = false;              ///< the present solve: see `integrateAndRepeat`
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;
 };

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "../shapes/raw_vector.h"
 #include "body_state.h"
 #include "contact_constraint.h"
 #include "contact_store.h"
@@ -23,9 +24,10 @@ namespace swept::inline SWEPT_PRECISION {
 /// `source`. This is the seam between engine and solver: wide kernels and threads change what is behind it, not what is
 /// in front.
 struct SolverBatch {
-    std::vector<BodyState> states;
-    std::vector<BodyInertia> inertias;
-    std::vector<BodyDrive> drives;
+    // Who resizes these sets what is new in them.
+    RawVector<BodyState> states;
+    RawVector<BodyInertia> inertias;
+    RawVector<BodyDrive> drives;
     std::vector<ContactConstraint> contacts;
     /// Instead of `contacts`, which the solver then fills with what stands in no block: contacts of a store. Only where
     /// nothing bounces, or in its turn, and nothing is solved all at once.

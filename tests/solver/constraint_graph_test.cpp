@@ -153,6 +153,21 @@ TEST(ConstraintGraph, IsTheSameWhateverItColouredBefore) {
     }
 }
 
+TEST(ConstraintGraph, AheadItIsTheSameWhereAllCanBeMoved) {
+    ConstraintGraph ahead;
+    ConstraintGraph after;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        SolverBatch batch = randomBatch(seed);
+        for (std::size_t slot = 1; slot < batch.inertias.size(); ++slot) { batch.inertias[slot] = {1, 1}; }
+        after.colourContacts(batch);
+        std::fill(batch.inertias.begin(), batch.inertias.end(), BodyInertia{});  // not set yet
+        ahead.colourAhead(batch);
+        ASSERT_TRUE(std::ranges::equal(ahead.contactColours(), after.contactColours())) << "seed " << seed;
+        ASSERT_EQ(ahead.pointCounts(), after.pointCounts()) << "seed " << seed;
+        ASSERT_EQ(ahead.activeColours(), after.activeColours()) << "seed " << seed;
+    }
+}
+
 /// A star: `count` contacts of one movable body with others that may move or not.
 ColourRange overflowOfStar(int count, BodyInertia others) {
     SolverBatch batch;

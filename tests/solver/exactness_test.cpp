@@ -92,7 +92,7 @@ TEST(Solver, NeverWritesTheFixedWorldNorTheSpeedOfKinematicBodies) {
     int checked = 0;
     for (std::uint64_t seed = 0; seed < 1'000; ++seed) {
         RandomSolve solve(seed);
-        const std::vector<BodyState> before = solve.batch.states;
+        const RawVector<BodyState> before = solve.batch.states;
         solve.settings.maxSpeed = std::numeric_limits<Real>::infinity();
         Solver().solve(solve.batch, solve.settings);
         for (std::size_t slot = 0; slot < before.size(); ++slot) {

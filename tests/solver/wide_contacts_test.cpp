@@ -183,6 +183,34 @@ TEST(ContactStore, IsSolvedToTheBitLikeConstraintsOfTheBatch) {
     EXPECT_EQ(blocks > 100, contactKernels() != nullptr);
 }
 
+/// Of contacts alone between bodies that can be moved, colours may be found before.
+TEST(ContactStore, IsColouredAheadToTheSameBits) {
+    Solver ahead;  // one for all: what was found ahead is for one solve
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        std::vector<RandomSolve> both(2, RandomSolve(seed, 8));
+        std::vector<int> colours;
+        for (RandomSolve& solve : both) {
+            forgetBounces(solve);
+            solve.batch.clearJoints();
+            solve.settings.joints = false;
+            solve.settings.direct = DirectScope::none;
+            for (std::size_t slot = 1; slot < solve.batch.inertias.size(); ++slot) {
+                BodyInertia& inertia = solve.batch.inertias[slot];
+                if (!isMovable(inertia)) { inertia = {1, 1}; }
+            }
+            KeptContacts store(solve.batch);
+            Solver fresh;
+            const bool isSecond = &solve == &both[1];
+            if (isSecond && seed % 4 != 3) { ahead.colourAhead(solve.batch); }
+            colours.push_back((isSecond ? ahead : fresh).solve(solve.batch, solve.settings).colours);
+            store.giveBack();
+            forgetPrepared(solve.batch);
+        }
+        ASSERT_EQ(bitsOf(both[0].batch), bitsOf(both[1].batch)) << "seed " << seed;
+        ASSERT_EQ(colours[0], colours[1]) << "seed " << seed;
+    }
+}
+
 /// As the engine hands over a large pile in profile `fast`.
 void bounceInTurn(RandomSolve& solve) {
     solve.settings.bounces = false;

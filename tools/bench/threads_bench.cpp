@@ -140,8 +140,9 @@ const std::vector<ThreadsScene>& threadsScenes() {
 
 std::size_t threadsRowCount(const ThreadsBenchSettings& settings) {
     const auto sizes = std::count_if(kSizes.begin(), kSizes.end(), [&](int size) { return isMeant(size, settings); });
-    const std::size_t scenes = settings.scenes.empty() ? threadsScenes().size() : settings.scenes.size();
-    return (settings.ownAlone ? 1 : 2) * scenes * static_cast<std::size_t>(sizes);
+    const auto scenes = std::count_if(threadsScenes().begin(), threadsScenes().end(),
+                                      [&](const ThreadsScene& scene) { return isMeant(scene, settings); });
+    return (settings.ownAlone ? 1 : 2) * static_cast<std::size_t>(scenes * sizes);
 }
 
 std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,

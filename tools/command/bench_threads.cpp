@@ -29,6 +29,9 @@ int measureThreads(const ThreadsArguments& arguments) {
     if (makeTaskSystem(arguments.settings.threads) == nullptr) {
         return refuse("bench threads: built without oneTBB, so there is only one thread");
     }
+    if (bench::threadsRowCount(arguments.settings) == 0) {
+        return refuse("bench threads: no world has as many bodies as --fewest and --most ask for");
+    }
     std::vector<bench::ThreadsBenchRow> rows;
     return runBench(
         arguments.places,
