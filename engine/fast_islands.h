@@ -32,7 +32,7 @@ struct TriedHinge {
 /// Islands with something fast in them. Kept for its capacity.
 struct FastIslands {
     bool any = false;                    ///< this step
-    std::vector<std::uint32_t> members;  ///< by root: bodies of any island, in steps in which something is fast
+    std::vector<std::uint32_t> members;  ///< by root: bodies of any island, where some tied one is fast
     std::vector<std::uint32_t>
         numbers;  ///< by body slot: which of these islands it is in, if any; by their lowest members
     std::vector<std::uint8_t> isDone;   ///< by island, this step: its bodies bounced off each other in flight (clash.h)

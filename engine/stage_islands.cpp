@@ -15,12 +15,22 @@ bool isFastTied(const WorldState& world, std::uint32_t slot) {
     return (world.traits[slot] & kIsFast) != 0 && modeOf(world, world.bodies[slot]) == ContinuousMode::subStep;
 }
 
+/// Of each island.
+void countMembers(WorldState& world) {
+    std::vector<std::uint32_t>& members = world.fastIslands.members;
+    members.assign(world.bodies.slotCount(), 0);
+    for (const std::uint32_t slot : world.tied) { ++members[world.islands.find(slot)]; }
+}
+
 /// Numbers the islands with something fast by their lowest members, which stand for them in `world.islands`. Islands
 /// that are too large for it stay with the others.
 void numberIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
+    const auto isFast = [&world](std::uint32_t slot) { return isFastTied(world, slot); };
+    if (std::none_of(world.tied.begin(), world.tied.end(), isFast)) { return; }
+    countMembers(world);
     for (const std::uint32_t slot : world.tied) {
-        if (!isFastTied(world, slot)) { continue; }
+        if (!isFast(slot)) { continue; }
         const std::uint32_t root = world.islands.find(slot);
         if (fast.members[root] > mostTogether(world.settings)) { continue; }
         if (!fast.any) { fast.numbers.assign(world.bodies.slotCount(), kNoIndex); }

@@ -305,14 +305,8 @@ void findIslands(WorldState& world) {
     for (const JointChains::Member& member : world.jointChains.members) {
         world.islands.unite(member.body, member.lowest);
     }
-    std::vector<std::uint32_t>& members = world.fastIslands.members;
-    if (world.anyFast) { members.assign(world.bodies.slotCount(), 0); }
     std::uint64_t count = 0;
-    for (const std::uint32_t slot : world.tied) {
-        const std::uint32_t root = world.islands.find(slot);
-        count += root == slot ? 1 : 0;
-        if (world.anyFast) { ++members[root]; }
-    }
+    for (const std::uint32_t slot : world.tied) { count += world.islands.find(slot) == slot ? 1 : 0; }
     world.counters.islands += count;
 }
 

@@ -133,8 +133,11 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     TiedContacts contacts(world, group, part, h, scale);
     const bool isIterated = scope == DirectScope::none;
     const bool mayLink = isIterated && !world.watched;
+    const bool mayBounce = world.bouncyShapes > 0;
+    const bool hasJoints = !group.joints.empty();
+    const bool areAlike = mayLink && !mayBounce && world.kinematicBodies == 0;
     // Then links and colours are known without a look at the bodies.
-    const bool isPlain = mayLink && world.bouncyShapes == 0 && world.kinematicBodies == 0 && group.joints.empty();
+    const bool isPlain = areAlike && !hasJoints;
     if (isPlain) {
         addBodiesBeside(world, group, h, [&] {
             contacts.link(false);
@@ -143,7 +146,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     } else {
         addBodies(world, group, isIterated ? h : h / 2);
     }
-    const std::size_t bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
+    const std::size_t bouncing = mayBounce ? contacts.countBouncing() : 0;
     const bool isFast = world.settings.profile == Profile::fast;
     const bool inTurn = mayLink && bouncing > (isFast ? kMostReflectedOfFast : kMostReflected);
     const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
@@ -157,7 +160,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .relaxPasses = relaxPassesFor(group.effort, relaxPassesOf(world.settings)),
                                   .restitutionThreshold = threshold,
                                   .maxSpeed = world.settings.maxSpeed,
-                                  .joints = !group.joints.empty(),
+                                  .joints = hasJoints,
                                   .bounces = bouncing > 0 && !inTurn,
                                   .bouncesInTurn = inTurn,
                                   .coarseImpacts = world.settings.profile == Profile::fast,
