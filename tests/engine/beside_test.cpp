@@ -63,6 +63,11 @@ TEST(Beside, DoesEachRoundOnceAndWhatIsAlone) {
             EXPECT_EQ(alone, 1) << count << " rounds, " << workers << " workers";
             EXPECT_EQ(rounds, std::vector<int>(count, 1)) << workers << " workers";
         }
+        // Others do take part, sooner or later.
+        for (int more = 0; more < 100'000 && threads.chunksOfOthers() == 0; ++more) {
+            runBeside(
+                threads, [] {}, 96, 1, [](std::size_t, std::size_t) {});
+        }
         EXPECT_GT(threads.chunksOfOthers(), 0U);
     }
 }

@@ -29,7 +29,7 @@ endfunction()
 function(swept_configure_library target export_name)
     swept_warnings(${target})
     swept_precompile(${target})
-    swept_unite(${target})
+    swept_unite_layer(${target})
     target_compile_features(${target} PUBLIC cxx_std_20)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name})
     if(NOT SWEPT_WASM)  # where it goes through tables for nothing
