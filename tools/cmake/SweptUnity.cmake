@@ -14,14 +14,6 @@ function(swept_unite target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWEPT_UNITY} UNITY_BUILD_BATCH_SIZE ${SWEPT_UNITY_FILES})
 endfunction()
 
-# swept_unite_layer(TARGET): not for other machines. (WebAssembly by clang 14 gave wrong results in f64 so, of 6 of the scenes
-# of tests/engine/golden_test.cpp: velocities of 1e150 m/s; why is not known. GCC 12 and clang 14 give the same bits for x86-64.)
-function(swept_unite_layer target)
-    if(NOT CMAKE_CROSSCOMPILING)
-        swept_unite(${target})
-    endif()
-endfunction()
-
 # swept_compile_alone(FILE...): files with names that mean something else in their neighbours.
 function(swept_compile_alone)
     set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
