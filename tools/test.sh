@@ -80,11 +80,10 @@ fuzz() {
 }
 
 say "default compiler: configuring and building everything (build/release)"
-configure release -DSWEPT_BUILD_TESTS=ON -DSWEPT_WERROR="$werror"
+if [ "$long" = yes ]; then long_tests=ON; else long_tests=OFF; fi
+configure release -DSWEPT_BUILD_TESTS=ON -DSWEPT_LONG_TESTS="$long_tests" -DSWEPT_WERROR="$werror"
 build release all
-without_long=(-LE '^long$')
-if [ "$long" = yes ]; then without_long=(); fi
-run_tests release "default compiler, release, f32 and f64" "${without_long[@]}"
+run_tests release "default compiler, release, f32 and f64"
 
 if [ "$sanitizers" = yes ]; then
     export UBSAN_OPTIONS="print_stacktrace=1:${UBSAN_OPTIONS:-}"

@@ -3,6 +3,7 @@
 #   GENERATOR, COMPILER, LAUNCHER, FLAGS   as in the tree under test
 #   PREFIX, SWEPT_ROOT        where the package and the sources are
 #   CONSUME, PRECISION, ONLY_LAYERS, MISMATCH, MAIN, COMPONENTS   handed on; see consumer/CMakeLists.txt
+#   SWEPT_SIMD                where it is built from sources, with all else that makes that fast
 #   PAGE                      a markdown file whose first C++ block is the program
 #   MISMATCH                  the link must fail, for want of names of the other precision
 file(REMOVE_RECURSE ${WORK_DIR})
@@ -26,7 +27,8 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR} -G ${GE
                         "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH=${PREFIX}
                         -DSWEPT_ROOT=${SWEPT_ROOT} -DCONSUME=${CONSUME} -DPRECISION=${PRECISION}
                         -DONLY_LAYERS=${ONLY_LAYERS} -DMISMATCH=${MISMATCH} -DMAIN=${MAIN}
-                        -DCOMPONENTS=${COMPONENTS} -DSWEPT_SIMD_FEW=ON
+                        -DCOMPONENTS=${COMPONENTS} -DSWEPT_SIMD=${SWEPT_SIMD}
+                        -DSWEPT_SIMD_FEW=ON -DSWEPT_UNITY=ON
                 OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "configuring the project failed:\n${output}")

@@ -47,9 +47,9 @@ function(swept_configure_library target export_name)
     endif()
     # Clang 14 for WebAssembly forgets when a number was loaded that it puts into both halves of a vector (v128.load64_splat):
     # calls and stores that change it may come first. Vectors of basic blocks are where it met that; a layer compiled as one
-    # file or not only decides what is inlined. The golden test found it.
+    # file or not only decides what is inlined. The golden test found it. Public for the reason given above.
     if(SWEPT_WASM)
-        target_compile_options(${target} PRIVATE -fno-slp-vectorize)
+        target_compile_options(${target} PUBLIC -fno-slp-vectorize)
     endif()
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${SWEPT_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
     add_library(swept2d::${export_name} ALIAS ${target})
