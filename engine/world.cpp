@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "beside.h"
+#include "body_measures.h"
 #include "modes.h"
 #include "number_range.h"
 #include "shared_step.h"
@@ -120,6 +121,8 @@ void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
 /// The pipeline. A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
 void advance(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
+    closeUpPairs(world);
+    if (!world.unmeasured.empty()) { measureAnew(world); }
     if (dt != world.lastDt) { changeStep(world, dt); }
     StageClock clock(world.settings.measureStageTimes);
     world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);

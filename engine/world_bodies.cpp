@@ -39,8 +39,12 @@ Status check(const BodyDef& def) {
 
 /// Contacts of a body that was teleported or destroyed say nothing any more; what rested on it wakes.
 void dropContacts(WorldState& world, std::uint32_t slot) {
-    wakeNeighbours(world, slot);
-    removeContacts(world, [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
+    const std::span<const std::uint32_t> places =
+        pairsOf(world, world.bodies[slot].shapes,
+                [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
+    wakeAcross(world, slot, places);
+    wakeJoined(world, slot);
+    removePairs(world, places);
 }
 
 /// Leaves the ring of bodies it sleeps with by waking them all.

@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "../shapes/mass.h"
+#include "body_measures.h"
 #include "modes.h"
+#include "pairs_of_shapes.h"
 #include "tolerances.h"
 #include "travel.h"
 
@@ -78,13 +80,7 @@ void restAnew(WorldState& world) {
     for (const std::uint32_t slot : world.awake) { startResting(world.bodies[slot], world.motions[slot]); }
 }
 
-void wakeNeighbours(WorldState& world, std::uint32_t body) {
-    for (const ContactProbe& probe : world.probes) {
-        const Contact& contact = world.contacts[probe.contact];
-        if (!contact.isSolid()) { continue; }
-        if (contact.bodyA == body) { wake(world, contact.bodyB); }
-        if (contact.bodyB == body) { wake(world, contact.bodyA); }
-    }
+void wakeJoined(WorldState& world, std::uint32_t body) {
     for (const std::uint32_t slot : world.bodies[body].joints) {
         const Joint& joint = world.joints[slot];
         for (const std::uint32_t other : joint.allBodies()) {
@@ -118,17 +114,7 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     const bool turns = body.inertia > 0 && !body.def.fixedRotation;
     body.inverseInertia = turns ? static_cast<Real>(1 / body.inertia) : Real(0);
     world.travels[slot].boxRoom = 0;
-    body.extent = 0;
-    body.widest = 0;
-    body.radius = 0;
-    for (const std::uint32_t shapeSlot : body.shapes) {
-        Shape& shape = world.shapes[shapeSlot];
-        shape.radius = radiusAbout(shape.polygon, center);
-        if (shape.def.sensor) { continue; }
-        body.extent = body.extent > 0 ? std::min(body.extent, shape.extent) : shape.extent;
-        body.widest = std::max(body.widest, shape.extent);
-        body.radius = std::max(body.radius, shape.radius);
-    }
+    measure(world, slot);
     if (!body.awake) { noteRest(world, slot); }
     const bool isMassless = body.isDynamic() && body.mass <= 0;
     if (isMassless && !wasMassless) { ++world.masslessBodies; }
@@ -167,55 +153,6 @@ void removeJoint(WorldState& world, JointId id) {
         world.bodies[slot].holdingJoints -= joint.holds() ? 1 : 0;
         wake(world, slot);
         renewProxies(world, slot);  // so that a pair the joint kept apart is found
-    }
-}
-
-namespace {
-
-/// Before it is dropped: its end, if it touches.
-void reportEnd(WorldState& world, const ContactProbe& probe) {
-    if (probe.isIdle) { return; }
-    const Contact& contact = world.contacts[probe.contact];
-    if (!contact.touching) { return; }
-    world.contactEvents.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
-                                   .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
-                                   .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
-                                   .bodyA = world.bodies.idOf(contact.bodyA),
-                                   .bodyB = world.bodies.idOf(contact.bodyB)});
-}
-
-/// Of a range of contacts those that stay, in their order (who comes first is solved first), to another place.
-/// @return where they end
-template <class Doomed>
-std::size_t compactContacts(WorldState& world, std::size_t begin, std::size_t end, std::size_t kept,
-                            const Doomed& doomed) {
-    for (std::size_t i = begin; i < end; ++i) {
-        if (doomed(world.probes[i])) {
-            dropPair(world, world.probes[i]);
-            reportEnd(world, world.probes[i]);
-            continue;
-        }
-        if (kept != i) { world.probes[kept] = world.probes[i]; }
-        ++kept;
-    }
-    return kept;
-}
-
-}  // namespace
-
-void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doomed) {
-    const std::size_t active = compactContacts(world, 0, world.activeContacts, 0, doomed);
-    world.probes.resize(compactContacts(world, world.activeContacts, world.probes.size(), active, doomed));
-    world.activeContacts = active;
-    const auto isSolid = [&world](const ContactProbe& probe) { return world.contacts[probe.contact].isSolid(); };
-    const auto firstParked = world.probes.begin() + static_cast<std::ptrdiff_t>(active);
-    world.parked.touching = static_cast<std::uint32_t>(std::count_if(firstParked, world.probes.end(), isSolid));
-    for (std::vector<ContactPair>* const candidates : {&world.candidates, &world.parked.candidates}) {
-        std::erase_if(*candidates, [&world, &doomed](const ContactPair& pair) {
-            if (!doomed(pair)) { return false; }
-            dropPair(world, pair);
-            return true;
-        });
     }
 }
 

@@ -56,9 +56,10 @@ Result<JointId> insert(WorldState& world, Joint joint) {
         wake(world, body);
     }
     if (!placed.base.collideConnected || !placed.holds()) {
-        removeContacts(world, [a = placed.bodyA, b = placed.bodyB](const ContactPair& c) {
+        const auto isBetween = [a = placed.bodyA, b = placed.bodyB](const ContactPair& c) {
             return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
-        });
+        };
+        removePairs(world, pairsOf(world, world.bodies[placed.bodyB].shapes, isBetween));
     }
     return *id;
 }

@@ -162,6 +162,7 @@ void World::overlapShape(const Polygon& polygon, const WorldTransform& pose, con
 void World::visitContacts(FunctionRef<void(const ContactView&)> visit) const {
     const WorldState& world = *state_;
     for (const ContactProbe& probe : world.probes) {
+        if (isGap(probe)) { continue; }
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
         const WorldTransform& pose = world.motions[contact.bodyA].pose;

@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "../shapes/manifold_batch.h"
+#include "body_measures.h"
 #include "number_range.h"
+#include "pairs_of_shapes.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -80,9 +82,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
 
 void removeOne(WorldState& world, std::uint32_t slot) {
     const std::uint32_t body = world.shapes[slot].body;
-    const ProxyId proxy = world.shapes[slot].proxy;
-    (void)world.broadphase->remove(proxy);  // it is there: the shape owns it
-    removeContacts(world, [proxy](const ContactPair& c) { return c.proxyA == proxy || c.proxyB == proxy; });
+    (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
     std::erase(world.bodies[body].shapes, slot);
     world.thinnestWall.reset();
     world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;
@@ -95,6 +95,25 @@ void refresh(WorldState& world, std::uint32_t body) {
     updateMass(world, body);
     wake(world, body);
     updateProxies(world, body);
+}
+
+/// After shapes were added. A level of thousands of shapes may be one body, and what is fixed has no mass.
+/// @param first  of them, in the list of the body
+void refreshWith(WorldState& world, std::uint32_t body, std::size_t first) {
+    if (world.bodies[body].def.type != BodyType::fixed) { return refresh(world, body); }
+    measureAdded(world, body, first);
+}
+
+void refreshWithout(WorldState& world, std::uint32_t body) {
+    if (world.bodies[body].def.type != BodyType::fixed) { return refresh(world, body); }
+    // As many as are taken away one after the other between two steps.
+    if (world.unmeasured.empty() || world.unmeasured.back() != body) { world.unmeasured.push_back(body); }
+}
+
+/// The slots that a shape of the user's has: of a chain, one for each segment.
+void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots) {
+    slots.clear();
+    for (std::uint32_t slot = head; slot != kNoIndex; slot = world.shapes[slot].nextInChain) { slots.push_back(slot); }
 }
 
 }  // namespace
@@ -111,8 +130,9 @@ Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const Shape
     Shape shape;
     shape.polygon = polygon;
     shape.def = def;
+    const std::size_t first = world.bodies[body.index].shapes.size();
     const Result<ShapeId> id = insert(world, body.index, std::move(shape));
-    if (id.ok()) { refresh(world, body.index); }
+    if (id.ok()) { refreshWith(world, body.index, first); }
     return id;
 }
 
@@ -129,6 +149,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
     if (!surface.ok()) { return surface; }
     ShapeId head;
     std::uint32_t previous = kNoIndex;
+    const std::size_t first = world.bodies[body.index].shapes.size();
     for (int i = 0; i < chainSegmentCount(static_cast<int>(points.size()), loop); ++i) {
         Shape shape;
         shape.segment = chainSegment(points, loop, radius, i);
@@ -148,7 +169,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
         previous = id.value().index;
         world.shapes[previous].head = head.index;
     }
-    refresh(world, body.index);
+    refreshWith(world, body.index, first);
     return head;
 }
 
@@ -156,15 +177,19 @@ Status World::destroyShape(ShapeId id) {
     WorldState& world = *state_;
     if (!isValid(id)) { return {StatusCode::staleId, "shape"}; }
     const std::uint32_t body = world.shapes[id.index].body;
-    wakeNeighbours(world, body);
-    // The head of a chain goes last: what ends with another segment is told under its name.
-    for (std::uint32_t slot = world.shapes[id.index].nextInChain; slot != kNoIndex;) {
-        const std::uint32_t next = world.shapes[slot].nextInChain;
-        removeOne(world, slot);
-        slot = next;
-    }
-    removeOne(world, id.index);
-    refresh(world, body);
+    std::vector<std::uint32_t> slots;
+    listSlots(world, id.index, slots);
+    const auto isOfShape = [&world, head = id.index](ProxyId proxy) {
+        return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
+    };
+    const std::span<const std::uint32_t> places = pairsOf(
+        world, slots, [&](const ContactPair& pair) { return isOfShape(pair.proxyA) || isOfShape(pair.proxyB); });
+    // Who rests on other shapes of a body that cannot move sleeps on.
+    wakeAcross(world, body, places);
+    wakeJoined(world, body);
+    removePairs(world, places);
+    for (const std::uint32_t slot : slots) { removeOne(world, slot); }
+    refreshWithout(world, body);
     return Status::success();
 }
 

@@ -28,6 +28,7 @@
 #include "joint_chains.h"
 #include "load_paths.h"
 #include "pair_table.h"
+#include "pairs_of_shapes.h"
 #include "parked_contacts.h"
 #include "shape.h"
 #include "slide.h"
@@ -134,6 +135,7 @@ struct WorldState {
     std::uint32_t fixedBodies = 0;
     std::uint32_t bulletBodies = 0;
     std::uint32_t watchedBodies = 0;   ///< with a mode of their own that has work beside sweeps (modes.h)
+    std::vector<std::uint32_t> unmeasured;  ///< slots of fixed bodies that lost shapes: to be measured in the next step
     std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
 
@@ -148,6 +150,7 @@ struct WorldState {
     std::size_t activeContacts = 0;          ///< whose probes are the first ones; the others are parked
     std::vector<std::uint32_t> probesThere;  ///< scratch of `closeGaps`: by place of a contact
     ParkedContacts parked;
+    PairsOfShapes pairsOfShapes;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
     std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
     std::vector<ContactPair> promoted;              ///< scratch: candidates that become contacts
@@ -245,8 +248,8 @@ bool disturbs(const WorldState& world, std::uint32_t body);
 double restTimeOf(const WorldState& world, const Body& body);
 /// All that is awake counts its rest from now on: nothing counts while sleep is off.
 void restAnew(WorldState& world);
-/// Wakes everything that has a contact or a joint with the body.
-void wakeNeighbours(WorldState& world, std::uint32_t body);
+/// Wakes everything that a joint holds to the body.
+void wakeJoined(WorldState& world, std::uint32_t body);
 /// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.
 void updateMass(WorldState& world, std::uint32_t body);
 /// Recomputes the pose of the body frame from centre and angle.
@@ -262,8 +265,6 @@ void renewBoxes(WorldState& world, std::uint32_t body);
 void renewProxies(WorldState& world, std::uint32_t body);
 /// After its velocity changed between steps, or the step became longer: boxes reach as far as the coming step asks.
 void reachWithVelocity(WorldState& world, std::uint32_t body);
-/// Removes contacts, and candidates, for which `doomed` is true; reports the end of those that touched.
-void removeContacts(WorldState& world, FunctionRef<bool(const ContactPair&)> doomed);
 /// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
 void removeJoint(WorldState& world, JointId id);
 /// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its

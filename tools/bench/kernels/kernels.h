@@ -19,6 +19,17 @@ void registerFlightChipmunk();
 inline constexpr double kFlightGap = 3;
 inline constexpr int kFlightWide = 100;
 inline constexpr double kFlightStep = 1.0 / 60;
+/// What is made and destroyed between steps: in both precisions, and in Box2D 2.4.1.
+void registerEditKernelsF32();
+void registerEditKernelsF64();
+void registerEditBox2d();
+/// What they have in common: boxes in a row of the pile; bodies destroyed, and made again, between two steps.
+inline constexpr int kEditWide = 100;
+inline constexpr int kEdited = 50;
+/// Steps of the pile: only what is done between them is measured.
+inline constexpr int kEditRounds = 60;
+/// Which of the pile, or of the tiles of a level, the next one is: all over the place.
+inline int editedOf(int next, int count) { return static_cast<int>(next * 7919LL % count); }
 /// Every method, on the generic family.
 void registerToiKernels();
 

@@ -83,6 +83,9 @@ int run(int argc, char** argv) {
 #if defined(SWEPT_BENCH_CHIPMUNK)
     registerFlightChipmunk();
 #endif
+    registerEditKernelsF32();
+    registerEditKernelsF64();
+    registerEditBox2d();
     registerToiKernels();
     std::cout << machineText() << '\n';
     RatioReporter reporter;

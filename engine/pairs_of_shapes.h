@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../shapes/function_ref.h"
+#include "contact.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct WorldState;
+
+/// Where the contacts and candidates of a shape stand, for what is destroyed or put elsewhere between steps. A place
+/// counts through probes, candidates and parked candidates. What is removed leaves a gap, until the next step closes
+/// all of them at once: so each of many removals costs what the shape has, and not what the world has.
+struct PairsOfShapes {
+    int scans = 0;                      ///< since the last step: pairs that were found by a look at all
+    bool isListed = false;              ///< since the last step: the two lists below are made
+    std::size_t gaps = 0;               ///< that are still there
+    std::vector<std::uint32_t> begins;  ///< by proxy, and of one more: where its places begin
+    std::vector<std::uint32_t> places;
+    std::vector<std::uint32_t> found;  ///< the answer of `pairsOf`
+};
+
+/// Between steps: places of the pairs of any of the shapes for which `isMeant` is true, ascending. Valid until the next
+/// question. @param shapes  slots
+std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
+                                       FunctionRef<bool(const ContactPair&)> isMeant);
+/// Wakes whom the body touches in one of these pairs.
+void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places);
+/// Removes these pairs, and reports the end of those that touched.
+void removePairs(WorldState& world, std::span<const std::uint32_t> places);
+/// Of a contact that is about to be dropped: its end, if it touches.
+void reportEnd(WorldState& world, const ContactProbe& probe);
+/// Whether a pair was removed since the last step.
+inline bool isGap(const ContactPair& pair) { return pair.bodyA == pair.bodyB; }
+/// As a step begins: what stays moves up, in its order (who comes first is solved first). Nobody asks for places then.
+void closeUpPairs(WorldState& world);
+
+}  // namespace swept::inline SWEPT_PRECISION
