@@ -59,7 +59,9 @@ Result<JointId> insert(WorldState& world, Joint joint) {
         const auto isBetween = [a = placed.bodyA, b = placed.bodyB](const ContactPair& c) {
             return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
         };
-        removePairs(world, pairsOf(world, world.bodies[placed.bodyB].shapes, isBetween));
+        const std::vector<std::uint32_t>& ofA = world.bodies[placed.bodyA].shapes;
+        const std::vector<std::uint32_t>& ofB = world.bodies[placed.bodyB].shapes;
+        removePairs(world, pairsOf(world, ofA.size() < ofB.size() ? ofA : ofB, isBetween));
     }
     return *id;
 }

@@ -182,8 +182,9 @@ Status World::destroyShape(ShapeId id) {
     const auto isOfShape = [&world, head = id.index](ProxyId proxy) {
         return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
     };
-    const std::span<const std::uint32_t> places = pairsOf(
-        world, slots, [&](const ContactPair& pair) { return isOfShape(pair.proxyA) || isOfShape(pair.proxyB); });
+    const std::span<const std::uint32_t> places = pairsOf(world, slots, [&](const ContactPair& pair) {
+        return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
+    });
     // Who rests on other shapes of a body that cannot move sleeps on.
     wakeAcross(world, body, places);
     wakeJoined(world, body);
