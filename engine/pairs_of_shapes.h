@@ -24,8 +24,8 @@ struct PairsOfShapes {
     std::vector<std::uint32_t> found;  ///< the answer of `pairsOf`
 };
 
-/// Between steps: places of the pairs of any of the shapes for which `isMeant` is true, ascending. Valid until the next
-/// question. @param shapes  slots
+/// Between steps: places of the pairs for which `isMeant` is true, ascending. Valid until the next question.
+/// @param shapes  slots; each pair that is meant has one of them
 std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
                                        FunctionRef<bool(const ContactPair&)> isMeant);
 /// Wakes whom the body touches in one of these pairs.

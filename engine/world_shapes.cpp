@@ -185,7 +185,7 @@ Status World::destroyShape(ShapeId id) {
     const std::span<const std::uint32_t> places = pairsOf(world, slots, [&](const ContactPair& pair) {
         return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
     });
-    // Who rests on other shapes of a body that cannot move sleeps on.
+    // Who rests on other shapes sleeps on; a body that can move wakes itself, with all that fell asleep with it.
     wakeAcross(world, body, places);
     wakeJoined(world, body);
     removePairs(world, places);

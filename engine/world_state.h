@@ -134,10 +134,10 @@ struct WorldState {
     std::uint32_t kinematicBodies = 0;
     std::uint32_t fixedBodies = 0;
     std::uint32_t bulletBodies = 0;
-    std::uint32_t watchedBodies = 0;   ///< with a mode of their own that has work beside sweeps (modes.h)
+    std::uint32_t watchedBodies = 0;        ///< with a mode of their own that has work beside sweeps (modes.h)
     std::vector<std::uint32_t> unmeasured;  ///< slots of fixed bodies that lost shapes: to be measured in the next step
-    std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
-    std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
+    std::optional<Real> thinnestWall;       ///< metres, for mode `speedLimit`; empty: to be found anew
+    std::uint32_t masslessBodies = 0;       ///< dynamic bodies without mass: the step is refused while there are any
 
     std::unique_ptr<Broadphase> broadphase = makeBroadphase(BroadphaseKind::automatic);
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
@@ -145,9 +145,10 @@ struct WorldState {
     std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
     std::vector<ContactPair> metPairs;  ///< of these, what met where nothing moves
 
-    RawVector<Contact> contacts;             ///< in the order in which they began, with gaps where some ended
-    std::vector<ContactProbe> probes;        ///< one for each contact, by which it is reached
-    std::size_t activeContacts = 0;          ///< whose probes are the first ones; the others are parked
+    RawVector<Contact> contacts;       ///< in the order in which they began, with gaps where some ended
+    std::vector<ContactProbe> probes;  ///< one for each contact, by which it is reached
+    std::size_t activeContacts =
+        0;  ///< whose probes are the first ones (with the gaps of `pairsOfShapes`); the others are parked
     std::vector<std::uint32_t> probesThere;  ///< scratch of `closeGaps`: by place of a contact
     ParkedContacts parked;
     PairsOfShapes pairsOfShapes;

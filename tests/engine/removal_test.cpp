@@ -132,6 +132,24 @@ TEST_P(Removal, TakesItsContactsAndNoOthers) {
 }
 INSTANTIATE_TEST_SUITE_P(Counts, Removal, testing::Values(1, 2, 3, 60));
 
+/// Whatever is fixed or moves by itself holds where it is put, however far that is from where it was made.
+TEST(PutElsewhere, GroundHolds) {
+    for (const BodyType type : {BodyType::fixed, BodyType::kinematic}) {
+        for (const double distance : {0.5, 3.0, 20.0, 1000.0}) {
+            for (const double angle : {0.0, kPi / 2}) {
+                SCOPED_TRACE(testing::Message() << "distance " << distance << ", angle " << angle);
+                World world = makeWorld(awakeSettings());
+                const BodyId ground = addBody(world, bodyAt(type, {0, 0}), box(2, 2), material(0.5));
+                run(world, 10);
+                must(world.setPose(ground, {0, -distance}, angle));
+                const BodyId falls = addBody(world, dynamicAt({0.5, 3 - distance}), box(0.4, 0.4), material(0.5));
+                run(world, 120);
+                expectAtMost("height", std::abs(world.position(falls).y - (2.4 - distance)), 0.01);
+            }
+        }
+    }
+}
+
 TEST(RemovalOfShapes, LetsSleepWhoRestsElsewhere) {
     World world = makeWorld(WorldSettings{.gravity = vec(0, -kGravity)});
     const BodyId ground = world.createBody({}).value();
