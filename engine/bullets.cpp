@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "../solver/impact.h"
+#include "bullet_paths.h"
 #include "constraint_builder.h"
 #include "flight_state.h"
 #include "modes.h"
@@ -93,13 +94,6 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
                     .a0 = body.awake ? body.startAngle : motion.angle,
                     .a1 = motion.angle};
     return partner;
-}
-
-/// The path from a time on. @pre before the end of the step
-Sweep pathAfter(const BulletPartner& partner, double time) {
-    const double length = partner.flight.dt - partner.pathFrom;
-    if (time <= partner.pathFrom || !(length > 0)) { return partner.path; }
-    return part(partner.path, std::min((time - partner.pathFrom) / length, 1 - 0x1p-52), 1);
 }
 
 /// First impact of any two of their shapes from now on.
@@ -214,10 +208,6 @@ void setApart(WorldState& world, const BulletPair& pair, const Manifold& manifol
     const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
     if (!(gap > noise) || !(inverseFirst + inverseSecond > 0)) { return; }
     const DVec2 way = (gap / (inverseFirst + inverseSecond)) * toDouble(normal);
-    const auto shift = [](Flight& flight, DVec2 by) {
-        flight.motion.center += by;
-        flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
-    };
     shift(first.flight, -inverseFirst * way);
     shift(second.flight, inverseSecond * way);
 }
@@ -262,19 +252,8 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
 
 /// It rides on with the other one to the end of the step: what it would have done on its own is lost.
 void ride(BulletPartner& rider, const BulletPartner& carrier, double time) {
-    const double length = carrier.flight.dt - carrier.pathFrom;
-    const double from = (time - carrier.pathFrom) / length;
-    const double turn = angleAt(carrier.path, 1) - angleAt(carrier.path, from);
-    const Rotation rotation = rotationFromAngle(turn);
-    const DVec2 arm = rider.flight.motion.center - centerAt(carrier.path, from);
-    const DVec2 turned{static_cast<double>(rotation.c) * arm.x - static_cast<double>(rotation.s) * arm.y,
-                       static_cast<double>(rotation.s) * arm.x + static_cast<double>(rotation.c) * arm.y};
     enterLedger(rider.flight, LostTimeReason::clamp);
-    rider.path = {.localCenter = rider.path.localCenter,
-                  .c0 = rider.flight.motion.center,
-                  .c1 = centerAt(carrier.path, 1) + turned,
-                  .a0 = rider.flight.motion.angle,
-                  .a1 = rider.flight.motion.angle + turn};
+    rider.path = pathWith(rider, carrier, time);
     rider.pathFrom = time;
     rider.nextImpact = kNever;
     rider.flies = false;

@@ -206,6 +206,44 @@ TEST(Bullets, OfAllShapesNeverPassAPlank) {
     expectAtMost("lost time, of each shot", lost / shots, 1e-4);
 }
 
+/// Bodies that are thrown about in a closed chamber, every fourth a bullet: who is caught between another one and a
+/// wall stays inside, however thin the wall.
+TEST(Bullets, PressNobodyThroughAWall) {
+    constexpr double kHalf = 10;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        World world = makeWorld(seed % 2 == 0 ? 0 : kGravity);
+        const BodyId chamber = must(world.createBody({}));
+        for (const double side : {-kHalf, kHalf}) {
+            const bool isThin = seed % 3 != 0;
+            const auto wall = [&](double x, double y) {
+                return must(makeBox(vec(x, y), x < y ? vec(side, 0) : vec(0, side)));
+            };
+            must(world.addShape(chamber, isThin ? segment(side, -kHalf, side, kHalf) : wall(0.05, kHalf)));
+            must(world.addShape(chamber, isThin ? segment(-kHalf, side, kHalf, side) : wall(kHalf, 0.05)));
+        }
+        Random random(seed);
+        std::vector<BodyId> bodies;
+        for (int i = 0; i < 30; ++i) {
+            const std::array shapes{circle(random.range(0.05, 0.5)),
+                                    box(random.range(0.05, 0.5), random.range(0.05, 0.5)),
+                                    capsule(0.3, random.range(0.05, 0.2))};
+            BodyDef def = dynamicAt({random.range(-8, 8), random.range(-8, 8)},
+                                    vec(random.range(-100, 100), random.range(-100, 100)), random.range(-10, 10));
+            def.bullet = i % 4 == 0;
+            const double restitution = i % 2 == 0 ? 0 : random.range(0, 1);
+            bodies.push_back(addBody(world, def, shapes[static_cast<std::size_t>(i) % 3], material(0.5, restitution)));
+        }
+        for (int step = 0; step < 120; ++step) {
+            run(world, 1);
+            for (const BodyId body : bodies) {
+                const DVec2 place = world.position(body);
+                ASSERT_LT(std::max(std::abs(place.x), std::abs(place.y)), kHalf)
+                    << "seed " << seed << ", step " << step << ", body " << body.index;
+            }
+        }
+    }
+}
+
 /// Two bullets for one plate: the one that arrives first, whatever their order, finds it at rest.
 TEST(Bullets, HitInOrderOfTime) {
     std::array<double, 2> speeds{};

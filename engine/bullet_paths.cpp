@@ -1,0 +1,57 @@
+#include "bullet_paths.h"
+
+#include <algorithm>
+
+#include "flight_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// A path that another body would push it along ends where it meets ground.
+void endAtGround(const Flight& flight, Sweep& path) {
+    const FirstImpact first = nextImpact(flight, path);
+    if (!first.hit) { return; }
+    const DVec2 center = centerAt(path, first.fraction);
+    path.a1 = angleAt(path, first.fraction);
+    path.c1 = center;
+}
+
+}  // namespace
+
+Sweep pathAfter(const BulletPartner& partner, double time) {
+    const double length = partner.flight.dt - partner.pathFrom;
+    if (time <= partner.pathFrom || !(length > 0)) { return partner.path; }
+    return part(partner.path, std::min((time - partner.pathFrom) / length, 1 - 0x1p-52), 1);
+}
+
+Sweep pathWith(const BulletPartner& rider, const BulletPartner& carrier, double time) {
+    const double length = carrier.flight.dt - carrier.pathFrom;
+    const double from = (time - carrier.pathFrom) / length;
+    const double turn = angleAt(carrier.path, 1) - angleAt(carrier.path, from);
+    const Rotation rotation = rotationFromAngle(turn);
+    const BodyMotion& motion = rider.flight.motion;
+    const DVec2 arm = motion.center - centerAt(carrier.path, from);
+    const DVec2 turned{static_cast<double>(rotation.c) * arm.x - static_cast<double>(rotation.s) * arm.y,
+                       static_cast<double>(rotation.s) * arm.x + static_cast<double>(rotation.c) * arm.y};
+    Sweep path{.localCenter = rider.path.localCenter,
+               .c0 = motion.center,
+               .c1 = centerAt(carrier.path, 1) + turned,
+               .a0 = motion.angle,
+               .a1 = motion.angle + turn};
+    endAtGround(rider.flight, path);
+    return path;
+}
+
+void shift(Flight& flight, DVec2 by) {
+    BodyMotion& motion = flight.motion;
+    Sweep path{.localCenter = toDouble(flight.body().localCenter),
+               .c0 = motion.center,
+               .c1 = motion.center + by,
+               .a0 = motion.angle,
+               .a1 = motion.angle};
+    endAtGround(flight, path);
+    motion.center = path.c1;
+    motion.pose = poseOf(motion.center, motion.angle, flight.body().localCenter);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

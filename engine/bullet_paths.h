@@ -1,0 +1,15 @@
+#pragma once
+
+#include "bullet_work.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// The path from a time on. @pre before the end of the step
+Sweep pathAfter(const BulletPartner& partner, double time);
+/// Where a body that hangs on to another one goes with it from a time on, up to what static or kinematic thing it is
+/// pressed against there.
+Sweep pathWith(const BulletPartner& rider, const BulletPartner& carrier, double time);
+/// Puts a flyer elsewhere at once, or as far on the way as nothing static or kinematic is in it.
+void shift(Flight& flight, DVec2 by);
+
+}  // namespace swept::inline SWEPT_PRECISION
