@@ -25,28 +25,6 @@ BodyLoad loadOf(const Body& body, const BodyMotion& motion, DVec2 up, Real gravi
             .isJointed = body.holdingJoints > 0};
 }
 
-void addBody(IslandLoad& load, const BodyLoad& body) {
-    if (load.bodies++ == 0) {
-        load.lightest = load.heaviest = body.mass;
-        load.thinnest = body.extent;
-        load.lowest = load.highest = body.height;
-    }
-    load.fastest = std::max(load.fastest, body.speedSquared);
-    load.moving += body.isMoving ? 1 : 0;
-    load.debt = std::max<std::uint32_t>(load.debt, body.debt);
-    load.staysPut = load.staysPut && body.staysPut;
-    if (!body.isJointed) {
-        load.heaviestLoose = std::max(load.heaviestLoose, body.mass);
-    } else {
-        load.lightestJointed = load.lightestJointed > 0 ? std::min(load.lightestJointed, body.mass) : body.mass;
-    }
-    load.lightest = std::min(load.lightest, body.mass);
-    load.heaviest = std::max(load.heaviest, body.mass);
-    load.thinnest = std::min(load.thinnest, body.extent);
-    load.lowest = std::min(load.lowest, body.height);
-    load.highest = std::max(load.highest, body.height);
-}
-
 /// As if its bodies were added one by one: all of these are the same in any order. @pre `more` has bodies
 void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
     if (load.bodies == 0) {
@@ -68,6 +46,21 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
     load.thinnest = std::min(load.thinnest, more.thinnest);
     load.lowest = std::min(load.lowest, more.lowest);
     load.highest = std::max(load.highest, more.highest);
+}
+
+void addBody(IslandLoad& load, const BodyLoad& body) {
+    addBodiesOf(load, {.bodies = 1,
+                       .lightest = body.mass,
+                       .heaviest = body.mass,
+                       .lightestJointed = body.isJointed ? body.mass : 0,
+                       .thinnest = body.extent,
+                       .lowest = body.height,
+                       .highest = body.height,
+                       .fastest = body.speedSquared,
+                       .moving = body.isMoving ? 1U : 0U,
+                       .heaviestLoose = body.isJointed ? 0 : body.mass,
+                       .debt = body.debt,
+                       .staysPut = body.staysPut});
 }
 
 /// Bodies per block.

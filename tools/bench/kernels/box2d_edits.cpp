@@ -1,10 +1,9 @@
 #include <benchmark/benchmark.h>
 #include <box2d/box2d.h>
 
-#include <chrono>
 #include <vector>
 
-#include "kernels.h"
+#include "edit_rounds.h"
 
 namespace swept::bench {
 namespace {
@@ -34,21 +33,10 @@ void destroyBodies(benchmark::State& state) {
     const int count = static_cast<int>(state.range(0));
     std::vector<b2Body*> pile;
     for (int i = 0; i < count; ++i) { pile.push_back(addBox(world, i)); }
-    int next = 0;
-    for ([[maybe_unused]] auto _ : state) {
-        world.Step(static_cast<float>(kFlightStep), 8, 3);
-        const auto start = std::chrono::steady_clock::now();
-        for (int i = 0; i < kEdited; ++i) {
-            world.DestroyBody(pile[static_cast<std::size_t>(editedOf(next + i, count))]);
-        }
-        state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-        for (int i = 0; i < kEdited; ++i, ++next) {
-            const int place = editedOf(next, count);
-            pile[static_cast<std::size_t>(place)] = addBox(world, place);
-        }
-    }
-    state.counters["each"] =
-        benchmark::Counter(kEdited, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    const auto bodyAt = [&pile](int place) -> auto& { return pile[static_cast<std::size_t>(place)]; };
+    measureDestruction(
+        state, count, [&] { world.Step(static_cast<float>(kFlightStep), 8, 3); },
+        [&](int place) { world.DestroyBody(bodyAt(place)); }, [&](int place) { bodyAt(place) = addBox(world, place); });
 }
 
 b2Fixture* addTile(b2Body& level, int place) {

@@ -1,12 +1,11 @@
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <string>
 #include <vector>
 
 #include <swept/engine/world.h>
 
-#include "kernels.h"
+#include "edit_rounds.h"
 
 /// What it costs to destroy bodies of a pile, and tiles of a level, between steps. Compiled once per precision;
 /// box2d_edits.cpp is the same there.
@@ -30,21 +29,11 @@ void destroyBodies(benchmark::State& state) {
     const int count = static_cast<int>(state.range(0));
     std::vector<BodyId> pile;
     for (int i = 0; i < count; ++i) { pile.push_back(addBox(world, i)); }
-    int next = 0;
-    for ([[maybe_unused]] auto _ : state) {
-        (void)world.step(kFlightStep);
-        const auto start = std::chrono::steady_clock::now();
-        for (int i = 0; i < kEdited; ++i) {
-            (void)world.destroyBody(pile[static_cast<std::size_t>(editedOf(next + i, count))]);
-        }
-        state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-        for (int i = 0; i < kEdited; ++i, ++next) {
-            const int place = editedOf(next, count);
-            pile[static_cast<std::size_t>(place)] = addBox(world, place);
-        }
-    }
-    state.counters["each"] =
-        benchmark::Counter(kEdited, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    const auto bodyAt = [&pile](int place) -> auto& { return pile[static_cast<std::size_t>(place)]; };
+    measureDestruction(
+        state, count, [&] { (void)world.step(kFlightStep); },
+        [&](int place) { (void)world.destroyBody(bodyAt(place)); },
+        [&](int place) { bodyAt(place) = addBox(world, place); });
 }
 
 ShapeId addTile(World& world, BodyId level, int place) {
