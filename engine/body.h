@@ -49,6 +49,7 @@ struct Body {
     bool touchesDynamic = false;  ///< this step: contact points with a dynamic body
     bool hasContact = false;      ///< this step: contact points with anything solid
     bool deepContact = false;     ///< this step: overlaps something static too far to be swept out of it
+    bool sunk = false;            ///< this step: likewise, so far that it is swept however slowly it goes on
     bool bounces = false;         ///< this step: comes back from something static or kinematic, or is about to
     bool rests = false;           ///< this step: something static or kinematic carries it
     bool strikes = false;         ///< gets to something static or kinematic within this step, and not slowly

@@ -24,6 +24,7 @@ struct FlightObstacle {
     double level = 0;         ///< separation at which the next impact is looked for, metres
     DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
     bool isClear = false;     ///< the sweep is known not to meet it
+    bool isSunkInto = false;  ///< deeper than what contacts hold may be
     Real height = -std::numeric_limits<Real>::infinity();  ///< at the start it is known to be as far away, metres
 };
 

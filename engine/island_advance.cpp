@@ -210,10 +210,12 @@ void notePoses(Course& course, double time) {
     }
 }
 
-void holdMembers(Course& course, double time) {
+/// @param isLast  whether nobody looks for impacts of the part: else those that are sunk are held alone
+void holdMembers(Course& course, double time, bool isLast) {
     const StepPart part{.begin = course.elapsed, .length = time, .dt = course.dt};
     for (const std::uint32_t slot : course.island.members) {
-        if (!isSweptMember(course.world, slot, time / course.dt)) { continue; }
+        const bool isSunk = course.world.bodies[slot].sunk && isSwept(modeOf(course.world, course.world.bodies[slot]));
+        if (!isSunk && !(isLast && isSweptMember(course.world, slot, time / course.dt))) { continue; }
         ++course.scratch.sweeps;
         const bool stops = modeOf(course.world, course.world.bodies[slot]) == ContinuousMode::stop;
         clampAtImpact(course.world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, course.scratch);
@@ -268,15 +270,19 @@ double tryPart(Course& course, double time, bool fits, double& next) {
     solvePart(course, time);
     next = growthOf(course.world.settings) * std::max(time, course.shortest);
     if (isLast) {
-        holdMembers(course, time);
+        holdMembers(course, time, true);
         return time;
     }
     const double fraction =
         firstImpactOf(course.world, course.island.members, {.length = time, .dt = course.dt}, course.scratch);
-    if (!(fraction < 1)) { return time; }
+    if (!(fraction < 1)) {
+        holdMembers(course, time, false);
+        return time;
+    }
     ++course.scratch.impacts;
     if (fits && fraction >= kGoodFit && fraction * time >= course.shortest) {
         cutPart(course, time, fraction);
+        holdMembers(course, fraction * time, false);
         return fraction * time;
     }
     takeBack(course);

@@ -16,10 +16,10 @@ constexpr std::size_t kFlyerGrain = 2;
 /// step.
 bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
-    if (!body.fast && !body.flung) { return false; }
+    if (!body.fast && !body.flung && !body.sunk) { return false; }
     const bool done = body.role == BodyRole::flyer || body.role == BodyRole::together;
     if (!body.isDynamic() || done || !isSwept(modeOf(world, body))) { return false; }
-    return body.fast || (body.flung && movedFast(world, slot));
+    return body.fast || body.sunk || (body.flung && movedFast(world, slot));
 }
 
 LostTimeReason reasonOf(const WorldState& world, const Body& body) {

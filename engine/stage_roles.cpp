@@ -33,7 +33,7 @@ constexpr std::size_t kResetAhead = 16;
 void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
-    body.deepContact = false;
+    body.deepContact = body.sunk = false;
     body.bounces = body.rests = body.strikes = body.startled = body.flung = false;
     // What just woke has no bound yet.
     const Real known = world.glances[slot].motion;
@@ -163,7 +163,10 @@ void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, 
         body.rests = body.rests || footing.rests;
         body.strikes = body.strikes || footing.strikes;
     }
-    body.deepContact = body.deepContact || pair.isDeep;
+    if (!pair.isDeep) { return; }
+    const Contact& contact = world.contacts[pair.contact];
+    body.deepContact = true;
+    body.sunk = body.sunk || deepestSeparation(contact.manifold) < -kSlackRatio * contact.extent;
 }
 
 /// Pairs whose contacts are fetched from memory ahead of time: they lie all over it.
@@ -245,7 +248,7 @@ void giveRoles(WorldState& world) {
             if (body.role == BodyRole::solved) { traits |= kIsTied; }
             const bool isBullet = world.bulletBodies > 0 && body.def.bullet;
             some += isBullet ? 1 : 0;
-            isOneFast = isOneFast || body.fast || isBullet || body.role == BodyRole::flyer;
+            isOneFast = isOneFast || body.fast || body.sunk || isBullet || body.role == BodyRole::flyer;
         }
         if (some > 0) { bullets.fetch_add(some, std::memory_order_relaxed); }
         if (isOneFast) { isAnyFast.store(true, std::memory_order_relaxed); }

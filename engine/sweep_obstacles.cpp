@@ -46,6 +46,13 @@ bool isBehindChain(const WorldState& world, const Shape& other, StartOfCore& cor
     return dot(core.placeIn(world, other.body) - other.segment.p, other.polygon.normals[0]) < 0;
 }
 
+/// What is sunk in deeper than the slack, and therefore swept however slow it is, may stir up to so many slacks: what
+/// is pressed comes to rest somewhere there.
+constexpr double kMostSlacks = 2;
+/// Beyond that it gets on by this part of the usual tolerance alone: it may be pressed step after step, and each may
+/// have 64 parts.
+constexpr double kSunkTolerance = 1.0 / 1024;
+
 ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle, double tMax) {
     return {.target = obstacle.level, .tolerance = toleranceOf(world, obstacle), .tMax = tMax};
 }
@@ -62,6 +69,10 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
     ++scratch.toiCalls;
     scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
     if (toi.state == ToiState::hit && toi.fraction <= 0) {
+        if (!obstacle.isSunkInto && toi.separation < length(obstacle.lift) - slackOf(world, obstacle)) {
+            toi.state = ToiState::overlapped;  // if of a rounded shape its radius alone is sunk
+            return toi;
+        }
         obstacle.level = std::min(obstacle.level, levelInContact(world, obstacle, toi.separation));
         toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
         ++scratch.toiCalls;
@@ -114,12 +125,16 @@ void liftFlush(const WorldState& world, double slops, std::span<const Vec2> norm
 }
 
 /// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
-DVec2 liftOf(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep) {
+void liftOut(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep) {
     const Real margin = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
     const StartContact contact = contactAtStart(world, obstacle, startOf(sweep), startOf(otherSweep), margin);
-    const double up = targetOf(world, obstacle) +
-                      static_cast<double>(roundingOf(world, obstacle) - std::min(contact.deepest, Real(0)));
-    return up * toDouble(contact.normal);
+    const double depth = -static_cast<double>(std::min(contact.deepest, Real(0)));
+    const double slack = slackOf(world, obstacle);
+    obstacle.isSunkInto = depth > slack;
+    const double allowed = obstacle.isSunkInto ? std::max(depth, kMostSlacks * slack)
+                                               : depth + static_cast<double>(roundingOf(world, obstacle));
+    obstacle.level = targetOf(world, obstacle);
+    obstacle.lift = (obstacle.level + allowed) * toDouble(contact.normal);
 }
 
 /// How far the box of an obstacle is from a place, squared.
@@ -187,6 +202,7 @@ Real reachOf(const WorldState& world, const FlightObstacle& obstacle) {
 }
 
 double levelInContact(const WorldState& world, const FlightObstacle& obstacle, double separation) {
+    if (obstacle.isSunkInto) { return separation - 2 * toleranceOf(world, obstacle); }
     // What rounding, or a corner that turns in, leaves of an approach that was dealt with must not count as an impact
     // again and again: bars that come to rest on uneven ground lost 1.7 % of their time by it.
     const Real sink = std::max(roundingOf(world, obstacle), kChatterSlops * slopOf(world, obstacle));
@@ -194,7 +210,7 @@ double levelInContact(const WorldState& world, const FlightObstacle& obstacle, d
 }
 
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return toleranceOf(world, targetOf(world, obstacle));
+    return (obstacle.isSunkInto ? kSunkTolerance : 1) * toleranceOf(world, targetOf(world, obstacle));
 }
 
 double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts) {
@@ -279,8 +295,7 @@ FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const S
                             FlightObstacle& obstacle, double limit, FlightScratch& scratch) {
     Toi toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch);
     if (toi.state == ToiState::overlapped) {
-        obstacle.lift = liftOf(world, obstacle, sweep, otherSweep);
-        obstacle.level = targetOf(world, obstacle);
+        liftOut(world, obstacle, sweep, otherSweep);
         toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch);
     }
     const bool blocked = toi.state == ToiState::overlapped || toi.state == ToiState::failed;
