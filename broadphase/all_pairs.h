@@ -7,6 +7,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// Every box against every box that moved: no upkeep at all, so good for a handful of proxies, and the reference that
 /// the other implementations are tested against. n proxies of which m moved: m·n box tests; a query: n.
 class AllPairs final : public TableBroadphase {
+public:
+    std::unique_ptr<Broadphase> clone() const override { return std::make_unique<AllPairs>(*this); }
+
 private:
     void onInsert(std::uint32_t) override {}
     void onMove(std::uint32_t) override {}

@@ -65,6 +65,8 @@ struct BroadphaseCounters {
 class Broadphase {
 public:
     virtual ~Broadphase() = default;
+    /// Another one with the same proxies, which reports what this one would.
+    virtual std::unique_ptr<Broadphase> clone() const = 0;
 
     /// @return `notFinite` or `outOfRange` (lower > upper) for a bad box.
     virtual Result<ProxyId> insert(const Aabb& box, ProxyKind kind) = 0;
@@ -122,5 +124,25 @@ public:
 };
 
 std::unique_ptr<Broadphase> makeBroadphase(BroadphaseKind kind);
+
+/// Owns a broadphase, and is copied with it.
+class OwnedBroadphase {
+public:
+    OwnedBroadphase(std::unique_ptr<Broadphase> broadphase) : broadphase_(std::move(broadphase)) {}
+    OwnedBroadphase(const OwnedBroadphase& other) : broadphase_(other.broadphase_->clone()) {}
+    OwnedBroadphase& operator=(const OwnedBroadphase& other) {
+        if (this != &other) { broadphase_ = other.broadphase_->clone(); }
+        return *this;
+    }
+    OwnedBroadphase(OwnedBroadphase&&) noexcept = default;
+    OwnedBroadphase& operator=(OwnedBroadphase&&) noexcept = default;
+    ~OwnedBroadphase() = default;
+
+    Broadphase& operator*() const { return *broadphase_; }
+    Broadphase* operator->() const { return broadphase_.get(); }
+
+private:
+    std::unique_ptr<Broadphase> broadphase_;
+};
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -14,6 +14,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// the join O(m log n + pairs) in worlds whose boxes do not all overlap; a query O(log n + found).
 class Bvh final : public TableBroadphase {
 public:
+    std::unique_ptr<Broadphase> clone() const override { return std::make_unique<Bvh>(*this); }
     /// For tests and for measuring its quality.
     const AabbTree& tree(ProxyKind kind) const { return trees_[static_cast<std::size_t>(kind)]; }
 

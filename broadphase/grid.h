@@ -15,6 +15,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// Good where sizes are alike.
 class Grid final : public TableBroadphase {
 public:
+    std::unique_ptr<Broadphase> clone() const override { return std::make_unique<Grid>(*this); }
     Grid();
 
 private:

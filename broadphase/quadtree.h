@@ -16,6 +16,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// boxes in the squares around one; a query O(h + squares met). Good where sizes differ much.
 class Quadtree final : public TableBroadphase {
 public:
+    std::unique_ptr<Broadphase> clone() const override { return std::make_unique<Quadtree>(*this); }
     Quadtree();
 
 private:

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "../shapes/cache_line.h"
+#include "../shapes/copied_atomic.h"
 
 namespace swept {
 
@@ -23,7 +24,7 @@ public:
 private:
     static constexpr std::size_t kParts = 8;
     struct alignas(kCacheLine) Part {
-        std::atomic<std::uint64_t> count = 0;
+        CopiedAtomic<std::uint64_t> count = 0;
     };
 
     /// Threads take the places in turn: which one has which is no matter to the sum.

@@ -13,6 +13,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// that overlap along the axis, about √n in a square world; a query O(n/64 + m + blocks met). Good for long, flat
 /// worlds.
 class SortAndSweep final : public TableBroadphase {
+public:
+    std::unique_ptr<Broadphase> clone() const override { return std::make_unique<SortAndSweep>(*this); }
+
 private:
     struct Entry {
         Real key;  ///< lower bound along the axis

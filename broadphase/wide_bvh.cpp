@@ -27,13 +27,13 @@ void WideBvh::onInsert(std::uint32_t slot) {
 void WideBvh::onMove(std::uint32_t slot) { treeAt(slot).move(places_[slot], table().boxAt(slot)); }
 
 void WideBvh::onBeginMoves() {
-    for (std::atomic<bool>& any : kindsBeside_) { any.store(false, std::memory_order_relaxed); }
+    for (CopiedAtomic<bool>& any : kindsBeside_) { any.store(false, std::memory_order_relaxed); }
 }
 
 void WideBvh::onMoveBeside(std::uint32_t slot, const Aabb& box) {
     table().moveUnmarked(slot, box);
     treeAt(slot).moveBeside(places_[slot], box);
-    std::atomic<bool>& any = kindsBeside_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
+    CopiedAtomic<bool>& any = kindsBeside_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
     if (!any.load(std::memory_order_relaxed)) { any.store(true, std::memory_order_relaxed); }  // mostly it is
 }
 

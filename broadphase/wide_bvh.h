@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 
+#include "../shapes/copied_atomic.h"
 #include "table_broadphase.h"
 #include "wide_kernels.h"
 #include "wide_tree.h"
@@ -16,6 +16,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// and a rebuild, O(n log n), no more often than what it saves; a query O(log n + found).
 class WideBvh final : public TableBroadphase {
 public:
+    std::unique_ptr<Broadphase> clone() const override { return std::make_unique<WideBvh>(*this); }
     explicit WideBvh(const WideKernels& kernels = widestKernels()) : TableBroadphase(false), kernels_(kernels) {}
 
     /// For tests and for measuring its quality.
@@ -45,7 +46,7 @@ private:
 
     const WideKernels& kernels_;
     std::array<WideTree, kProxyKindCount> trees_;
-    std::array<std::atomic<bool>, kProxyKindCount> kindsBeside_{};  // some of it were moved beside each other
+    std::array<CopiedAtomic<bool>, kProxyKindCount> kindsBeside_{};  // some of it were moved beside each other
     std::vector<std::uint32_t> places_;  // one per slot: the place in the tree of the slot's kind
     std::vector<WideJoin> joins_;        // the pieces of a search, none of which needs another
     std::vector<WideScratch> scratch_;   // one per worker

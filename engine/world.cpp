@@ -168,6 +168,16 @@ World::World() : state_(std::make_unique<WorldState>()) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
+World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
+World& World::operator=(const World& other) {
+    if (this == &other) { return *this; }
+    if (state_) {
+        *state_ = *other.state_;
+    } else {  // moved from
+        state_ = std::make_unique<WorldState>(*other.state_);
+    }
+    return *this;
+}
 
 Status World::configure(const WorldSettings& settings) {
     const Status status = check(settings);

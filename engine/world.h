@@ -33,6 +33,11 @@ public:
     ~World();
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
+    /// A snapshot: everything, ids and the events of the last step included. From equal calls on, the copy and the
+    /// original go on with the same bits. Copying into a world that was one of these before reuses its memory. The task
+    /// system is the same; two worlds may be stepped at the same time if it allows that.
+    World(const World& other);
+    World& operator=(const World& other);
 
     /// Replaces all settings. Errors: `notFinite`, `outOfRange`, `notPositive` with the name of the member.
     Status configure(const WorldSettings& settings);

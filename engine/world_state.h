@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cmath>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "../shapes/copied_atomic.h"
 #include "../solver/island_finder.h"
 #include "../solver/solver.h"
 #include "balance.h"
@@ -111,14 +111,26 @@ struct SensorSweeps {
     std::vector<double> fractions;
 };
 
-/// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`.
-struct WorldState {
-    WorldSettings settings;
+/// Who runs the loops of a world. A copy has a crew of its own, and works for the same user.
+struct Workers {
     SerialTaskSystem serialTasks;
     TaskSystem* userTasks = &serialTasks;  ///< what the user gave; stages use `loops`
     Crew crew;
     TaskSystem* loops = &serialTasks;  ///< where the parallel loops of the present step run
 
+    Workers() = default;
+    Workers(const Workers& other) { *this = other; }
+    Workers& operator=(const Workers& other) {
+        userTasks = other.userTasks == &other.serialTasks ? &serialTasks : other.userTasks;
+        return *this;
+    }
+    ~Workers() = default;
+};
+
+/// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`. Nothing
+/// in it refers to a place in it from one step to the next, so that a copy goes on like the original.
+struct WorldState : Workers {
+    WorldSettings settings;
     SlotPool<Body, BodyId> bodies;
     std::vector<BodyMotion> motions;    ///< by body slot
     std::vector<BodySlot> solverSlots;  ///< by body slot: in its present solve, of what that moves or may meet
@@ -139,7 +151,7 @@ struct WorldState {
     std::optional<Real> thinnestWall;       ///< metres, for mode `speedLimit`; empty: to be found anew
     std::uint32_t masslessBodies = 0;       ///< dynamic bodies without mass: the step is refused while there are any
 
-    std::unique_ptr<Broadphase> broadphase = makeBroadphase(BroadphaseKind::automatic);
+    OwnedBroadphase broadphase = makeBroadphase(BroadphaseKind::automatic);
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
     std::vector<ProxyPair> newPairs;
     std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
@@ -174,14 +186,14 @@ struct WorldState {
     FastIslands fastIslands;
     std::deque<SolveDesk> desks = std::deque<SolveDesk>(1);  ///< one per worker
     IslandFinder islands;
-    std::vector<EnergyAccount> energyAccounts;    ///< by root: of the last solve that it was part of
-    std::atomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
-    std::vector<Effort> efforts;                  ///< classes of the present step
-    std::vector<IslandLoad> islandLoads;          ///< by root, of this step
-    std::vector<BodyLoad> bodyLoads;              ///< by place in `tied`, likewise, of whom `blockLoads` leaves out
-    std::vector<BlockLoad> blockLoads;            ///< likewise
-    std::vector<IslandContacts> islandContacts;   ///< of this step
-    std::vector<Effort> tiedEfforts;              ///< by place in `tied`: as they were given to the bodies
+    std::vector<EnergyAccount> energyAccounts;     ///< by root: of the last solve that it was part of
+    CopiedAtomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
+    std::vector<Effort> efforts;                   ///< classes of the present step
+    std::vector<IslandLoad> islandLoads;           ///< by root, of this step
+    std::vector<BodyLoad> bodyLoads;               ///< by place in `tied`, likewise, of whom `blockLoads` leaves out
+    std::vector<BlockLoad> blockLoads;             ///< likewise
+    std::vector<IslandContacts> islandContacts;    ///< of this step
+    std::vector<Effort> tiedEfforts;               ///< by place in `tied`: as they were given to the bodies
     JointChains jointChains;
     std::vector<std::uint8_t> islandHangs;  ///< by root: nothing in it moves (settled.cpp)
     std::vector<Pull> islandPulls;          ///< by slot: what is left of pulls and impulses of a step
