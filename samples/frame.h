@@ -117,7 +117,8 @@ struct RunReport {
     DVec2 endMomentum;
     double startAngularMomentum = 0;  ///< about the world origin
     double endAngularMomentum = 0;
-    bool finite = true;  ///< no NaN or infinity in any body's state
+    std::string refusal;  ///< why the engine refused a step; empty: it did not
+    bool finite = true;   ///< no NaN or infinity in any body's state
 };
 
 }  // namespace swept

@@ -28,7 +28,7 @@ Trace runTrace(Runner& runner, std::int64_t steps, std::int64_t every, bool with
     trace.frames.emplace_back();
     runner.read(trace.frames.back(), withContacts);
     for (std::int64_t step = 1; step <= steps; ++step) {
-        runner.step();
+        if (!runner.step()) { break; }
         trace.events.insert(trace.events.end(), runner.events().begin(), runner.events().end());
         if (step % every != 0 && step != steps) { continue; }
         trace.frames.emplace_back();

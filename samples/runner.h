@@ -16,7 +16,8 @@ class Runner {
 public:
     virtual ~Runner() = default;
     /// Advances by the scene's dt.
-    virtual void step() = 0;
+    /// @return false when the engine refused the step: nothing has changed then, and the report has the reason
+    virtual bool step() = 0;
     /// Writes the present state; capacity is reused. Contacts and impacts are filled only when asked for.
     virtual void read(Frame& frame, bool withContacts) const = 0;
     /// Events of the last step, sorted by time, then ids; empty unless `collectEvents` was set.
@@ -47,7 +48,7 @@ struct Trace {
     RunReport report;
 };
 
-/// Runs `steps` steps and keeps every `every`-th frame (and the last).
+/// Runs `steps` steps and keeps every `every`-th frame (and the last). Ends before a step that is refused.
 Trace runTrace(Runner& runner, std::int64_t steps, std::int64_t every = 1, bool withContacts = false);
 
 }  // namespace swept

@@ -7,6 +7,7 @@
 
 #include "../shapes/chain.h"
 #include "../shapes/hull.h"
+#include "engine_refusal.h"
 #include "scene_reader.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -146,23 +147,20 @@ Status addShape(World& world, BodyId body, const ShapeDescription& given, const 
     return polygon.ok() ? world.addShape(body, polygon.value(), def).status() : polygon.status();
 }
 
-std::string refusal(const std::string& pointer, Status status) {
-    return pointer + ": " + status.field + " " + describe(status.code);
-}
-
 bool buildBody(const SceneDescription& scene, std::size_t i, SceneWorld& built, std::string& error) {
     const std::string pointer = "/bodies/" + std::to_string(i);
     const BodyDescription& given = scene.bodies[i];
     const Result<BodyId> body = built.world.createBody(bodyDefOf(given, i));
     if (!body.ok()) {
-        error = refusal(pointer, body.status());
+        error = refusalText(pointer, hasKey<BodyDescription>(body.status().field), body.status());
         return false;
     }
     built.bodies[i] = body.value();
     for (std::size_t k = 0; k < given.shapes.size(); ++k) {
         const Status status = addShape(built.world, body.value(), given.shapes[k], shapeDefOf(given.shapes[k], i, k));
         if (!status.ok()) {
-            error = refusal(pointer + "/shapes/" + std::to_string(k), status);
+            error =
+                refusalText(pointer + "/shapes/" + std::to_string(k), hasKey<ShapeDescription>(status.field), status);
             return false;
         }
     }
@@ -343,7 +341,8 @@ bool buildJoints(const SceneDescription& scene, std::span<const std::size_t> wan
             if (std::holds_alternative<GearDescription>(given.joint) != gears) { continue; }
             const Result<JointId> joint = buildJoint(given, i, bodies, joints, built.world);
             if (!joint.ok()) {
-                error = refusal("/joints/" + std::to_string(i), joint.status());
+                error =
+                    refusalText("/joints/" + std::to_string(i), hasKey(given, joint.status().field), joint.status());
                 return false;
             }
             joints.emplace(jointName(scene, i), joint.value());
@@ -373,7 +372,8 @@ std::vector<Polygon> polygonsOf(const ShapeDescription& shape) {
 bool buildWorld(const SceneDescription& scene, SceneWorld& built, std::string& error) {
     const Status configured = built.world.configure(settingsOf(scene));
     if (!configured.ok()) {
-        error = refusal("/settings", configured);
+        const bool ofScene = hasKey<SceneDescription>(configured.field);  // gravity
+        error = refusalText(ofScene ? "" : "/settings", true, configured);
         return false;
     }
     built.joints.resize(scene.joints.size());

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "counter_names.h"
+#include "engine_refusal.h"
 #include "runner.h"
 #include "world_builder.h"
 
@@ -60,14 +61,19 @@ public:
         report_.startAngularMomentum = totals.angularMomentum;
     }
 
-    void step() override {
+    bool step() override {
         if (options_.ways) { keepStarts(); }
-        (void)built_.world.step(scene_.settings.dt);  // dt and masses were validated with the scene
+        const Status status = built_.world.step(scene_.settings.dt);
+        if (!status.ok()) {
+            report_.refusal = refusalText("/settings", hasKey<SettingsDescription>(status.field), status);
+            return false;
+        }
         ++steps_;
         addCounters(sums_, built_.world.counters());
         for (const LostTimeEntry& entry : built_.world.lostTime()) { noteLostTime(entry); }
         if (options_.collectEvents) { collectEvents(); }
         if (options_.measure) { measure(); }
+        return true;
     }
 
     void read(Frame& frame, bool withContacts) const override {
@@ -228,6 +234,12 @@ private:
 
 std::unique_ptr<Runner> makeWorldRunner(const SceneDescription& scene, const RunnerOptions& options,
                                         std::string& error) {
+    // A length of step that `World::step` refuses is bad input, as a body is that it does not create.
+    const double dt = scene.settings.dt;
+    if (!isInRange(dt) || !isInRange(1 / dt)) {
+        error = refusalText("/settings", true, {StatusCode::outOfRange, "dt"}) + ", for dt and for 1/dt";
+        return nullptr;
+    }
     SceneWorld built;
     if (!buildWorld(scene, built, error)) { return nullptr; }
     return std::make_unique<WorldRunner>(scene, options, std::move(built));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -46,7 +47,7 @@ public:
         if (std::ofstream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
     }
 
-    /// @return false, and the reason in `error`, when a picture could not be written.
+    /// @return false, and the reason in `error`, when a picture could not be written or a step was refused.
     bool run(PictureOutput* pictures, RunOutcome& outcome, std::string& error) {
         Progress progress(loaded_.source, loaded_.steps);
         const bool wantsContacts = pictures != nullptr && pictures->wantsContacts();
@@ -61,8 +62,12 @@ public:
             if (pictures != nullptr && !pictures->show(frame_, runner_.events(), error)) { return false; }
             if (step == loaded_.steps) { return true; }
             const auto start = std::chrono::steady_clock::now();
-            runner_.step();
+            const bool stepped = runner_.step();
             outcome.wallSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            if (!stepped) {
+                error = loaded_.source + ": " + runner_.report().refusal;
+                return false;
+            }
             if (events_) { events_->write(runner_.events()); }
             progress.update(step + 1);
         }
@@ -127,6 +132,16 @@ void warnOfBudget(const char* name, const std::optional<double>& limit, double v
               << roundedText(*limit) << '\n';
 }
 
+/// A run in which a state overflowed has left what was asked for, though all of it is finite.
+void warnOfOverflow(const RunReport& report) {
+    const auto isPutBack = [](const NamedNumber& counter) { return counter.name == "putBack"; };
+    const auto found = std::find_if(report.counters.begin(), report.counters.end(), isPutBack);
+    if (found == report.counters.end() || found->value == 0) { return; }
+    std::cerr << "swept: warning: " << roundedText(found->value) << (found->value == 1 ? " state" : " states")
+              << " of bodies overflowed and " << (found->value == 1 ? "was" : "were")
+              << " put back to rest where the step began (counter putBack)\n";
+}
+
 /// Writes what belongs to the end of the run, closes the files, and tells the user.
 int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Runner& runner, const RunOutcome& outcome,
               OutputFiles& outputs) {
@@ -144,6 +159,7 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPicturePlaces(arguments.pictures);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration);
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError);
+    warnOfOverflow(report);
     if (!outcome.culprit) { return kExitDone; }
     std::cerr << "swept: " << loaded.source << ": the state of body \"" << *outcome.culprit
               << "\" is not finite after step " << outcome.steps << '\n';

@@ -51,11 +51,12 @@ public:
         return true;
     }
 
-    void step() override {
-        if (aborted_) { return; }
+    bool step() override {
+        if (aborted_) { return true; }
         const std::int64_t next = sample_.frame.step + 1;
         const char go = 's';
         if (!child_.send(&go, 1, kPatience) || !receiveSample()) { noteEnd("at step " + std::to_string(next)); }
+        return true;
     }
 
     void read(Frame& frame, bool withContacts) const override {
