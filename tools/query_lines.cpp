@@ -3,6 +3,7 @@
 #include <istream>
 #include <ostream>
 
+#include "../samples/scene_names.h"
 #include "number_text.h"
 #include "query_distance.h"
 #include "query_reader.h"
@@ -92,7 +93,12 @@ std::optional<std::string> readChecked(std::string_view line, QueryLine& query, 
     if (auto error = readQueryLine(line, query)) { return error; }
     settings = settingsOf(query);
     const Status status = validateToi(query.a, query.sweepA, query.b, query.sweepB, settings);
-    return status.ok() ? std::nullopt : std::optional(textOf(status));
+    if (status.ok()) { return std::nullopt; }
+    if (status.code == StatusCode::outOfRange && status.field == std::string_view("tolerance") && !query.tolerance) {
+        return "/a/sweep, /b/sweep: so far or so much about that double does not resolve the default tolerance, " +
+               shortestNumber(settings.tolerance) + " m";
+    }
+    return textOf(status);
 }
 
 /// The reason of a refusal begins with the number of the line; a syntax error counts its own as the first.

@@ -94,6 +94,19 @@ TEST(QueryLines, AnswersEveryState) {
     EXPECT_NEAR(json["separation"].get<double>(), -0.5, 1e-12);
 }
 
+TEST(QueryLines, BlamesTheSweepForATolerance) {
+    const auto tooFar = [](Json& line) {
+        line["a"]["sweep"]["a1"] = 1e15;
+        line.erase("tolerance");
+    };
+    expectStartsWith(errorAfter(tooFar), "/a/sweep, /b/sweep: ");  // no tolerance was given
+    const auto given = [&](Json& line) {
+        tooFar(line);
+        line["tolerance"] = 1e-4;
+    };
+    expectStartsWith(errorAfter(given), "/tolerance: ");
+}
+
 TEST(QueryLines, EchoesTheIdWithItsType) {
     for (const Json& id : {Json(7), Json(-7), Json(1.5), Json("seven \"7\" ü"), Json(nullptr), Json(true),
                            Json(18446744073709551615U)}) {
