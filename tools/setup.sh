@@ -15,12 +15,19 @@ wasm_packages=(clang-14 lld-14 llvm-14 wasi-libc libc++-14-dev-wasm32 libc++abi-
 emscripten_packages=(emscripten)
 aarch64_packages=(g++-aarch64-linux-gnu qemu-user)
 
+usage="usage: tools/setup.sh [all|demo|wasm|emscripten|aarch64]"
+if [ "$#" -gt 1 ]; then fail "$usage"; fi
 case "${1:-all}" in
+    all) wanted=("${demo_packages[@]}" "${test_packages[@]}") ;;
     demo) wanted=("${demo_packages[@]}") ;;
     wasm) wanted=("${cross_packages[@]}" "${wasm_packages[@]}") ;;
     emscripten) wanted=("${cross_packages[@]}" "${emscripten_packages[@]}") ;;
     aarch64) wanted=("${cross_packages[@]}" "${aarch64_packages[@]}") ;;
-    *) wanted=("${demo_packages[@]}" "${test_packages[@]}") ;;
+    -h | --help)
+        echo "$usage"
+        exit 0
+        ;;
+    *) fail "$1: no such set of packages; $usage" ;;
 esac
 
 # For any machine: a package that is there for two of them has two lines.
