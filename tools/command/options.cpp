@@ -2,7 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <iostream>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "commands.h"
@@ -12,6 +15,52 @@ namespace {
 
 /// CLI11 explains some mistakes over several lines; ours take one.
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// The library would read 010 as 8, and take the largest there is for what is larger still.
+template <class Integer>
+std::string faultOfWholeNumber(const std::string& text) {
+    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const char* const end = text.data() + text.size();
+    Integer number = 0;
+    const auto [last, status] = std::from_chars(begin, end, number);
+    if (status == std::errc::result_out_of_range && last == end) { return text + " is too large"; }
+    const bool isOctal = end - begin > 1 && *begin == '0';
+    if (status == std::errc() && last == end && !isOctal) { return ""; }
+    return "must be a whole number, written in digits, not " + text;
+}
+
+std::string faultOfText(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
+
+template <class T>
+struct ValueOf {
+    using Type = T;
+};
+template <class T>
+struct ValueOf<std::optional<T>> {
+    using Type = T;
+};
+
+/// "swept bench foo: no such command …" of the first word that should be a command and is none; empty: there is none.
+std::string unknownCommand(const CLI::App& program, const std::vector<std::string>& arguments) {
+    const CLI::App* app = &program;
+    std::string path;
+    for (const std::string& word : arguments) {
+        if (app->get_require_subcommand_min() == 0 || word.starts_with('-')) { return ""; }
+        const auto isNamed = [&](const CLI::App* command) { return command->get_name() == word; };
+        const auto found = app->get_subcommands(isNamed);
+        const std::string above = program.get_name() + path;
+        path += ' ' + word;
+        if (found.empty()) { return path.substr(1) + ": no such command (\"" + above + " --help\" lists them)"; }
+        app = found.front();
+    }
+    return "";
+}
+
+/// What was written to a pipe that nobody reads, or to a disk that is full, is lost: a success must not be claimed.
+int withOutputWritten(int exitCode) {
+    std::cout.flush();
+    return std::cout ? exitCode : refuse("standard output cannot be written");
+}
 
 }  // namespace
 
@@ -72,7 +121,12 @@ void Command::needsCommand() const { app_->require_subcommand(1); }
 
 template <class T>
 Option Command::option(const std::string& name, T& value, const std::string& help) const {
-    return Option(app_->add_option(name, value, help));
+    CLI::Option* const option = app_->add_option(name, value, help);
+    // In front of all other checks, which see a number where there may be none. No name: nothing in the help.
+    using Value = typename ValueOf<T>::Type;
+    if constexpr (std::is_integral_v<Value>) { option->check(faultOfWholeNumber<Value>, ""); }
+    if constexpr (std::is_same_v<T, std::string>) { option->check(faultOfText, ""); }
+    return Option(option);
 }
 
 template Option Command::option(const std::string&, std::string&, const std::string&) const;
@@ -103,17 +157,14 @@ int runProgram(const ProgramTexts& texts, const std::function<void(Command)>& ad
     program.needsCommand();
     addCommands(program);
     if (arguments.empty()) { return refuse("no command given (\"" + texts.name + " --help\" lists them)"); }
-    const auto isFirst = [&](const CLI::App* command) { return command->get_name() == arguments[0]; };
-    if (!arguments[0].starts_with('-') && std::as_const(app).get_subcommands(isFirst).empty()) {
-        return refuse(arguments[0] + ": no such command (\"" + texts.name + " --help\" lists them)");
-    }
+    if (const std::string fault = unknownCommand(app, arguments); !fault.empty()) { return refuse(fault); }
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     try {
         app.parse(arguments);
     } catch (const CLI::Success& helpOrVersion) {
-        return app.exit(helpOrVersion);
+        return withOutputWritten(app.exit(helpOrVersion));
     } catch (const CLI::ParseError& mistake) { return refuse(firstLine(mistake.what())); }
-    return exitCode;
+    return withOutputWritten(exitCode);
 }
 
 }  // namespace swept

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -17,6 +18,7 @@
 namespace swept {
 namespace {
 
+constexpr const char* kDefaultSize = "1280x720";
 constexpr int kSmallestSide = 16;    // pixels
 constexpr int kLargestSide = 16383;  // the most that WebP can hold
 constexpr int kSmallestTile = 240;   // pixels; below that nothing is recognised
@@ -66,7 +68,7 @@ public:
         for (SceneRenderer* const renderer : {renderer_.get(), tileRenderer_.get()}) {
             if (renderer != nullptr) { noteStep(*renderer, frame, events); }
         }
-        if (frame.step % arguments_.every == 0 && !drawFrame(frame, error)) { return false; }
+        if (frame.step % everyStep() == 0 && !drawFrame(frame, error)) { return false; }
         if (std::binary_search(sheetSteps_.begin(), sheetSteps_.end(), frame.step)) {
             tiles_.push_back(tileRenderer_->draw(frame));
             captions_.push_back(timeLabel(frame.time, dt_));
@@ -75,7 +77,7 @@ public:
     }
 
     bool finish(std::string& error) override {
-        const int pause = std::max(1, static_cast<int>(std::lround(1000 * dt_ * arguments_.every)));
+        const int pause = std::max(1, static_cast<int>(std::lround(1000 * dt_ * static_cast<double>(everyStep()))));
         if (webp_ && !webp_->finish(arguments_.webp, lastMs_ + pause, error)) { return false; }
         if (tiles_.empty()) { return true; }
         const std::optional<Image> sheet = contactSheet(tiles_, captions_, 0, error);
@@ -83,6 +85,8 @@ public:
     }
 
 private:
+    std::int64_t everyStep() const { return arguments_.every.value_or(1); }
+
     void noteStep(SceneRenderer& renderer, const Frame& frame, std::span<const SceneEvent> events) const {
         if (arguments_.trails) { renderer.addTrail(frame); }
         for (const SceneEvent& event : events) {
@@ -115,18 +119,23 @@ private:
 
 /// What is wrong with the arguments themselves; empty when nothing is.
 std::string faultOf(const PictureArguments& arguments, double duration) {
-    if (arguments.every < 1) { return "--every: must be at least 1"; }
+    if (arguments.every.value_or(1) < 1) { return "--every: must be at least 1"; }
     if (arguments.sheet < 0 || arguments.sheet > kMostTiles) {
         return "--sheet: must be between 0 and " + std::to_string(kMostTiles);
     }
     if (arguments.sheet > 0 && arguments.directory.empty()) {
         return "--sheet: needs --png DIR, into which it writes sheet.png";
     }
+    const std::string ending = std::filesystem::path(arguments.webp).extension().string();
+    if (!ending.empty() && ending != ".webp") {
+        return "--webp " + arguments.webp + ": writes WebP, a name that ends in .webp or has no ending";
+    }
     const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
     if (!draws &&
         (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts || arguments.sweeps)) {
         return "--trails, --contacts, --velocities, --ghosts and --sweeps need --png or --webp";
     }
+    if (!draws && (arguments.every || !arguments.size.empty())) { return "--every and --size need --png or --webp"; }
     if (!arguments.webp.empty() && duration * 1000 > std::numeric_limits<int>::max() / 2.0) {
         return "--webp: the run is too long for an animation";
     }
@@ -198,7 +207,9 @@ std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, 
                                                  std::int64_t steps, std::string& error) {
     error = faultOf(arguments, static_cast<double>(steps) * scene.settings.dt);
     PictureSize size;
-    if (!error.empty() || !parseSize(arguments.size, size, error)) { return nullptr; }
+    if (!error.empty() || !parseSize(arguments.size.empty() ? kDefaultSize : arguments.size, size, error)) {
+        return nullptr;
+    }
     if (arguments.directory.empty() && arguments.webp.empty()) { return nullptr; }
     auto pictures = std::make_unique<Pictures>(arguments, scene.settings.dt);
     if (pictures->create(scene, size, steps, error)) { return pictures; }

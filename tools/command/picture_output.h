@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,9 +19,9 @@ namespace swept {
 struct PictureArguments {
     std::string directory;  ///< for PNGs and the contact sheet
     std::string webp;
-    int every = 1;  ///< steps between pictures
-    std::string size = "1280x720";
-    int sheet = 0;  ///< moments on the contact sheet; 0: none
+    std::optional<std::int64_t> every;  ///< steps between pictures; 1 where none is given
+    std::string size;                   ///< kDefaultSize where none is given
+    int sheet = 0;                      ///< moments on the contact sheet; 0: none
     bool trails = false;
     bool contacts = false;
     bool velocities = false;

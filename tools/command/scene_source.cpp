@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <numeric>
 #include <string_view>
 
@@ -63,7 +64,8 @@ SceneResult readSource(const SceneArguments& arguments, const std::vector<Overri
     if (const BuiltinScene* const builtin = findBuiltinScene(arguments.scene)) {
         return readScene(writeScene(builtin->make()), arguments.scene, overrides);
     }
-    return {};
+    // Only now: a folder of the name of a built-in scene does not hide that.
+    return std::filesystem::exists(status) ? readSceneFile(arguments.scene, overrides) : SceneResult{};
 }
 
 /// round(S / dt), or the number of steps asked for.
@@ -81,6 +83,10 @@ std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double dt, 
         return std::nullopt;
     }
     const double steps = std::round(duration / dt);
+    if (steps == 0 && duration > 0) {
+        std::cerr << "swept: warning: " << roundedText(duration) << " s is less than half a step of " << roundedText(dt)
+                  << " s: no step is run\n";
+    }
     if (!(steps <= kMostSteps)) {
         error = "--duration: too many steps of " + roundedText(dt) + " s";
         return std::nullopt;

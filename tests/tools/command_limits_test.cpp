@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run_program.h"
+#include "small_scenes.h"
+
+/// Input at the ends of what can be written, and runs that leave less than was asked for.
+
+namespace swept {
+namespace {
+
+class CommandLimits : public testing::Test {
+protected:
+    void expectRunRefused(const std::vector<std::string>& more, const std::string& reason) {
+        std::vector<std::string> arguments{"run", scene_, "--csv", out_.path("states.csv")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expectRefused(arguments, reason);
+        EXPECT_TRUE(out_.isEmpty()) << "a refused run must write nothing: " << reason;
+    }
+
+    ScratchDirectory in_;
+    ScratchDirectory out_;
+    std::string scene_ = in_.write("ball.json", kBallScene);
+};
+
+TEST_F(CommandLimits, StepsThatTheEngineRefuses) {
+    for (const char* const dt : {"/settings/dt=1e19", "/settings/dt=1e-19"}) {
+        expectRunRefused({"--steps", "3", "--set", dt}, ": /settings/dt: is out of range: f32 takes numbers up to 9");
+        EXPECT_EQ(runSwept({"run", scene_, "--steps", "1", "--precision", "f64", "--set", dt}).exitCode, 0) << dt;
+    }
+}
+
+TEST_F(CommandLimits, NumbersOfScenesThatSinglePrecisionRefuses) {
+    for (const std::string pointer : {"/gravity", "/bodies/1/velocity", "/bodies/1/position"}) {
+        expectRunRefused({"--steps", "1", "--set", pointer + "=[0, 1e19]"}, ": " + pointer + ": is out of range");
+    }
+    for (const std::string pointer :
+         {"/bodies/1/angle", "/bodies/1/angularVelocity", "/bodies/1/gravityScale", "/bodies/1/shapes/0/density"}) {
+        expectRunRefused({"--steps", "1", "--set", pointer + "=1e19"}, ": " + pointer + ": is out of range");
+        EXPECT_EQ(runSwept({"run", scene_, "--steps", "1", "--precision", "f64", "--set", pointer + "=1e19"}).exitCode,
+                  0)
+            << pointer;
+    }
+}
+
+TEST_F(CommandLimits, TellsOfStatesThatOverflowed) {
+    const auto overflown = runSwept({"run", "newtons-cradle", "--set", "/settings/dt=1e15", "--steps", "3"});
+    EXPECT_EQ(overflown.exitCode, 0) << overflown.err;
+    EXPECT_NE(overflown.err.find("overflowed and were put back"), std::string::npos) << overflown.err;
+    EXPECT_EQ(runSwept({"run", scene_, "--steps", "64"}).err, "");
+}
+
+TEST_F(CommandLimits, TellsOfDurationsWithoutAStep) {
+    const auto none = runSwept({"run", scene_, "--duration", "10", "--set", "/settings/dt=100"});
+    EXPECT_EQ(none.exitCode, 0);
+    EXPECT_NE(none.err.find("warning: 10 s is less than half a step of 100 s"), std::string::npos) << none.err;
+    EXPECT_EQ(runSwept({"run", scene_, "--duration", "0"}).err, "");
+    EXPECT_EQ(runSwept({"run", scene_, "--steps", "0"}).err, "");
+}
+
+TEST_F(CommandLimits, WholeNumbers) {
+    expectRunRefused({"--steps", "99999999999999999999"}, "--steps: 99999999999999999999 is too large");
+    expectRunRefused({"--steps", "1e3"}, "--steps: must be a whole number, written in digits, not 1e3");
+    expectRunRefused({"--steps", "0x10"}, "--steps: must be a whole number");
+    expectRefused({"bench", "overlap", "--seed", "99999999999999999999999"}, "--seed: 99999999999999999999999 is too");
+    expectRunRefused({"--steps", "010"}, "--steps: must be a whole number");  // not 8
+}
+
+TEST_F(CommandLimits, NamesOfFiles) {
+    expectRunRefused({"--events", ""}, "--events: must not be empty");
+    expectRunRefused({"--webp", out_.path("a.gif")}, "a.gif: writes WebP");
+    expectRefused({"run", in_.path("")}, "is a folder, not a scene file");
+}
+
+TEST_F(CommandLimits, PicturesThatNobodyAskedFor) {
+    expectRunRefused({"--every", "3"}, "--every and --size need --png or --webp");
+    expectRunRefused({"--size", "100x100"}, "--every and --size need --png or --webp");
+}
+
+TEST_F(CommandLimits, CommandsBelowOthers) {
+    expectRefused({"bench", "foo"}, "bench foo: no such command (\"swept bench --help\" lists them)");
+    expectRefused({"bench"}, "subcommand");
+}
+
+TEST_F(CommandLimits, OutputThatIsLost) {
+    if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "needs a device that is always full"; }
+    const std::string query =
+        in_.write("q.jsonl",
+                  R"({"id": 1, "a": {"vertices": [[0, 0]], "radius": 1, "sweep": {"localCenter": [0, 0], "c0": [0, 0],)"
+                  R"( "c1": [0, 0], "a0": 0, "a1": 0}}, "b": {"vertices": [[0, 0]], "radius": 1, "sweep":)"
+                  R"( {"localCenter": [0, 0], "c0": [5, 0], "c1": [0, 0], "a0": 0, "a1": 0}}, "tMax": 1})"
+                  "\n");
+    const std::string program = SWEPT_PROGRAM;
+    for (const std::string& arguments : {"toi " + query, "distance " + query, "run " + scene_ + " --steps 1",
+                                         std::string("scenes"), std::string("--help")}) {
+        const auto lost = runProgram("sh", {"-c", "exec '" + program + "' " + arguments + " > /dev/full"});
+        EXPECT_EQ(lost.exitCode, 2) << arguments;
+        EXPECT_EQ(lost.err, "swept: standard output cannot be written\n") << arguments;
+    }
+}
+
+// A word it does not know must not install all there is.
+TEST(SetupScript, TakesTheWordsItKnows) {
+    const std::string script = SWEPT_SOURCE_ROOT "/tools/setup.sh";
+    const auto help = runProgram("bash", {script, "--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_EQ(help.out.substr(0, 22), "usage: tools/setup.sh ");
+    for (const char* const word : {"--list", "everything"}) {
+        const auto unknown = runProgram("bash", {script, word});
+        EXPECT_EQ(unknown.exitCode, 1) << word;
+        EXPECT_NE(unknown.err.find("usage: tools/setup.sh "), std::string::npos) << unknown.err;
+    }
+}
+
+}  // namespace
+}  // namespace swept
