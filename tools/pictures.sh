@@ -48,8 +48,8 @@ quietly picture-dominoes "$swept" run dominoes --duration 6 --every 4 --webp "$p
     fail "the scene dominoes failed"
 
 say "trade.png"
-quietly picture-trade "$swept" tune tall-stack --duration 5 --max-error penetration=0.002 --out "$scratch/trade" ||
-    fail "tuning tall-stack failed"
+quietly picture-trade "$swept" tune dominoes --duration 5 --max-error penetration=0.002 --out "$scratch/trade" ||
+    fail "tuning dominoes failed"
 [ ! -f "$scratch/trade/tune.png" ] || mv "$scratch/trade/tune.png" "$root/tools/pictures/trade.png"
 
 for query in worst dip; do
