@@ -46,6 +46,7 @@ struct Body {
     std::uint32_t holdingJoints = 0;  ///< of `joints`, all but filters
 
     bool awake = false;
+    bool fresh = true;            ///< was in no step yet: asleep or awake, and as fast, as it was made
     bool touchesDynamic = false;  ///< this step: contact points with a dynamic body
     bool hasContact = false;      ///< this step: contact points with anything solid
     bool deepContact = false;     ///< this step: overlaps something static too far to be swept out of it

@@ -7,7 +7,16 @@
 
 namespace swept {
 
-enum class ContactEventType : std::uint8_t { begin, end, hit, sensorBegin, sensorEnd };
+enum class ContactEventType : std::uint8_t {
+    begin,  ///< two shapes touch, as the step began, that did not before
+    end,    ///< they touch no longer, or one of them is gone
+    /// A blow: they met faster than gravity makes anything in a step (at all, where there is none), or bounced. At the
+    /// time of the impact; `begin` may follow in the next step, or never where they are apart by then. Compare
+    /// `approachSpeed` or `impulse` with what is worth a sound.
+    hit,
+    sensorBegin,  ///< a shape overlaps a sensor
+    sensorEnd,
+};
 
 /// Why a body did not use its whole step.
 enum class LostTimeReason : std::uint8_t {

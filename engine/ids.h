@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 
 namespace swept {
 
@@ -22,4 +24,19 @@ struct JointId {
     constexpr bool operator==(const JointId&) const = default;
 };
 
+/// What `std::hash` of ids does, for `std::unordered_map` and the like.
+template <class Id>
+struct IdHash {
+    std::size_t operator()(Id id) const noexcept {
+        return std::hash<std::uint64_t>{}((std::uint64_t{id.generation} << 32U) | id.index);
+    }
+};
+
 }  // namespace swept
+
+template <>
+struct std::hash<swept::BodyId> : swept::IdHash<swept::BodyId> {};
+template <>
+struct std::hash<swept::ShapeId> : swept::IdHash<swept::ShapeId> {};
+template <>
+struct std::hash<swept::JointId> : swept::IdHash<swept::JointId> {};

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <variant>
 
 #include "../shapes/vec2.h"
 #include "ids.h"
@@ -164,5 +165,9 @@ struct PulleyJointDef {
 struct FilterJointDef {
     JointDef base{};
 };
+
+/// Any of them, in the order of `JointType`.
+using AnyJointDef = std::variant<RevoluteJointDef, DistanceJointDef, PrismaticJointDef, WheelJointDef, WeldJointDef,
+                                 MotorJointDef, MouseJointDef, GearJointDef, PulleyJointDef, FilterJointDef>;
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -91,15 +91,15 @@ void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint
     }
 }
 
-void reportEnd(WorldState& world, const ContactProbe& probe) {
+void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events) {
     if (probe.isIdle) { return; }
     const Contact& contact = world.contacts[probe.contact];
     if (!contact.touching) { return; }
-    world.contactEvents.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
-                                   .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
-                                   .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
-                                   .bodyA = world.bodies.idOf(contact.bodyA),
-                                   .bodyB = world.bodies.idOf(contact.bodyB)});
+    events.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
+                      .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
+                      .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
+                      .bodyA = world.bodies.idOf(contact.bodyA),
+                      .bodyB = world.bodies.idOf(contact.bodyB)});
 }
 
 void removePairs(WorldState& world, std::span<const std::uint32_t> places) {
@@ -108,7 +108,7 @@ void removePairs(WorldState& world, std::span<const std::uint32_t> places) {
         dropPair(world, pair);
         if (place < world.probes.size()) {
             const ContactProbe& probe = world.probes[place];
-            reportEnd(world, probe);
+            reportEnd(world, probe, world.eventsToCome);
             const bool isParked = place >= world.activeContacts;
             if (isParked && world.contacts[probe.contact].isSolid()) { --world.parked.touching; }
         }

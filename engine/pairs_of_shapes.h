@@ -7,6 +7,7 @@
 
 #include "../shapes/function_ref.h"
 #include "contact.h"
+#include "events.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -33,7 +34,7 @@ void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint
 /// Removes these pairs, and reports the end of those that touched.
 void removePairs(WorldState& world, std::span<const std::uint32_t> places);
 /// Of a contact that is about to be dropped: its end, if it touches.
-void reportEnd(WorldState& world, const ContactProbe& probe);
+void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events);
 /// Whether a pair was removed since the last step.
 inline bool isGap(const ContactPair& pair) { return pair.bodyA == pair.bodyB; }
 /// As a step begins: what stays moves up, in its order (who comes first is solved first). Nobody asks for places then.

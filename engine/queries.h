@@ -24,7 +24,7 @@ struct CastHit {
     BodyId body{};
     Real fraction = 0;  ///< of the translation, 0 … 1
     DVec2 point{};      ///< world
-    Vec2 normal{};      ///< unit, outward from the shape that was hit; (0, 0) when the cast starts inside
+    Vec2 normal{};      ///< unit, outward from the shape that was hit; (0, 0) where a cast or ray starts inside it
 };
 
 /// One contact as the world sees it now.

@@ -12,6 +12,7 @@ struct Filter {
     std::uint32_t category = 1;
     std::uint32_t mask = 0xFFFFFFFFu;
     std::int32_t group = 0;
+    constexpr bool operator==(const Filter&) const = default;
 };
 
 constexpr bool shouldCollide(const Filter& a, const Filter& b) {

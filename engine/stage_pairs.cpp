@@ -46,6 +46,14 @@ BatchKind batchKindOf(const Shape& first, const Shape& second) {
 
 }  // namespace
 
+void mixSurfaces(const WorldState& world, Contact& contact) {
+    const ShapeDef& a = world.shapes[contact.shapeA].def;
+    const ShapeDef& b = world.shapes[contact.shapeB].def;
+    // Product of the roots: unlike the root of the product it cannot overflow, and scales the same.
+    contact.friction = std::sqrt(a.friction) * std::sqrt(b.friction);
+    contact.restitution = std::max(a.restitution, b.restitution);
+}
+
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second) {
     if (!comesFirst(world, first, second)) { std::swap(first, second); }
     const Shape& a = world.shapes[first];
@@ -55,9 +63,7 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.shapeB = second;
     contact.bodyA = a.body;
     contact.bodyB = b.body;
-    // Product of the roots: unlike the root of the product it cannot overflow, and scales the same.
-    contact.friction = std::sqrt(a.def.friction) * std::sqrt(b.def.friction);
-    contact.restitution = std::max(a.def.restitution, b.def.restitution);
+    mixSurfaces(world, contact);
     contact.extent = std::min(a.extent, b.extent);
     contact.extentA = a.extent;
     contact.extentB = b.extent;

@@ -33,7 +33,7 @@ constexpr std::size_t kResetAhead = 16;
 void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
-    body.deepContact = body.sunk = false;
+    body.fresh = body.deepContact = body.sunk = false;
     body.bounces = body.rests = body.strikes = body.startled = body.flung = false;
     // What just woke has no bound yet.
     const Real known = world.glances[slot].motion;

@@ -188,6 +188,7 @@ Status World::configure(const WorldSettings& settings) {
         world.broadphase = makeBroadphase(settings.broadphase);
     }
     if (!restsAlike(settings, world.settings)) { releaseAllHeld(world); }
+    if (settings.gravity != world.settings.gravity || !settings.sleep) { wakeAll(world); }
     if (settings.sleep && !world.settings.sleep) { restAnew(world); }
     world.settings = settings;
     return Status::success();
@@ -208,15 +209,14 @@ Status World::step(double dt) {
     const double work = world.userTasks == &world.serialTasks ? 0 : workOf(world.counters);
     world.counters = {};
     world.counters.wokeUp = wokenBetween;
-    const auto reported = static_cast<std::ptrdiff_t>(world.eventsOfStep);
-    world.contactEvents.erase(world.contactEvents.begin(), world.contactEvents.begin() + reported);
+    world.contactEvents.clear();
+    world.contactEvents.swap(world.eventsToCome);
     world.eventsBetween = world.contactEvents.size();
     world.jointBreaks.clear();
     world.lostTime.clear();
     world.impactPoses.clear();
     shareStep(world, work, [&world, dt] { advance(world, dt); });
     world.wokenBySteps = world.counters.wokeUp;
-    world.eventsOfStep = world.contactEvents.size();
     return Status::success();
 }
 

@@ -25,7 +25,7 @@ struct WorldState;
 ///
 /// Every call that takes input checks it first and changes nothing when it refuses (see `Status`). Getters of a stale
 /// id return a default value (zeros, false). One thread at a time; queries may run at the same time as each other. What
-/// a query or `visitContacts` calls back must not change the world. A world that was moved from may only be assigned to
+/// a query or visit calls back must not change the world. A world that was moved from may only be assigned to
 /// or destroyed. The same calls give the same bits on every machine, compiler and number of threads.
 class World {
 public:
@@ -39,7 +39,8 @@ public:
     World(const World& other);
     World& operator=(const World& other);
 
-    /// Replaces all settings. Errors: `notFinite`, `outOfRange`, `notPositive` with the name of the member.
+    /// Replaces all settings. Another gravity wakes all that sleeps, and so does it to forbid sleep. Errors:
+    /// `notFinite`, `outOfRange`, `notPositive` with the name of the member.
     Status configure(const WorldSettings& settings);
     const WorldSettings& settings() const;
     /// Where parallel loops run; null: on the calling thread. Must outlive the world or its replacement.
@@ -64,7 +65,14 @@ public:
     double mass(BodyId id) const;     ///< kg; 0 unless dynamic
     double inertia(BodyId id) const;  ///< kg·m² about the centre of mass; 0 unless dynamic
     std::uint64_t userData(BodyId id) const;
-    /// Teleports. Wakes the body and what it touched.
+    /// As it was made or redefined; pose, velocities and `awake` as they are now.
+    BodyDef definition(BodyId id) const;
+    /// Gives a body another definition; its pose and velocities stay as they are (but for those that the new one does
+    /// not allow), and so do its shapes and joints. Wakes it. A new type ends its contacts. Errors: as of createBody;
+    /// `wrongBodyType` with "type" where it has joints and would be of another type, or chains and would be dynamic.
+    Status redefine(BodyId id, const BodyDef& def);
+    /// Teleports: contacts end, and begin anew where it is. Wakes the body and what it touched. What is to push others
+    /// on its way (a lift) is given a velocity instead. Joints pull the rest of a jointed group after it, at any speed.
     Status setPose(BodyId id, DVec2 position, double angle);
     Status setVelocity(BodyId id, Vec2 velocity, Real angularVelocity);
     /// For the next step only; wakes the body. Dynamic bodies only.
@@ -74,6 +82,12 @@ public:
     Status applyImpulse(BodyId id, Vec2 impulse, DVec2 point);
     Status setAwake(BodyId id, bool awake);
     std::uint32_t bodyCount() const;
+    /// All bodies, in the order of their slots.
+    void visitBodies(FunctionRef<void(BodyId)> visit) const;
+    /// The shapes of a body, in the order in which they were added; none of a stale id.
+    void visitShapes(BodyId id, FunctionRef<void(ShapeId)> visit) const;
+    /// The joints of a body; none of a stale id.
+    void visitJoints(BodyId id, FunctionRef<void(JointId)> visit) const;
 
     // --- shapes
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
@@ -85,6 +99,12 @@ public:
     bool isValid(ShapeId id) const;
     BodyId bodyOf(ShapeId id) const;
     std::uint64_t userData(ShapeId id) const;
+    ShapeDef definition(ShapeId id) const;
+    /// Another surface, density, filter, … of the same geometry. Wakes the body and what it touches; with another
+    /// filter, or as a sensor or none, its contacts end, and those that it has then begin. Errors: as of addShape.
+    Status redefine(ShapeId id, const ShapeDef& def);
+    /// What it is made of, in the frame of its body: one polygon, or the segments of a chain; none of a stale id.
+    void visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const;
 
     // --- joints
     Result<JointId> createJoint(const RevoluteJointDef& def);
@@ -101,6 +121,12 @@ public:
     Status destroyJoint(JointId id);
     bool isValid(JointId id) const;
     JointType type(JointId id) const;
+    std::uint64_t userData(JointId id) const;
+    /// As it was made, with the points of that time, and what setters changed since. (A gear names the bodies that it
+    /// found.) Of a stale id a hinge of no bodies.
+    AnyJointDef definition(JointId id) const;
+    DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
+    DVec2 anchorB(JointId id) const;
     // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of
     // createJoint.
     Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);             ///< revolute, wheel
@@ -126,14 +152,18 @@ public:
     Vec2 jointForce(JointId id) const;   ///< on B at its anchor, mean of the last step, N
     Real jointTorque(JointId id) const;  ///< on B, mean of the last step, N·m
     std::uint32_t jointCount() const;
+    /// All joints, in the order of their slots.
+    void visitJoints(FunctionRef<void(JointId)> visit) const;
 
-    // --- queries, at the present poses
+    // --- queries, at the present poses; nothing is found for what is no number, a translation of 0, a bad polygon
     CastHit castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
     /// Calls `visit` for every shape on the ray, in no particular order; it returns the fraction to go on with (see
-    /// `Broadphase::ray`).
+    /// `Broadphase::ray`). Of a chain for each segment, from either side.
     void castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                     FunctionRef<Real(const CastHit&)> visit) const;
-    /// First shape that a polygon meets when it is carried along `translation` without turning.
+    /// First shape that a polygon meets when it is carried along `translation` without turning. It is stopped about
+    /// 1/1024 of the smaller shape's extent before it touches; what is that near at the start stops it at once only if
+    /// the way leads into it.
     CastHit castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                       const QueryFilter& filter = {}) const;
     /// Shapes whose boxes overlap `box`; a visitor that returns false ends the query.
@@ -145,9 +175,10 @@ public:
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
 
     // --- what the last step did
-    /// Sorted by fraction, then by the shapes' ids, ends before begins. What calls since the step before ended (bodies
-    /// and shapes destroyed or teleported) is among them, at fraction 0; ids may name what is gone. A chain is one
-    /// shape here.
+    // The lists stay as they are until the next step, whatever is destroyed while one goes through them.
+    /// Sorted by fraction, then by the shapes' ids, ends before begins. What calls between the step before and this one
+    /// ended (bodies and shapes destroyed or teleported) is among them, at fraction 0; ids may name what is gone. A
+    /// chain is one shape here.
     std::span<const ContactEvent> contactEvents() const;
     std::span<const JointBreakEvent> jointBreaks() const;
     std::span<const LostTimeEntry> lostTime() const;

@@ -34,6 +34,7 @@ Status check(const BodyDef& def) {
     if (def.inertia < 0) { return {StatusCode::negative, "inertia"}; }
     const bool moves = def.velocity != Vec2{} || def.angularVelocity != 0;
     if (def.type == BodyType::fixed && moves) { return {StatusCode::wrongBodyType, "velocity"}; }
+    if (def.fixedRotation && def.angularVelocity != 0) { return {StatusCode::outOfRange, "angularVelocity"}; }
     return Status::success();
 }
 
@@ -51,6 +52,45 @@ void dropContacts(WorldState& world, std::uint32_t slot) {
 void removeFromAwake(WorldState& world, std::uint32_t slot) {
     wake(world, slot);
     std::erase(world.awake, slot);
+}
+
+/// Counts a body among those of its kind. @param sign  1, or −1 when it is one of them no longer
+void count(WorldState& world, const Body& body, std::int32_t sign) {
+    const auto add = [sign](std::uint32_t& sum, bool isOne) { sum += isOne ? static_cast<std::uint32_t>(sign) : 0U; };
+    add(world.kinematicBodies, body.def.type == BodyType::kinematic);
+    add(world.fixedBodies, body.def.type == BodyType::fixed);
+    add(world.bulletBodies, body.def.bullet);
+    add(world.watchedBodies, isWatched(body.def.continuous.value_or(ContinuousMode::off)));
+    add(world.masslessBodies, body.isDynamic() && body.mass <= 0);
+}
+
+/// @pre it is awake, if it can be; nothing holds it to others
+void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
+    dropContacts(world, slot);
+    Body& body = world.bodies[slot];
+    if (type == BodyType::fixed) {
+        removeFromAwake(world, slot);
+        body.awake = false;
+        body.role = BodyRole::idle;
+        world.motions[slot].velocity = {};
+        world.motions[slot].angularVelocity = 0;
+    }
+    body.force = {};
+    body.torque = 0;
+    body.def.type = type;
+    body.mass = 0;
+}
+
+/// What of a definition is about the present alone stays as it is now.
+BodyDef atPresent(const WorldState& world, std::uint32_t slot, BodyDef def) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    def.position = motion.pose.position;
+    def.angle = motion.angle;
+    def.velocity = motion.velocity;
+    def.angularVelocity = motion.angularVelocity;
+    def.awake = body.awake || body.heldIn != kNoIndex;
+    return def;
 }
 
 }  // namespace
@@ -76,14 +116,8 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     world.glances.resize(world.bodies.slotCount());
     world.glances[id->index] = {.center = def.position};
     updatePose(world, id->index);
-    world.kinematicBodies += def.type == BodyType::kinematic ? 1U : 0U;
-    world.fixedBodies += def.type == BodyType::fixed ? 1U : 0U;
-    world.bulletBodies += def.bullet ? 1U : 0U;
-    world.watchedBodies += isWatched(def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
-    if (def.type == BodyType::dynamic) {
-        ++world.masslessBodies;  // until the next line finds a mass
-        updateMass(world, id->index);
-    }
+    count(world, world.bodies[id->index], 1);
+    if (def.type == BodyType::dynamic) { updateMass(world, id->index); }  // it may have one of its own
     if (def.awake || def.type == BodyType::kinematic) {
         const std::uint64_t woken = world.counters.wokeUp;
         wake(world, id->index);
@@ -102,18 +136,48 @@ Status World::destroyBody(BodyId id) {
     Body& body = world.bodies[id.index];
     for (const std::uint32_t slot : body.shapes) {
         (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
-        world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;
-        world.bouncyShapes -= world.shapes[slot].def.restitution > 0 ? 1U : 0U;
+        countTraits(world, world.shapes[slot].def, -1);
         world.shapes.erase(world.shapes.idOf(slot));
     }
     world.thinnestWall.reset();
-    world.kinematicBodies -= body.def.type == BodyType::kinematic ? 1U : 0U;
-    world.fixedBodies -= body.def.type == BodyType::fixed ? 1U : 0U;
-    world.bulletBodies -= body.def.bullet ? 1U : 0U;
-    world.watchedBodies -= isWatched(body.def.continuous.value_or(ContinuousMode::off)) ? 1U : 0U;
-    if (body.isDynamic() && body.mass <= 0) { --world.masslessBodies; }
+    count(world, body, -1);
     if (body.def.type != BodyType::fixed) { removeFromAwake(world, id.index); }
     world.bodies.erase(id);
+    return Status::success();
+}
+
+BodyDef World::definition(BodyId id) const {
+    const WorldState& world = *state_;
+    return isValid(id) ? atPresent(world, id.index, world.bodies[id.index].def) : BodyDef{};
+}
+
+Status World::redefine(BodyId id, const BodyDef& given) {
+    WorldState& world = *state_;
+    if (!world.bodies.isValid(id)) { return {StatusCode::staleId, "body"}; }
+    const std::uint32_t slot = id.index;
+    BodyDef def = atPresent(world, slot, given);
+    if (def.type == BodyType::fixed) { def.velocity = {}; }
+    if (def.type == BodyType::fixed || def.fixedRotation) { def.angularVelocity = 0; }
+    const Status status = check(def);
+    if (!status.ok()) { return status; }
+    Body& body = world.bodies[slot];
+    const bool isOtherType = def.type != body.def.type;
+    if (isOtherType && !body.joints.empty()) { return {StatusCode::wrongBodyType, "type"}; }
+    const auto isChain = [&world](std::uint32_t shape) { return world.shapes[shape].isChainSegment; };
+    if (def.type == BodyType::dynamic && std::any_of(body.shapes.begin(), body.shapes.end(), isChain)) {
+        return {StatusCode::wrongBodyType, "type"};
+    }
+    wake(world, slot);
+    count(world, body, -1);
+    if (isOtherType) { changeType(world, slot, def.type); }
+    body.def = def;
+    world.motions[slot].velocity = def.velocity;
+    world.motions[slot].angularVelocity = def.angularVelocity;
+    count(world, body, 1);
+    updateMass(world, slot);
+    wake(world, slot);
+    if (isOtherType) { renewKinds(world, body.shapes); }
+    updateProxies(world, slot);
     return Status::success();
 }
 
@@ -174,6 +238,7 @@ Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
          {checkNumber(velocity, "velocity"), checkNumber(static_cast<double>(angularVelocity), "angularVelocity")}) {
         if (!status.ok()) { return status; }
     }
+    if (body->def.fixedRotation && angularVelocity != 0) { return {StatusCode::outOfRange, "angularVelocity"}; }
     wake(world, id.index);
     world.motions[id.index].velocity = velocity;
     world.motions[id.index].angularVelocity = angularVelocity;

@@ -4,6 +4,7 @@
 #include "../shapes/mass.h"
 #include "body_measures.h"
 #include "modes.h"
+#include "number_range.h"
 #include "pairs_of_shapes.h"
 #include "tolerances.h"
 #include "travel.h"
@@ -69,6 +70,13 @@ void wake(WorldState& world, std::uint32_t start) {
     } while (slot != start);
 }
 
+void wakeAll(WorldState& world) {
+    if (!anyAsleep(world)) { return; }
+    for (std::uint32_t slot = 0; slot < world.bodies.slotCount(); ++slot) {
+        if (world.bodies.isAlive(slot) && !world.bodies[slot].fresh) { wake(world, slot); }
+    }
+}
+
 bool disturbs(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
@@ -102,9 +110,12 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     if (body.def.inertia > 0) { total.inertia = static_cast<double>(body.def.inertia); }
     const Vec2 center = body.isDynamic() && total.mass > 0 ? toReal(total.center) : Vec2{};
     BodyMotion& motion = world.motions[slot];
-    // The velocity given is that of the centre of mass: it stays, wherever the centre moves to.
     const DVec2 before = motion.center;
     motion.center = apply(motion.pose, center);
+    // The velocity given is that of the centre of mass, wherever the first shapes put it. Later all points go on as
+    // they did.
+    const Vec2 carried = motion.velocity + cross(motion.angularVelocity, toReal(motion.center - before));
+    if (!body.fresh && isInRange(carried)) { motion.velocity = carried; }
     body.startCenter += motion.center - before;
     noteNewCenter(world, slot, motion.center - before);
     body.localCenter = center;
@@ -165,7 +176,7 @@ void removeApartContacts(WorldState& world) {
     auto kept = at(apart.front());
     for (std::size_t i = 0; i < apart.size(); ++i) {
         world.droppedPairs.push_back(probes[apart[i]]);
-        reportEnd(world, probes[apart[i]]);
+        reportEnd(world, probes[apart[i]], world.contactEvents);
         kept = std::copy(at(apart[i] + 1), at(i + 1 < apart.size() ? apart[i + 1] : world.activeContacts), kept);
     }
     // What is parked has no order: its last ones close the gap.

@@ -64,6 +64,13 @@ struct CarriedShape {
     Real extent;
 };
 
+/// Near enough at the start to count as touching, but never nearer than apart along that normal, all the way: what
+/// slides along a wall, or leaves it, is not stopped by it.
+bool leadsPast(const Toi& toi, const Sweep& sweep) {
+    const bool isNearAtStart = toi.state == ToiState::hit && !(toi.fraction > 0) && toi.separation > 0;
+    return isNearAtStart && toi.separation + dot(sweep.c1 - sweep.c0, toi.normal) > 0;
+}
+
 /// Coordinates of the cast relative to its start, so that nothing is lost far from the origin.
 CastHit castAgainst(const WorldState& world, const Shape& shape, const CarriedShape& carried, Real limit) {
     const ToiPolygon other = toiPolygonOf(shape.polygon);
@@ -72,13 +79,14 @@ CastHit castAgainst(const WorldState& world, const Shape& shape, const CarriedSh
     settings.tMax = static_cast<double>(limit);
     const Toi toi = shapeCast(other, still, carried.core, carried.sweep, settings);
     CastHit hit;
-    if (toi.state == ToiState::separated) { return hit; }
+    if (toi.state == ToiState::separated || leadsPast(toi, carried.sweep)) { return hit; }
     hit.hit = true;
     hit.shape = world.shapes.idOf(shape.head);
     hit.body = world.bodies.idOf(shape.body);
     hit.fraction = static_cast<Real>(toi.fraction);
     hit.point = toi.pointA;
-    hit.normal = toi.state == ToiState::overlapped ? Vec2{} : toReal(toi.normal);
+    const bool isInside = toi.state == ToiState::overlapped || toi.separation < 0;
+    hit.normal = isInside ? Vec2{} : toReal(toi.normal);
     return hit;
 }
 

@@ -75,8 +75,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     world.chainSegments[id->index] = stored.isChainSegment ? 1 : 0;
     remember(world, proxy.value(), id->index);
     world.bodies[body].shapes.push_back(id->index);
-    world.sensorShapes += stored.def.sensor ? 1U : 0U;
-    world.bouncyShapes += stored.def.restitution > 0 ? 1U : 0U;
+    countTraits(world, stored.def, 1);
     return *id;
 }
 
@@ -85,15 +84,14 @@ void removeOne(WorldState& world, std::uint32_t slot) {
     (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
     std::erase(world.bodies[body].shapes, slot);
     world.thinnestWall.reset();
-    world.sensorShapes -= world.shapes[slot].def.sensor ? 1U : 0U;
-    world.bouncyShapes -= world.shapes[slot].def.restitution > 0 ? 1U : 0U;
+    countTraits(world, world.shapes[slot].def, -1);
     world.shapes.erase(world.shapes.idOf(slot));
 }
 
 /// After its shapes changed, boxes of a body may have to reach farther (a new centre of mass, a new radius).
 void refresh(WorldState& world, std::uint32_t body) {
     updateMass(world, body);
-    wake(world, body);
+    if (!world.bodies[body].fresh) { wake(world, body); }  // what was made asleep sleeps on
     updateProxies(world, body);
 }
 
@@ -116,7 +114,49 @@ void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uin
     for (std::uint32_t slot = head; slot != kNoIndex; slot = world.shapes[slot].nextInChain) { slots.push_back(slot); }
 }
 
+/// @param slots  all of one shape of the user's
+std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::uint32_t body,
+                                            std::span<const std::uint32_t> slots) {
+    const auto isOfShape = [&world, head = slots.front()](ProxyId proxy) {
+        return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
+    };
+    return pairsOf(world, slots, [&](const ContactPair& pair) {
+        return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
+    });
+}
+
+/// What is near only may have no contact yet.
+void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
+    for (const std::uint32_t place : places) {
+        if (place >= world.probes.size()) { return; }
+        ContactProbe& probe = world.probes[place];
+        Contact& contact = world.contacts[probe.contact];
+        mixSurfaces(world, contact);
+        probe.bounces = contact.restitution > 0;
+        for (std::size_t i = 0; i < contact.tangentImpulse.size(); ++i) {  // or what slides now would be in balance
+            const Real most = contact.friction * std::max(contact.normalImpulse[i], Real(0));
+            contact.tangentImpulse[i] = std::clamp(contact.tangentImpulse[i], -most, most);
+        }
+    }
+}
+
 }  // namespace
+
+void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign) {
+    world.sensorShapes += def.sensor ? static_cast<std::uint32_t>(sign) : 0U;
+    world.bouncyShapes += def.restitution > 0 ? static_cast<std::uint32_t>(sign) : 0U;
+}
+
+void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes) {
+    for (const std::uint32_t slot : shapes) {
+        Shape& shape = world.shapes[slot];
+        const Aabb box = world.broadphase->box(shape.proxy);  // which was good before
+        (void)world.broadphase->remove(shape.proxy);
+        shape.proxy = world.broadphase->insert(box, kindOf(shape, world.bodies[shape.body].def.type)).value();
+        remember(world, shape.proxy, slot);
+    }
+    world.thinnestWall.reset();
+}
 
 Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
     WorldState& world = *state_;
@@ -179,18 +219,49 @@ Status World::destroyShape(ShapeId id) {
     const std::uint32_t body = world.shapes[id.index].body;
     std::vector<std::uint32_t> slots;
     listSlots(world, id.index, slots);
-    const auto isOfShape = [&world, head = id.index](ProxyId proxy) {
-        return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
-    };
-    const std::span<const std::uint32_t> places = pairsOf(world, slots, [&](const ContactPair& pair) {
-        return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
-    });
+    const std::span<const std::uint32_t> places = pairsOfShape(world, body, slots);
     // Who rests on other shapes sleeps on; a body that can move wakes itself, with all that fell asleep with it.
     wakeAcross(world, body, places);
     wakeJoined(world, body);
     removePairs(world, places);
     for (const std::uint32_t slot : slots) { removeOne(world, slot); }
     refreshWithout(world, body);
+    return Status::success();
+}
+
+ShapeDef World::definition(ShapeId id) const { return isValid(id) ? state_->shapes[id.index].def : ShapeDef{}; }
+
+Status World::redefine(ShapeId id, const ShapeDef& def) {
+    WorldState& world = *state_;
+    if (!isValid(id)) { return {StatusCode::staleId, "shape"}; }
+    const Status surface = check(def);
+    if (!surface.ok()) { return surface; }
+    const ShapeDef before = world.shapes[id.index].def;
+    const std::uint32_t body = world.shapes[id.index].body;
+    std::vector<std::uint32_t> slots;
+    listSlots(world, id.index, slots);
+    const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter);
+    const bool isOtherSurface = def.friction != before.friction || def.restitution != before.restitution;
+    if (meetsOthers || isOtherSurface) {
+        const std::span<const std::uint32_t> places = pairsOfShape(world, body, slots);
+        wakeAcross(world, body, places);
+        if (meetsOthers) { removePairs(world, places); }
+    }
+    for (const std::uint32_t slot : slots) {
+        countTraits(world, before, -1);
+        world.shapes[slot].def = def;
+        countTraits(world, def, 1);
+    }
+    if (meetsOthers) {
+        renewKinds(world, slots);
+    } else if (isOtherSurface) {
+        mixSurfacesOf(world, pairsOfShape(world, body, slots));
+    }
+    if (def.density != before.density || def.sensor != before.sensor) {
+        refreshWithout(world, body);
+    } else if (meetsOthers || isOtherSurface) {
+        wake(world, body);
+    }
     return Status::success();
 }
 

@@ -214,10 +214,9 @@ struct WorldState : Workers {
     std::vector<FlightScratch> flightScratch;  ///< one per worker
     std::vector<ClashScratch> clashScratch;    ///< likewise
 
-    std::vector<ContactEvent> contactEvents;
-    std::size_t eventsOfStep =
-        0;  ///< of the last step; what follows them ended by calls since, and belongs to the next
-    std::size_t eventsBetween = 0;  ///< at the front: of calls since the last step
+    std::vector<ContactEvent> contactEvents;  ///< of the last step
+    std::vector<ContactEvent> eventsToCome;   ///< what ended by calls since: the next step begins with them
+    std::size_t eventsBetween = 0;            ///< of `contactEvents`, at the front: such ones
     EventPlaces eventPlaces;
     std::vector<ContactEvent> sortedEvents;  ///< scratch of `sortEvents`
     std::vector<JointBreakEvent> jointBreaks;
@@ -234,6 +233,8 @@ struct WorldState : Workers {
 
 /// A contact of two shapes, still without manifold; which of them is A is decided here.
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
+/// Friction and restitution of a contact, by its shapes.
+void mixSurfaces(const WorldState& world, Contact& contact);
 /// Moves contacts together when there are many gaps between them. Before anything refers to their places.
 void closeGaps(WorldState& world);
 /// Removes the contacts whose boxes came apart (`ContactState`).
@@ -255,6 +256,8 @@ void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
 /// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake and static bodies.
 void wake(WorldState& world, std::uint32_t body);
+/// Wakes all that fell asleep; what was made asleep, and nothing woke yet, sleeps on.
+void wakeAll(WorldState& world);
 /// Whether a body wakes what it touches: it is awake and can push. A kinematic body at rest lets others sleep on it.
 bool disturbs(const WorldState& world, std::uint32_t body);
 /// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
@@ -265,6 +268,11 @@ void restAnew(WorldState& world);
 void wakeJoined(WorldState& world, std::uint32_t body);
 /// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.
 void updateMass(WorldState& world, std::uint32_t body);
+/// Counts a shape among those of which there may be none. @param sign  1, or −1 when it goes
+void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign);
+/// Shapes that may meet other ones than before (their body's type, sensors, filters) have new proxies, whose pairs are
+/// all found anew. @pre they have no contacts
+void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes);
 /// Recomputes the pose of the body frame from centre and angle.
 void updatePose(WorldState& world, std::uint32_t body);
 /// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.

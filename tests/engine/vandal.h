@@ -38,7 +38,7 @@ public:
         if (choice < 13) { return note(changeJoint()); }
         if (choice < 16) { return note(pushBody()); }
         if (choice < 20) { return note(destroySomething()); }
-        if (choice < 21) { return note(changeSettings()); }
+        if (choice < 21) { return note(random().chance(0.5) ? changeSettings() : redefine()); }
         if (choice < 23) { return ask(); }
         if (choice < 24) { return note(world_.step(wild())); }
         removeMassless();
@@ -79,7 +79,7 @@ public:
 
 private:
     // --- calls
-    Status makeBody() {
+    BodyDef bodyDef() {
         BodyDef def;
         def.type = static_cast<BodyType>(random().integer(0, random().chance(0.05) ? 200 : 2));
         def.position = place();
@@ -96,7 +96,10 @@ private:
         def.fixedRotation = random().chance(0.1);
         def.awake = random().chance(0.9);
         if (random().chance(0.2)) { def.continuous = static_cast<ContinuousMode>(random().integer(0, 5)); }
-        const Result<BodyId> id = world_.createBody(def);
+        return def;
+    }
+    Status makeBody() {
+        const Result<BodyId> id = world_.createBody(bodyDef());
         if (!id.ok()) { return id.status(); }
         known_.bodies.push_back(id.value());
         if (random().chance(0.8)) { (void)world_.addShape(id.value(), good()); }
@@ -230,6 +233,10 @@ private:
         return world_.destroyJoint(any(known_.joints));
     }
     Status changeSettings() { return world_.configure(settings()); }
+    Status redefine() {
+        if (random().chance(0.5)) { return world_.redefine(mostlyAlive(), bodyDef()); }
+        return world_.redefine(any(known_.shapes), surface());
+    }
     void ask() {
         (void)world_.castRay(place(), vector());
         (void)world_.castShape(polygon(), {place(), rotationFromAngle(random().range(-4, 4))}, vector());
