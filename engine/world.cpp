@@ -188,7 +188,8 @@ Status World::configure(const WorldSettings& settings) {
         world.broadphase = makeBroadphase(settings.broadphase);
     }
     if (!restsAlike(settings, world.settings)) { releaseAllHeld(world); }
-    if (settings.gravity != world.settings.gravity || !settings.sleep) { wakeAll(world); }
+    const bool isForbidden = world.settings.sleep && !settings.sleep;
+    if (settings.gravity != world.settings.gravity || isForbidden) { wakeAll(world); }
     if (settings.sleep && !world.settings.sleep) { restAnew(world); }
     world.settings = settings;
     return Status::success();
