@@ -1,15 +1,6 @@
 #include "runner.h"
 
-// Each precision contributes one adapter (world_runner.cpp, compiled twice). Not inline here, so that both can be
-// named.
-namespace swept::f32 {
-std::unique_ptr<Runner> makeWorldRunner(const SceneDescription& scene, const RunnerOptions& options,
-                                        std::string& error);
-}
-namespace swept::f64 {
-std::unique_ptr<Runner> makeWorldRunner(const SceneDescription& scene, const RunnerOptions& options,
-                                        std::string& error);
-}
+#include "world_runners.h"
 
 namespace swept {
 

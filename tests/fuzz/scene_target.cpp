@@ -1,7 +1,10 @@
+#include <memory>
+#include <string>
 #include <string_view>
 
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_reader.h>
+#include <swept/samples/world_runners.h>
 #include <swept/tools/finite_state.h>
 
 #include "fuzz_targets.h"
@@ -9,14 +12,16 @@
 namespace swept::test {
 namespace {
 
+using MakeRunner = std::unique_ptr<Runner> (*)(const SceneDescription&, const RunnerOptions&, std::string&);
+
 constexpr int kSteps = 3;
 // Beyond this a few steps take seconds, which is no crash but keeps the fuzzer from looking at anything else.
 constexpr std::size_t kMostBodies = 30;
 constexpr int kMostSubSteps = 64;
 
-void runBriefly(const SceneDescription& scene, Precision precision) {
+void runBriefly(const SceneDescription& scene, MakeRunner makeRunner) {
     std::string error;
-    const auto runner = makeRunner(scene, {.precision = precision, .collectEvents = true, .measure = true}, error);
+    const auto runner = makeRunner(scene, {.collectEvents = true, .measure = true}, error);
     if (!runner) {
         demand(!error.empty(), "an engine that refuses a scene says why");
         return;
@@ -44,8 +49,10 @@ void fuzzScene(Bytes text) {
     if (result.scene->bodies.size() > kMostBodies || result.scene->settings.subSteps.value_or(0) > kMostSubSteps) {
         return;
     }
-    runBriefly(*result.scene, Precision::f32);
-    runBriefly(*result.scene, Precision::f64);
+    runBriefly(*result.scene, f32::makeWorldRunner);
+#ifdef SWEPT_FUZZ_F64
+    runBriefly(*result.scene, f64::makeWorldRunner);
+#endif
 }
 
 }  // namespace swept::test
