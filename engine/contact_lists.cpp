@@ -29,7 +29,7 @@ template <bool kWatched>
 ContactState stateOf(const WorldState& world, const Question& question, const ContactProbe& probe) {
     const BodyGlances bodies{world.glances[probe.bodyA], world.glances[probe.bodyB]};
     const bool isAwake = (question.isAllAwake && probe.isPlain) || bodies.a.isAwake() || bodies.b.isAwake();
-    if (!isAwake) { return ContactState::asleep; }
+    if (!isAwake && !probe.isUnseen) { return ContactState::asleep; }
     if (!boxesOverlap(question.boxes, probe)) { return ContactState::boxesApart; }
     if (kWatched || !probe.isIdle) { return ContactState::near; }
     if (!boxesOverlap(world.neededBoxes, probe) || bodies.areFar()) { return ContactState::apart; }

@@ -133,6 +133,7 @@ public:
     void add(ContactProbe& probe, Contact& contact) {
         if (contact.sensor) {
             updateSensor(world_, contact);
+            probe.isUnseen = false;
             probe.points = static_cast<std::uint8_t>(contact.manifold.count);
             probe.turns = isTouching(contact) != contact.touching;
             return;

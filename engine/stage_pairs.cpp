@@ -131,6 +131,7 @@ void fillContact(WorldState& world, ContactProbe& probe, std::size_t place, std:
     probe.proxyA = world.shapes[contact.shapeA].proxy;
     probe.proxyB = world.shapes[contact.shapeB].proxy;
     probe.isPlain = contact.dynamicA && contact.dynamicB && !contact.sensor;
+    probe.isUnseen = contact.sensor;
     probe.bounces = contact.restitution > 0;
     probe.dynamicA = contact.dynamicA;
     probe.dynamicB = contact.dynamicB;

@@ -92,7 +92,8 @@ public:
     // --- shapes
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
-    /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside.
+    /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside. What comes from the left
+    /// passes: a level one is a platform to jump onto from below.
     Result<ShapeId> addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {},
                              Real radius = 0);
     Status destroyShape(ShapeId id);
@@ -173,6 +174,13 @@ public:
                       FunctionRef<bool(ShapeId)> visit) const;
     /// All contact points there are now.
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
+    // What one body or shape touches. Not const, since the third of these calls after a step lists all contacts by
+    // shape; from then on each takes as long as its answer.
+    /// The contact points of one body, A and B as in the list of all; none of a stale id.
+    void visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit);
+    /// What overlaps a sensor: all whose `sensorBegin` was reported, and not its end. None of a stale id, or of what is
+    /// no sensor.
+    void visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit);
 
     // --- what the last step did
     // The lists stay as they are until the next step, whatever is destroyed while one goes through them.

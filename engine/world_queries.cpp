@@ -167,26 +167,4 @@ void World::overlapShape(const Polygon& polygon, const WorldTransform& pose, con
     });
 }
 
-void World::visitContacts(FunctionRef<void(const ContactView&)> visit) const {
-    const WorldState& world = *state_;
-    for (const ContactProbe& probe : world.probes) {
-        if (isGap(probe)) { continue; }
-        const Contact& contact = world.contacts[probe.contact];
-        if (!contact.isSolid()) { continue; }
-        const WorldTransform& pose = world.motions[contact.bodyA].pose;
-        ContactView view;
-        view.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
-        view.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
-        view.bodyA = world.bodies.idOf(contact.bodyA);
-        view.bodyB = world.bodies.idOf(contact.bodyB);
-        view.normal = rotate(pose.rotation, contact.manifold.normal);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-            view.point = apply(pose, contact.manifold.points[i].point);
-            view.separation = contact.manifold.points[i].separation;
-            view.impulse = contact.totalImpulse[i];
-            visit(view);
-        }
-    }
-}
-
 }  // namespace swept::inline SWEPT_PRECISION

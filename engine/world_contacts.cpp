@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <vector>
+
+#include "pairs_of_shapes.h"
+#include "world_state.h"
+
+/// What touches, asked between steps.
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+void visitPoints(const WorldState& world, const Contact& contact, FunctionRef<void(const ContactView&)> visit) {
+    if (!contact.isSolid()) { return; }
+    const WorldTransform& pose = world.motions[contact.bodyA].pose;
+    ContactView view;
+    view.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
+    view.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
+    view.bodyA = world.bodies.idOf(contact.bodyA);
+    view.bodyB = world.bodies.idOf(contact.bodyB);
+    view.normal = rotate(pose.rotation, contact.manifold.normal);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        view.point = apply(pose, contact.manifold.points[i].point);
+        view.separation = contact.manifold.points[i].separation;
+        view.impulse = contact.totalImpulse[i];
+        visit(view);
+    }
+}
+
+/// Calls `visit` with the contacts of these shapes of a body, in the order of all contacts.
+template <class Visit>
+void visitContactsOf(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> shapes, const Visit& visit) {
+    pairsOf(world, shapes, [body](const ContactPair& pair) { return pair.bodyA == body || pair.bodyB == body; });
+    std::vector<std::uint32_t> places;
+    places.swap(world.pairsOfShapes.found);  // for as long as the visit may ask again
+    for (const std::uint32_t place : places) {
+        if (place >= world.probes.size()) { break; }  // candidates do not touch
+        visit(world.contacts[world.probes[place].contact]);
+    }
+    places.swap(world.pairsOfShapes.found);
+}
+
+}  // namespace
+
+void World::visitContacts(FunctionRef<void(const ContactView&)> visit) const {
+    for (const ContactProbe& probe : state_->probes) {
+        if (!isGap(probe)) { visitPoints(*state_, state_->contacts[probe.contact], visit); }
+    }
+}
+
+void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) {
+    WorldState& world = *state_;
+    const Body* body = world.bodies.find(id);
+    if (body == nullptr) { return; }
+    visitContactsOf(world, id.index, body->shapes, [&](const Contact& contact) { visitPoints(world, contact, visit); });
+}
+
+void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) {
+    WorldState& world = *state_;
+    if (!isValid(sensor) || !world.shapes[sensor.index].def.sensor) { return; }
+    const std::uint32_t head = sensor.index;
+    const std::uint32_t body = world.shapes[head].body;
+    std::vector<std::uint32_t> others;
+    visitContactsOf(world, body, world.bodies[body].shapes, [&](const Contact& contact) {
+        if (contact.sensor && contact.touching && world.shapes[contact.shapeA].head == head) {
+            others.push_back(world.shapes[contact.shapeB].head);
+        }
+    });
+    // A chain has one id, however many of its segments overlap.
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const std::uint32_t other : others) { visit(world.shapes.idOf(other)); }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
