@@ -25,8 +25,6 @@ struct RestLimits {
 /// Of islands that are solved by iteration: how much they may be wrong by when they are set aside (held_islands.h).
 /// What rests on a slope within that of its angle of friction stays; what moves more slowly stops.
 RestLimits restLimitsFor(Profile profile);
-/// Of islands that are solved all at once: a few times what that leaves.
-RestLimits restLimitsOfDirect();
 
 /// `Body::soughtSteps` of what was held until now: what concerns it takes place, before another balance is sought.
 inline constexpr std::uint16_t kJustReleased = 1;

@@ -9,6 +9,7 @@
 #include "constraint_builder.h"
 #include "flight_state.h"
 #include "modes.h"
+#include "step.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -330,11 +331,14 @@ void bounce(WorldState& world, std::uint32_t index, FlightScratch& scratch) {
     goOn(world, index, scratch);
 }
 
-void store(WorldState& world, BulletPartner& partner) {
+void store(WorldState& world, BulletPartner& partner, Real dt) {
     const std::uint32_t slot = partner.flight.slot;
     BodyMotion& motion = world.motions[slot];
     if (!partner.moved) { return; }
+    // What sleeps has begun no step lately: where it stands is where this one began.
+    const std::size_t before = world.awake.size();
     wake(world, slot);
+    resetBodies(world, std::span(world.awake).subspan(before), dt);
     if (partner.flies) {
         if (partner.flight.remaining() > 0) { advance(partner.flight, partner.path, 1); }
         limitSpeed(partner.flight);
@@ -366,7 +370,7 @@ void flyBullets(WorldState& world, double dt, FlightScratch& scratch) {
             bounce(world, static_cast<std::uint32_t>(alone - work.partners.begin()), scratch);
         }
     }
-    for (BulletPartner& partner : work.partners) { store(world, partner); }
+    for (BulletPartner& partner : work.partners) { store(world, partner, static_cast<Real>(dt)); }
     world.counters.sweeps += work.partners.size();
     std::erase_if(world.flyers, [&](std::uint32_t slot) {
         return std::binary_search(work.candidates.begin(), work.candidates.end(), slot);

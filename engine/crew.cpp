@@ -88,6 +88,10 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     body_ = &body;
     count_ = count;
     blockLength_ = length;
+    share(blocks, helpers);
+}
+
+void Crew::share(std::size_t blocks, std::size_t helpers) noexcept {
     done_.store(0, std::memory_order_relaxed);
     const std::size_t claims = (blocks <= kFewBlocks ? kClaimsOfFew : kClaimsOfMany) * (helpers + 1);
     const std::size_t share = (blocks - 1) / claims + 1;
@@ -95,7 +99,7 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     // The first share is the leader's: nobody has to be asked for it.
     const std::uint64_t loop = (ticket_.load(std::memory_order_relaxed) >> kLoopShift) + 1;
     ticket_.store((loop << kLoopShift) | (std::uint64_t{share} << kFrontShift) | blocks, std::memory_order_release);
-    body(0, std::min(share * length, count), leader_);
+    (*body_)(0, std::min(share * blockLength_, count_), leader_);
     std::size_t own = share;
     while (own < blocks) {
         const std::uint32_t more = takeBlocks(ticket_.load(std::memory_order_relaxed), true, leader_);
@@ -106,7 +110,7 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     while (done_.load(std::memory_order_acquire) != blocks - own) { patience.wait(); }
 }
 
-void Crew::help(int worker) {
+void Crew::help(int worker) noexcept {
     const bool fromFront = helpers_.fetch_add(1, std::memory_order_relaxed) % 2 != 0;
     Patience patience;
     for (;;) {

@@ -29,7 +29,10 @@ public:
     double startSeconds() const override { return startSeconds_; }
 
 private:
-    void help(int worker);
+    /// Neither of these two throws: others work on what it would leave. Memory that runs out within a shared loop ends
+    /// the program.
+    void help(int worker) noexcept;
+    void share(std::size_t blocks, std::size_t helpers) noexcept;
     std::uint32_t takeBlocks(std::uint64_t ticket, bool fromFront, int worker);
 
     int workers_ = 1;

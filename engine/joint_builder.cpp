@@ -323,7 +323,21 @@ double angleOf(const WorldState& world, const Joint& joint) {
     return world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle - joint.referenceAngle;
 }
 
+DVec2 anchorAOf(const WorldState& world, const Joint& joint) {
+    if (const auto* part = std::get_if<JointPart<MouseJointDef, MouseConstraint>>(&joint.parts)) {
+        return part->def.target;
+    }
+    return apply(world.motions[joint.bodyA].pose, joint.localAnchorA);
+}
+
+DVec2 anchorBOf(const WorldState& world, const Joint& joint) {
+    return apply(world.motions[joint.bodyB].pose, joint.localAnchorB);
+}
+
 Real translationOf(const WorldState& world, const Joint& joint) {
+    if (joint.type() == JointType::mouse) {
+        return static_cast<Real>(length(anchorBOf(world, joint) - anchorAOf(world, joint)));
+    }
     const Vec2 apart = centerOffset(world, joint) + armOf(world, joint.bodyB, joint.localAnchorB) -
                        armOf(world, joint.bodyA, joint.localAnchorA);
     const bool hasAxis = joint.type() == JointType::prismatic || joint.type() == JointType::wheel;

@@ -33,6 +33,9 @@ JointErrors errorsOf(const WorldState& world, const Joint& joint);
 double angleOf(const WorldState& world, const Joint& joint);
 /// Of B's anchor from A's: along the axis where there is one, else the distance. Metres.
 Real translationOf(const WorldState& world, const Joint& joint);
+/// Where on A and B it holds now, world; of a mouse joint the target, for A.
+DVec2 anchorAOf(const WorldState& world, const Joint& joint);
+DVec2 anchorBOf(const WorldState& world, const Joint& joint);
 /// What a gear sees of a revolute or prismatic joint, rad or metres.
 double coordinateOf(const WorldState& world, const Joint& joint);
 

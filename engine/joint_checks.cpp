@@ -72,7 +72,7 @@ Status checkMotor(const std::optional<LinearMotor>& motor) {
 
 Status checkLength(Real length, const std::optional<LengthLimits>& limits) {
     if (!isFinite(length)) { return {StatusCode::notFinite, "length"}; }
-    if (length <= 0 && !limits) { return {StatusCode::notPositive, "length"}; }
+    if (length < 0 || (length == 0 && !limits)) { return {StatusCode::notPositive, "length"}; }
     if (!limits) { return Status::success(); }
     if (!isFinite(limits->min)) { return {StatusCode::notFinite, "minLength"}; }
     if (limits->min < 0) { return {StatusCode::negative, "minLength"}; }

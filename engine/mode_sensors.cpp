@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <tuple>
 
 #include "modes.h"
@@ -13,15 +15,36 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+bool isBefore(const ImpactOfBody& impact, std::uint32_t slot) { return impact.body < slot; }
+
+/// By body: a step has thousands of impacts, and all that is awake is asked.
+void listImpacts(WorldState& world) {
+    std::vector<ImpactOfBody>& impacts = world.sensorSweeps.impacts;
+    impacts.clear();
+    for (std::size_t i = 0; i < world.impactPoses.size(); ++i) {
+        impacts.push_back({world.impactPoses[i].body.index, static_cast<std::uint32_t>(i)});
+    }
+    std::sort(impacts.begin(), impacts.end());
+}
+
+/// From the first impact of the body on, if it has any.
+std::span<const ImpactOfBody> impactsFrom(const WorldState& world, std::uint32_t slot) {
+    const std::vector<ImpactOfBody>& impacts = world.sensorSweeps.impacts;
+    return {std::lower_bound(impacts.begin(), impacts.end(), slot, isBefore), impacts.end()};
+}
+
+bool hadImpact(const WorldState& world, std::uint32_t slot) {
+    const std::span<const ImpactOfBody> impacts = impactsFrom(world, slot);
+    return !impacts.empty() && impacts.front().body == slot;
+}
+
 bool isFast(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     if (!isSwept(modeOf(world, body))) { return false; }
     const BodyMotion& motion = world.motions[slot];
     const double way = length(motion.center - body.startCenter) +
                        std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
-    const bool hit = std::any_of(world.impactPoses.begin(), world.impactPoses.end(),
-                                 [slot](const ImpactPose& pose) { return pose.body.index == slot; });
-    return hit || way > static_cast<double>(kFastRatio * body.extent);
+    return way > static_cast<double>(kFastRatio * body.extent) || hadImpact(world, slot);
 }
 
 /// Start, impacts and end of a body's way in this step.
@@ -29,8 +52,9 @@ void findWaypoints(const WorldState& world, std::uint32_t slot, std::vector<Wayp
     const Body& body = world.bodies[slot];
     points.clear();
     points.push_back({0, body.startCenter, body.startAngle});
-    for (const ImpactPose& pose : world.impactPoses) {
-        if (pose.body.index != slot) { continue; }
+    for (const ImpactOfBody& impact : impactsFrom(world, slot)) {
+        if (impact.body != slot) { break; }
+        const ImpactPose& pose = world.impactPoses[impact.place];
         const DVec2 arm = toDouble(rotate(rotationFromAngle(pose.angle), body.localCenter));
         points.push_back({pose.fraction, pose.position + arm, pose.angle});
     }
@@ -203,6 +227,7 @@ void watchPair(WorldState& world, const SensorPair& pair, double dt) {
 void sweepSensors(WorldState& world, double dt) {
     std::vector<SensorPair>& pairs = world.sensorSweeps.pairs;
     pairs.clear();
+    listImpacts(world);
     for (const std::uint32_t slot : world.awake) {
         if (isFast(world, slot)) { findPairsOnWay(world, slot); }
     }

@@ -5,6 +5,7 @@
 
 #include "beside.h"
 #include "contact_fetch.h"
+#include "joint_builder.h"
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
@@ -156,7 +157,7 @@ void breakJoints(WorldState& world) {
                                      .bodyA = joint.base.bodyA,
                                      .bodyB = joint.base.bodyB,
                                      .userData = joint.base.userData,
-                                     .point = apply(world.motions[joint.bodyA].pose, joint.localAnchorA)});
+                                     .point = anchorAOf(world, joint)});
         removeJoint(world, id);
     }
 }

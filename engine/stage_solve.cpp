@@ -239,7 +239,7 @@ void solveTiedBodies(WorldState& world, double dt) {
                        {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
         clearDesk(world, desk);
         if (effort.isLarge && !isSolved) {
-            takeBackClass(world, place, {});
+            takeBackClass(world, place, {.isRetried = true});
         } else if (isTried) {
             takeBackMissed(world, place, dt);
         }

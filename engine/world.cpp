@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxSubSteps = 1024;
 constexpr int kMaxRelaxPasses = 64;
 
-/// Adds the time since it was made, or since the last call, to a stage; costs nothing when nobody asked.
+/// Gives a stage the time since it was made, or since the last call; costs nothing when nobody asked.
 class StageClock {
 public:
     explicit StageClock(bool on) : on_(on) {
@@ -209,6 +209,7 @@ Status World::step(double dt) {
     const std::uint64_t wokenBetween = world.counters.wokeUp - world.wokenBySteps;
     const double work = world.userTasks == &world.serialTasks ? 0 : workOf(world.counters);
     world.counters = {};
+    world.stageTimes = {};
     world.counters.wokeUp = wokenBetween;
     world.contactEvents.clear();
     world.contactEvents.swap(world.eventsToCome);

@@ -7,6 +7,7 @@
 
 #include "../shapes/polygon.h"
 #include "../shapes/status.h"
+#include "../shapes/transform.h"
 #include "body_def.h"
 #include "counters.h"
 #include "events.h"
@@ -39,15 +40,15 @@ public:
     World(const World& other);
     World& operator=(const World& other);
 
-    /// Replaces all settings. Another gravity wakes all that sleeps, and so does it to forbid sleep. Errors:
-    /// `notFinite`, `outOfRange`, `notPositive` with the name of the member.
+    /// Replaces all settings. Another gravity wakes all that fell asleep, and so does it to forbid sleep.
+    /// Errors: `notFinite`, `outOfRange`, `negative`, `notPositive` with the name of the member.
     Status configure(const WorldSettings& settings);
     const WorldSettings& settings() const;
     /// Where parallel loops run; null: on the calling thread. Must outlive the world or its replacement.
     void setTaskSystem(TaskSystem* tasks);
 
-    /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`; `missingMass` when a dynamic body has neither
-    /// shapes with density nor a mass of its own.
+    /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`, `outOfRange`; `missingMass` when a dynamic
+    /// body has neither shapes with density nor a mass of its own (its `mass` is 0).
     Status step(double dt);
 
     // --- bodies
@@ -56,10 +57,12 @@ public:
     Status destroyBody(BodyId id);
     bool isValid(BodyId id) const;
     BodyType type(BodyId id) const;
-    DVec2 position(BodyId id) const;      ///< of the body origin, world
-    double angle(BodyId id) const;        ///< unwrapped
-    DVec2 centerOfMass(BodyId id) const;  ///< world
-    Vec2 velocity(BodyId id) const;       ///< of the centre of mass
+    DVec2 position(BodyId id) const;                ///< of the body origin, world
+    double angle(BodyId id) const;                  ///< unwrapped
+    DVec2 centerOfMass(BodyId id) const;            ///< world
+    WorldTransform transform(BodyId id) const;      ///< of the body frame: where its shapes are, to the bit
+    Vec2 velocity(BodyId id) const;                 ///< of the centre of mass
+    Vec2 velocityAt(BodyId id, DVec2 point) const;  ///< of the point of the body that is there now, world
     Real angularVelocity(BodyId id) const;
     bool isAwake(BodyId id) const;    ///< static bodies never are
     double mass(BodyId id) const;     ///< kg; 0 unless dynamic
@@ -80,6 +83,7 @@ public:
     Status applyTorque(BodyId id, Real torque);
     /// At once; wakes the body. Dynamic bodies only.
     Status applyImpulse(BodyId id, Vec2 impulse, DVec2 point);
+    Status applyAngularImpulse(BodyId id, Real impulse);  ///< N·m·s; likewise
     Status setAwake(BodyId id, bool awake);
     std::uint32_t bodyCount() const;
     /// All bodies, in the order of their slots.
@@ -92,8 +96,8 @@ public:
     // --- shapes
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
-    /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside. What comes from the left
-    /// passes: a level one is a platform to jump onto from below.
+    /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside. What comes from the
+    /// left passes: a level one is a platform to jump onto from below.
     Result<ShapeId> addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {},
                              Real radius = 0);
     Status destroyShape(ShapeId id);
@@ -101,8 +105,9 @@ public:
     BodyId bodyOf(ShapeId id) const;
     std::uint64_t userData(ShapeId id) const;
     ShapeDef definition(ShapeId id) const;
-    /// Another surface, density, filter, … of the same geometry. Wakes the body and what it touches; with another
-    /// filter, or as a sensor or none, its contacts end, and those that it has then begin. Errors: as of addShape.
+    /// Another surface, density, filter, … of the same geometry. Wakes the body, unless `userData` alone is another,
+    /// and, with another surface or filter, what it touches; with another filter, or as a sensor or none, its contacts
+    /// end, and those that it has then begin. Errors: as of addShape.
     Status redefine(ShapeId id, const ShapeDef& def);
     /// What it is made of, in the frame of its body: one polygon, or the segments of a chain; none of a stale id.
     void visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const;

@@ -192,6 +192,14 @@ DVec2 World::position(BodyId id) const { return isValid(id) ? state_->motions[id
 double World::angle(BodyId id) const { return isValid(id) ? state_->motions[id.index].angle : 0; }
 DVec2 World::centerOfMass(BodyId id) const { return isValid(id) ? state_->motions[id.index].center : DVec2{}; }
 Vec2 World::velocity(BodyId id) const { return isValid(id) ? state_->motions[id.index].velocity : Vec2{}; }
+WorldTransform World::transform(BodyId id) const {
+    return isValid(id) ? state_->motions[id.index].pose : WorldTransform{};
+}
+Vec2 World::velocityAt(BodyId id, DVec2 point) const {
+    if (!isValid(id)) { return {}; }
+    const BodyMotion& motion = state_->motions[id.index];
+    return motion.velocity + cross(motion.angularVelocity, toReal(point - motion.center));
+}
 Real World::angularVelocity(BodyId id) const {
     return isValid(id) ? state_->motions[id.index].angularVelocity : Real(0);
 }
@@ -254,10 +262,13 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
     for (const Status& status : {checkNumber(force, "force"), checkNumber(point, "point")}) {
         if (!status.ok()) { return status; }
     }
+    const Vec2 sum = body->force + force;
+    const Real torque = body->torque + cross(toReal(point - world.motions[id.index].center), force);
+    if (!isInRange(sum) || !isInRange(static_cast<double>(torque))) { return {StatusCode::outOfRange, "force"}; }
     wake(world, id.index);
     world.forcesGiven = true;
-    body->force += force;
-    body->torque += cross(toReal(point - world.motions[id.index].center), force);
+    body->force = sum;
+    body->torque = torque;
     return Status::success();
 }
 
@@ -268,9 +279,11 @@ Status World::applyTorque(BodyId id, Real torque) {
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
     const Status number = checkNumber(static_cast<double>(torque), "torque");
     if (!number.ok()) { return number; }
+    const Real sum = body->torque + torque;
+    if (!isInRange(static_cast<double>(sum))) { return {StatusCode::outOfRange, "torque"}; }
     wake(world, id.index);
     world.forcesGiven = true;
-    body->torque += torque;
+    body->torque = sum;
     return Status::success();
 }
 
@@ -289,6 +302,22 @@ Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
     if (!good) { return {StatusCode::outOfRange, "impulse"}; }
     wake(world, id.index);
     motion.velocity = velocity;
+    motion.angularVelocity = spin;
+    reachWithVelocity(world, id.index);
+    return Status::success();
+}
+
+Status World::applyAngularImpulse(BodyId id, Real impulse) {
+    WorldState& world = *state_;
+    const Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    const Status number = checkNumber(static_cast<double>(impulse), "impulse");
+    if (!number.ok()) { return number; }
+    BodyMotion& motion = world.motions[id.index];
+    const Real spin = motion.angularVelocity + body->inverseInertia * impulse;
+    if (!isInRange(static_cast<double>(spin))) { return {StatusCode::outOfRange, "impulse"}; }
+    wake(world, id.index);
     motion.angularVelocity = spin;
     reachWithVelocity(world, id.index);
     return Status::success();

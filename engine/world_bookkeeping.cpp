@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "../shapes/mass.h"
 #include "body_measures.h"
@@ -28,8 +29,13 @@ MassProperties massOfShapes(const WorldState& world, const Body& body) {
     return combine(parts);
 }
 
+/// What has one beyond all numbers is as good as nothing.
+bool hasInverse(double x) { return x > 0 && 1 / x <= static_cast<double>(std::numeric_limits<Real>::max()); }
+
 bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
-    for (const std::uint32_t slot : world.bodies[bodyA].joints) {
+    // Of the two the one with fewer: ground may have thousands.
+    const bool hasFewer = world.bodies[bodyA].joints.size() <= world.bodies[bodyB].joints.size();
+    for (const std::uint32_t slot : world.bodies[hasFewer ? bodyA : bodyB].joints) {
         const Joint& joint = world.joints[slot];
         const bool connects =
             (joint.bodyA == bodyA && joint.bodyB == bodyB) || (joint.bodyA == bodyB && joint.bodyB == bodyA);
@@ -119,10 +125,10 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     body.startCenter += motion.center - before;
     noteNewCenter(world, slot, motion.center - before);
     body.localCenter = center;
-    body.mass = body.isDynamic() ? total.mass : 0;
+    body.mass = body.isDynamic() && hasInverse(total.mass) ? total.mass : 0;
     body.inertia = body.isDynamic() ? total.inertia : 0;
     body.inverseMass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
-    const bool turns = body.inertia > 0 && !body.def.fixedRotation;
+    const bool turns = hasInverse(body.inertia) && !body.def.fixedRotation;
     body.inverseInertia = turns ? static_cast<Real>(1 / body.inertia) : Real(0);
     world.travels[slot].boxRoom = 0;
     measure(world, slot);

@@ -110,7 +110,8 @@ Status World::setWeldSprings(JointId id, std::optional<Spring> linear, std::opti
 
 Status World::setLengthLimits(JointId id, std::optional<LengthLimits> limits) {
     const Joint* joint = state_->joints.find(id);
-    const Real length = joint != nullptr ? joint->length : Real(1);
+    const bool isDistance = joint != nullptr && joint->type() == JointType::distance;
+    const Real length = isDistance ? joint->length : Real(1);  // of others `change` tells
     return change(*state_, id, checkLength(length, limits), toLimits(limits));
 }
 
@@ -123,8 +124,8 @@ Status World::setLength(JointId id, Real length) {
         }
     }
     return change(*state_, id, checkLength(length, limits),
-                  Overloaded{[&](JointPart<DistanceJointDef, DistanceConstraint>&) {
-                                 joint->length = length;
+                  Overloaded{[&](JointPart<DistanceJointDef, DistanceConstraint>& part) {
+                                 part.def.length = joint->length = length;
                                  return true;
                              },
                              [](auto&) { return false; }});
@@ -133,6 +134,7 @@ Status World::setLength(JointId id, Real length) {
 Status World::setTarget(JointId id, DVec2 target) {
     return change(*state_, id, checkNumber(target, "target"),
                   Overloaded{[&](JointPart<MouseJointDef, MouseConstraint>& part) {
+                                 if (!part.def.anchor) { part.def.anchor = part.def.target; }  // as it was made
                                  part.def.target = target;
                                  return true;
                              },

@@ -37,7 +37,8 @@ Joint jointOf(const WorldState& world, const JointDef& base, JointParts parts, c
     joint.localAnchorB = applyInverse(world.motions[joint.bodyB].pose, grip.anchorB);
     // A long axis is shortened before it is squared, by a power of two so that no digit is lost.
     const double size = std::max(std::fabs(grip.axis.x), std::fabs(grip.axis.y));
-    const DVec2 axis = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) * grip.axis : DVec2{};
+    const int digits = size > 0 ? std::ilogb(size) : 0;
+    const DVec2 axis{std::ldexp(grip.axis.x, -digits), std::ldexp(grip.axis.y, -digits)};
     joint.localAxis = unrotate(poseA.rotation, normalized(toReal(axis)).unit);
     joint.referenceAngle = world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle;
     return joint;

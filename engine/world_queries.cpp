@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "../shapes/distance.h"
 #include "../shapes/ray_cast.h"
@@ -15,9 +17,11 @@ bool sees(const QueryFilter& filter, const Shape& shape) {
     return (shape.def.filter.category & filter.mask) != 0 && (filter.category & shape.def.filter.mask) != 0;
 }
 
-const Shape& shapeOf(const WorldState& world, ProxyId proxy) {
-    return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]];
+std::uint32_t slotOf(const WorldState& world, ProxyId proxy) {
+    return world.proxyShapes[static_cast<std::size_t>(proxy)];
 }
+
+const Shape& shapeOf(const WorldState& world, ProxyId proxy) { return world.shapes[slotOf(world, proxy)]; }
 
 CastHit rayAgainst(const WorldState& world, const Shape& shape, DVec2 origin, Vec2 translation, Real limit) {
     const WorldTransform& pose = world.motions[shape.body].pose;
@@ -56,9 +60,43 @@ Distance distanceTo(const WorldState& world, const Shape& shape, const Polygon& 
     return distance(shape.polygon, polygon, relativeTransform(world.motions[shape.body].pose, pose));
 }
 
+/// The first thing met so far. Of equal fractions the lower shape counts, of a chain the lower segment, so that the
+/// answer does not depend on the order of the visits.
+class Closest {
+public:
+    /// @param slot  of the shape, or segment
+    void offer(const CastHit& hit, std::uint32_t slot) {
+        if (hit_.hit &&
+            std::tie(hit_.fraction, hit_.shape.index, slot_) <= std::tie(hit.fraction, hit.shape.index, slot)) {
+            return;
+        }
+        hit_ = hit;
+        slot_ = slot;
+    }
+    /// Beyond which nothing counts any more.
+    Real limit() const { return std::nextafter(hit_.fraction, Real(2)); }
+    const CastHit& hit() const { return hit_; }
+
+private:
+    CastHit hit_;
+    std::uint32_t slot_ = 0;
+};
+
+/// Calls `visit` with what the ray meets and its slot; it returns the fraction to go on with.
+template <class Visit>
+void visitOnRay(const WorldState& world, DVec2 origin, Vec2 translation, const QueryFilter& filter,
+                const Visit& visit) {
+    if (!isGood(origin, translation)) { return; }
+    world.broadphase->ray(origin, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
+        const std::uint32_t slot = slotOf(world, proxy);
+        if (!sees(filter, world.shapes[slot])) { return limit; }
+        const CastHit hit = rayAgainst(world, world.shapes[slot], origin, translation, limit);
+        return hit.hit ? std::min(limit, visit(hit, slot)) : limit;
+    });
+}
+
 /// A polygon being carried through the world.
 struct CarriedShape {
-    const Polygon& polygon;
     ToiPolygon core;
     Sweep sweep;
     Real extent;
@@ -94,52 +132,40 @@ CastHit castAgainst(const WorldState& world, const Shape& shape, const CarriedSh
 
 void World::castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                        FunctionRef<Real(const CastHit&)> visit) const {
-    const WorldState& world = *state_;
-    if (!isGood(origin, translation)) { return; }
-    world.broadphase->ray(origin, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
-        const Shape& shape = shapeOf(world, proxy);
-        if (!sees(filter, shape)) { return limit; }
-        const CastHit hit = rayAgainst(world, shape, origin, translation, limit);
-        return hit.hit ? std::min(limit, visit(hit)) : limit;
-    });
+    visitOnRay(*state_, origin, translation, filter,
+               [&visit](const CastHit& hit, std::uint32_t) { return visit(hit); });
 }
 
 CastHit World::castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter) const {
-    CastHit closest;
-    castRayAll(origin, translation, filter, [&closest](const CastHit& hit) {
-        // Equal fractions: the lower shape, so that the answer does not depend on the order of the visits.
-        const bool closer = !closest.hit || hit.fraction < closest.fraction ||
-                            (hit.fraction == closest.fraction && hit.shape.index < closest.shape.index);
-        if (closer) { closest = hit; }
-        return std::nextafter(closest.fraction, Real(2));
+    Closest closest;
+    visitOnRay(*state_, origin, translation, filter, [&closest](const CastHit& hit, std::uint32_t slot) {
+        closest.offer(hit, slot);
+        return closest.limit();
     });
-    return closest;
+    return closest.hit();
 }
 
 CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                          const QueryFilter& filter) const {
     const WorldState& world = *state_;
-    CastHit closest;
     const bool good = validate(polygon).ok() && isGood(pose.position, translation);
-    if (!good) { return closest; }
+    if (!good) { return {}; }
     const double angle = arcTangent2(static_cast<double>(pose.rotation.s), static_cast<double>(pose.rotation.c));
+    Closest closest;
     const CarriedShape carried{
-        polygon,
         toiPolygonOf(polygon),
         {.c0 = pose.position, .c1 = pose.position + toDouble(translation), .a0 = angle, .a1 = angle},
         extentOf(polygon)};
     const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);
     world.broadphase->sweep(start, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
-        const Shape& shape = shapeOf(world, proxy);
-        if (!sees(filter, shape) || !(limit > 0)) { return limit; }
-        const CastHit hit = castAgainst(world, shape, carried, limit);
+        const std::uint32_t slot = slotOf(world, proxy);
+        if (!sees(filter, world.shapes[slot]) || !(limit > 0)) { return limit; }
+        const CastHit hit = castAgainst(world, world.shapes[slot], carried, limit);
         if (!hit.hit) { return limit; }
-        const bool closer = !closest.hit || hit.fraction < closest.fraction ||
-                            (hit.fraction == closest.fraction && hit.shape.index < closest.shape.index);
-        if (closer) { closest = hit; }
-        return std::min(std::nextafter(closest.fraction, Real(2)), limit);
+        closest.offer(hit, slot);
+        return std::min(closest.limit(), limit);
     });
-    return closest;
+    return closest.hit();
 }
 
 void World::queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<bool(ShapeId)> visit) const {

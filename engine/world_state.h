@@ -65,6 +65,13 @@ struct SensorPair {
     auto operator<=>(const SensorPair&) const = default;
 };
 
+/// One of the `impactPoses` of a step.
+struct ImpactOfBody {
+    std::uint32_t body = 0;   ///< slot
+    std::uint32_t place = 0;  ///< in that list
+    auto operator<=>(const ImpactOfBody&) const = default;
+};
+
 /// Where the centre of a body was at a fraction of the step.
 struct Waypoint {
     double fraction = 0;
@@ -106,6 +113,7 @@ struct BodyTravel {
 /// Scratch of mode_sensors.cpp, kept for its capacity.
 struct SensorSweeps {
     std::vector<SensorPair> pairs;
+    std::vector<ImpactOfBody> impacts;  ///< by body, and in the order of the list
     std::vector<Waypoint> ofSensor;
     std::vector<Waypoint> ofOther;
     std::vector<double> fractions;

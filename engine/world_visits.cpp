@@ -1,3 +1,4 @@
+#include "joint_builder.h"
 #include "world_state.h"
 
 /// All that there is, one after the other: for editors, debug drawing, games that keep no lists of their own.
@@ -58,16 +59,12 @@ AnyJointDef World::definition(JointId id) const {
 
 DVec2 World::anchorA(JointId id) const {
     const Joint* joint = state_->joints.find(id);
-    if (joint == nullptr) { return {}; }
-    if (joint->type() == JointType::mouse) {
-        return std::get<JointPart<MouseJointDef, MouseConstraint>>(joint->parts).def.target;
-    }
-    return apply(state_->motions[joint->bodyA].pose, joint->localAnchorA);
+    return joint != nullptr ? anchorAOf(*state_, *joint) : DVec2{};
 }
 
 DVec2 World::anchorB(JointId id) const {
     const Joint* joint = state_->joints.find(id);
-    return joint != nullptr ? apply(state_->motions[joint->bodyB].pose, joint->localAnchorB) : DVec2{};
+    return joint != nullptr ? anchorBOf(*state_, *joint) : DVec2{};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

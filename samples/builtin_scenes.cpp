@@ -6,7 +6,7 @@ namespace swept {
 namespace {
 
 constexpr std::array<BuiltinScene, 21> kScenes{{
-    {"falling-shapes", "every kind of shape falls into a tray and comes to rest", scenes::fallingShapes, 8},
+    {"falling-shapes", "boxes, balls, capsules and polygons fall into a tray and come to rest", scenes::fallingShapes, 8},
     {"pyramid", "210 boxes stand still on each other, then a heavy ball arrives", scenes::pyramid, 10},
     {"tall-stack", "20 boxes stand; so do a ladder of planks and boxes that get heavier upwards", scenes::tallStack,
      10},
@@ -18,7 +18,7 @@ constexpr std::array<BuiltinScene, 21> kScenes{{
      12},
     {"ragdolls", "jointed figures with limited joints tumble down stairs", scenes::ragdolls, 8},
     {"hanging-chain", "a chain swings a heavy ball; a plank bridge carries boxes", scenes::hangingChain, 12},
-    {"machine-room", "gears and a rack, a pulley, a lift, a springboard: every kind of joint at work",
+    {"machine-room", "gears and a rack, a pulley, a lift, a springboard: all joints but wheels at work",
      scenes::machineRoom, 8},
     {"car", "a car with sprung wheels drives over bumps and jumps a gap", scenes::car, 7},
     {"terrain", "balls, capsules and boxes roll over one chain without catching on its vertices", scenes::terrain, 12},

@@ -290,5 +290,21 @@ TEST(Bullets, WhoIsNoBulletPaysNothing) {
     EXPECT_EQ(world.counters().toiCalls, 0U);
 }
 
+/// What was fast, is put elsewhere and to sleep there begins anew where it is, though no step looked at it since.
+TEST(Bullets, WakeWhatWasPutToSleepElsewhere) {
+    World world = makeWorld(0);
+    addStatic(world, box(50, 0.1), {}, {0, 25});
+    const BodyId pooled = addBody(world, dynamicAt({0, 0}, vec(0, -300)), circle(0.2));
+    run(world, 3);
+    must(world.setPose(pooled, {0, 50}, 0));
+    must(world.setAwake(pooled, false));
+    addBody(world, bulletAt({-3, 50}, vec(300, 0)), circle(0.1));
+    run(world, 1);
+    ASSERT_TRUE(world.isAwake(pooled));
+    EXPECT_GT(world.velocity(pooled).x, 10);
+    EXPECT_NEAR(world.position(pooled).y, 50, 1e-3);
+    EXPECT_TRUE(world.lostTime().empty());
+}
+
 }  // namespace
 }  // namespace swept::test

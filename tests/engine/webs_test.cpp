@@ -1,3 +1,4 @@
+#include "../support/random.h"
 #include "world_support.h"
 
 /// Structures at rest whose contacts close loops, or are many, one on another: all contacts are solved at once. Each is
@@ -184,6 +185,28 @@ TEST(Webs, SettledForAMinute) {
     runFor(s.world, 60);
     expectAtMost("pyramid-6 move in a minute", s.worstMove(), 1e-5);
     EXPECT_EQ(s.world.counters().settledBodies, s.bodies.size());
+}
+
+/// A large pile that is searched in vain is iterated in the same step, and nobody else moves in it again.
+TEST(Webs, WhatIsSearchedInVainHoldsUpNobody) {
+    std::uint64_t inVain = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Random random(seed);
+        World world = makeWorld();
+        addStatic(world, box(400, 1), material(0.5));
+        const BodyId slider = addBody(world, dynamicAt({-100, 1.5}, vec(3, 0)), box(0.5, 0.5), material(0));
+        for (int i = 0; i < 400; ++i) {
+            const int row = i / 20;
+            const double shift = row % 2 == 0 ? 0 : random.range(0, 0.5);
+            addBody(world, dynamicAt({i % 20 + shift, 1.5 + row}), box(0.5, 0.5), material(random.range(0, 1)));
+        }
+        for (int i = 1; i <= 6; ++i) {
+            must(world.step(kStep));
+            inVain += world.counters().directGivenUp;
+            ASSERT_NEAR(world.position(slider).x, -100 + 3 * i * kStep, 1e-4) << "seed " << seed << ", step " << i;
+        }
+    }
+    EXPECT_GT(inVain, 0U);
 }
 
 /// A card house that someone leans on, and leaves alone, stands still afterwards where it came to be.

@@ -25,7 +25,7 @@ void addCommands(swept::Command program) {
 
 int main(int argc, char** argv) {
     const swept::ProgramTexts texts{
-        "swept", "Swept2D: 2D rigid-body physics in which nothing tunnels, and you know what it costs.",
+        "swept", "Swept2D: 2D rigid-body physics with continuous collision, and you know what it costs.",
         "swept " + swept::versionText(),
         "\"swept COMMAND --help\" tells more. Exit codes: 0 done, 1 the run failed its own check, 2 bad input."};
     return swept::runProgram(texts, addCommands, swept::expandOverrides({argv + std::min(argc, 1), argv + argc}));
