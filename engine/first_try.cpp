@@ -119,6 +119,7 @@ void judgeFirstTry(WorldState& world, double dt, FlightScratch& scratch) {
         const bool meets = fast.meets[i] < 1;
         scratch.impacts += meets ? 1 : 0;
         anyMeets = anyMeets || meets;
+        if (!meets) { holdSunk(world, members, {.length = dt, .dt = dt}, scratch); }
         for (const std::uint32_t slot : members) {
             Body& body = world.bodies[slot];
             body.role = BodyRole::together;

@@ -57,6 +57,8 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<ContactConstraint*> order;
     ImpactScratch impact;
 
+    bool isSunk = false;  ///< see `firstImpact`
+
     std::vector<ContactEvent> events;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;

@@ -210,15 +210,23 @@ void notePoses(Course& course, double time) {
     }
 }
 
+bool isSunk(const WorldState& world, std::uint32_t slot) {
+    return world.bodies[slot].sunk && isSwept(modeOf(world, world.bodies[slot]));
+}
+
+void hold(WorldState& world, std::uint32_t slot, const StepPart& part, FlightScratch& scratch) {
+    ++scratch.sweeps;
+    const bool stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
+    clampAtImpact(world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, scratch);
+}
+
 /// @param isLast  whether nobody looks for impacts of the part: else those that are sunk are held alone
 void holdMembers(Course& course, double time, bool isLast) {
     const StepPart part{.begin = course.elapsed, .length = time, .dt = course.dt};
+    if (!isLast) { return holdSunk(course.world, course.island.members, part, course.scratch); }
     for (const std::uint32_t slot : course.island.members) {
-        const bool isSunk = course.world.bodies[slot].sunk && isSwept(modeOf(course.world, course.world.bodies[slot]));
-        if (!isSunk && !(isLast && isSweptMember(course.world, slot, time / course.dt))) { continue; }
-        ++course.scratch.sweeps;
-        const bool stops = modeOf(course.world, course.world.bodies[slot]) == ContinuousMode::stop;
-        clampAtImpact(course.world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, course.scratch);
+        if (!isSunk(course.world, slot) && !isSweptMember(course.world, slot, time / course.dt)) { continue; }
+        hold(course.world, slot, part, course.scratch);
     }
 }
 
@@ -311,10 +319,18 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
     for (const std::uint32_t slot : members) {
         if (!isSweptMember(world, slot, part.length / part.dt)) { continue; }
         ++scratch.sweeps;
-        const FirstImpact impact = impactOfPath(world, slot, part.length, first, scratch);
+        scratch.isSunk = false;
+        const FirstImpact impact = impactOfPath(world, slot, part.length, first, scratch, true);
+        if (scratch.isSunk) { world.bodies[slot].sunk = true; }
         if (impact.hit) { first = impact.fraction; }
     }
     return first;
+}
+
+void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part, FlightScratch& scratch) {
+    for (const std::uint32_t slot : members) {
+        if (isSunk(world, slot)) { hold(world, slot, part, scratch); }
+    }
 }
 
 std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }

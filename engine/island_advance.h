@@ -27,8 +27,11 @@ void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch&
 /// @param isJointed  hinges tie its members; @pre no other joint does
 bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt);
 
-/// Fraction of a part of the step, which was solved, at which the first member meets something; 1: none does.
+/// Fraction of a part of the step, which was solved, at which the first member meets something; 1: none does. What a
+/// member is sunk into counts not: that holds it alone (`holdSunk`), and does not hold up its island again and again.
 double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
                      FlightScratch& scratch);
+/// Of a part of the step that was solved: members that are sunk into something get no deeper.
+void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part, FlightScratch& scratch);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -139,7 +139,7 @@ bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
 }
 
 FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit,
-                         FlightScratch& scratch) {
+                         FlightScratch& scratch, bool ignoresSunk) {
     const Sweep path = pathOf(world, slot);
     findObstacles(world, slot, path, scratch);
     if (scratch.obstacles.empty()) { return {}; }
@@ -152,7 +152,7 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
     }
     if (areClear) { return {}; }
     allowSlack(world, path, time, scratch);
-    return firstImpact(world, path, 0, time, scratch, limit);
+    return firstImpact(world, path, 0, time, scratch, limit, ignoresSunk);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

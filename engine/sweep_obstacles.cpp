@@ -57,9 +57,16 @@ ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle,
     return {.target = obstacle.level, .tolerance = toleranceOf(world, obstacle), .tMax = tMax};
 }
 
+/// Whether a rounded shape whose radius is sunk is held where it is: what is pressed slowly, or pulled by joints, gets
+/// deeper step by step; what is fast comes out again, and would only hold up others.
+bool isPressed(const WorldState& world, const FlightObstacle& obstacle) {
+    const Body& body = world.bodies[world.shapes[obstacle.own].body];
+    return !body.fast || body.holdingJoints > 0;
+}
+
 /// One obstacle: time of impact at its level, or at a lower one where it is within its level already.
 Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep, FlightObstacle& obstacle,
-               double tMax, FlightScratch& scratch) {
+               double tMax, FlightScratch& scratch, bool ignoresSunk) {
     const ToiPolygon own = toiPolygonOf(world.shapes[obstacle.own].polygon);
     const ToiPolygon other = toiPolygonOf(world.shapes[obstacle.other].polygon);
     Sweep lifted = sweep;
@@ -69,7 +76,8 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
     ++scratch.toiCalls;
     scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
     if (toi.state == ToiState::hit && toi.fraction <= 0) {
-        if (!obstacle.isSunkInto && toi.separation < length(obstacle.lift) - slackOf(world, obstacle)) {
+        const bool isDeep = toi.separation < length(obstacle.lift) - slackOf(world, obstacle);
+        if (isDeep && !ignoresSunk && !obstacle.isSunkInto && isPressed(world, obstacle)) {
             toi.state = ToiState::overlapped;  // if of a rounded shape its radius alone is sunk
             return toi;
         }
@@ -292,18 +300,22 @@ void allowSag(const WorldState& world, std::span<const Vec2> normals, FlightScra
 }
 
 FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
-                            FlightObstacle& obstacle, double limit, FlightScratch& scratch) {
-    Toi toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch);
+                            FlightObstacle& obstacle, double limit, FlightScratch& scratch, bool ignoresSunk) {
+    Toi toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch, ignoresSunk);
     if (toi.state == ToiState::overlapped) {
         liftOut(world, obstacle, sweep, otherSweep);
-        toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch);
+        if (ignoresSunk && obstacle.isSunkInto) {
+            scratch.isSunk = true;
+            return {};
+        }
+        toi = impactWith(world, sweep, otherSweep, obstacle, limit, scratch, ignoresSunk);
     }
     const bool blocked = toi.state == ToiState::overlapped || toi.state == ToiState::failed;
     return {.hit = toi.state == ToiState::hit || blocked, .fraction = toi.fraction};
 }
 
 FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
-                        double limit) {
+                        double limit, bool ignoresSunk) {
     FirstImpact first{.fraction = limit};
     sortByDistance(world, sweep, scratch);
     for (const NearObstacle& near : scratch.nearest) {
@@ -311,7 +323,8 @@ FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from
         FlightObstacle& obstacle = scratch.obstacles[near.index];
         if (obstacle.isClear) { continue; }
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
-        const FirstImpact impact = firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch);
+        const FirstImpact impact =
+            firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
         if (impact.hit) { first = impact; }
     }
     return first;

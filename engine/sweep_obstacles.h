@@ -88,13 +88,15 @@ struct FirstImpact {
 
 /// One obstacle: the first fraction, not after `limit`, at which the sweep meets it; see `firstImpact`.
 FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
-                            FlightObstacle& obstacle, double limit, FlightScratch& scratch);
+                            FlightObstacle& obstacle, double limit, FlightScratch& scratch,
+                            bool ignoresSunk = false);
 
 /// First obstacle that the sweep meets. Obstacles within their target at the start are looked for at a lower separation
 /// (their approach was dealt with before), overlapping ones relative to the surface (`lift`).
 /// @param from, to  the part of the step that the sweep covers, seconds
 /// @param limit  nothing after this fraction is looked for
+/// @param ignoresSunk  what the body is sunk into deeper than the slack is left out, and `FlightScratch::isSunk` tells so
 FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
-                        double limit = 1);
+                        double limit = 1, bool ignoresSunk = false);
 
 }  // namespace swept::inline SWEPT_PRECISION
