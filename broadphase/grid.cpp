@@ -99,6 +99,10 @@ void Grid::chooseCell() {
     for (std::uint32_t slot = 0; slot < table().slotCount(); ++slot) {
         if (table().bitAt(slot) != 0) { sizes_.push_back(longerSide(table().boxAt(slot))); }
     }
+    if (sizes_.empty()) {
+        cell_ = 1;
+        return;
+    }
     const auto limit = sizes_.end() - 1 - static_cast<std::ptrdiff_t>(sizes_.size() / kBoxesPerGiant);
     std::nth_element(sizes_.begin(), limit, sizes_.end());
     // Points alone have no size: any cell is as good as another.

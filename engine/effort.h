@@ -17,7 +17,9 @@ struct Effort {
     DirectScope direct = DirectScope::none;
     bool isCrowd = false;    ///< jostling, not carrying: one pass of relaxation after each solve does
     bool isLarge = false;    ///< a web of more than `kSmallWebBodies`: searched with more patience, taken back in vain
-    bool isRetried = false;  ///< was searched in vain in this step: a class of its own, since others may be solved by then
+    /// Which of those that were searched in vain in this step, from 1 on: a class of its own, since all others may be
+    /// solved by then; 0: none.
+    std::uint8_t retry = 0;
     bool isSettled = false;  ///< contacts are right as they are (settled.h): held in one sub-step, not solved anew
 
     /// At once: a step compares thousands.

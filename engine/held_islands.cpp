@@ -1,6 +1,7 @@
 #include "held_islands.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "profile.h"
 #include "step.h"
@@ -105,9 +106,11 @@ void releaseHeld(WorldState& world, std::uint32_t start) {
     const HeldIsland island = world.held.list[place];
     closeIsland(world.held, place);
     std::uint32_t slot = island.last;
+    std::uint32_t next = world.bodies[slot].nextAsleep;
     do {
-        slot = world.bodies[slot].nextAsleep;
+        slot = next;
         Body& body = world.bodies[slot];
+        next = std::exchange(body.nextAsleep, slot);  // or what is made fixed now would wake them later
         body.heldIn = kNoIndex;
         body.awake = true;
         body.soughtSteps = kJustReleased;

@@ -51,7 +51,9 @@ bool isFast(const WorldState& world, std::uint32_t slot) {
 void findWaypoints(const WorldState& world, std::uint32_t slot, std::vector<Waypoint>& points) {
     const Body& body = world.bodies[slot];
     points.clear();
-    points.push_back({0, body.startCenter, body.startAngle});
+    // What no step moves stands where it was put.
+    const BodyMotion& motion = world.motions[slot];
+    points.push_back({0, body.awake ? body.startCenter : motion.center, body.awake ? body.startAngle : motion.angle});
     for (const ImpactOfBody& impact : impactsFrom(world, slot)) {
         if (impact.body != slot) { break; }
         const ImpactPose& pose = world.impactPoses[impact.place];

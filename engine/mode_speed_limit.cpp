@@ -98,8 +98,9 @@ void limitSpeeds(WorldState& world, double dt) {
 void limitWays(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
-        // Nothing pushes a free body.
-        if (body.role == BodyRole::solved && isLimited(world, body)) { limitWay(world, slot, dt); }
+        // Nothing pushes a free body but a bullet.
+        const bool isPushed = body.role != BodyRole::free || world.bullets > 0;
+        if (isPushed && isLimited(world, body)) { limitWay(world, slot, dt); }
     }
 }
 

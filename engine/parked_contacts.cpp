@@ -42,7 +42,7 @@ void parkContacts(WorldState& world) {
     parked.probes.clear();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < world.activeContacts; ++i) {
-        if (rests(world.probes[i])) {
+        if (!world.probes[i].isUnseen && rests(world.probes[i])) {
             parked.touching += isSolid(world, world.probes[i]) ? 1 : 0;
             parked.probes.push_back(world.probes[i]);
             parked.probes.back().state = ContactState::asleep;

@@ -13,6 +13,7 @@
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
+#include "waking.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -230,19 +231,6 @@ void noticeTouching(WorldState& world, Contact& contact) {
     if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
 }
 
-/// A joint pulls: what is awake and moves wakes what hangs on it.
-void wakeAcrossJoints(WorldState& world) {
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {  // grows as it goes
-        const std::uint32_t slot = world.awake[i];
-        if (!disturbs(world, slot)) { continue; }
-        for (const std::uint32_t index : world.bodies[slot].joints) {
-            const Joint& joint = world.joints[index];
-            if (!joint.holds()) { continue; }
-            for (const std::uint32_t other : joint.allBodies()) { wake(world, other); }
-        }
-    }
-}
-
 TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
     const TouchTraits traits{.points = static_cast<std::uint8_t>(contact.manifold.count),
                              .dynamicA = contact.dynamicA,
@@ -384,12 +372,14 @@ void noticeContacts(WorldState& world) {
     const bool anyGhost = haveContacts && dropGhosts(world, world.contacts, world.slides, world.lists.ground,
                                                      world.awake, world.nextGroundContact);
     if (anyGhost) { distrustGhosts(world); }
-    if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world); }
+    if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world, 0); }
+    const std::size_t before = world.awake.size();
     if (haveContacts) {
         if (world.watched) { countAhead(world); }
         listTouching(world);
         removeApartContacts(world);
     }
+    wakeOnward(world, before);
     if (world.parked.woke) { listUnparked(world); }
     countContacts(world);
 }

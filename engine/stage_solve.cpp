@@ -211,6 +211,7 @@ void solveTiedBodies(WorldState& world, double dt) {
     if (budgeted) {
         std::stable_sort(efforts.begin(), efforts.end(), [](Effort a, Effort b) { return a.doublings < b.doublings; });
     }
+    std::uint8_t retries = 0;
     for (std::size_t place = 0; place < efforts.size(); ++place) {  // grows as it goes
         const Effort effort = efforts[place];
         const bool isTried = budgeted && !effort.isSettled;
@@ -239,7 +240,7 @@ void solveTiedBodies(WorldState& world, double dt) {
                        {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
         clearDesk(world, desk);
         if (effort.isLarge && !isSolved) {
-            takeBackClass(world, place, {.isRetried = true});
+            takeBackClass(world, place, {.retry = ++retries});
         } else if (isTried) {
             takeBackMissed(world, place, dt);
         }

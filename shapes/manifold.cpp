@@ -13,16 +13,28 @@ ManifoldBuilder builderFor(const PairView& pair, double margin, bool referenceIs
     return {static_cast<double>(pair.a.radius), static_cast<double>(pair.b.radius), margin, referenceIsA, normal};
 }
 
+/// The least that a vertex may stick out by: an edge that stands upright on the end of the face lies over it or not by
+/// rounding alone, and where such an edge is cut is anywhere on it.
+double roundingOf(const ReferenceFace& face, const IncidentEdge& edge) {
+    return 4 * kResolution * (face.length + sumNorm(face.start) + sumNorm(edge.start) + sumNorm(edge.end));
+}
+
+Manifold clipAgainst(const PairView& pair, const ReferenceFace& face, const IncidentEdge& edge, double margin,
+                     bool isOfA, double slack) {
+    const double least = slack > 0 ? slack : roundingOf(face, edge);
+    return builderFor(pair, margin, isOfA, face.normal).build(clip(face, edge, least));
+}
+
 }  // namespace
 
 Manifold clipAgainstA(const PairView& pair, int edge, double margin, double slack) {
     const ReferenceFace face = faceOfA(pair, edge);
-    return builderFor(pair, margin, true, face.normal).build(clip(face, incidentOfB(pair, face.normal), slack));
+    return clipAgainst(pair, face, incidentOfB(pair, face.normal), margin, true, slack);
 }
 
 Manifold clipAgainstB(const PairView& pair, int edge, double margin, double slack) {
     const ReferenceFace face = faceOfB(pair, edge);
-    return builderFor(pair, margin, false, face.normal).build(clip(face, incidentOfA(pair, face.normal), slack));
+    return clipAgainst(pair, face, incidentOfA(pair, face.normal), margin, false, slack);
 }
 
 namespace {

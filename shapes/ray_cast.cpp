@@ -22,18 +22,18 @@ DVec2 vertexOf(const Polygon& polygon, int i) { return toDouble(polygon.vertices
 DVec2 edgeOf(const Polygon& polygon, int i) { return vertexOf(polygon, polygon.next(i)) - vertexOf(polygon, i); }
 Vec2 normalOf(const Polygon& polygon, int i) { return polygon.normals[static_cast<std::size_t>(i)]; }
 
-double squaredDistanceToEdge(const Polygon& polygon, int i, DVec2 point) {
+/// Within the radius. Beside the edge in the words of `clipToEdges`: what that takes for outside must be so here.
+bool isNearEdge(const Polygon& polygon, int i, DVec2 point) {
+    const double radius = static_cast<double>(polygon.radius);
     const DVec2 edge = edgeOf(polygon, i);
     const DVec2 offset = point - vertexOf(polygon, i);
     const double along = dot(offset, edge);
-    const double size = dot(edge, edge);
-    if (along <= 0) { return dot(offset, offset); }
-    if (along >= size) {
+    if (along <= 0) { return dot(offset, offset) <= radius * radius; }
+    if (along >= dot(edge, edge)) {
         const DVec2 fromEnd = point - vertexOf(polygon, polygon.next(i));
-        return dot(fromEnd, fromEnd);
+        return dot(fromEnd, fromEnd) <= radius * radius;
     }
-    const double area = cross(edge, offset);
-    return area * (area / size);
+    return std::fabs(cross(offset, edge)) <= radius * length(edge);
 }
 
 bool contains(const Polygon& polygon, DVec2 point) {
@@ -44,7 +44,7 @@ bool contains(const Polygon& polygon, DVec2 point) {
     }
     bool insideCore = polygon.count > 2;
     for (int i = 0; i < polygon.count; ++i) {
-        if (squaredDistanceToEdge(polygon, i, point) <= limit) { return true; }
+        if (isNearEdge(polygon, i, point)) { return true; }
         insideCore = insideCore && cross(edgeOf(polygon, i), point - vertexOf(polygon, i)) >= 0;
     }
     return insideCore;

@@ -153,6 +153,25 @@ TEST(Pairs, OfAnEmptyWorldAreNone) {
     }
 }
 
+TEST(Pairs, OfAWorldThatIsCleared) {
+    for (const auto& broadphase : everyImplementation()) {
+        std::vector<ProxyPair> pairs;
+        for (int round = 0; round < 2; ++round) {
+            std::vector<ProxyId> ids;
+            for (int i = 0; i < 100; ++i) {
+                const Real x = static_cast<Real>(i) / 2;
+                ids.push_back(broadphase->insert({{x, 0}, {x + 1, 1}}, ProxyKind::dynamic).value());
+            }
+            broadphase->pairs(pairs);
+            EXPECT_GE(pairs.size(), 99U);
+            ASSERT_TRUE(broadphase->move(ids[3], {{5, 5}, {6, 6}}).ok());
+            for (const ProxyId id : ids) { ASSERT_TRUE(broadphase->remove(id).ok()); }
+            broadphase->pairs(pairs);
+            EXPECT_TRUE(pairs.empty());
+        }
+    }
+}
+
 TEST(Pairs, ForgetAMovedProxyThatWasRemovedAndItsSlotTakenAgain) {
     for (const auto& broadphase : everyImplementation()) {
         ASSERT_TRUE(broadphase->insert({{0, 0}, {1, 1}}, ProxyKind::dynamic).ok());

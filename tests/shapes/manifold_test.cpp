@@ -201,6 +201,27 @@ TEST(Manifold, OnAFaceSeparationsAreHeightsAboveIt) {
     EXPECT_GT(both, 1000);
 }
 
+/// One capsule upright on the end of the other, whose line ends exactly there: over the face or not by rounding alone.
+TEST(Manifold, UprightOnTheEndOfAFaceIsAsDeepAsItIs) {
+    for (const double half : {0.1, 0.2, 0.25, 0.3, 0.5, 0.7}) {
+        for (const double other : {0.1, 0.2, 0.3, 0.35, 0.5}) {
+            for (const double radius : {0.05, 0.1, 0.25, 0.3}) {
+                for (const double side : {-1.0, 1.0}) {
+                    for (const double turn : {-1.0, 1.0}) {
+                        const Polygon flat = makeCapsule({real(-half), 0}, {real(half), 0}, real(radius)).value();
+                        const Polygon upright = makeCapsule({real(-other), 0}, {real(other), 0}, real(radius)).value();
+                        const Transform pose = poseAt(side * half, -other, turn * 1.5707963267948966);
+                        const Manifold m = collide(flat, upright, pose, real(1));
+                        ASSERT_GT(m.count, 0);
+                        EXPECT_NEAR(deepest(m), distance(flat, upright, pose).distance, 1e-5)
+                            << half << ' ' << other << ' ' << radius << ' ' << side << ' ' << turn;
+                    }
+                }
+            }
+        }
+    }
+}
+
 TEST(Manifold, CrossingSegmentsMakeOnePointAtTheShallowEnd) {
     const Polygon segment = makeSegment({-1, 0}, {1, 0}).value();
     const Polygon upright = makeSegment({0, real(-0.25)}, {0, 3}).value();

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -218,6 +219,24 @@ TEST(RayCast, DegenerateRaysHitOnlyWhatTheyStartIn) {
     EXPECT_FALSE(rayCast(box, {2, 0}, {0, 0}, 1).hit);
     EXPECT_TRUE(rayCast(box, {1, 0}, {1, 0}, 0).hit) << "on the outline";
     EXPECT_FALSE(rayCast(box, {2, 0}, {-1, 0}, 0).hit);
+}
+
+/// From where it starts, to rounding, it either starts inside or meets the surface at once; it never passes through.
+TEST(RayCast, FromTheSurfaceOfARoundedShapeDoesNotPassIt) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> size(0.05, 3);
+    for (int i = 0; i < 20'000; ++i) {
+        const double half = size(random);
+        const double radius = size(random);
+        const Result<Polygon> capsule =
+            makeCapsule({static_cast<Real>(-half), 0}, {static_cast<Real>(half), 0}, static_cast<Real>(radius));
+        ASSERT_TRUE(capsule.ok());
+        const Real r = capsule.value().radius;
+        const Vec2 origin{static_cast<Real>(0.9 * half * (2 * (size(random) / 3) - 1)), -r};
+        const RayCastHit hit = rayCast(capsule.value(), origin, {0, 5 * r}, 1);
+        ASSERT_TRUE(hit.hit) << i << ": half " << half << ", radius " << r << ", from " << origin.x;
+        ASSERT_LE(hit.fraction, Real(1e-5)) << i << ": half " << half << ", radius " << r << ", from " << origin.x;
+    }
 }
 
 TEST(ContainsPoint, AgreesWithTheDistance) {

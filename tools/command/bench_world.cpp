@@ -135,17 +135,23 @@ void addBenchWorld(Command bench) {
     command.option("--seconds", settings.seconds, "Processor time after which an engine is stopped in a scene [5]")
         .type("S")
         .withinReals(0, 100'000);
-    command.option("--growth", arguments->maxBodies, "Instead: cost of a body in worlds of a hundred to N bodies")
-        .type("N")
-        .within(100, 1'000'000)
-        .excludes(scenes)
-        .excludes(size);
+    const Option growth =
+        command.option("--growth", arguments->maxBodies, "Instead: cost of a body in worlds of a hundred to N bodies")
+            .type("N")
+            .within(100, 1'000'000)
+            .excludes(scenes)
+            .excludes(size);
+    const Option csv =
+        command.option("--csv", arguments->places.csv, "Write a record for each engine and scene").type("FILE");
+    const Option plots = command
+                             .option("--plots", arguments->places.plots,
+                                     "Write data and gnuplot scripts, and draw them if gnuplot is there")
+                             .type("DIR");
     command.option("--write", arguments->scenesTo, "Instead: write the scenes as they begin, for other tools")
-        .type("DIR");
-    command.option("--csv", arguments->places.csv, "Write a record for each engine and scene").type("FILE");
-    command
-        .option("--plots", arguments->places.plots, "Write data and gnuplot scripts, and draw them if gnuplot is there")
-        .type("DIR");
+        .type("DIR")
+        .excludes(growth)
+        .excludes(csv)
+        .excludes(plots);
     command.runs([arguments] {
         arguments->settings.counts = arguments->counts == kFastest ? worlds::Repeats::fastest : worlds::Repeats::median;
         return measureWorld(*arguments);

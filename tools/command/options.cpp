@@ -3,8 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -76,6 +79,10 @@ Option Option::within(std::int64_t least, std::int64_t most) const {
 
 Option Option::withinReals(double least, double most) const {
     option_->check(CLI::Range(least, most));
+    // "nan" is a number to the range, and neither below nor above it.
+    option_->check([](const std::string& text) {
+        return std::isnan(std::strtod(text.c_str(), nullptr)) ? "Value " + text + " is not a number" : std::string();
+    });
     return *this;
 }
 

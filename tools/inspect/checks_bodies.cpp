@@ -104,7 +104,9 @@ void checkSpeed(const PlacedScene& placed, const PlacedBody& body, std::vector<F
         const PlacedBody& other = placed.bodies[static_cast<std::size_t>(piece.body)];
         const bool isLine = piece.polygon.count == 2 && piece.polygon.radius == 0;
         const double width = isLine ? 0 : piece.extent;
-        if (!other.isDynamic() && width < thinnest) {
+        const ShapeDescription& shape =
+            placed.scene->bodies[static_cast<std::size_t>(piece.body)].shapes[static_cast<std::size_t>(piece.shape)];
+        if (!other.isDynamic() && !shape.sensor && width < thinnest) {
             thinnest = width;
             wall = other.name;
         }
