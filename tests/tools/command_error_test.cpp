@@ -75,6 +75,8 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
     expectRunRefused({scene_, "--png", scene_ + "/below"}, "--png");
     expectRunRefused({scene_, "--csv", scene_}, "would overwrite the input");
     EXPECT_EQ(in_.read("ball.json"), kBallScene);
+    expectRefused({"modes", scene_, "--png", scene_}, "would overwrite the input");
+    EXPECT_EQ(in_.read("ball.json"), kBallScene);
     expectRunRefused({scene_, "--csv", out_.path("same"), "--events", out_.path("same")}, "already the file of --csv");
 }
 
@@ -96,6 +98,9 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRunRefused({scene_, "second.json"}, "second.json");
     expectRefused({}, "no command given");
     expectRefused({"fly"}, "fly: no such command");
+    expectRefused({"bench", "world", "--size", "nan"}, "nan is not a number");
+    expectRefused({"bench", "world", "--write", out_.path("scenes"), "--csv", out_.path("a.csv")}, "--write");
+    expectRefused({"modes", scene_, "--size", "big"}, "--size");
     expectRefused({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
     expectRefused({""}, "no such command");
     expectRefused({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));

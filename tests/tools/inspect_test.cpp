@@ -207,6 +207,8 @@ TEST(Inspect, FindsTunnellingWhereNothingIsSwept) {
     scene.bodies[0].shapes = {build::segment({-10, 0.5}, {10, 0.5})};
     scene.bodies[1].velocity.y = -50;
     expectOnly(scene, "tunnelling", "/bodies/1");
+    scene.bodies[0].shapes[0].sensor = true;  // which is there to be passed
+    EXPECT_EQ(countOf(inspectScene(scene), "tunnelling", "/bodies/1"), 0);
 }
 
 TEST(Inspect, FindsEdgesThatSinglePrecisionLoses) {

@@ -55,8 +55,9 @@ bool runScript(const std::string& script, std::string& error) {
 
 }  // namespace
 
-bool drawAnatomy(const ToiQuery& query, const std::string& file, std::string& error) {
+bool drawAnatomy(const ToiQuery& query, const std::string& file, const std::string& input, std::string& error) {
     OutputFiles files;
+    files.protect(input);
     files.addFile("--anatomy", file);
     if (!files.open(error)) { return false; }
     if (!runScript(anatomyScript(dissectToi(query), std::filesystem::absolute(file).string()), error)) {

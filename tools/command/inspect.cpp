@@ -94,7 +94,6 @@ void addInspectCommand(Command app) {
         app.command("inspect", "The scene doctor: what may go wrong, and what the scene needs, before it runs");
     const auto arguments = std::make_shared<InspectArguments>();
     addSceneArguments(command, arguments->scene);
-    addPrecisionArgument(command, arguments->scene);
     command.option("--json", arguments->json, "All findings and needs as JSON").type("FILE");
     command.flag("--strict", arguments->strict, "Exit code 1 when there is a warning");
     command.runs([arguments] { return inspect(*arguments); });

@@ -86,10 +86,8 @@ std::string captionOf(const ModeRun& run) {
 }
 
 /// All modes side by side.
-bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const ModesArguments& arguments,
+bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const std::string& file, PictureSize size,
           std::string& error) {
-    PictureSize size;
-    if (!parseSize(arguments.size, size, error)) { return false; }
     RenderOptions options;
     options.width = size.width;
     options.height = size.height;
@@ -105,18 +103,31 @@ bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const Mod
         captions.push_back(captionOf(run));
     }
     const auto sheet = contactSheet(tiles, captions, static_cast<int>(tiles.size()), error);
-    return sheet && writePng(*sheet, arguments.png, error);
+    return sheet && writePng(*sheet, file, error);
 }
 
 int compareModes(const ModesArguments& arguments) {
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded) { return refuse(error); }
+    PictureSize size;
+    if (!parseSize(arguments.size, size, error)) { return refuse(error); }
+    OutputFiles outputs;
+    outputs.protect(loaded->file);
+    outputs.addFile("--png", arguments.png);
+    if (!outputs.open(error)) { return refuse(error); }
     std::vector<ModeRun> runs;
     for (const SceneContinuous mode : kModes) {
-        if (!runMode(*loaded, mode, runs.emplace_back(), error)) { return refuse(loaded->source + ": " + error); }
+        if (!runMode(*loaded, mode, runs.emplace_back(), error)) {
+            outputs.discard();
+            return refuse(loaded->source + ": " + error);
+        }
     }
-    if (!arguments.png.empty() && !draw(*loaded, runs, arguments, error)) { return refuse(error); }
+    if (!arguments.png.empty() && !draw(*loaded, runs, arguments.png, size, error)) {
+        outputs.discard();
+        return refuse(error);
+    }
+    if (!outputs.close(error)) { return refuse(error); }
     printTable(*loaded, runs);
     return kExitDone;
 }

@@ -60,7 +60,7 @@ int drawFirst(const QueryArguments& arguments) {
         ToiQuery query;
         if (const auto error = readToiLine(line, query)) { return refuse(*error); }
         std::string error;
-        if (!drawAnatomy(query, arguments.anatomy, error)) { return refuse(error); }
+        if (!drawAnatomy(query, arguments.anatomy, arguments.file, error)) { return refuse(error); }
         std::cout << answerToiLine(line).text << '\n';
         return kExitDone;
     });

@@ -159,6 +159,9 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPicturePlaces(arguments.pictures);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration);
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError);
+    double longestLoss = 0;
+    for (const LostTime& lost : report.lostTime) { longestLoss = std::max(longestLoss, lost.seconds); }
+    warnOfBudget("maxLostTime", loaded.scene.settings.maxLostTime, longestLoss);
     warnOfOverflow(report);
     if (!outcome.culprit) { return kExitDone; }
     std::cerr << "swept: " << loaded.source << ": the state of body \"" << *outcome.culprit
@@ -186,7 +189,10 @@ int runScene(const RunArguments& arguments) {
     run.writeTo(outputs, arguments);
     RunOutcome outcome;
     const bool complete = run.run(pictures.get(), outcome, error);
-    if (!complete || (pictures && !pictures->finish(error))) { return refuse(error); }
+    if (!complete || (pictures && !pictures->finish(error))) {
+        outputs.discard();
+        return refuse(error);
+    }
     return finishRun(arguments, *loaded, *runner, outcome, outputs);
 }
 
