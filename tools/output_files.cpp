@@ -47,6 +47,7 @@ bool OutputFiles::open(std::string& error) {
     }
     // Only now that all can be written is anything of an earlier run cut off.
     for (Place& place : files_) {
+        if (isDevice(place.path)) { continue; }  // whoever reads a pipe would take it for its end
         place.stream.close();
         place.stream.clear();
         place.stream.open(place.path, std::ios::binary | std::ios::trunc);

@@ -43,8 +43,8 @@ Result<QueryDistance> queryDistance<kPrecision>(const ToiPolygon& a, const Sweep
                                                 const Sweep& sweepB) {
     const Polygon polygonA = roundedPolygon(a, sweepA.localCenter);
     const Polygon polygonB = roundedPolygon(b, sweepB.localCenter);
-    if (const Status status = validateRounded(polygonA); !status.ok()) { return status; }
-    if (const Status status = validateRounded(polygonB); !status.ok()) { return status; }
+    if (const Status status = validateRounded(polygonA); !status.ok()) { return Status{status.code, "a"}; }
+    if (const Status status = validateRounded(polygonB); !status.ok()) { return Status{status.code, "b"}; }
     const WorldTransform poseA{sweepA.c0, rotationFromAngle(sweepA.a0)};
     const WorldTransform poseB{sweepB.c0, rotationFromAngle(sweepB.a0)};
     const Transform bInA = relativeTransform(poseA, poseB);

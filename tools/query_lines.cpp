@@ -79,7 +79,15 @@ LineAnswer refusal(const Json& id, const std::string& reason) {
     return {line.take(), false};
 }
 
-std::string textOf(const Status& status) { return std::string("/") + status.field + ": " + describe(status.code); }
+/// The JSON pointer of what a status names: of both shapes where it is about the two together.
+std::string placeOf(const char* field) {
+    if (field == std::string_view("sweep")) { return "/a/sweep, /b/sweep"; }
+    if (field == std::string_view("sweepA")) { return "/a/sweep"; }
+    if (field == std::string_view("sweepB")) { return "/b/sweep"; }
+    return std::string("/") + field;
+}
+
+std::string textOf(const Status& status) { return placeOf(status.field) + ": " + describe(status.code); }
 
 ToiSettings settingsOf(const QueryLine& query) {
     ToiSettings settings = defaultToiSettings(query.a, query.b);

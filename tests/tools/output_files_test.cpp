@@ -1,6 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include <sys/stat.h>
 
 #include <swept/tools/output_files.h>
 
@@ -88,6 +94,29 @@ TEST(OutputFiles, RefusesToOverwriteTheInputOrItself) {
     EXPECT_FALSE(twice.open(error));
     EXPECT_NE(error.find("--csv"), std::string::npos) << error;
     EXPECT_FALSE(scratch.has("out"));
+}
+
+/// Whoever reads it would take a pipe that is closed and opened again for ended.
+TEST(OutputFiles, PipesAreOpenedOnce) {
+    const ScratchDirectory scratch;
+    for (int i = 0; i < 50; ++i) {
+        const std::string path = scratch.path("pipe" + std::to_string(i));
+        ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+        std::string read;
+        std::thread reader([&] {
+            std::ifstream pipe(path, std::ios::binary);
+            read.assign(std::istreambuf_iterator<char>(pipe), {});
+        });
+        OutputFiles outputs;
+        outputs.addFile("--csv", path);
+        std::string error;
+        const bool isOpen = outputs.open(error);
+        if (isOpen) { *outputs.stream(path) << "text"; }
+        const bool isClosed = isOpen && outputs.close(error);
+        reader.join();
+        ASSERT_TRUE(isClosed) << error;
+        ASSERT_EQ(read, "text");
+    }
 }
 
 }  // namespace
