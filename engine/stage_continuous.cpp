@@ -56,6 +56,7 @@ void sweepFastBodies(WorldState& world, double dt) {
     if (world.bullets > 0) {
         if (world.flightScratch.empty()) { world.flightScratch.resize(1); }
         flyBullets(world, dt, world.flightScratch[0]);
+        if (world.watched) { limitWays(world, dt); }  // of whom they pushed
     }
     for (const std::uint32_t slot : world.awake) {
         if (isHeldAtImpacts(world, slot)) { world.flyers.push_back(slot); }

@@ -150,7 +150,6 @@ void advance(WorldState& world, double dt) {
     clock.stop(world.stageTimes.solve);
     const bool sweeps = world.anyFast || world.anyFlung;
     if (sweeps) { sweepFastBodies(world, dt); }
-    if (world.watched && world.bullets > 0) { limitWays(world, dt); }
     if (world.kinematicBodies > 0) { moveKinematicBodies(world, dt); }
     if (sweeps || world.kinematicBodies > 0) { putBackOverflown(world); }
     if (world.sensorShapes > 0) { sweepSensors(world, dt); }
