@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "refused_runs.h"
 #include "run_program.h"
 #include "small_scenes.h"
 
 namespace swept {
 namespace {
 
-class CommandError : public testing::Test {
+class CommandError : public RefusedRuns {
 protected:
     void expectRunRefused(std::vector<std::string> arguments, const std::string& reason) {
         arguments.insert(arguments.begin(), "run");
@@ -21,13 +22,8 @@ protected:
         if (std::find(arguments.begin(), arguments.end(), "--png") == arguments.end()) {
             arguments.insert(arguments.end(), {"--png", out_.path("pictures")});
         }
-        expectRefused(arguments, reason);
-        EXPECT_TRUE(out_.isEmpty()) << "a refused run must write nothing: " << reason;
+        expectNothingWritten(arguments, reason);
     }
-
-    ScratchDirectory in_;
-    ScratchDirectory out_;
-    std::string scene_ = in_.write("ball.json", kBallScene);
 };
 
 TEST_F(CommandError, DurationAndStepsTogether) {

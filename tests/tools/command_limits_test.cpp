@@ -3,26 +3,21 @@
 #include <string>
 #include <vector>
 
+#include "refused_runs.h"
 #include "run_program.h"
-#include "small_scenes.h"
 
 /// Input at the ends of what can be written, and runs that leave less than was asked for.
 
 namespace swept {
 namespace {
 
-class CommandLimits : public testing::Test {
+class CommandLimits : public RefusedRuns {
 protected:
     void expectRunRefused(const std::vector<std::string>& more, const std::string& reason) {
         std::vector<std::string> arguments{"run", scene_, "--csv", out_.path("states.csv")};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        expectRefused(arguments, reason);
-        EXPECT_TRUE(out_.isEmpty()) << "a refused run must write nothing: " << reason;
+        expectNothingWritten(arguments, reason);
     }
-
-    ScratchDirectory in_;
-    ScratchDirectory out_;
-    std::string scene_ = in_.write("ball.json", kBallScene);
 };
 
 TEST_F(CommandLimits, StepsThatTheEngineRefuses) {
