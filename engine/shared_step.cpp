@@ -18,8 +18,9 @@ constexpr double kPerConstraint = 1.5e-7;
 constexpr double kPerBodySubStep = 3e-8;
 /// So many constraints of a colour, in the mean: some colours of a solve that is shared (`Solver`) are small.
 constexpr std::uint64_t kFewestPerColour = 224;
-/// So many times as long as starting it takes is what others may take part in. Two threads save half of that at most.
-constexpr double kWorthStarting = 3;
+/// So many times as long as starting takes is what others may take part in, at least. Two threads save half of that at
+/// most: as long as starting takes by what is said of it, which is generous.
+constexpr double kWorthStarting = 2;
 
 }  // namespace
 

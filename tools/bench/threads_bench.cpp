@@ -22,8 +22,6 @@ using namespace build;
 
 constexpr int kRows = 10;  ///< of a pyramid: 55 boxes
 constexpr int kWarmSteps = 20;
-constexpr int kFewestSteps = 10;
-constexpr int kMostSteps = 400;
 constexpr std::array kSizes{10, 30, 100, 200, 500, 1000, 2000, 5000, 10'000, 20'000, 50'000};
 
 SceneDescription emptyScene(const char* name) {
@@ -103,18 +101,16 @@ double medianOf(std::vector<double>& values) {
 }
 
 /// Step by step in turns, so that whatever else the machine does meets both.
-void measure(TimedWorld& one, TimedWorld& several, double seconds, ThreadsBenchRow& row) {
+void measure(TimedWorld& one, TimedWorld& several, int steps, ThreadsBenchRow& row) {
     std::vector<double> ones;
     std::vector<double> severals;
-    double spent = 0;
-    for (int step = -kWarmSteps; step < kMostSteps && (spent < seconds || step < kFewestSteps); ++step) {
+    for (int step = -kWarmSteps; step < steps; ++step) {
         const bool oneFirst = step % 2 == 0;
         const double first = secondsOf(oneFirst ? one : several);
         const double second = secondsOf(oneFirst ? several : one);
         if (step < 0) { continue; }
         ones.push_back(oneFirst ? first : second);
         severals.push_back(oneFirst ? second : first);
-        spent += first + second;
     }
     row.oneSeconds = medianOf(ones);
     row.severalSeconds = medianOf(severals);
@@ -152,7 +148,7 @@ std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
     std::vector<ThreadsBenchRow> rows;
     const auto add = [&](ThreadsBenchRow row, TimedWorld& one, TimedWorld& several) {
         const std::optional<double> before = handOverSeconds(*tasks);
-        measure(one, several, settings.seconds, row);
+        measure(one, several, settings.steps, row);
         const std::optional<double> after = handOverSeconds(*tasks);
         if (before && after) { row.handOver = std::max(*before, *after); }
         watch(row);
@@ -162,7 +158,8 @@ std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
         if (!isMeant(scene, settings)) { continue; }
         for (const int bodies : kSizes) {
             if (!isMeant(bodies, settings)) { continue; }
-            const SceneDescription description = scene.make(bodies);
+            SceneDescription description = scene.make(bodies);
+            description.settings.profile = settings.profile;
             SweptWorld one(description, nullptr);
             SweptWorld several(description, tasks.get());
             add({.scene = scene.name, .engine = "Swept2D f32", .bodies = bodies}, one, several);

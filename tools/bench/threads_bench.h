@@ -24,7 +24,8 @@ struct ThreadsBenchSettings {
     int fewestBodies = 10;
     int mostBodies = 10'000;
     bool ownAlone = false;  ///< without Box2D 3
-    double seconds = 1;     ///< spent on a row
+    int steps = 400;        ///< of a row, as many for each engine: to fall is another task than to lie
+    SceneProfile profile = SceneProfile::accurate;  ///< of ours
 };
 
 /// One thread against several, of the same scene step by step in turns.

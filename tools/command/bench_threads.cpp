@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <swept/samples/scene_names.h>
+
 #include "../bench/threads_bench.h"
 #include "../task_threads.h"
 #include "bench_run.h"
@@ -16,6 +18,7 @@ namespace {
 
 struct ThreadsArguments {
     bench::ThreadsBenchSettings settings;
+    std::string profile;
     BenchPlaces places;
 };
 
@@ -23,6 +26,11 @@ std::vector<std::string> threadsSceneNames() {
     std::vector<std::string> names;
     for (const bench::ThreadsScene& scene : bench::threadsScenes()) { names.emplace_back(scene.name); }
     return names;
+}
+
+std::vector<std::string> profileNames() {
+    const auto names = namesOf<SceneProfile>();
+    return {names.begin(), names.end()};
 }
 
 int measureThreads(const ThreadsArguments& arguments) {
@@ -69,9 +77,19 @@ void addBenchThreads(Command bench) {
         .type("N")
         .within(10, 1'000'000);
     command.flag("--own", arguments->settings.ownAlone, "Without Box2D 3");
-    command.option("--seconds", arguments->settings.seconds, "Spent on each row [1]").type("S").withinReals(0.01, 1000);
+    command.option("--steps", arguments->settings.steps, "Steps of each row, after 20 that are not timed [400]")
+        .type("N")
+        .within(10, 1'000'000);
+    command.option("--profile", arguments->profile, "How worlds of ours solve [accurate]")
+        .type("NAME")
+        .oneOf(profileNames());
     command.option("--csv", arguments->places.csv, "Write the table").type("FILE");
-    command.runs([arguments] { return measureThreads(*arguments); });
+    command.runs([arguments] {
+        if (arguments->profile == namesOf<SceneProfile>()[static_cast<std::size_t>(SceneProfile::fast)]) {
+            arguments->settings.profile = SceneProfile::fast;
+        }
+        return measureThreads(*arguments);
+    });
 }
 
 }  // namespace swept
