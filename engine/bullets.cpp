@@ -221,9 +221,9 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
     const Manifold manifold =
         obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, reachOf(world, pair.shapes));
     if (manifold.count == 0) { return; }
-    ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
-                                                std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
-                                                std::max(own.def.restitution, other.def.restitution), 0);
+    ContactConstraint constraint =
+        constraintOf(manifold, first.motion, first.body().localCenter, second.motion, mixedFriction(own.def, other.def),
+                     mixedRestitution(own.def, other.def), 0);
     constraint.slotA = kFirstSlot;
     constraint.slotB = kSecondSlot;
     FlightScratch& scratch = *second.scratch;

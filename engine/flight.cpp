@@ -66,9 +66,9 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
     const Real margin = std::max(reachOf(*flight.world, obstacle), slopOf(*flight.world, obstacle));
     const Manifold manifold = obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, margin);
     if (manifold.count == 0) { return; }
-    ContactConstraint constraint = constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion,
-                                                std::sqrt(own.def.friction) * std::sqrt(other.def.friction),
-                                                std::max(own.def.restitution, other.def.restitution), 0);
+    ContactConstraint constraint =
+        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion, mixedFriction(own.def, other.def),
+                     mixedRestitution(own.def, other.def), 0);
     constraint.source = source;
     constraint.slotB = kFlyerSlot;
     if (otherBody.def.type == BodyType::kinematic) {

@@ -79,7 +79,7 @@ struct JointTie {
     bool mayBreak : 1 = false;  ///< it has a limit
     bool isHinge : 1 = false;
     bool isPlain : 1 = false;   ///< holds what it holds rigidly, and does nothing else
-    bool isDriven : 1 = false;  ///< has a motor or a spring: what it holds keeps no energy
+    bool isDriven : 1 = false;  ///< does what takes or gives energy: what it holds keeps none
     HingeParts hingeParts;      ///< of a hinge
 
     bool operator==(const JointTie&) const = default;

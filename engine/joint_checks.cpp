@@ -1,18 +1,9 @@
 #include "joint_checks.h"
 
-#include <initializer_list>
-
 #include "number_range.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-Status firstFault(std::initializer_list<Status> checks) {
-    for (const Status& status : checks) {
-        if (!status.ok()) { return status; }
-    }
-    return Status::success();
-}
 
 Status checkFinite(Real number, const char* field) {
     return isFinite(number) ? Status::success() : Status{StatusCode::notFinite, field};
@@ -34,6 +25,13 @@ Status checkOrder(const std::optional<Limits>& limits) {
 }
 
 }  // namespace
+
+Status firstFault(std::initializer_list<Status> checks) {
+    for (const Status& status : checks) {
+        if (!status.ok()) { return status; }
+    }
+    return Status::success();
+}
 
 Status checkBreakLimits(const std::optional<Real>& force, const std::optional<Real>& torque) {
     return firstFault({checkBreak(force, "breakForce"), checkBreak(torque, "breakTorque")});

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 #include "../shapes/status.h"
 #include "world_state.h"
 
@@ -7,6 +9,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// The first of them that is not ok.
+Status firstFault(std::initializer_list<Status> checks);
 Status checkBase(const WorldState& world, const JointDef& def);
 Status checkBreakLimits(const std::optional<Real>& force, const std::optional<Real>& torque);
 Status checkSpring(const std::optional<Spring>& spring);

@@ -4,6 +4,7 @@
 #include <span>
 #include <tuple>
 
+#include "../toi/toi_polygon.h"
 #include "modes.h"
 #include "step.h"
 #include "sweep_obstacles.h"
@@ -202,8 +203,8 @@ void watchPair(WorldState& world, const SensorPair& pair, double dt) {
     const auto extent = static_cast<double>(std::min(sensor.extent, other.extent));
     Watch watch{world,
                 pair,
-                toiPolygonOf(sensor.polygon),
-                toiPolygonOf(other.polygon),
+                asToiPolygon(sensor.polygon),
+                asToiPolygon(other.polygon),
                 {.target = 0, .tolerance = static_cast<double>(kToleranceRatio) * extent},
                 contact != nullptr && contact->touching};
     findWaypoints(world, sensor.body, sweeps.ofSensor);

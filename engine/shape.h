@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "../broadphase/broadphase.h"
@@ -28,5 +30,12 @@ struct Shape {
     bool isBatched = false;  ///< `collidesInBatches`
     ClosedEnds closedEnds;   ///< of a chain segment
 };
+
+/// Of two surfaces that touch. Product of the roots: unlike the root of the product it cannot overflow, and scales the
+/// same.
+inline Real mixedFriction(const ShapeDef& a, const ShapeDef& b) {
+    return std::sqrt(a.friction) * std::sqrt(b.friction);
+}
+inline Real mixedRestitution(const ShapeDef& a, const ShapeDef& b) { return std::max(a.restitution, b.restitution); }
 
 }  // namespace swept::inline SWEPT_PRECISION

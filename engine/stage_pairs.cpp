@@ -49,9 +49,8 @@ BatchKind batchKindOf(const Shape& first, const Shape& second) {
 void mixSurfaces(const WorldState& world, Contact& contact) {
     const ShapeDef& a = world.shapes[contact.shapeA].def;
     const ShapeDef& b = world.shapes[contact.shapeB].def;
-    // Product of the roots: unlike the root of the product it cannot overflow, and scales the same.
-    contact.friction = std::sqrt(a.friction) * std::sqrt(b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
+    contact.friction = mixedFriction(a, b);
+    contact.restitution = mixedRestitution(a, b);
 }
 
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second) {

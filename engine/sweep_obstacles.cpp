@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../toi/toi_polygon.h"
 #include "ghosts.h"
 #include "shape_manifold.h"
 #include "tolerances.h"
@@ -67,8 +68,8 @@ bool isPressed(const WorldState& world, const FlightObstacle& obstacle) {
 /// One obstacle: time of impact at its level, or at a lower one where it is within its level already.
 Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep, FlightObstacle& obstacle,
                double tMax, FlightScratch& scratch, bool ignoresSunk) {
-    const ToiPolygon own = toiPolygonOf(world.shapes[obstacle.own].polygon);
-    const ToiPolygon other = toiPolygonOf(world.shapes[obstacle.other].polygon);
+    const ToiPolygon own = asToiPolygon(world.shapes[obstacle.own].polygon);
+    const ToiPolygon other = asToiPolygon(world.shapes[obstacle.other].polygon);
     Sweep lifted = sweep;
     lifted.c0 += obstacle.lift;
     lifted.c1 += obstacle.lift;
@@ -164,16 +165,6 @@ void sortByDistance(const WorldState& world, const Sweep& sweep, FlightScratch& 
 }
 
 }  // namespace
-
-ToiPolygon toiPolygonOf(const Polygon& polygon) {
-    ToiPolygon result;
-    result.count = polygon.count;
-    result.radius = static_cast<double>(polygon.radius);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
-        result.vertices[i] = toDouble(polygon.vertices[i]);
-    }
-    return result;
-}
 
 BodyMotion motionAt(const Sweep& sweep, double fraction, Vec2 localCenter) {
     BodyMotion motion;

@@ -9,7 +9,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-ToiPolygon toiPolygonOf(const Polygon& polygon);
 /// World pose of a body at a fraction of a sweep.
 BodyMotion motionAt(const Sweep& sweep, double fraction, Vec2 localCenter);
 /// Motion of a static or kinematic body within [from, to] seconds of the step, from its pose at the start of the step.
@@ -88,14 +87,14 @@ struct FirstImpact {
 
 /// One obstacle: the first fraction, not after `limit`, at which the sweep meets it; see `firstImpact`.
 FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
-                            FlightObstacle& obstacle, double limit, FlightScratch& scratch,
-                            bool ignoresSunk = false);
+                            FlightObstacle& obstacle, double limit, FlightScratch& scratch, bool ignoresSunk = false);
 
 /// First obstacle that the sweep meets. Obstacles within their target at the start are looked for at a lower separation
 /// (their approach was dealt with before), overlapping ones relative to the surface (`lift`).
 /// @param from, to  the part of the step that the sweep covers, seconds
 /// @param limit  nothing after this fraction is looked for
-/// @param ignoresSunk  what the body is sunk into deeper than the slack is left out, and `FlightScratch::isSunk` tells so
+/// @param ignoresSunk  what the body is sunk into deeper than the slack is left out, and `FlightScratch::isSunk` tells
+/// so
 FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
                         double limit = 1, bool ignoresSunk = false);
 

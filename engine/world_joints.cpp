@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "joint_builder.h"
 #include "joint_checks.h"
@@ -9,13 +8,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-Status firstFault(std::initializer_list<Status> checks) {
-    for (const Status& status : checks) {
-        if (!status.ok()) { return status; }
-    }
-    return Status::success();
-}
 
 /// Where a joint takes hold of its bodies, in world coordinates.
 struct Grip {

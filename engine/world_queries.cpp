@@ -6,6 +6,7 @@
 #include "../shapes/distance.h"
 #include "../shapes/ray_cast.h"
 #include "../toi/time_of_impact.h"
+#include "../toi/toi_polygon.h"
 #include "sweep_obstacles.h"
 #include "world_state.h"
 
@@ -111,7 +112,7 @@ bool leadsPast(const Toi& toi, const Sweep& sweep) {
 
 /// Coordinates of the cast relative to its start, so that nothing is lost far from the origin.
 CastHit castAgainst(const WorldState& world, const Shape& shape, const CarriedShape& carried, Real limit) {
-    const ToiPolygon other = toiPolygonOf(shape.polygon);
+    const ToiPolygon other = asToiPolygon(shape.polygon);
     const Sweep still = obstacleSweep(world, shape.body, 0, 0);
     ToiSettings settings = defaultToiSettings(other, carried.core);
     settings.tMax = static_cast<double>(limit);
@@ -153,7 +154,7 @@ CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec
     const double angle = arcTangent2(static_cast<double>(pose.rotation.s), static_cast<double>(pose.rotation.c));
     Closest closest;
     const CarriedShape carried{
-        toiPolygonOf(polygon),
+        asToiPolygon(polygon),
         {.c0 = pose.position, .c1 = pose.position + toDouble(translation), .a0 = angle, .a1 = angle},
         extentOf(polygon)};
     const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);

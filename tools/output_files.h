@@ -17,6 +17,9 @@ public:
     void addFile(const std::string& flag, const std::string& path);
     /// A directory for many files; it and its missing parents are created.
     void addDirectory(const std::string& flag, const std::string& path);
+    /// The first part of `open`, for files that are written later. @return false, and one line in `error`, when one of
+    /// them is protected, or two options name the same one.
+    bool refuseClashes(std::string& error) const;
     /// @return false, and one line in `error`, when some place cannot be written or two options name the same one.
     bool open(std::string& error);
     /// The open file of a path given to `addFile`; null for an empty path. Files written by others (pictures) are
@@ -34,7 +37,6 @@ private:
         std::string path;
         std::ofstream stream;
     };
-    bool refuseClashes(std::string& error) const;
     bool openDirectory(const Place& place, std::string& error);
     bool openFile(Place& place, std::string& error);
 

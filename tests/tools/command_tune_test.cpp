@@ -93,6 +93,15 @@ TEST_F(CommandTune, RefusesBadInputAndWritesNothing) {
     }
 }
 
+TEST_F(CommandTune, DoesNotWriteOverItsScene) {
+    const std::string tuned = scratch.write("tuned.json", scratch.read("ball.json"));
+    const ProgramResult result = runSwept(with({"tune", tuned, "--steps", "16", "--out", scratch.path(".")}, limit));
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_NE(result.err.find("would overwrite the input"), std::string::npos) << result.err;
+    EXPECT_EQ(scratch.read("tuned.json"), scratch.read("ball.json"));
+    EXPECT_FALSE(scratch.has("tune.csv"));
+}
+
 TEST_F(CommandTune, RefusesRowsOfAnotherScene) {
     const std::vector<std::string> part = with(limit, {"--shard", "12/12"});  // little work
     ASSERT_EQ(tune("out", part).exitCode, 0);

@@ -11,6 +11,7 @@
 
 #include "../bench/machine.h"
 #include "../number_text.h"
+#include "../output_files.h"
 #include "../task_threads.h"
 #include "../tune/ablation.h"
 #include "../tune/plot.h"
@@ -35,6 +36,9 @@ struct TuneArguments {
 
 constexpr int kNotKept = 1;  ///< exit code: no settings keep the errors
 constexpr std::int64_t kFewestSteps = 8;
+// In the directory of the results:
+constexpr const char* kTuned = "/tuned.json";
+constexpr const char* kLean = "/lean.json";
 
 std::string directoryOf(const TuneArguments& arguments, const LoadedScene& loaded) {
     const std::string name = std::filesystem::path(loaded.source).stem().string();
@@ -66,6 +70,10 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
     }
     task.source = loaded->source;
     task.directory = directoryOf(arguments, *loaded);
+    OutputFiles results;
+    results.protect(loaded->file);
+    results.addFile("--out", task.directory + (arguments.ablate ? kLean : kTuned));
+    if (!results.refuseClashes(error)) { return false; }
     task.options.subject = {loaded->scene, loaded->steps + loaded->steps % 2};
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     task.options.threads = arguments.threads > 0 ? arguments.threads : (team.size() > 1 ? 1 : cores);
@@ -126,8 +134,8 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
     }
     std::cout << '\n';
     const std::string tuned = writeScene(tune::withConfig(subject.scene, row.config));
-    if (!writeFile(task.directory + "/tuned.json", tuned, error)) { return kExitBadInput; }
-    std::cout << "scene  " << task.directory << "/tuned.json"
+    if (!writeFile(task.directory + kTuned, tuned, error)) { return kExitBadInput; }
+    std::cout << "scene  " << task.directory << kTuned
               << (row.config.engine == tune::Engine::f64 ? " (with --precision f64)" : "") << "\nrows   "
               << task.directory << "/tune.csv (" << known.rows.size() << ")\n"
               << plotted << '\n';
@@ -165,7 +173,7 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
     std::error_code failure;
     std::filesystem::create_directories(task.directory, failure);
     if (!writeFile(task.directory + "/ablation.csv", csv.str(), error) ||
-        !writeFile(task.directory + "/lean.json", writeScene(tune::leanScene(subject, ablation)), error)) {
+        !writeFile(task.directory + kLean, writeScene(tune::leanScene(subject, ablation)), error)) {
         return refuse(error);
     }
     std::cout << "\nLeanest profile: ";
@@ -178,7 +186,7 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
         std::cout << ": " << roundedText(ablation.lean.row.cost / ablation.whole.cost, 2)
                   << " of what the scene costs now";
     }
-    std::cout << "\nscene  " << task.directory << "/lean.json\nrows   " << task.directory << "/ablation.csv\n";
+    std::cout << "\nscene  " << task.directory << kLean << "\nrows   " << task.directory << "/ablation.csv\n";
     if (!tune::holds(tune::strain(ablation.whole, limits, reference.get().uncertainty))) {
         std::cout
             << "The scene as it is does not keep these errors; without --ablate, settings that do are looked for.\n";
