@@ -8,6 +8,7 @@
 #include "bullet_paths.h"
 #include "constraint_builder.h"
 #include "flight_state.h"
+#include "hit_event.h"
 #include "modes.h"
 #include "step.h"
 #include "tolerances.h"
@@ -178,23 +179,10 @@ void bringTo(WorldState& world, BulletPartner& partner, double time) {
 }
 
 void report(WorldState& world, const BulletPair& pair, const ContactConstraint& constraint, double time) {
-    const BulletPartner& first = world.bulletWork.partners[pair.first];
-    const BulletPartner& second = world.bulletWork.partners[pair.second];
-    const ContactConstraintPoint& a = constraint.points[0];
-    const ContactConstraintPoint& b = constraint.points[1];
-    const Real speed = std::max(a.bounceApproach, b.bounceApproach);
-    if (!(speed > second.flight.threshold())) { return; }
-    const Vec2 arm = b.totalNormalImpulse > a.totalNormalImpulse ? b.anchorB : a.anchorB;
-    second.flight.scratch->events.push_back({.type = ContactEventType::hit,
-                                             .shapeA = world.shapes.idOf(world.shapes[pair.shapes.other].head),
-                                             .shapeB = world.shapes.idOf(world.shapes[pair.shapes.own].head),
-                                             .bodyA = world.bodies.idOf(first.flight.slot),
-                                             .bodyB = world.bodies.idOf(second.flight.slot),
-                                             .fraction = time / second.flight.dt,
-                                             .point = second.flight.motion.center + toDouble(arm),
-                                             .normal = constraint.normal,
-                                             .approachSpeed = speed,
-                                             .impulse = a.totalNormalImpulse + b.totalNormalImpulse});
+    const Flight& second = world.bulletWork.partners[pair.second].flight;
+    if (!(impactSpeed(constraint) > second.threshold())) { return; }
+    second.scratch->events.push_back(
+        hitOf(world, pair.shapes.other, pair.shapes.own, constraint, second.motion.center, time / second.dt));
 }
 
 /// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on

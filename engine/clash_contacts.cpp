@@ -5,6 +5,7 @@
 
 #include "constraint_builder.h"
 #include "flight_state.h"
+#include "hit_event.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -86,25 +87,13 @@ void report(Clash& clash, const ContactConstraint& constraint) {
     ClashPair& pair = clash.work.pairs[constraint.source];
     const Flight& first = clash.work.flights[pair.first];
     const Flight& second = clash.work.flights[pair.second];
-    const ContactConstraintPoint& a = constraint.points[0];
-    const ContactConstraintPoint& b = constraint.points[1];
-    pair.impulse[0] += a.totalNormalImpulse;
-    pair.impulse[1] += b.totalNormalImpulse;
-    const Real speed = std::max(a.bounceApproach, b.bounceApproach);
-    if (!(speed > std::max(first.threshold(), second.threshold()))) { return; }
-    const WorldState& world = clash.world;
-    const Contact& contact = world.contacts[pair.contact];
-    const Vec2 arm = b.totalNormalImpulse > a.totalNormalImpulse ? b.anchorB : a.anchorB;
-    clash.scratch.events.push_back({.type = ContactEventType::hit,
-                                    .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
-                                    .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
-                                    .bodyA = world.bodies.idOf(contact.bodyA),
-                                    .bodyB = world.bodies.idOf(contact.bodyB),
-                                    .fraction = second.elapsed / clash.dt,
-                                    .point = second.motion.center + toDouble(arm),
-                                    .normal = constraint.normal,
-                                    .approachSpeed = speed,
-                                    .impulse = a.totalNormalImpulse + b.totalNormalImpulse});
+    for (std::size_t k = 0; k < pair.impulse.size(); ++k) {
+        pair.impulse[k] += constraint.points[k].totalNormalImpulse;
+    }
+    if (!(impactSpeed(constraint) > std::max(first.threshold(), second.threshold()))) { return; }
+    const Contact& contact = clash.world.contacts[pair.contact];
+    clash.scratch.events.push_back(hitOf(clash.world, contact.shapeA, contact.shapeB, constraint, second.motion.center,
+                                         second.elapsed / clash.dt));
 }
 
 void reflect(Clash& clash) {

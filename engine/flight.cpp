@@ -7,6 +7,7 @@
 #include "flight_state.h"
 #include "free_path.h"
 #include "ghosts.h"
+#include "hit_event.h"
 #include "modes.h"
 #include "solved_path.h"
 #include "sweep_obstacles.h"
@@ -83,31 +84,17 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
 
 /// @return whether it was a hit
 bool report(Flight& flight, const ContactConstraint& constraint) {
-    const ContactConstraintPoint& first = constraint.points[0];
-    const ContactConstraintPoint& second = constraint.points[1];
-    const Real speed = std::max(first.bounceApproach, second.bounceApproach);
-    if (!(speed > flight.threshold())) { return false; }
+    if (!(impactSpeed(constraint) > flight.threshold())) { return false; }
     const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
-    const Shape& other = flight.world->shapes[obstacle.other];
-    const Vec2 arm = second.totalNormalImpulse > first.totalNormalImpulse ? second.anchorB : first.anchorB;
-    flight.scratch->events.push_back({.type = ContactEventType::hit,
-                                      .shapeA = flight.world->shapes.idOf(other.head),
-                                      .shapeB = flight.world->shapes.idOf(flight.world->shapes[obstacle.own].head),
-                                      .bodyA = flight.world->bodies.idOf(other.body),
-                                      .bodyB = flight.world->bodies.idOf(flight.slot),
-                                      .fraction = flight.elapsed / flight.dt,
-                                      .point = flight.motion.center + toDouble(arm),
-                                      .normal = constraint.normal,
-                                      .approachSpeed = speed,
-                                      .impulse = first.totalNormalImpulse + second.totalNormalImpulse});
+    flight.scratch->events.push_back(hitOf(*flight.world, obstacle.other, obstacle.own, constraint,
+                                           flight.motion.center, flight.elapsed / flight.dt));
     return true;
 }
 
 /// What the body is pressed against, and does not bounce off, carries it: it may sag there until its next impact.
 void noteCarrier(Flight& flight, const ContactConstraint& constraint) {
     const Real pull = -dot(accelerationOf(*flight.world, flight.body()), constraint.normal);
-    const Real fastest = std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach);
-    if (!(pull > 0) || fastest > flight.threshold()) { return; }
+    if (!(pull > 0) || impactSpeed(constraint) > flight.threshold()) { return; }
     const auto isSame = [&](Vec2 normal) { return dot(normal, constraint.normal) > kSameNormal; };
     const auto last = flight.carriers.begin() + flight.carrierCount;
     if (last == flight.carriers.end() || std::any_of(flight.carriers.begin(), last, isSame)) { return; }

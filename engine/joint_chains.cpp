@@ -65,7 +65,7 @@ void listMembers(WorldState& world) {
     }
 }
 
-void addJoints(WorldState& world) {
+void sumUpJoints(WorldState& world) {
     JointChains& chains = world.jointChains;
     for (const std::uint32_t i : world.activeJoints) {
         const JointTie& tie = world.jointTies[i];
@@ -96,7 +96,7 @@ void findJointChains(WorldState& world) {
     }
     tieBodies(world);
     listMembers(world);
-    addJoints(world);
+    sumUpJoints(world);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -186,13 +186,23 @@ void findPairsOnWay(WorldState& world, std::uint32_t slot) {
     }
 }
 
-Contact* contactOfPair(WorldState& world, const SensorPair& pair) {
+/// By pair: a step has thousands of contacts.
+void listSensorContacts(WorldState& world) {
+    std::vector<ContactOfSensor>& contacts = world.sensorSweeps.contacts;
+    contacts.clear();
     for (const ContactProbe& probe : world.probes) {
         if (probe.isPlain) { continue; }
-        Contact& contact = world.contacts[probe.contact];
-        if (contact.shapeA == pair.sensor && contact.shapeB == pair.other) { return &contact; }
+        const Contact& contact = world.contacts[probe.contact];
+        if (contact.sensor) { contacts.push_back({{contact.shapeA, contact.shapeB}, probe.contact}); }
     }
-    return nullptr;
+    std::sort(contacts.begin(), contacts.end());
+}
+
+/// No two pairs are the same: what was added for one in this step is none of another one's.
+Contact* contactOfPair(WorldState& world, const SensorPair& pair) {
+    const std::vector<ContactOfSensor>& contacts = world.sensorSweeps.contacts;
+    const auto found = std::lower_bound(contacts.begin(), contacts.end(), ContactOfSensor{pair, 0});
+    return found != contacts.end() && found->pair == pair ? &world.contacts[found->contact] : nullptr;
 }
 
 void watchPair(WorldState& world, const SensorPair& pair, double dt) {
@@ -236,6 +246,7 @@ void sweepSensors(WorldState& world, double dt) {
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    if (!pairs.empty()) { listSensorContacts(world); }
     for (const SensorPair& pair : pairs) { watchPair(world, pair, dt); }
 }
 

@@ -15,7 +15,7 @@ constexpr Real kHangingRatio = Real(1) / (1 << 10);
 constexpr std::int8_t kHangingDoublings = -3;
 
 /// The speed of any point of a body is below the limit, and no torque turns it.
-bool isStill(const Body& body, const BodyMotion& motion, Real speed) {
+bool barelyMoves(const Body& body, const BodyMotion& motion, Real speed) {
     const Real spin = std::fabs(motion.angularVelocity) * body.radius;
     return lengthSquared(motion.velocity) <= square(speed) && spin <= speed && body.torque == 0;
 }
@@ -68,7 +68,7 @@ void slowHangingIslands(WorldState& world, double dt) {
         const Body& body = world.bodies[slot];
         std::uint8_t& hangs = world.islandHangs[world.islands.find(slot)];
         if (hangs == 0) { continue; }
-        hangs = isStill(body, world.motions[slot], speed) ? 1 : 0;
+        hangs = barelyMoves(body, world.motions[slot], speed) ? 1 : 0;
         world.islandPulls[slot].force = (static_cast<Real>(body.mass) * step) * accelerationOf(world, body);
     }
     for (const std::uint32_t i : world.activeJoints) {

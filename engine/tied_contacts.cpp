@@ -7,6 +7,7 @@
 
 #include "../solver/contact_lanes.h"
 #include "effort_budget.h"
+#include "hit_event.h"
 #include "modes.h"
 #include "profile.h"
 #include "tolerances.h"
@@ -307,16 +308,12 @@ void TiedContacts::noteHit(const Contact& contact, Vec2 normal, Real bounceAppro
     // The gap closes at the approach speed: a first-order estimate of when in the step.
     const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
     const double wait = std::min(gap / static_cast<double>(speed), part_.length);
-    const ContactEvent hit{.type = ContactEventType::hit,
-                           .shapeA = world_.shapes.idOf(world_.shapes[contact.shapeA].head),
-                           .shapeB = world_.shapes.idOf(world_.shapes[contact.shapeB].head),
-                           .bodyA = world_.bodies.idOf(contact.bodyA),
-                           .bodyB = world_.bodies.idOf(contact.bodyB),
-                           .fraction = (part_.begin + wait) / part_.dt,
-                           .point = apply(a.pose, contact.manifold.points[k].point),
-                           .normal = normal,
-                           .approachSpeed = speed,
-                           .impulse = impulse};
+    ContactEvent hit = hitBetween(world_, contact.shapeA, contact.shapeB);
+    hit.fraction = (part_.begin + wait) / part_.dt;
+    hit.point = apply(a.pose, contact.manifold.points[k].point);
+    hit.normal = normal;
+    hit.approachSpeed = speed;
+    hit.impulse = impulse;
     const HeldLock lock(hitting_);
     group_.desk.events.push_back(hit);
 }

@@ -79,10 +79,9 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     return *id;
 }
 
+/// @pre no body has it
 void removeOne(WorldState& world, std::uint32_t slot) {
-    const std::uint32_t body = world.shapes[slot].body;
     (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
-    std::erase(world.bodies[body].shapes, slot);
     world.thinnestWall.reset();
     countTraits(world, world.shapes[slot].def, -1);
     world.shapes.erase(world.shapes.idOf(slot));
@@ -224,6 +223,7 @@ Status World::destroyShape(ShapeId id) {
     wakeAcross(world, body, places);
     wakeJoined(world, body);
     removePairs(world, places);
+    std::erase_if(world.bodies[body].shapes, [&](std::uint32_t slot) { return world.shapes[slot].head == id.index; });
     for (const std::uint32_t slot : slots) { removeOne(world, slot); }
     refreshWithout(world, body);
     return Status::success();

@@ -65,6 +65,13 @@ struct SensorPair {
     auto operator<=>(const SensorPair&) const = default;
 };
 
+/// The contact of such a pair.
+struct ContactOfSensor {
+    SensorPair pair;
+    std::uint32_t contact = 0;  ///< index
+    auto operator<=>(const ContactOfSensor&) const = default;
+};
+
 /// One of the `impactPoses` of a step.
 struct ImpactOfBody {
     std::uint32_t body = 0;   ///< slot
@@ -113,7 +120,8 @@ struct BodyTravel {
 /// Scratch of mode_sensors.cpp, kept for its capacity.
 struct SensorSweeps {
     std::vector<SensorPair> pairs;
-    std::vector<ImpactOfBody> impacts;  ///< by body, and in the order of the list
+    std::vector<ContactOfSensor> contacts;  ///< by pair; of sensors
+    std::vector<ImpactOfBody> impacts;      ///< by body, and in the order of the list
     std::vector<Waypoint> ofSensor;
     std::vector<Waypoint> ofOther;
     std::vector<double> fractions;
