@@ -78,9 +78,13 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
     scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
     if (toi.state == ToiState::hit && toi.fraction <= 0) {
         const bool isDeep = toi.separation < length(obstacle.lift) - slackOf(world, obstacle);
-        if (isDeep && !ignoresSunk && !obstacle.isSunkInto && isPressed(world, obstacle)) {
-            toi.state = ToiState::overlapped;  // if of a rounded shape its radius alone is sunk
-            return toi;
+        if (isDeep && !ignoresSunk && !obstacle.isSunkInto) {
+            if (isPressed(world, obstacle)) {
+                toi.state = ToiState::overlapped;  // if of a rounded shape its radius alone is sunk
+                return toi;
+            }
+            // What is fast and began the step so deep may be pressed, too: it is in the next steps.
+            obstacle.isSunkInto = world.bodies[world.shapes[obstacle.own].body].sunk;
         }
         obstacle.level = std::min(obstacle.level, levelInContact(world, obstacle, toi.separation));
         toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));

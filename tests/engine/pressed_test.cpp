@@ -74,6 +74,29 @@ TEST(Pressed, AgainstAWallByARod) {
     }
 }
 
+/// What turns back and forth counts as fast, and is sunk into the wall by half of its radius. The box does not let go.
+TEST(Pressed, WhileItShakes) {
+    for (const bool isThin : {true, false}) {
+        WorldSettings settings = awakeSettings(0);
+        settings.profile = Profile::fast;
+        Rest rest{makeWorld(settings), {}};
+        addStatic(rest.world, isThin ? segment(0, -5, 0, 5) : box(0.2, 5), {}, {isThin ? 0.0 : -0.2, 0});
+        BodyDef upright = dynamicAt({0.05, 0});
+        upright.angle = 1.5707963267948966;
+        rest.body = addBody(rest.world, upright, capsule(0.3, 0.1), material(0));
+        BodyDef pressing = dynamicAt({0.4, 0});
+        pressing.fixedRotation = true;
+        const BodyId press = addBody(rest.world, pressing, box(0.3, 0.3), material(0));
+        const double start = rest.world.position(rest.body).x;
+        for (int i = 0; i < 200; ++i) {
+            must(rest.world.setVelocity(rest.body, rest.world.velocity(rest.body), i % 2 == 0 ? -5 : 5));
+            must(rest.world.applyForce(press, vec(-100, 0), rest.world.position(press)));
+            must(rest.world.step(0.05));
+        }
+        EXPECT_GT(rest.world.position(rest.body).x, start - 1e-5) << (isThin ? "thin" : "thick");
+    }
+}
+
 /// Rods that are put between bodies in flight, and jam between them and the walls.
 TEST(Pressed, ByRodsInAClosedChamber) {
     constexpr double kHalf = 10;
