@@ -1,7 +1,6 @@
 #include "bullets.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "../solver/impact.h"
@@ -234,8 +233,7 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
     }
     report(world, pair, constraint, time);
     setApart(world, pair, manifold, constraint.normal);
-    const Real fastest = std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach);
-    const bool bounces = constraint.restitution > 0 && fastest > second.threshold();
+    const bool bounces = constraint.restitution > 0 && impactSpeed(constraint) > second.threshold();
     pair.carrier = bounces ? Vec2{} : constraint.normal;
 }
 

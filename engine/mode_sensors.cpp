@@ -2,12 +2,10 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <tuple>
 
 #include "../toi/toi_polygon.h"
 #include "modes.h"
 #include "step.h"
-#include "sweep_obstacles.h"
 #include "tolerances.h"
 
 /// Sensors are looked at where the bodies stand at the start of a step (stage_collide.cpp). What moves fast may be in

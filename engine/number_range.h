@@ -11,10 +11,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// @pre n is at least 0, and not beyond double
 constexpr double powerOfTwo(int n) { return n == 0 ? 1.0 : 2.0 * powerOfTwo(n - 1); }
 
-/// Largest power of two whose square, and a sum of a few of those, is still a number of `Real`: 2⁶³ or 2⁵¹¹. No place,
-/// velocity, force, size or density beyond it is taken from the user (limits and strengths of joints are: the largest
-/// ones mean none), and no body is let go there, so what is computed from positions and velocities stays finite as long
-/// as it is of second degree.
+/// Largest power of two whose square, and a sum of a few of those, is still a number of `Real`: 2⁶³ or 2⁵¹¹. Nothing
+/// beyond it is taken from the user but limits and strengths of joints, and no body is let go there, so what is
+/// computed from positions and velocities stays finite as long as it is of second degree.
 inline constexpr int kLargestExponent = std::numeric_limits<Real>::max_exponent / 2 - 1;
 inline constexpr double kLargestNumber = powerOfTwo(kLargestExponent);
 

@@ -58,8 +58,8 @@ ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle,
     return {.target = obstacle.level, .tolerance = toleranceOf(world, obstacle), .tMax = tMax};
 }
 
-/// Whether a rounded shape whose radius is sunk is held where it is: what is pressed slowly, or pulled by joints, gets
-/// deeper step by step; what is fast comes out again, and would only hold up others.
+/// Whether a rounded shape whose radius is sunk is lifted out and held as if its core were: what is pressed slowly, or
+/// pulled by joints, gets deeper step by step. What is fast mostly comes out again.
 bool isPressed(const WorldState& world, const FlightObstacle& obstacle) {
     const Body& body = world.bodies[world.shapes[obstacle.own].body];
     return !body.fast || body.holdingJoints > 0;
@@ -83,8 +83,9 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
                 toi.state = ToiState::overlapped;  // if of a rounded shape its radius alone is sunk
                 return toi;
             }
-            // What is fast and began the step so deep may be pressed, too: it is in the next steps.
-            obstacle.isSunkInto = world.bodies[world.shapes[obstacle.own].body].sunk;
+            // What is fast and began the step so deep in ground may be pressed, too, and is held at this depth.
+            const bool isGround = !world.bodies[world.shapes[obstacle.other].body].isDynamic();
+            obstacle.isSunkInto = isGround && world.bodies[world.shapes[obstacle.own].body].sunk;
         }
         obstacle.level = std::min(obstacle.level, levelInContact(world, obstacle, toi.separation));
         toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));

@@ -291,8 +291,7 @@ void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
     }
     contact.pressedOn = pressedBefore && contact.pressed;
     if (pressedBefore) { return; }
-    noteHit(contact, constraint.normal,
-            std::max(constraint.points[0].bounceApproach, constraint.points[1].bounceApproach));
+    noteHit(contact, constraint.normal, impactSpeed(constraint));
 }
 
 /// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.

@@ -7,6 +7,7 @@
 
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_builder.h>
+#include <swept/samples/scene_names.h>
 
 #include "../task_threads.h"
 #include "hand_over.h"
@@ -162,7 +163,7 @@ std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
             description.settings.profile = settings.profile;
             SweptWorld one(description, nullptr);
             SweptWorld several(description, tasks.get());
-            add({.scene = scene.name, .engine = "Swept2D f32", .bodies = bodies}, one, several);
+            add({.scene = scene.name, .engine = "Swept2D f32", .isOwn = true, .bodies = bodies}, one, several);
 #ifdef SWEPT_BENCH_BOX2D3
             if (settings.ownAlone) { continue; }
             const auto box2dOne = makeBox2d3Threads(description, 1);
@@ -191,10 +192,13 @@ void writeThreadsTable(std::ostream& out, const std::vector<ThreadsBenchRow>& ro
            "where it grows, cores moved apart, and rows from before and after cannot be compared\n";
 }
 
-void writeThreadsCsv(std::ostream& csv, const std::vector<ThreadsBenchRow>& rows, int threads) {
-    csv << "scene,engine,bodies,threads,one,several,quickest_one,quickest_several,hand_over\n";
+void writeThreadsCsv(std::ostream& csv, const std::vector<ThreadsBenchRow>& rows,
+                     const ThreadsBenchSettings& settings) {
+    csv << "scene,engine,profile,bodies,threads,steps,one,several,quickest_one,quickest_several,hand_over\n";
     for (const ThreadsBenchRow& row : rows) {
-        csv << row.scene << ',' << row.engine << ',' << row.bodies << ',' << threads << ',' << row.oneSeconds << ','
+        csv << row.scene << ',' << row.engine << ','
+            << (row.isOwn ? namesOf<SceneProfile>()[static_cast<std::size_t>(settings.profile)] : "") << ','
+            << row.bodies << ',' << settings.threads << ',' << settings.steps << ',' << row.oneSeconds << ','
             << row.severalSeconds << ',' << row.quickestOne << ',' << row.quickestSeveral << ',';
         if (row.handOver) { csv << *row.handOver; }
         csv << '\n';

@@ -32,6 +32,7 @@ struct ThreadsBenchSettings {
 struct ThreadsBenchRow {
     std::string scene;
     std::string engine;
+    bool isOwn = false;
     int bodies = 0;
     double oneSeconds = 0;      ///< of a step, median
     double severalSeconds = 0;  ///< likewise
@@ -52,6 +53,6 @@ std::size_t threadsRowCount(const ThreadsBenchSettings& settings);
 std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
                                           const std::function<void(const ThreadsBenchRow&)>& watch);
 void writeThreadsTable(std::ostream& out, const std::vector<ThreadsBenchRow>& rows);
-void writeThreadsCsv(std::ostream& csv, const std::vector<ThreadsBenchRow>& rows, int threads);
+void writeThreadsCsv(std::ostream& csv, const std::vector<ThreadsBenchRow>& rows, const ThreadsBenchSettings& settings);
 
 }  // namespace swept::bench

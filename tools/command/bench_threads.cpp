@@ -1,5 +1,7 @@
 #include "bench_threads.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -43,7 +45,9 @@ int measureThreads(const ThreadsArguments& arguments) {
     std::vector<bench::ThreadsBenchRow> rows;
     return runBench(
         arguments.places,
-        {.title = "bench threads: 1 against " + std::to_string(arguments.settings.threads),
+        {.title = "bench threads: 1 against " + std::to_string(arguments.settings.threads) + ", " +
+                  std::to_string(arguments.settings.steps) + " steps, " +
+                  std::string(namesOf<SceneProfile>()[static_cast<std::size_t>(arguments.settings.profile)]),
          .measure =
              [&] {
                  Progress progress("bench", static_cast<std::int64_t>(bench::threadsRowCount(arguments.settings)));
@@ -52,7 +56,7 @@ int measureThreads(const ThreadsArguments& arguments) {
                                             [&](const bench::ThreadsBenchRow&) { progress.update(++done); });
                  bench::writeThreadsTable(std::cout, rows);
              },
-         .writeCsv = [&](std::ostream& csv) { bench::writeThreadsCsv(csv, rows, arguments.settings.threads); },
+         .writeCsv = [&](std::ostream& csv) { bench::writeThreadsCsv(csv, rows, arguments.settings); },
          .writeOther = {},
          .plot = {}});
 }
@@ -85,9 +89,9 @@ void addBenchThreads(Command bench) {
         .oneOf(profileNames());
     command.option("--csv", arguments->places.csv, "Write the table").type("FILE");
     command.runs([arguments] {
-        if (arguments->profile == namesOf<SceneProfile>()[static_cast<std::size_t>(SceneProfile::fast)]) {
-            arguments->settings.profile = SceneProfile::fast;
-        }
+        const std::vector<std::string> names = profileNames();
+        const auto named = std::find(names.begin(), names.end(), arguments->profile);
+        if (named != names.end()) { arguments->settings.profile = static_cast<SceneProfile>(named - names.begin()); }
         return measureThreads(*arguments);
     });
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -39,6 +40,7 @@ constexpr std::int64_t kFewestSteps = 8;
 // In the directory of the results:
 constexpr const char* kTuned = "/tuned.json";
 constexpr const char* kLean = "/lean.json";
+constexpr const char* kAblation = "/ablation.csv";
 
 std::string directoryOf(const TuneArguments& arguments, const LoadedScene& loaded) {
     const std::string name = std::filesystem::path(loaded.source).stem().string();
@@ -72,7 +74,7 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
     task.directory = directoryOf(arguments, *loaded);
     OutputFiles results;
     results.protect(loaded->file);
-    results.addFile("--out", task.directory + (arguments.ablate ? kLean : kTuned));
+    for (const char* const name : {kTuned, kLean, kAblation}) { results.addFile("--out", task.directory + name); }
     if (!results.refuseClashes(error)) { return false; }
     task.options.subject = {loaded->scene, loaded->steps + loaded->steps % 2};
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -172,7 +174,7 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
     std::string error;
     std::error_code failure;
     std::filesystem::create_directories(task.directory, failure);
-    if (!writeFile(task.directory + "/ablation.csv", csv.str(), error) ||
+    if (!writeFile(task.directory + kAblation, csv.str(), error) ||
         !writeFile(task.directory + kLean, writeScene(tune::leanScene(subject, ablation)), error)) {
         return refuse(error);
     }
@@ -186,7 +188,7 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
         std::cout << ": " << roundedText(ablation.lean.row.cost / ablation.whole.cost, 2)
                   << " of what the scene costs now";
     }
-    std::cout << "\nscene  " << task.directory << kLean << "\nrows   " << task.directory << "/ablation.csv\n";
+    std::cout << "\nscene  " << task.directory << kLean << "\nrows   " << task.directory << kAblation << "\n";
     if (!tune::holds(tune::strain(ablation.whole, limits, reference.get().uncertainty))) {
         std::cout
             << "The scene as it is does not keep these errors; without --ablate, settings that do are looked for.\n";
