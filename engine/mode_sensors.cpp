@@ -29,7 +29,8 @@ void listImpacts(WorldState& world) {
 /// From the first impact of the body on, if it has any.
 std::span<const ImpactOfBody> impactsFrom(const WorldState& world, std::uint32_t slot) {
     const std::vector<ImpactOfBody>& impacts = world.sensorSweeps.impacts;
-    return {std::lower_bound(impacts.begin(), impacts.end(), slot, isBefore), impacts.end()};
+    const auto first = std::lower_bound(impacts.begin(), impacts.end(), slot, isBefore);
+    return std::span(impacts).subspan(static_cast<std::size_t>(first - impacts.begin()));
 }
 
 bool hadImpact(const WorldState& world, std::uint32_t slot) {
