@@ -1,23 +1,24 @@
 #!/usr/bin/env bash
-# Builds everything and runs the tests: first with the default compiler, both precisions; then with clang 14 and the
-# address and undefined behaviour sanitizers the tests labelled quick; then with thread sanitizer those labelled parallel.
-#   tools/test.sh [--long] [--werror] [--no-sanitizers]
-# --long adds the tests labelled long, the layers' suites in f64 to the sanitizers,
+# Builds everything and runs the tests with the default compiler, both precisions.
+#   tools/test.sh [--sanitizers] [--long] [--werror]
+# --sanitizers adds the same tests by clang 14: those labelled quick with the address and undefined behaviour sanitizers,
+# those labelled parallel with thread sanitizer. `.ci/run` does so for every change.
+# --long adds all of that, the tests labelled long, the layers' suites in f64 to the sanitizers,
 # a minute of each fuzzer (tests/fuzz), the solver's suite built without optimisation (kernels for several instruction sets
 # once shared functions there, and crashed), and the same bits on other machines (tools/portability.sh).
 # --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 long=no
-sanitizers=yes
+sanitizers=no
 werror=OFF
 if [ "${CI:-}" = true ]; then werror=ON; fi
 for argument in "$@"; do
     case "$argument" in
-        --long) long=yes ;;
+        --long) long=yes sanitizers=yes ;;
+        --sanitizers) sanitizers=yes ;;
         --werror) werror=ON ;;
-        --no-sanitizers) sanitizers=no ;;
-        -h | --help) sed -n '2,8s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '2,9s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) fail "unknown argument $argument (see --help)" ;;
     esac
 done
