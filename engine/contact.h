@@ -20,15 +20,21 @@ struct KeptManifold {
     std::array<Real, 2> separations{};
 };
 
-/// Which contacts have their manifolds found together (contact_batch.h).
+/// Which contacts have their manifolds found together (contact_batch.h). Circles have one vertex, capsules and segments
+/// two, few are `kFewVertices` at most.
 enum class BatchKind : std::uint8_t {
     none,  ///< found one by one
-    few,   ///< of sharp shapes with `kFewVertices` at most
+    few,   ///< of sharp shapes
     many,
-    roundTwo,  ///< of cores with two vertices at most
+    circles,
+    roundTwo,   ///< two at most
+    circleFew,  ///< A is a circle
+    twoFew,
+    fewCircle,
+    fewTwo,
     roundFew,
     roundMany,
-    chainTwo,  ///< of chain segments, likewise by what touches them
+    chainTwo,  ///< of chain segments, by what touches them
     chainFew,
     chainMany,
 };

@@ -117,10 +117,12 @@ private:
     const WorldState& world_;
     Done done_;
     bool haveBatches_ = canCollideInBatches();
-    std::array<ContactBatch, 8> batches_{
+    std::array<ContactBatch, 13> batches_{
         ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp), ContactBatch(PairKind::round),
-        ContactBatch(PairKind::round), ContactBatch(PairKind::round), ContactBatch(PairKind::chain),
-        ContactBatch(PairKind::chain), ContactBatch(PairKind::chain)};  ///< by `BatchKind`, but for `none`
+        ContactBatch(PairKind::round), ContactBatch(PairKind::round), ContactBatch(PairKind::round),
+        ContactBatch(PairKind::round), ContactBatch(PairKind::round), ContactBatch(PairKind::round),
+        ContactBatch(PairKind::round), ContactBatch(PairKind::chain), ContactBatch(PairKind::chain),
+        ContactBatch(PairKind::chain)};  ///< by `BatchKind`, but for `none`
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

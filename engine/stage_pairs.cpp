@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -39,8 +40,12 @@ BatchKind batchKindOf(const Shape& first, const Shape& second) {
         return areFew ? BatchKind::chainFew : BatchKind::chainMany;
     }
     if (pairKindOf(a, b) == PairKind::sharp) { return areFew ? BatchKind::few : BatchKind::many; }
-    if (vertices <= 2) { return BatchKind::roundTwo; }
-    return areFew ? BatchKind::roundFew : BatchKind::roundMany;
+    if (!areFew) { return BatchKind::roundMany; }
+    using enum BatchKind;
+    static constexpr std::array<std::array<BatchKind, 3>, 3> kRound{
+        {{circles, roundTwo, circleFew}, {roundTwo, roundTwo, twoFew}, {fewCircle, fewTwo, roundFew}}};
+    const auto sideOf = [](const Polygon& polygon) { return static_cast<std::size_t>(std::min(polygon.count, 3) - 1); };
+    return kRound[sideOf(a)][sideOf(b)];
 }
 
 }  // namespace

@@ -52,14 +52,14 @@ struct Overs {
 };
 
 template <int kVertices>
-HWY_INLINE Overs oversOf(const Cores<kVertices>& b, const References& face, std::size_t vertices, const Group& group) {
+HWY_INLINE Overs oversOf(const Cores<kVertices>& b, const References& face, const Group& group) {
     const Points down = group.poses.toB(face.normal);
     const DoubleLanes infinity = constant(std::numeric_limits<double>::infinity());
     Points sum = b.local[0];
     DoubleLanes lowest = dot(down, b.local[0]);
     Overs over{constant(0), constant(0), constant(0), infinity, infinity, hn::Neg(infinity), constant(0), constant(0)};
     DoubleLanes farthest = constant(0);
-    for (std::size_t i = 0; i < vertices; ++i) {
+    for (std::size_t i = 0; i < b.size(); ++i) {
         const Points v = sub(b.vertices[i], face.start);
         const DoubleLanes height = dot(face.normal, v);
         const DoubleLanes along = dot(face.tangent, v);
@@ -96,17 +96,17 @@ struct Incidents {
 };
 
 template <int kVertices>
-HWY_INLINE Incidents incidentsOf(const Cores<kVertices>& b, Points normal, std::size_t vertices, const Poses& poses) {
+HWY_INLINE Incidents incidentsOf(const Cores<kVertices>& b, Points normal, const Poses& poses) {
     const Points direction = poses.toB(negative(normal));
     Incidents edge{b.vertices[0], b.vertices[1], constant(0), constant(0)};
     DoubleLanes best = dot(direction, b.normals[0]);
-    for (std::size_t i = 1; i < vertices; ++i) {
+    for (std::size_t i = 1; i < b.size(); ++i) {
         const DoubleLanes along = dot(direction, b.normals[i]);
         const DoubleMask isBetter = hn::Gt(along, best);
         best = hn::IfThenElse(isBetter, along, best);
         edge.index = hn::IfThenElse(isBetter, constant(static_cast<double>(i)), edge.index);
         edge.start = select(isBetter, b.vertices[i], edge.start);
-        edge.end = select(isBetter, b.vertices[i + 1 < vertices ? i + 1 : 0], edge.end);
+        edge.end = select(isBetter, b.vertices[b.wrapped(i + 1)], edge.end);
     }
     edge.next = nextOf(edge.index, b.count);
     return edge;
@@ -151,8 +151,7 @@ HWY_INLINE Clips clipOnSegments(const Incidents& incident, const References& fac
 
 /// `CoreOverSegment::crosses`, up to a rounding or two, of which there are many in the doubt.
 template <int kVertices>
-HWY_INLINE DoubleMask crosses(const Cores<kVertices>& b, const References& face, const Overs& over,
-                              std::size_t vertices) {
+HWY_INLINE DoubleMask crosses(const Cores<kVertices>& b, const References& face, const Overs& over) {
     const DoubleLanes infinity = constant(std::numeric_limits<double>::infinity());
     const DoubleLanes below = hn::Neg(over.doubt);
     DoubleLanes first = infinity;
@@ -160,8 +159,8 @@ HWY_INLINE DoubleMask crosses(const Cores<kVertices>& b, const References& face,
     const Points start = sub(b.vertices[0], face.start);
     Points v = start;
     DoubleLanes height = dot(face.normal, v);
-    for (std::size_t i = 0; i < vertices; ++i) {
-        const Points w = i + 1 < vertices ? sub(b.vertices[i + 1], face.start) : start;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        const Points w = i + 1 < b.size() ? sub(b.vertices[i + 1], face.start) : start;
         const DoubleLanes heightAfter = dot(face.normal, w);
         const DoubleLanes fall = hn::Sub(height, heightAfter);
         const DoubleMask falls = hn::And(hn::Gt(height, over.doubt), hn::Lt(heightAfter, below));
@@ -204,13 +203,13 @@ HWY_INLINE void collideGroup(const Polygons<2>& segments, const Polygons<kVertic
     const Group group{pairs,  lane, {at(pairs.c), at(pairs.s), {at(pairs.x), at(pairs.y)}}, radiusA, radiusB, points,
                       points, reach};
     const References face = segmentFaces(segments, lane);
-    Cores<kVertices> b;
-    loadCores(polygons, vertices, lane, b);
-    for (std::size_t i = 0; i < vertices; ++i) {
+    Cores<kVertices> b(vertices);
+    loadCores(polygons, lane, b);
+    for (std::size_t i = 0; i < b.size(); ++i) {
         b.vertices[i] = add(group.poses.toA(b.local[i]), group.poses.translation);
     }
-    const Overs over = oversOf(b, face, vertices, group);
-    const Incidents incident = incidentsOf(b, face.normal, vertices, group.poses);
+    const Overs over = oversOf(b, face, group);
+    const Incidents incident = incidentsOf(b, face.normal, group.poses);
     const Clips clips = clipOnSegments(incident, face, over, group);
 
     const DoubleMask isBehind = hn::Lt(over.center, constant(0));
@@ -223,7 +222,7 @@ HWY_INLINE void collideGroup(const Polygons<2>& segments, const Polygons<kVertic
     // Where both ends are closed no face of B is admitted: what crosses the segment is pushed out along its normal.
     const DoubleMask areClosed = hn::And(isClosed(pairs.closedStart, group), isClosed(pairs.closedEnd, group));
     const DoubleMask facesIt = hn::Or(hn::And(hn::And(isAbove, clips.isSure), facesOwn(over, face, group)),
-                                      hn::And(areClosed, crosses(b, face, over, vertices)));
+                                      hn::And(areClosed, crosses(b, face, over)));
     const DoubleMask isOwn = hn::AndNot(hn::Or(isBehind, isFar), facesIt);
     const DoubleMask hasPoint = hn::Or(clips.hasP, clips.hasQ);
 
@@ -246,7 +245,7 @@ template <int kVertices>
 void collideChainPairs(WidePairs& pairs) {
     Polygons<2> segments;
     Polygons<kVertices> polygons;
-    const std::size_t vertices = kVertices <= kFewVertices ? kVertices : pairs.vertices;
+    const std::size_t vertices = kVertices <= kFewVertices ? kVertices : pairs.mostB;
     gather<2>(pairs.a, pairs.verticesA, 2, segments);
     gather<1>(pairs.b, pairs.verticesB, vertices, polygons);
     pairs.plain = pairs.apart = pairs.nothing = pairs.isThere[0] = pairs.isThere[1] = 0;

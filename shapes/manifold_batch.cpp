@@ -13,22 +13,28 @@ constexpr double kLeastSquare = 0x1p-900;
 
 /// Vertices of the core of a capsule.
 constexpr std::size_t kTwo = 2;
+/// Of a circle it has one.
+constexpr std::size_t kOne = 1;
 
 bool isOrdinary(Real coordinate) { return std::fabs(coordinate) <= kLargestShift; }
 
-PairKernels kernelsFor([[maybe_unused]] PairKind kind) {
+/// Which row, or column, of `RoundPairKernels`. @param most  vertices, few
+std::size_t sideOf(std::size_t most) { return most <= kTwo ? most - kOne : kTwo; }
+
+/// Null where there are none.
+CollidePairs kernelFor([[maybe_unused]] PairKind kind, [[maybe_unused]] std::size_t mostA,
+                       [[maybe_unused]] std::size_t mostB) {
 #ifdef SWEPT_SIMD
-    switch (kind) {
-        case PairKind::sharp:
-            return sharpPairKernels();
-        case PairKind::round:
-            return roundPairKernels();
-        case PairKind::chain:
-            break;
+    const std::size_t most = std::max(mostA, mostB);
+    if (kind == PairKind::round) {
+        const RoundPairKernels kernels = roundPairKernels();
+        return most > kFewVertices ? kernels.ofMany : kernels.bySides[sideOf(mostA)][sideOf(mostB)];
     }
-    return chainPairKernels();
+    const PairKernels kernels = kind == PairKind::sharp ? sharpPairKernels() : chainPairKernels();
+    if (most > kFewVertices) { return kernels.ofMany; }
+    return most > kTwo || kind == PairKind::sharp ? kernels.ofFew : kernels.ofTwo;
 #else
-    return {};
+    return nullptr;
 #endif
 }
 
@@ -57,7 +63,8 @@ bool collidesInBatches(const ChainSegment& segment) {
 }
 
 bool canCollideInBatches() {
-    return kernelsFor(PairKind::sharp).ofFew != nullptr && kernelsFor(PairKind::round).ofFew != nullptr;
+    return kernelFor(PairKind::sharp, kFewVertices, kFewVertices) != nullptr &&
+           kernelFor(PairKind::round, kFewVertices, kFewVertices) != nullptr;
 }
 
 void ManifoldBatch::collide() {
@@ -70,17 +77,13 @@ void ManifoldBatch::collide() {
             (*lanes)[i] = (*lanes)[0];
         }
     }
-    const auto most = [](const WidePairs::Lanes& counts) { return *std::max_element(counts.begin(), counts.end()); };
-    pairs_.vertices = static_cast<std::size_t>(std::max(most(pairs_.verticesA), most(pairs_.verticesB)));
+    const auto most = [](const WidePairs::Lanes& counts) {
+        return static_cast<std::size_t>(*std::max_element(counts.begin(), counts.end()));
+    };
+    pairs_.mostA = most(pairs_.verticesA);
+    pairs_.mostB = most(pairs_.verticesB);
     pairs_.nothing = 0;
-    const PairKernels kernels = kernelsFor(kind_);
-    if (pairs_.vertices > kFewVertices) {
-        kernels.ofMany(pairs_);
-    } else if (pairs_.vertices > kTwo || kind_ == PairKind::sharp) {
-        kernels.ofFew(pairs_);
-    } else {
-        kernels.ofTwo(pairs_);
-    }
+    kernelFor(kind_, pairs_.mostA, pairs_.mostB)(pairs_);
 }
 
 /// What is not plain: apart, beside the face, or beyond what batches are for.

@@ -14,7 +14,7 @@
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || !HWY_HAVE_FLOAT64
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
-PairKernels kernelsForRoundPairs() { return {}; }
+RoundPairKernels kernelsForRoundPairs() { return {}; }
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION
 #else
@@ -63,16 +63,16 @@ struct FacePairs {
 };
 
 /// The best face of both shapes, and what faces it; of two nearly parallel faces that of A is the reference.
-template <int kVertices>
-HWY_INLINE FacePairs findFaces(const Cores<kVertices>& a, const Cores<kVertices>& b,
-                               const Polygons<kVertices>& polygonsB, std::size_t vertices, const Group& group) {
+template <int kA, int kB>
+HWY_INLINE FacePairs findFaces(const Cores<kA>& a, const Cores<kB>& b, const Polygons<kB>& polygonsB,
+                               const Group& group) {
     const Poses& poses = group.poses;
-    const BestFaces ofA = bestFaceOf(a, b, vertices);
-    const BestFaces ofB = bestFaceOf(b, a, vertices);
+    const BestFaces ofA = bestFaceOf(a, b);
+    const BestFaces ofB = bestFaceOf(b, a);
     const DoubleMask isOfA = hn::Ge(ofA.separation, ofB.separation);
     const References best = referencesOf(ofA.edge, ofB.edge, isOfA, poses);
     const Points inward = negative(best.normal);
-    const Edges other = facing(a, b, polygonsB, isOfA, select(isOfA, poses.toB(inward), inward), vertices, group.lane);
+    const Edges other = facing(a, b, polygonsB, isOfA, select(isOfA, poses.toB(inward), inward), group.lane);
     const Points span = sub(other.end, other.start);
     const Points otherSpan = select(isOfA, poses.toA(span), span);
     const DoubleLanes sine = cross(best.tangent, otherSpan);
@@ -207,13 +207,13 @@ struct VertexPairs {
     DoubleLanes id;
 };
 
-template <int kVertices>
-HWY_INLINE VertexPairs closestVertices(const Cores<kVertices>& a, const Cores<kVertices>& b, std::size_t vertices) {
+template <int kA, int kB>
+HWY_INLINE VertexPairs closestVertices(const Cores<kA>& a, const Cores<kB>& b) {
     constexpr double kShift = 0x100;  // `featureId`
     const Points first = sub(b.vertices[0], a.vertices[0]);
     VertexPairs closest{a.vertices[0], b.vertices[0], dot(first, first), constant(0)};
-    for (std::size_t i = 0; i < vertices; ++i) {
-        for (std::size_t j = i == 0 ? 1 : 0; j < vertices; ++j) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = i == 0 ? 1 : 0; j < b.size(); ++j) {
             const Points w = sub(b.vertices[j], a.vertices[i]);
             const DoubleLanes squared = dot(w, w);
             const DoubleMask isCloser = hn::Lt(squared, closest.squared);
@@ -235,12 +235,11 @@ struct Farthest {
 };
 
 template <int kVertices>
-HWY_INLINE Farthest farthest(const Cores<kVertices>& cores, Points vertex, Points direction, DoubleLanes doubt,
-                             std::size_t vertices) {
+HWY_INLINE Farthest farthest(const Cores<kVertices>& cores, Points vertex, Points direction, DoubleLanes doubt) {
     const DoubleLanes angle = constant(kVertexAngle);
     DoubleLanes highest = constant(0);
     DoubleLanes flattest = constant(0);
-    for (std::size_t i = 0; i < vertices; ++i) {
+    for (std::size_t i = 0; i < cores.size(); ++i) {
         const Points to = sub(cores.vertices[i], vertex);
         const DoubleLanes away = sumNorm(to);
         const DoubleLanes least = hn::Add(hn::Mul(angle, away), hn::IfThenElseZero(hn::Gt(away, constant(0)), doubt));
@@ -251,17 +250,16 @@ HWY_INLINE Farthest farthest(const Cores<kVertices>& cores, Points vertex, Point
 }
 
 /// Manifolds of two vertices, written where they are known, and nothing is yet.
-template <int kVertices>
-HWY_INLINE Outcome collideVertices(const Cores<kVertices>& a, const Cores<kVertices>& b, std::size_t vertices,
-                                   DoubleMask isKnown, const Group& group) {
-    const VertexPairs closest = closestVertices(a, b, vertices);
+template <int kA, int kB>
+HWY_INLINE Outcome collideVertices(const Cores<kA>& a, const Cores<kB>& b, DoubleMask isKnown, const Group& group) {
+    const VertexPairs closest = closestVertices(a, b);
     const Points w = sub(closest.b, closest.a);
     const DoubleLanes distance = hn::Sqrt(closest.squared);
     const Points normal = scale(hn::Div(constant(1), distance), w);
     const DoubleLanes size = hn::Add(hn::Add(sumNorm(closest.a), sumNorm(closest.b)), sumNorm(group.poses.translation));
     const DoubleLanes doubt = hn::Mul(constant(kRoundings * kResolution), size);
-    const Farthest ofA = farthest(a, closest.a, normal, doubt, vertices);
-    const Farthest ofB = farthest(b, closest.b, negative(normal), doubt, vertices);
+    const Farthest ofA = farthest(a, closest.a, normal, doubt);
+    const Farthest ofB = farthest(b, closest.b, negative(normal), doubt);
     // So far apart that rounding turns the line between them by less than the angle: nearer, a search may take an edge
     // that begins there, and its normal.
     const DoubleMask isFarEnough =
@@ -294,9 +292,9 @@ HWY_INLINE Outcome collideVertices(const Cores<kVertices>& a, const Cores<kVerti
     return {isSingle, hn::And(isClosest, isBeyond), hn::Sub(distance, group.radii())};
 }
 
-template <int kVertices>
-HWY_INLINE void collideGroup(const Polygons<kVertices>& polygonsA, const Polygons<kVertices>& polygonsB,
-                             std::size_t vertices, std::size_t lane, WidePairs& pairs) {
+template <int kA, int kB>
+HWY_INLINE void collideGroup(const Polygons<kA>& polygonsA, const Polygons<kB>& polygonsB, std::size_t lane,
+                             WidePairs& pairs) {
     const Doubles tag;
     const auto at = [lane](const WidePairs::Lanes& lanes) HWY_ATTR { return load(lanes.data() + lane); };
     const DoubleLanes radiusA = at(pairs.radiusA);
@@ -310,13 +308,15 @@ HWY_INLINE void collideGroup(const Polygons<kVertices>& polygonsA, const Polygon
                       at(pairs.points),
                       nearest,
                       hn::Add(nearest, hn::Add(radiusA, radiusB))};
-    Cores<kVertices> a;
-    Cores<kVertices> b;
-    loadCores(polygonsA, vertices, lane, a);
-    loadCores(polygonsB, vertices, lane, b);
-    place(group.poses, vertices, b);
-    const Outcome ofFaces = collideOnFaces(findFaces(a, b, polygonsB, vertices, group), group);
-    const Outcome ofVertices = collideVertices(a, b, vertices, ofFaces.isKnown, group);
+    Cores<kA> a(pairs.mostA);
+    Cores<kB> b(pairs.mostB);
+    loadCores(polygonsA, lane, a);
+    loadCores(polygonsB, lane, b);
+    place(group.poses, b);
+    const DoubleMask none = hn::Lt(constant(0), constant(0));
+    Outcome ofFaces{none, none, constant(0)};
+    if constexpr (kA > 1 || kB > 1) { ofFaces = collideOnFaces(findFaces(a, b, polygonsB, group), group); }
+    const Outcome ofVertices = collideVertices(a, b, ofFaces.isKnown, group);
     const DoubleMask isKnown = hn::Or(ofFaces.isKnown, ofVertices.isKnown);
     const DoubleMask isApart = hn::AndNot(isKnown, hn::Or(ofFaces.isApart, ofVertices.isApart));
     store(hn::IfThenElse(ofVertices.isApart, ofVertices.room, ofFaces.room), pairs.room.data() + lane);
@@ -327,21 +327,22 @@ HWY_INLINE void collideGroup(const Polygons<kVertices>& polygonsA, const Polygon
     pairs.apart |= bitsOf(tag, hn::And(isApart, isOrdinary), lane);
 }
 
-template <int kVertices>
+template <int kA, int kB>
 void collideRoundPairs(WidePairs& pairs) {
-    Polygons<kVertices> a;
-    Polygons<kVertices> b;
-    const std::size_t vertices = kVertices <= kFewVertices ? kVertices : pairs.vertices;
-    gather<1>(pairs.a, pairs.verticesA, vertices, a);
-    gather<1>(pairs.b, pairs.verticesB, vertices, b);
+    Polygons<kA> a;
+    Polygons<kB> b;
+    gather<1>(pairs.a, pairs.verticesA, kA <= kFewVertices ? std::size_t{kA} : pairs.mostA, a);
+    gather<1>(pairs.b, pairs.verticesB, kB <= kFewVertices ? std::size_t{kB} : pairs.mostB, b);
     pairs.ofA = pairs.plain = pairs.apart = pairs.isThere[0] = pairs.isThere[1] = 0;
-    for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(Doubles())) {
-        collideGroup(a, b, vertices, lane, pairs);
-    }
+    for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(Doubles())) { collideGroup(a, b, lane, pairs); }
 }
 
-PairKernels kernelsForRoundPairs() {
-    return {collideRoundPairs<2>, collideRoundPairs<kFewVertices>, collideRoundPairs<kMaxPolygonVertices>};
+RoundPairKernels kernelsForRoundPairs() {
+    constexpr int kFew = kFewVertices;
+    return {{{{collideRoundPairs<1, 1>, collideRoundPairs<2, 2>, collideRoundPairs<1, kFew>},
+              {collideRoundPairs<2, 2>, collideRoundPairs<2, 2>, collideRoundPairs<2, kFew>},
+              {collideRoundPairs<kFew, 1>, collideRoundPairs<kFew, 2>, collideRoundPairs<kFew, kFew>}}},
+            collideRoundPairs<kMaxPolygonVertices, kMaxPolygonVertices>};
 }
 
 }  // namespace HWY_NAMESPACE
@@ -356,7 +357,7 @@ namespace {
 HWY_EXPORT(kernelsForRoundPairs);
 }
 
-PairKernels roundPairKernels() { return HWY_DYNAMIC_DISPATCH(kernelsForRoundPairs)(); }
+RoundPairKernels roundPairKernels() { return HWY_DYNAMIC_DISPATCH(kernelsForRoundPairs)(); }
 
 }  // namespace swept::inline SWEPT_PRECISION
 #endif

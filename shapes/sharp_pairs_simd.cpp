@@ -210,7 +210,7 @@ template <int kVertices>
 void collideSharpPairs(WidePairs& pairs) {
     Polygons<kVertices> a;
     Polygons<kVertices> b;
-    const std::size_t vertices = kVertices < kMaxPolygonVertices ? kVertices : pairs.vertices;
+    const std::size_t vertices = kVertices < kMaxPolygonVertices ? kVertices : pairs.most();
     gather<3>(pairs.a, pairs.verticesA, vertices, a);
     gather<3>(pairs.b, pairs.verticesB, vertices, b);
     Faces ofA;
@@ -227,7 +227,7 @@ void collideSharpPairs(WidePairs& pairs) {
 
 /// More than a few: what the most usual of these are made of is known to the compiler.
 void collideManySharpPairs(WidePairs& pairs) {
-    switch (pairs.vertices) {
+    switch (pairs.most()) {
         case 5:
             return collideSharpPairs<5>(pairs);
         case 6:
@@ -237,9 +237,7 @@ void collideManySharpPairs(WidePairs& pairs) {
     }
 }
 
-PairKernels kernelsForSharpPairs() {
-    return {nullptr, collideSharpPairs<kFewVertices>, collideManySharpPairs};
-}
+PairKernels kernelsForSharpPairs() { return {nullptr, collideSharpPairs<kFewVertices>, collideManySharpPairs}; }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace swept::inline SWEPT_PRECISION

@@ -25,7 +25,8 @@ struct alignas(64) WidePairs {
 
     std::array<const Polygon*, kPairs> a;
     std::array<const Polygon*, kPairs> b;
-    std::size_t vertices;  ///< of none of them more
+    std::size_t mostA;  ///< vertices of any A
+    std::size_t mostB;
     // Pose of B in the frame of A.
     alignas(64) Lanes c;
     Lanes s;
@@ -52,6 +53,9 @@ struct alignas(64) WidePairs {
     std::uint32_t plain;     ///< there are points, one of them as near as that; nothing else is to be asked
     std::uint32_t ofA;       ///< the face is; or it is none
     std::array<std::uint32_t, 2> isThere;  ///< the point is, and within reach. Neither: it is not what they touch with
+
+    /// Vertices of any polygon.
+    std::size_t most() const { return mostA > mostB ? mostA : mostB; }
 };
 
 /// Answers what is asked about all pairs. @pre as `collidesInBatches`
@@ -63,11 +67,18 @@ struct PairKernels {
     CollidePairs ofFew = nullptr;   ///< of at most `kFewVertices`
     CollidePairs ofMany = nullptr;  ///< any, in proportion to the square of their vertices
 };
+
+/// Likewise, of round pairs: for circles as well, and for each of both sides.
+struct RoundPairKernels {
+    /// By what A has at most, and B: one vertex, two, `kFewVertices`.
+    std::array<std::array<CollidePairs, 3>, 3> bySides{};
+    CollidePairs ofMany = nullptr;
+};
 /// Of polygons without radius: the bits of `collideSharp`.
 PairKernels sharpPairKernels();
 /// Of all others, where cores are apart and nothing is doubtful: the bits of `collideByGjk`. Pairs that are neither
 /// `apart` nor `plain` are left to that.
-PairKernels roundPairKernels();
+RoundPairKernels roundPairKernels();
 
 /// Of chain segments (A), where what they touch with is the segment itself, or nothing: the bits of `collide`. Pairs
 /// that are neither `apart`, nor `plain`, nor `nothing` are left to that.
