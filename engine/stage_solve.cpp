@@ -205,7 +205,7 @@ void solveTiedBodies(WorldState& world, double dt) {
         if (!areAllSolved && world.bodies[world.tied[i]].role != BodyRole::solved) { continue; }
         if (std::find(efforts.begin(), efforts.end(), effort) == efforts.end()) { efforts.push_back(effort); }
     }
-    SolveDesk& desk = world.desks[0];
+    SolveDesk& desk = world.mainDesk;
     desk.loops = world.loops;
     const bool budgeted = hasErrorBudget(world.settings);
     if (budgeted) {

@@ -200,7 +200,8 @@ struct WorldState : Workers {
 
     std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
     FastIslands fastIslands;
-    std::deque<SolveDesk> desks = std::deque<SolveDesk>(1);  ///< one per worker
+    SolveDesk mainDesk;  ///< of what no island advances: what it keeps is mostly that of the step before
+    std::deque<SolveDesk> desks = std::deque<SolveDesk>(1);  ///< of islands, one per worker
     IslandFinder islands;
     std::vector<EnergyAccount> energyAccounts;     ///< by root: of the last solve that it was part of
     CopiedAtomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number

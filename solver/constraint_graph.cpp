@@ -16,6 +16,8 @@ constexpr std::uint64_t bits(int from, int to) {
 constexpr std::uint64_t kIsFixed = std::uint64_t{1} << kOverflowColour;
 static_assert(kOverflowColour == 63, "the highest bit");
 
+constexpr std::size_t kUnknown = ~std::size_t{0};
+
 std::array<BodySlot, 2> bodySlots(const ContactConstraint& contact) { return {contact.slotA, contact.slotB}; }
 std::array<BodySlot, 2> bodySlots(const ContactLink& link) { return {link.slotA, link.slotB}; }
 
@@ -40,12 +42,12 @@ int ConstraintGraph::colourFor(const std::array<BodySlot, kBodies>& slots) {
 /// @param ranges  of the colours, to be found
 template <class Constraint>
 void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, ColourRanges& ranges) {
-    places_.resize(constraints.size());
-    colours_.resize(constraints.size());
     if (constraints.empty()) {
         if (ranges.back().end > 0) { ranges = {}; }  // in small solves it is most of the work
         return;
     }
+    places_.resize(constraints.size());
+    colours_.resize(constraints.size());
     ranges = {};
     std::array<std::uint32_t, kColourCount> counts{};
     for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -66,15 +68,33 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, C
 
 /// What stands in blocks has its places there: no list by colour.
 void ConstraintGraph::colourLinks(const std::vector<ContactLink>& links) {
-    places_.clear();
-    ColourRanges& ranges = rangesOf<ContactConstraint>();
-    if (ranges.back().end > 0) { ranges = {}; }
+    for (const int colour : active_) { pointCounts_[static_cast<std::size_t>(colour)] = {}; }  // others have none
     colours_.resize(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) {
         const auto colour = static_cast<std::size_t>(colourFor(bodySlots(links[i])));
         colours_[i] = static_cast<std::uint8_t>(colour);
         isUsed_ |= std::uint64_t{1} << colour;
         ++pointCounts_[colour][links[i].pointsInBlock()];
+    }
+}
+
+void ConstraintGraph::colourContactLinks(const std::vector<ContactLink>& links) {
+    places_.clear();
+    ColourRanges& ranges = rangesOf<ContactConstraint>();
+    if (ranges.back().end > 0) { ranges = {}; }
+    const bool areOthersKept = areBodiesKept_ && areHingesKept_ && !hasOthers_ && !before_.hasOthers;
+    const bool areAsMany = links.size() == before_.contactCount;
+    if (areOthersKept && areAsMany && links == before_.contacts) {
+        isUsed_ = before_.isUsed;
+        return;
+    }
+    colourLinks(links);
+    before_.contactCount = links.size();
+    before_.isUsed = isUsed_;
+    if (areAsMany) {
+        before_.contacts = links;
+    } else {
+        before_.contacts.clear();
     }
 }
 
@@ -93,20 +113,45 @@ void ConstraintGraph::sortAsListed(std::vector<Constraint>& constraints) {
     constraints.swap(sorted);
 }
 
+void ConstraintGraph::colourHinges(const std::vector<HingeLink>& links) {
+    areHingesKept_ = areBodiesKept_ && links == before_.hinges;
+    if (links.empty() || areHingesKept_) {
+        if (!links.empty()) { used_ = before_.usedByHinges; }
+        isUsed_ = links.empty() ? 0 : before_.isUsedByHinges;
+    } else {
+        listByColour(links, rangesOf<RevoluteConstraint>());
+        hingeColours_.swap(colours_);
+        before_.usedByHinges = used_;
+        before_.isUsedByHinges = isUsed_;
+    }
+    if (!areHingesKept_) { before_.hinges = links; }
+}
+
 void ConstraintGraph::begin(const SolverBatch& batch) {
     used_.resize(batch.inertias.size());
     for (std::size_t i = 0; i < used_.size(); ++i) { used_[i] = isMovable(batch.inertias[i]) ? 0 : kIsFixed; }
+    noteFixed();
+}
+
+void ConstraintGraph::noteFixed() {
     isUsed_ = 0;
+    hasOthers_ = false;
+    areBodiesKept_ = used_ == before_.fixed;
+    if (!areBodiesKept_) { before_.fixed = used_; }
 }
 
 void ConstraintGraph::finish(const SolverBatch& batch) {
-    for (const int colour : active_) { pointCounts_[static_cast<std::size_t>(colour)] = {}; }  // others have none
     if (batch.store != nullptr) {
-        colourLinks(batch.links);
+        colourContactLinks(batch.links);
     } else {
+        for (const int colour : active_) { pointCounts_[static_cast<std::size_t>(colour)] = {}; }  // others have none
+        places_.clear();
+        colours_.clear();
         listByColour(batch.contacts, rangesOf<ContactConstraint>());
         countPoints(batch.contacts);
+        before_.contactCount = kUnknown;
     }
+    before_.hasOthers = hasOthers_;
     active_.clear();
     for (std::uint64_t left = isUsed_; left != 0; left &= left - 1) { active_.push_back(std::countr_zero(left)); }
 }
@@ -116,27 +161,27 @@ void ConstraintGraph::colour(SolverBatch& batch) {
     batch.forEachJointKind([&](auto& joints) {
         using Joint = typename std::remove_reference_t<decltype(joints)>::value_type;
         if constexpr (std::is_same_v<Joint, RevoluteConstraint>) {
-            if (batch.hingeStore != nullptr) {
-                listByColour(batch.hingeLinks, rangesOf<Joint>());
-                hingeColours_.swap(colours_);
-                return;
-            }
+            if (batch.hingeStore != nullptr) { return colourHinges(batch.hingeLinks); }
+            colourHinges({});
         }
         listByColour(joints, rangesOf<Joint>());
         sortAsListed(joints);
+        hasOthers_ = hasOthers_ || !joints.empty();
     });
     finish(batch);
 }
 
 void ConstraintGraph::colourContacts(const SolverBatch& batch) {
     begin(batch);
+    colourHinges({});
     finish(batch);
 }
 
 void ConstraintGraph::colourAhead(const SolverBatch& batch) {
     used_.assign(batch.states.size(), 0);
     used_[kFixedSlot] = kIsFixed;
-    isUsed_ = 0;
+    noteFixed();
+    colourHinges({});
     finish(batch);
 }
 

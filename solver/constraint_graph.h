@@ -28,7 +28,8 @@ struct ColourRange {
 };
 
 /// Greedy colouring in array order (deterministic), then a stable sort by colour: of the joints themselves, kind by
-/// kind, and of the places of the contacts.
+/// kind, and of the places of the contacts. Colours of links follow from the links of the batch alone, and are kept as
+/// long as these, and who can be moved, are the same as the time before: of hinges nearly always.
 class ConstraintGraph {
 public:
     void colour(SolverBatch& batch);
@@ -48,6 +49,8 @@ public:
     const PointCounts& pointCounts() const { return pointCounts_; }
     /// By link of a hinge.
     std::span<const std::uint8_t> hingeColours() const { return hingeColours_; }
+    /// Whether links of hinges, and their colours, are those of the time before.
+    bool areHingesKept() const { return areHingesKept_; }
     /// Where a colour's constraints of a kind stand in the array of that kind; of contacts: among `contacts`.
     template <class Constraint>
     ColourRange range(int colour) const {
@@ -62,8 +65,24 @@ private:
         std::vector<Constraint> scratch;
     };
 
+    /// What links had the last time. Only of as many links as the time before that are they written down: where
+    /// contacts come and go in every step it would be for nothing.
+    struct Before {
+        RawVector<std::uint64_t> fixed;  ///< per slot: `kIsFixed`, or nothing
+        std::vector<HingeLink> hinges;
+        RawVector<std::uint64_t> usedByHinges;
+        std::uint64_t isUsedByHinges = 0;
+        bool hasOthers = false;  ///< joints that have no links
+        std::vector<ContactLink> contacts;
+        std::size_t contactCount = 0;
+        std::uint64_t isUsed = 0;
+    };
+
     void begin(const SolverBatch& batch);
+    void noteFixed();
     void finish(const SolverBatch& batch);
+    void colourHinges(const std::vector<HingeLink>& links);
+    void colourContactLinks(const std::vector<ContactLink>& links);
     template <class Constraint>
     ColourRanges& rangesOf() {
         return std::get<Kind<Constraint>>(kinds_).ranges;
@@ -81,6 +100,10 @@ private:
     RawVector<std::uint8_t> colours_;  ///< of the kind that was coloured last: contacts, in the end
     RawVector<std::uint32_t> places_;  ///< likewise
     RawVector<std::uint8_t> hingeColours_;
+    Before before_;
+    bool areBodiesKept_ = false;
+    bool areHingesKept_ = false;
+    bool hasOthers_ = false;  ///< joints that have no links
     PointCounts pointCounts_{};
     std::uint64_t isUsed_ = 0;  ///< one bit per colour
     std::vector<int> active_;

@@ -17,6 +17,7 @@ struct ContactLink {
 
     /// As many as its block has; 0: it stands in none.
     std::size_t pointsInBlock() const { return isAlone ? 0 : points; }
+    bool operator==(const ContactLink&) const = default;
 };
 static_assert(sizeof(ContactLink) == 16, "four links a cache line: colouring does little else than to read them");
 

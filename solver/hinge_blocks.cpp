@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "hinge_lanes.h"
 
@@ -51,12 +52,14 @@ void HingeBlocks::noteKind(std::size_t hinge, const HingeLink& link, bool isHeld
         const bool turns = inertias[link.slotA].inverseInertia + inertias[link.slotB].inverseInertia > 0;
         if (turns || !link.parts.any()) { kind = numberOf(link.parts); }
     }
+    hasParts_ = hasParts_ || link.parts.any();
     kinds_[hinge] = kind;
     ++counts_[colour][kind];
 }
 
 void HingeBlocks::listKinds(const SolverBatch& batch, const ConstraintGraph& graph) {
     counts_ = {};
+    hasParts_ = false;
     if (batch.hingeStore != nullptr) {
         hingeColours_.assign(graph.hingeColours().begin(), graph.hingeColours().end());
         kinds_.resize(hingeColours_.size());
@@ -119,16 +122,15 @@ HingePlace HingeBlocks::placeFor(Kind kind, std::size_t colour) {
 }
 
 /// In the order of the hinges: so they stand in each colour.
-void HingeBlocks::listPlaces(SolverBatch& batch) {
-    const bool isKept = batch.hingeStore != nullptr;
+void HingeBlocks::listPlaces(const SolverBatch& batch) {
+    const bool areLinks = batch.hingeStore != nullptr;
     places_.resize(kinds_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
         places_[i] = placeFor(kinds_[i], hingeColours_[i]);
         if (!places_[i].isInBlock) {
-            rest_[places_[i].index] = isKept ? places_[i].index : static_cast<std::uint32_t>(i);
+            rest_[places_[i].index] = areLinks ? places_[i].index : static_cast<std::uint32_t>(i);
         }
     }
-    if (isKept) { batch.revolutes.resize(rest_.size()); }
 }
 
 /// Blocks from constraints; what is left over stays where it is.
@@ -152,15 +154,18 @@ void HingeBlocks::fillFrom(const SolverBatch& batch) {
 }
 
 void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool wide, TaskSystem& loops) {
-    kernels_ = wide ? revoluteKernels() : nullptr;
+    const RevoluteKernels* const before = std::exchange(kernels_, wide ? revoluteKernels() : nullptr);
     count_ = 0;
     if (!batch.hasHinges()) { return; }
-    listKinds(batch, graph);
+    // Parts may do nothing in one solve, and something in the next one.
+    const bool areKept = batch.hingeStore != nullptr && graph.areHingesKept() && kernels_ == before && !hasParts_;
+    if (!areKept) { listKinds(batch, graph); }
     layOut(graph);
-    listPlaces(batch);
+    if (!areKept) { listPlaces(batch); }
     if (batch.hingeStore == nullptr) {
         fillFrom(batch);
     } else {
+        batch.revolutes.resize(rest_.size());
         const HingeArrays to{std::span(blocks_).first(count_), batch.revolutes};
         loops.run(places_.size(), kPlaceGrain, [&](std::size_t begin, std::size_t end, int) {
             batch.hingeStore->fill(begin, std::span(places_).subspan(begin, end - begin), to);

@@ -47,10 +47,11 @@ private:
     ColourRange reserve(std::uint32_t hinges, Kind kind);
     void layOut(const ConstraintGraph& graph);
     HingePlace placeFor(Kind kind, std::size_t colour);
-    void listPlaces(SolverBatch& batch);
+    void listPlaces(const SolverBatch& batch);
     void fillFrom(const SolverBatch& batch);
 
     const RevoluteKernels* kernels_ = nullptr;
+    bool hasParts_ = false;  ///< any hinge has something beside its point
     std::array<Colour, kColourCount> colours_{};
     std::vector<WideRevolute> blocks_;  ///< keeps its size
     std::uint32_t count_ = 0;           ///< in use

@@ -171,6 +171,112 @@ TEST(ConstraintGraph, AheadItIsTheSameWhereAllCanBeMoved) {
     }
 }
 
+/// Stores that are there, and not asked for anything.
+class SilentContacts final : public ContactStore {
+public:
+    void fill(std::span<WideContact<1>>, Links) override { ADD_FAILURE(); }
+    void fill(std::span<WideContact<2>>, Links) override { ADD_FAILURE(); }
+    void fill(std::span<ContactConstraint>, Links) override { ADD_FAILURE(); }
+    void take(std::span<const WideContact<1>>, Links) override { ADD_FAILURE(); }
+    void take(std::span<const WideContact<2>>, Links) override { ADD_FAILURE(); }
+    void take(std::span<const ContactConstraint>, Links) override { ADD_FAILURE(); }
+};
+class SilentHinges final : public HingeStore {
+public:
+    void fill(std::size_t, std::span<const HingePlace>, const HingeArrays&) override { ADD_FAILURE(); }
+    void take(std::size_t, std::span<const HingePlace>, const HingeArrays&) override { ADD_FAILURE(); }
+};
+
+/// The same constraints as links, one after the other.
+void linkAll(SolverBatch& batch, Random& random) {
+    static SilentContacts contacts;
+    static SilentHinges hinges;
+    for (const ContactConstraint& contact : batch.contacts) {
+        const auto points = static_cast<std::uint8_t>(random.integer(1, 2));
+        batch.links.push_back({contact.slotA, contact.slotB, contact.source, points, random.chance(0.1)});
+    }
+    for (const RevoluteConstraint& joint : batch.revolutes) {
+        batch.hingeLinks.push_back({joint.slotA, joint.slotB, joint.source, {}});
+    }
+    batch.contacts.clear();
+    batch.revolutes.clear();
+    batch.store = &contacts;
+    if (!batch.hingeLinks.empty()) { batch.hingeStore = &hinges; }
+}
+
+/// Changes something that colours may depend on, or nothing.
+void changeLinks(SolverBatch& batch, Random& random) {
+    const auto any = [&random](const auto& items) {
+        return static_cast<std::size_t>(random.integer(0, static_cast<int>(items.size()) - 1));
+    };
+    const auto anyBody = [&] { return static_cast<BodySlot>(any(batch.inertias)); };
+    switch (random.integer(0, 9)) {
+        case 0:
+            if (!batch.links.empty()) { batch.links.pop_back(); }
+            break;
+        case 1:
+            if (!batch.links.empty()) { batch.links[any(batch.links)].points ^= 3U; }
+            break;
+        case 2:
+            if (!batch.links.empty()) { batch.links[any(batch.links)].slotA = anyBody(); }
+            break;
+        case 3:
+            if (!batch.hingeLinks.empty()) { batch.hingeLinks[any(batch.hingeLinks)].slotB = anyBody(); }
+            break;
+        case 4:
+            batch.inertias[1] = isMovable(batch, 1) ? BodyInertia{} : BodyInertia{1, 1};
+            break;
+        case 5:
+            batch.distances.resize(batch.distances.empty() ? 1 : 0);
+            break;
+        case 6:
+            batch.links.push_back({anyBody(), anyBody(), 0, 1, false});
+            break;
+        default:
+            break;
+    }
+    // As links of a solve are: of something that moves, and no body to itself.
+    std::erase_if(batch.links, [&batch](const ContactLink& link) {
+        return link.slotA == link.slotB || !(isMovable(batch, link.slotA) || isMovable(batch, link.slotB));
+    });
+}
+
+TEST(ConstraintGraph, KeepsTheColoursThatLinksWouldBeGivenAnew) {
+    int keptHinges = 0;
+    int changedHinges = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        SolverBatch batch = randomBatch(seed);
+        if (random.chance(0.5)) { batch.distances.clear(); }
+        const SolverBatch constraints = batch;
+        linkAll(batch, random);
+        ConstraintGraph used;
+        for (int round = 0; round < 30; ++round) {
+            if (random.chance(0.05)) {  // something else in between
+                SolverBatch other = constraints;
+                used.colour(other);
+            }
+            ConstraintGraph fresh;
+            SolverBatch again = batch;
+            used.colour(batch);
+            fresh.colour(again);
+            keptHinges += used.areHingesKept() && batch.hingeStore != nullptr ? 1 : 0;
+            changedHinges += used.areHingesKept() ? 0 : 1;
+            const auto listOf = [](std::span<const std::uint8_t> colours) {
+                return std::vector<std::uint8_t>(colours.begin(), colours.end());
+            };
+            SCOPED_TRACE(testing::Message() << "seed " << seed << ", round " << round);
+            ASSERT_EQ(listOf(used.contactColours()), listOf(fresh.contactColours()));
+            ASSERT_EQ(listOf(used.hingeColours()), listOf(fresh.hingeColours()));
+            ASSERT_EQ(used.pointCounts(), fresh.pointCounts());
+            ASSERT_EQ(used.activeColours(), fresh.activeColours());
+            changeLinks(batch, random);
+        }
+    }
+    EXPECT_GT(keptHinges, 3'000);
+    EXPECT_GT(changedHinges, 1'000);
+}
+
 /// A star: `count` contacts of one movable body with others that may move or not.
 ColourRange overflowOfStar(int count, BodyInertia others) {
     SolverBatch batch;

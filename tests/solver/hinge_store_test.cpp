@@ -91,5 +91,30 @@ TEST(HingeStore, IsSolvedToTheBitLikeConstraintsOfTheBatch) {
     EXPECT_EQ(inBlocks > 100, revoluteKernels() != nullptr);
 }
 
+TEST(HingeStore, IsSolvedToTheSameBitsAgain) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        Solver used;
+        for (int round = 0; round < 6; ++round) {
+            const auto make = [seed, round] {
+                RandomSolve solve(seed, seed % 3 == 0 ? 16 : 1);
+                // Hinges between such bodies are but points.
+                if (round > 3) { solve.batch.inertias[1].inverseInertia = 0; }
+                if (round % 2 == 1) { solve.settings.wide = seed % 4 != 0; }
+                return solve;
+            };
+            RandomSolve first = make();
+            RandomSolve second = make();
+            KeptHinges ofFirst(first.batch);
+            KeptHinges ofSecond(second.batch);
+            (void)used.solve(first.batch, first.settings);
+            (void)Solver().solve(second.batch, second.settings);
+            ofFirst.giveBackLike(second.batch);
+            ofSecond.giveBackLike(second.batch);
+            ASSERT_EQ(bitsOf(first.batch), bitsOf(second.batch)) << "seed " << seed << ", round " << round;
+            ASSERT_EQ(ofFirst.inBlocks, ofSecond.inBlocks);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
