@@ -157,6 +157,7 @@ void advance(WorldState& world, double dt) {
     if (world.forcesGiven) { clearForces(world); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
     moveProxiesAndSortEvents(world);
+    world.stepped = world.awake;
     if (world.settings.sleep) { putToSleep(world, dt); }
     if (!world.lostTime.empty()) { countLostTime(world); }
     clock.stop(world.stageTimes.finish);

@@ -48,7 +48,7 @@ public:
     void setTaskSystem(TaskSystem* tasks);
 
     /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`, `outOfRange`; `missingMass` when a dynamic
-    /// body has neither shapes with density nor a mass of its own (its `mass` is 0).
+    /// body has neither shapes with density nor a mass of its own (its `mass` is 0; `bodyWithoutMass`).
     Status step(double dt);
 
     // --- bodies
@@ -86,6 +86,8 @@ public:
     Status applyAngularImpulse(BodyId id, Real impulse);  ///< N·m·s; likewise
     Status setAwake(BodyId id, bool awake);
     std::uint32_t bodyCount() const;
+    /// The first body that keeps `step` from going on (`missingMass`); the null id if there is none.
+    BodyId bodyWithoutMass() const;
     /// All bodies, in the order of their slots.
     void visitBodies(FunctionRef<void(BodyId)> visit) const;
     /// The shapes of a body, in the order in which they were added; none of a stale id.
@@ -111,6 +113,8 @@ public:
     Status redefine(ShapeId id, const ShapeDef& def);
     /// What it is made of, in the frame of its body: one polygon, or the segments of a chain; none of a stale id.
     void visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const;
+    /// The smallest box around it where it is now, world, rounded outward; of a stale id an empty one at the origin.
+    Aabb bounds(ShapeId id) const;
 
     // --- joints
     Result<JointId> createJoint(const RevoluteJointDef& def);
@@ -172,6 +176,9 @@ public:
     /// the way leads into it.
     CastHit castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                       const QueryFilter& filter = {}) const;
+    /// Calls `visit` with where each shape is met, as by castShape, and in the manner of castRayAll.
+    void castShapeAll(const Polygon& polygon, const WorldTransform& pose, Vec2 translation, const QueryFilter& filter,
+                      FunctionRef<Real(const CastHit&)> visit) const;
     /// Shapes whose boxes overlap `box`; a visitor that returns false ends the query.
     void queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<bool(ShapeId)> visit) const;
     /// Shapes that overlap or touch the polygon, exactly.
@@ -193,11 +200,19 @@ public:
     /// ended (bodies and shapes destroyed or teleported) is among them, at fraction 0; ids may name what is gone. A
     /// chain is one shape here.
     std::span<const ContactEvent> contactEvents() const;
+    /// All bodies that the step moved or turned, and none that it left where it was, so that a game need not ask each.
+    /// What fell asleep is among them, if that step still moved it. What was put elsewhere since may be, what was
+    /// destroyed is not.
+    void visitMoved(FunctionRef<void(BodyId)> visit) const;
     std::span<const JointBreakEvent> jointBreaks() const;
     std::span<const LostTimeEntry> lostTime() const;
     std::span<const ImpactPose> impactPoses() const;
     const StepCounters& counters() const;
     const StageTimes& stageTimes() const;
+
+    /// Of ids, poses, velocities and sleep of all bodies, bit for bit, in the order of their slots: two machines that
+    /// compare it after each step, or a replay, know at once where they began to differ.
+    std::uint64_t stateHash() const;
 
 private:
     std::unique_ptr<WorldState> state_;

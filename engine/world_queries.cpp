@@ -129,6 +129,25 @@ CastHit castAgainst(const WorldState& world, const Shape& shape, const CarriedSh
     return hit;
 }
 
+/// Calls `visit` with what the shape meets on its way and its slot; it returns the fraction to go on with.
+template <class Visit>
+void visitOnWay(const WorldState& world, const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
+                const QueryFilter& filter, const Visit& visit) {
+    if (!validate(polygon).ok() || !isGood(pose.position, translation)) { return; }
+    const double angle = arcTangent2(static_cast<double>(pose.rotation.s), static_cast<double>(pose.rotation.c));
+    const CarriedShape carried{
+        asToiPolygon(polygon),
+        {.c0 = pose.position, .c1 = pose.position + toDouble(translation), .a0 = angle, .a1 = angle},
+        extentOf(polygon)};
+    const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);
+    world.broadphase->sweep(start, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
+        const std::uint32_t slot = slotOf(world, proxy);
+        if (!sees(filter, world.shapes[slot]) || !(limit > 0)) { return limit; }
+        const CastHit hit = castAgainst(world, world.shapes[slot], carried, limit);
+        return hit.hit ? std::min(limit, visit(hit, slot)) : limit;
+    });
+}
+
 }  // namespace
 
 void World::castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
@@ -146,25 +165,18 @@ CastHit World::castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter
     return closest.hit();
 }
 
+void World::castShapeAll(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
+                         const QueryFilter& filter, FunctionRef<Real(const CastHit&)> visit) const {
+    visitOnWay(*state_, polygon, pose, translation, filter,
+               [&visit](const CastHit& hit, std::uint32_t) { return visit(hit); });
+}
+
 CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                          const QueryFilter& filter) const {
-    const WorldState& world = *state_;
-    const bool good = validate(polygon).ok() && isGood(pose.position, translation);
-    if (!good) { return {}; }
-    const double angle = arcTangent2(static_cast<double>(pose.rotation.s), static_cast<double>(pose.rotation.c));
     Closest closest;
-    const CarriedShape carried{
-        asToiPolygon(polygon),
-        {.c0 = pose.position, .c1 = pose.position + toDouble(translation), .a0 = angle, .a1 = angle},
-        extentOf(polygon)};
-    const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);
-    world.broadphase->sweep(start, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
-        const std::uint32_t slot = slotOf(world, proxy);
-        if (!sees(filter, world.shapes[slot]) || !(limit > 0)) { return limit; }
-        const CastHit hit = castAgainst(world, world.shapes[slot], carried, limit);
-        if (!hit.hit) { return limit; }
+    visitOnWay(*state_, polygon, pose, translation, filter, [&closest](const CastHit& hit, std::uint32_t slot) {
         closest.offer(hit, slot);
-        return std::min(closest.limit(), limit);
+        return closest.limit();
     });
     return closest.hit();
 }

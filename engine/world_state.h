@@ -155,6 +155,7 @@ struct WorldState : Workers {
     std::vector<JointTie> jointTies;          ///< by joint slot
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::vector<std::uint32_t> stepped;       ///< those of the last step, before it put any to sleep
     std::vector<std::uint8_t> chainSegments;  ///< by shape slot: `Shape::isChainSegment`, while it is alive
     std::uint32_t sensorShapes = 0;
     std::uint32_t bouncyShapes = 0;  ///< with restitution: without any, nothing bounces

@@ -1,3 +1,4 @@
+#include "../shapes/bit_cast.h"
 #include "joint_builder.h"
 #include "world_state.h"
 
@@ -13,9 +14,55 @@ void visitAll(const Pool& pool, FunctionRef<void(Id)> visit) {
     }
 }
 
+/// Of numbers, bit for bit, and their order.
+class StateHash {
+public:
+    void add(std::uint64_t word) {
+        sum_ = (sum_ ^ word) * 0x9E3779B97F4A7C15U;  // the golden ratio, as in Fibonacci hashing (Knuth)
+        sum_ ^= sum_ >> 32U;
+    }
+    void add(double number) { add(bitCast<std::uint64_t>(number)); }
+    std::uint64_t sum() const { return sum_; }
+
+private:
+    std::uint64_t sum_ = 0;
+};
+
 }  // namespace
 
 void World::visitBodies(FunctionRef<void(BodyId)> visit) const { visitAll<BodyId>(state_->bodies, visit); }
+
+BodyId World::bodyWithoutMass() const {
+    const auto& bodies = state_->bodies;
+    for (std::uint32_t slot = 0; state_->masslessBodies > 0 && slot < bodies.slotCount(); ++slot) {
+        const bool isAlive = bodies.isAlive(slot);
+        if (isAlive && bodies[slot].isDynamic() && bodies[slot].mass <= 0) { return bodies.idOf(slot); }
+    }
+    return {};
+}
+
+void World::visitMoved(FunctionRef<void(BodyId)> visit) const {
+    for (const std::uint32_t slot : state_->stepped) {
+        if (!state_->bodies.isAlive(slot)) { continue; }
+        const Body& body = state_->bodies[slot];
+        const BodyMotion& motion = state_->motions[slot];
+        if (motion.center != body.startCenter || motion.angle != body.startAngle) { visit(state_->bodies.idOf(slot)); }
+    }
+}
+
+std::uint64_t World::stateHash() const {
+    StateHash hash;
+    visitBodies([&](BodyId id) {
+        hash.add((std::uint64_t{id.generation} << 32U) | id.index);
+        const BodyMotion& motion = state_->motions[id.index];
+        for (const double number : {motion.center.x, motion.center.y, motion.angle}) { hash.add(number); }
+        for (const Real number : {motion.velocity.x, motion.velocity.y, motion.angularVelocity}) {
+            hash.add(static_cast<double>(number));
+        }
+        hash.add(std::uint64_t{isAwake(id)});
+    });
+    return hash.sum();
+}
 
 void World::visitJoints(FunctionRef<void(JointId)> visit) const { visitAll<JointId>(state_->joints, visit); }
 
@@ -38,6 +85,14 @@ void World::visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) c
     for (std::uint32_t slot = id.index; slot != kNoIndex; slot = state_->shapes[slot].nextInChain) {
         visit(state_->shapes[slot].polygon);
     }
+}
+
+Aabb World::bounds(ShapeId id) const {
+    if (!isValid(id)) { return {}; }
+    const WorldTransform& pose = state_->motions[state_->shapes[id.index].body].pose;
+    Aabb box = boundsOf(state_->shapes[id.index].polygon, pose);
+    visitPolygons(id, [&](const Polygon& polygon) { box = hullOf(box, boundsOf(polygon, pose)); });
+    return box;
 }
 
 std::uint64_t World::userData(JointId id) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -117,8 +118,9 @@ struct RunReport {
     DVec2 endMomentum;
     double startAngularMomentum = 0;  ///< about the world origin
     double endAngularMomentum = 0;
-    std::string refusal;  ///< why the engine refused a step; empty: it did not
-    bool finite = true;   ///< no NaN or infinity in any body's state
+    std::optional<std::uint64_t> stateHash;  ///< at the end, of engines that have one
+    std::string refusal;                     ///< why the engine refused a step; empty: it did not
+    bool finite = true;                      ///< no NaN or infinity in any body's state
 };
 
 }  // namespace swept

@@ -113,6 +113,7 @@ public:
         report.endEnergy = totals.energy;
         report.endMomentum = totals.momentum;
         report.endAngularMomentum = totals.angularMomentum;
+        report.stateHash = built_.world.stateHash();
         for (const BodyId id : built_.bodies) {
             const World& world = built_.world;
             report.finite = report.finite && isFinite(world.position(id)) && std::isfinite(world.angle(id)) &&

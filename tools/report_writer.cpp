@@ -3,7 +3,10 @@
 #include <swept/samples/scene_names.h>
 #include <swept/samples/scene_reader.h>
 #include <algorithm>
+#include <array>
+#include <cinttypes>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace swept {
@@ -90,6 +93,13 @@ Json budgetsOf(const SettingsDescription& settings, const RunReport& report) {
     return budgets;
 }
 
+/// Sixteen digits: as a JSON number most readers would round it.
+std::string hexOf(std::uint64_t value) {
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016" PRIx64, value);
+    return digits.data();
+}
+
 }  // namespace
 
 std::string reportText(const SceneDescription& scene, const RunReport& report, const RunFacts& facts) {
@@ -108,6 +118,7 @@ std::string reportText(const SceneDescription& scene, const RunReport& report, c
     json["energy"] = Json{{"start", report.startEnergy}, {"end", report.endEnergy}};
     json["momentum"] = Json{{"start", pairOf(report.startMomentum)}, {"end", pairOf(report.endMomentum)}};
     json["angularMomentum"] = Json{{"start", report.startAngularMomentum}, {"end", report.endAngularMomentum}};
+    if (report.stateHash) { json["stateHash"] = hexOf(*report.stateHash); }
     json["budgets"] = budgetsOf(scene.settings, report);
     json["gravity"] = pairOf(scene.gravity);
     json["settings"] = settingsOf(scene.settings);

@@ -31,6 +31,7 @@ RunReport smallReport() {
     report.startMomentum = {1, 2};
     report.endMomentum = {3, 4};
     report.endAngularMomentum = -5;
+    report.stateHash = 0x0123456789ABCDEF;
     return report;
 }
 
@@ -53,6 +54,14 @@ TEST(ReportWriter, HoldsTheTotalsOfTheRun) {
     EXPECT_EQ(json.at("energy").at("end"), 90);
     EXPECT_EQ(json.at("momentum").at("end"), (nlohmann::json{3, 4}));
     EXPECT_EQ(json.at("angularMomentum").at("end"), -5);
+    EXPECT_EQ(json.at("stateHash"), "0123456789abcdef");
+}
+
+TEST(ReportWriter, HasNoHashOfEnginesWithout) {
+    RunReport report = smallReport();
+    report.stateHash.reset();
+    const auto json = nlohmann::json::parse(reportText(smallScene(), report, {"e", "f32", 8}));
+    EXPECT_FALSE(json.contains("stateHash"));
 }
 
 TEST(ReportWriter, NamesTheSettingsUsed) {
