@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "../shapes/bit_cast.h"
@@ -16,9 +17,22 @@ bool isBegin(const ContactEvent& e) {
     return e.type == ContactEventType::begin || e.type == ContactEventType::sensorBegin;
 }
 
+bool isOfSensor(const ContactEvent& e) {
+    return e.type == ContactEventType::sensorBegin || e.type == ContactEventType::sensorEnd;
+}
+
+/// In the place of an event: the kind of a touch.
+constexpr std::uint32_t kOfSolid = 0;
+constexpr std::uint32_t kOfSensor = 1;
+
+/// Slots of the shapes, the lower one first: with another type of a body either may be A.
+std::pair<std::uint32_t, std::uint32_t> slotsOf(const ContactEvent& e) {
+    return std::minmax({e.shapeA.index, e.shapeB.index});
+}
+
 /// Ends first: what a call between the steps ended may begin again in the step.
 auto eventKey(const ContactEvent& e) {
-    return std::make_tuple(e.fraction, e.shapeA.index, e.shapeB.index, isBegin(e), e.type, e.approachSpeed, e.impulse,
+    return std::make_tuple(e.fraction, slotsOf(e), isBegin(e), e.shapeA.index, e.type, e.approachSpeed, e.impulse,
                            e.point.x, e.point.y, e.normal.x, e.normal.y, e.shapeA.generation, e.shapeB.generation);
 }
 
@@ -32,7 +46,9 @@ void sortPlaces(WorldState& world, std::vector<EventPlace>& places, const IsLess
 }
 
 /// @param bits  of the largest slot of a shape
-std::uint64_t keyOfShapes(std::uint32_t a, std::uint32_t b, int bits) { return (std::uint64_t{a} << bits) | b; }
+std::uint64_t keyOfShapes(std::uint32_t a, std::uint32_t b, int bits) {
+    return (std::uint64_t{std::min(a, b)} << bits) | std::max(a, b);
+}
 std::uint64_t keyOfShapes(const ContactEvent& e, int bits) { return keyOfShapes(e.shapeA.index, e.shapeB.index, bits); }
 
 /// @pre the fraction is larger than 0: then the larger one has the larger key
@@ -62,7 +78,9 @@ void listChainTouches(WorldState& world, int bits) {
         if (!contact.touching || (isSegment[contact.shapeA] | isSegment[contact.shapeB]) == 0) { continue; }
         const std::uint32_t a = headOf(contact.shapeA);
         const std::uint32_t b = headOf(contact.shapeB);
-        if ((isNamed[a] & isNamed[b]) != 0) { touches.push_back({keyOfShapes(a, b, bits), 0}); }
+        if ((isNamed[a] & isNamed[b]) != 0) {
+            touches.push_back({keyOfShapes(a, b, bits), contact.sensor ? kOfSensor : kOfSolid});
+        }
     }
     sortByKeys(touches, world.eventPlaces.spare, [](const EventPlace&, const EventPlace&) { return false; });
 }
@@ -71,8 +89,12 @@ void listChainTouches(WorldState& world, int bits) {
 std::ptrdiff_t touchesNow(const WorldState& world, const EventPlace& place, std::span<const EventPlace> touches) {
     const ContactEvent& e = world.contactEvents[place.index];
     if (!world.shapes.isValid(e.shapeA) || !world.shapes.isValid(e.shapeB)) { return 0; }
-    const auto isOther = [&place](const EventPlace& touch) { return touch.key != place.key; };
-    return std::find_if(touches.begin(), touches.end(), isOther) - touches.begin();
+    std::ptrdiff_t count = 0;
+    for (const EventPlace& touch : touches) {
+        if (touch.key != place.key) { break; }
+        count += touch.index == (isOfSensor(e) ? kOfSensor : kOfSolid) ? 1 : 0;
+    }
+    return count;
 }
 
 /// Whether it is a begin or an end with a chain, or with what may have been one: a shape that is gone. Of what the step
@@ -93,7 +115,7 @@ void mergeChainEvents(WorldState& world, int bits) {
     listChainTouches(world, bits);
     std::span<const EventPlace> touches = world.eventPlaces.chainTouches;
     const auto pairKey = [](const ContactEvent& e) {
-        return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation);
+        return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation, isOfSensor(e));
     };
     sortPlaces(world, places, [&](const ContactEvent& a, const ContactEvent& b) {
         return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
@@ -108,12 +130,21 @@ void mergeChainEvents(WorldState& world, int bits) {
         const auto begun = std::count_if(group, last, begins);
         while (!touches.empty() && touches.front().key < group->key) { touches = touches.subspan(1); }
         const auto now = touchesNow(world, *group, touches);
-        const auto before = now - begun + ((last - group) - begun);
-        const bool began = now > 0;
-        if (began != (before > 0)) {
-            *keep++ = *std::find_if(group, last, [&](const EventPlace& place) { return begins(place) == began; });
+        // What begins and ends at the same time is handed over from one segment to the next.
+        auto count = now - begun + ((last - group) - begun);
+        while (group != last) {
+            const auto isLater = [&](const EventPlace& place) {
+                return events[place.index].fraction > events[group->index].fraction;
+            };
+            const auto next = std::find_if(group, last, isLater);
+            const auto begunHere = std::count_if(group, next, begins);
+            const bool touched = count > 0;
+            count += begunHere - ((next - group) - begunHere);
+            if ((count > 0) != touched) {
+                *keep++ = *std::find_if(group, next, [&](const EventPlace& place) { return begins(place) != touched; });
+            }
+            group = next;
         }
-        group = last;
     }
     places.erase(keep, places.end());
 }

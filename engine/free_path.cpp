@@ -14,7 +14,12 @@ bool isClear(const WorldState& world, const Body& body, const Sweep& path) {
         const Shape& own = world.shapes[slot];
         if (own.def.sensor) { return true; }
         bool nothing = true;
-        world.broadphase->queryGround(boxOfPath(own, path), [&nothing](ProxyId) { return nothing = false; });
+        world.broadphase->queryGround(boxOfPath(own, path), [&](ProxyId proxy) {
+            // Some kinds of broadphase do not tell what yields from ground.
+            const std::uint32_t found = world.proxyShapes[static_cast<std::size_t>(proxy)];
+            nothing = world.bodies[world.shapes[found].body].isDynamic();
+            return nothing;
+        });
         return nothing;
     });
 }

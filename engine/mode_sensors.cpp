@@ -130,23 +130,32 @@ struct Watch {
 };
 
 /// A stretch of the step without impacts of either: at most one begin and one end. The last time of touching is the
-/// first one of the way back.
+/// first one of the way back. What touches and is gone at once, without any stay, is not told.
 void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, double from, double to) {
-    const bool endsInside = isInside(separationAt(watch.sensor, sensorWay, watch.other, otherWay, 1));
+    const auto after = [&](double fraction) {
+        return separationAt(watch.sensor, sensorWay, watch.other, otherWay, fraction);
+    };
+    const bool endsInside = isInside(after(1));
+    const bool begins = !watch.inside;
     double began = from;
     Toi touch;
-    if (!watch.inside) {
+    if (begins) {
         touch = watch.firstTouch(sensorWay, otherWay);
         if (!meets(touch)) { return; }
         began = from + touch.fraction * (to - from);
-        watch.announce(ContactEventType::sensorBegin, began, touch);
-        watch.inside = true;
     }
-    if (endsInside) { return; }
-    const Toi back = watch.firstTouch(backwards(sensorWay), backwards(otherWay));
-    const double left = meets(back) ? to - back.fraction * (to - from) : began;
-    watch.announce(ContactEventType::sensorEnd, std::max(began, left), meets(back) ? back : touch);
-    watch.inside = false;
+    double left = to;
+    Toi last;
+    if (!endsInside) {
+        last = watch.firstTouch(backwards(sensorWay), backwards(otherWay));
+        left = meets(last) ? to - last.fraction * (to - from) : began;
+        if (begins && !(left > began)) { return; }
+        if (!meets(last)) { last = after(0); }
+    }
+    if (begins) { watch.announce(ContactEventType::sensorBegin, began, touch); }
+    watch.inside = endsInside;
+    // Never at once with its begin, which would be sorted behind it.
+    if (!endsInside) { watch.announce(ContactEventType::sensorEnd, std::max(std::nextafter(began, 2.0), left), last); }
 }
 
 /// What the next look at the start of a step goes on from.
@@ -163,8 +172,15 @@ bool isPair(const WorldState& world, const Shape& sensor, const Shape& other) {
            mayTouch(world, sensor, other);
 }
 
-/// Pairs of sensors and shapes of which one belongs to the body, and whose boxes meet on its way.
-void findPairsOnWay(WorldState& world, std::uint32_t slot) {
+void addPairs(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    std::vector<SensorPair>& pairs = world.sensorSweeps.pairs;
+    if (isPair(world, world.shapes[a], world.shapes[b])) { pairs.push_back({a, b}); }
+    if (isPair(world, world.shapes[b], world.shapes[a])) { pairs.push_back({b, a}); }
+}
+
+/// Pairs of sensors and shapes of which one belongs to the body, and whose boxes meet on its way: those that the other
+/// one has for its start. Keeps its own.
+void findPairsOnWay(WorldState& world, std::uint32_t slot, double dt) {
     SensorSweeps& sweeps = world.sensorSweeps;
     findWaypoints(world, slot, sweeps.ofSensor);
     DVec2 lower = sweeps.ofSensor.front().center;
@@ -173,15 +189,37 @@ void findPairsOnWay(WorldState& world, std::uint32_t slot) {
         lower = {std::min(lower.x, point.center.x), std::min(lower.y, point.center.y)};
         upper = {std::max(upper.x, point.center.x), std::max(upper.y, point.center.y)};
     }
-    for (const std::uint32_t own : world.bodies[slot].shapes) {
+    const Body& body = world.bodies[slot];
+    // By how much a parabola leaves the straight line between two waypoints.
+    const Real bulge =
+        body.role == BodyRole::flyer ? length(accelerationOf(world, body)) * static_cast<Real>(dt * dt / 8) : Real(0);
+    for (const std::uint32_t own : body.shapes) {
         const Shape& mine = world.shapes[own];
-        const Real reach = radiusAbout(mine.polygon, world.bodies[slot].localCenter) + kTargetRatio * mine.extent;
-        world.broadphase->query(grown(roundedOutward(lower, upper), reach), [&](ProxyId id) {
-            const std::uint32_t found = world.proxyShapes[static_cast<std::uint32_t>(id)];
-            if (isPair(world, world.shapes[found], mine)) { sweeps.pairs.push_back({found, own}); }
-            if (isPair(world, mine, world.shapes[found])) { sweeps.pairs.push_back({own, found}); }
+        const Real reach = radiusAbout(mine.polygon, body.localCenter) + kTargetRatio * mine.extent + bulge;
+        const Aabb box = grown(roundedOutward(lower, upper), reach);
+        sweeps.ways.push_back({box, own});
+        world.broadphase->query(box, [&](ProxyId id) {
+            addPairs(world, world.proxyShapes[static_cast<std::uint32_t>(id)], own);
             return true;
         });
+    }
+}
+
+/// Of what both moves fast, neither need come near where the other one was.
+void findPairsOfWays(WorldState& world) {
+    std::vector<WayOfShape>& ways = world.sensorSweeps.ways;
+    const auto isSensor = [&world](const WayOfShape& way) { return world.shapes[way.shape].def.sensor; };
+    const auto count = std::partition(ways.begin(), ways.end(), isSensor) - ways.begin();
+    const std::span<WayOfShape> sensors = std::span(ways).first(static_cast<std::size_t>(count));
+    const std::span<WayOfShape> others = std::span(ways).subspan(static_cast<std::size_t>(count));
+    if (sensors.empty()) { return; }
+    std::sort(others.begin(), others.end(),
+              [](const WayOfShape& a, const WayOfShape& b) { return a.box.lower.x < b.box.lower.x; });
+    for (const WayOfShape& sensor : sensors) {
+        for (const WayOfShape& other : others) {
+            if (other.box.lower.x > sensor.box.upper.x) { break; }
+            if (overlaps(other.box, sensor.box)) { addPairs(world, sensor.shape, other.shape); }
+        }
     }
 }
 
@@ -239,10 +277,12 @@ void watchPair(WorldState& world, const SensorPair& pair, double dt) {
 void sweepSensors(WorldState& world, double dt) {
     std::vector<SensorPair>& pairs = world.sensorSweeps.pairs;
     pairs.clear();
+    world.sensorSweeps.ways.clear();
     listImpacts(world);
     for (const std::uint32_t slot : world.awake) {
-        if (isFast(world, slot)) { findPairsOnWay(world, slot); }
+        if (isFast(world, slot)) { findPairsOnWay(world, slot, dt); }
     }
+    findPairsOfWays(world);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     if (!pairs.empty()) { listSensorContacts(world); }

@@ -8,6 +8,7 @@
 #include "modes.h"
 #include "step.h"
 #include "tolerances.h"
+#include "waking.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -288,8 +289,12 @@ void resetBodies(WorldState& world, std::span<const std::uint32_t> awake, Real d
 
 void assignRoles(WorldState& world, Real dt) {
     if (world.kinematicBodies > 0) {
+        const std::size_t before = world.awake.size();
         startleNearKinematicBodies(world, dt);
         if (world.parked.woke) { listUnparked(world); }
+        const std::size_t startled = world.awake.size();
+        wakeOnward(world, before);
+        resetBodies(world, std::span(world.awake).subspan(startled), dt);
     }
     world.islands.reset(world.bodies.slotCount());
     noteTouching(world, dt);

@@ -19,8 +19,11 @@ Aabb spanningBox(const WorldState& world, const Shape& shape, Real reach) {
     if (angle == motion.angle) {  // most platforms do not turn, and a sine and a cosine are most of a pose
         return boundsOf(shape.polygon, motion.pose, center - motion.center, reach);
     }
-    return hullOf(boundsOf(shape.polygon, motion.pose, {}, reach),
-                  boundsOf(shape.polygon, poseOf(center, angle, body.localCenter), {}, reach));
+    // A point that turns leaves the straight line between both ends by that much of its arm at most.
+    const double turn = angle - motion.angle;
+    const auto bulge = static_cast<Real>(std::min(turn * turn / 8, 2.0)) * shape.radius;
+    return hullOf(boundsOf(shape.polygon, motion.pose, {}, reach + bulge),
+                  boundsOf(shape.polygon, poseOf(center, angle, body.localCenter), {}, reach + bulge));
 }
 
 /// What is fast leaves its box in every step, so a box that is quickly made is better than a tight one: that of its

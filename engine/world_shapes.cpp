@@ -257,11 +257,9 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     } else if (isOtherSurface) {
         mixSurfacesOf(world, pairsOfShape(world, body, slots));
     }
-    if (def.density != before.density || def.sensor != before.sensor) {
-        refreshWithout(world, body);
-    } else if (meetsOthers || isOtherSurface) {
-        wake(world, body);
-    }
+    const bool isOtherMass = def.density != before.density || def.sensor != before.sensor;
+    if (isOtherMass) { refreshWithout(world, body); }
+    if (isOtherMass || meetsOthers || isOtherSurface) { wake(world, body); }
     return Status::success();
 }
 

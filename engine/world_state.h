@@ -44,7 +44,7 @@ enum class Tiredness : std::uint8_t { driven, restless, tired };
 
 /// What the order of events is told by, mostly.
 struct EventPlace {
-    std::uint64_t key = 0;    ///< slots of its shapes, the first above the second; or its fraction, as bits
+    std::uint64_t key = 0;    ///< slots of its shapes, the lower above the other; or its fraction, as bits
     std::uint32_t index = 0;  ///< in `WorldState::contactEvents`, where that is asked
 };
 
@@ -53,7 +53,7 @@ struct EventPlaces {
     std::vector<EventPlace> ofChains;      ///< begins and ends
     std::vector<EventPlace> atStart;       ///< of the step: all others of fraction 0
     std::vector<EventPlace> later;         ///< by fraction
-    std::vector<EventPlace> chainTouches;  ///< touches with chains that events ask for, one per segment: keys alone
+    std::vector<EventPlace> chainTouches;  ///< touches with chains that events ask for, one per segment: keys and kinds
     std::vector<EventPlace> spare;         ///< of `sortByKeys`
     std::vector<std::uint8_t> isNamed;     ///< by slot of a shape: it begins or ends to touch a chain, or is one
 };
@@ -63,6 +63,12 @@ struct SensorPair {
     std::uint32_t sensor = 0;  ///< slots
     std::uint32_t other = 0;
     auto operator<=>(const SensorPair&) const = default;
+};
+
+/// Box of a fast shape's way through the step.
+struct WayOfShape {
+    Aabb box{};
+    std::uint32_t shape = 0;  ///< slot
 };
 
 /// The contact of such a pair.
@@ -120,6 +126,7 @@ struct BodyTravel {
 /// Scratch of mode_sensors.cpp, kept for its capacity.
 struct SensorSweeps {
     std::vector<SensorPair> pairs;
+    std::vector<WayOfShape> ways;
     std::vector<ContactOfSensor> contacts;  ///< by pair; of sensors
     std::vector<ImpactOfBody> impacts;      ///< by body, and in the order of the list
     std::vector<Waypoint> ofSensor;

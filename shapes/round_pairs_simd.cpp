@@ -315,7 +315,11 @@ HWY_INLINE void collideGroup(const Polygons<kA>& polygonsA, const Polygons<kB>& 
     place(group.poses, b);
     const DoubleMask none = hn::Lt(constant(0), constant(0));
     Outcome ofFaces{none, none, constant(0)};
-    if constexpr (kA > 1 || kB > 1) { ofFaces = collideOnFaces(findFaces(a, b, polygonsB, group), group); }
+    if constexpr (kA > 1 || kB > 1) {
+        ofFaces = collideOnFaces(findFaces(a, b, polygonsB, group), group);
+    } else {  // asked for, though there is no second point
+        store(constant(0), pairs.point[1].id.data() + lane);
+    }
     const Outcome ofVertices = collideVertices(a, b, ofFaces.isKnown, group);
     const DoubleMask isKnown = hn::Or(ofFaces.isKnown, ofVertices.isKnown);
     const DoubleMask isApart = hn::AndNot(isKnown, hn::Or(ofFaces.isApart, ofVertices.isApart));

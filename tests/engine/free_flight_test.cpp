@@ -174,5 +174,26 @@ TEST(FreeFlight, OnlyWhatLeavesTheRangeIsPutBack) {
     EXPECT_EQ(velocityOf(world, leaver).x, 0);
 }
 
+/// No kind of broadphase takes what flies alone for ground in its own way.
+TEST(FreeFlight, IsTheSameToTheBitWithEveryBroadphase) {
+    for (int i = 0; i < 50; ++i) {
+        std::vector<double> angles;
+        for (const BroadphaseKind kind :
+             {BroadphaseKind::automatic, BroadphaseKind::allPairs, BroadphaseKind::sortAndSweep,
+              BroadphaseKind::quadtree, BroadphaseKind::grid, BroadphaseKind::bvh, BroadphaseKind::wideBvh}) {
+            WorldSettings settings = awakeSettings();
+            settings.broadphase = kind;
+            World world = makeWorld(settings);
+            BodyDef def = dynamicAt({-0.7 + 0.0006 * i, 0}, vec(41.3, 0), 3.1 + 0.01 * i);
+            def.angle = -0.05 - 0.0003 * i;
+            const BodyId body = addBody(world, def, box(0.1, 0.1));
+            must(world.applyTorque(body, real(0.001)));
+            run(world, 1);
+            angles.push_back(world.angle(body));
+        }
+        EXPECT_EQ(angles, std::vector<double>(angles.size(), angles[0])) << "flight " << i;
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -126,5 +126,45 @@ TEST(MovingObstacles, PlatesCloseOnABall) {
     }
 }
 
+/// It lies where neither end of the bar's turn is.
+TEST(MovingObstacles, ABarThatTurnsFastStrikesWhatLiesInItsArc) {
+    for (const double turn : {5, 20, 40, 60, 80, 100, 120, 150}) {
+        for (const double away : {1.0, 3.0, 4.9}) {
+            World world = makeWorld(0);
+            BodyDef def = bodyAt(BodyType::kinematic, {}, -turn / 360 * kPi);
+            def.angularVelocity = real(turn / 180 * kPi * kRate);
+            addBody(world, def, box(5, 0.1));
+            const BodyId ball = addBody(world, dynamicAt({away, 0}), circle(0.05));
+            run(world, 1);
+            EXPECT_GT(velocityOf(world, ball).y, 1) << turn << " degrees a step, at " << away << " m";
+        }
+    }
+}
+
+/// A row of boxes on ice that were put to sleep one by one wakes as one that fell asleep together.
+TEST(MovingObstacles, WhatTheyStartleWakesItsNeighbours) {
+    std::array<std::vector<DVec2>, 2> places;
+    for (std::size_t i = 0; i < 2; ++i) {
+        World world = makeWorld();
+        addStatic(world, box(50, 0.5), material(0));
+        std::vector<BodyId> row;
+        for (int k = 0; k < 4; ++k) {
+            row.push_back(addBody(world, dynamicAt({1.0 * k, 1}), box(0.5, 0.5), material(0)));
+        }
+        const BodyId wall = addBody(world, bodyAt(BodyType::kinematic, {-3, 1}), box(0.5, 0.4), material(0));
+        run(world, 10);
+        for (const BodyId body : row) { must(world.setAwake(body, i == 0)); }
+        must(world.setVelocity(wall, vec(180, 0), 0));
+        run(world, 1);
+        for (const BodyId body : row) {
+            EXPECT_TRUE(world.isAwake(body));
+            places[i].push_back(world.position(body));
+        }
+    }
+    for (std::size_t k = 0; k < 4; ++k) {  // what was put to sleep has lost the last of its speed
+        EXPECT_NEAR(places[1][k].x, places[0][k].x, 1e-3) << "box " << k;
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -320,5 +320,65 @@ TEST(Redefine, CastsSlideAlongWhatTheyAreNear) {
     EXPECT_EQ(cast(-0.2, vec(1, 0)).normal, Vec2{});
 }
 
+/// Of a chain as of a segment: what it was to others ends, and what it is now begins.
+TEST(Redefine, ChainsBetweenSolidAndSensorEndAndBegin) {
+    for (const bool isChain : {false, true}) {
+        for (const bool toSensor : {false, true}) {
+            World world = makeWorld(0);
+            const BodyId ground = must(world.createBody({}));
+            ShapeDef def;
+            def.sensor = !toSensor;
+            const std::array points{vec(5, 0), vec(-5, 0)};
+            const ShapeId shape = isChain ? must(world.addChain(ground, points, false, def))
+                                          : must(world.addShape(ground, segment(5, 0, -5, 0), def));
+            addBody(world, dynamicAt({1, 0.4995}), box(0.5, 0.5));
+            run(world, 3);
+            def.sensor = toSensor;
+            must(world.redefine(shape, def));
+            must(world.step(kStep));
+            std::vector<ContactEventType> types;
+            for (const ContactEvent& event : world.contactEvents()) {
+                if (event.type != ContactEventType::hit) { types.push_back(event.type); }
+            }
+            const std::vector<ContactEventType> wanted =
+                toSensor ? std::vector{ContactEventType::end, ContactEventType::sensorBegin}
+                         : std::vector{ContactEventType::sensorEnd, ContactEventType::begin};
+            EXPECT_EQ(types, wanted) << (isChain ? "chain" : "segment") << (toSensor ? " to sensor" : " to solid");
+        }
+    }
+}
+
+/// With the type who is A may change: the end still comes before the new begin.
+TEST(Redefine, AnotherTypeEndsContactsBeforeTheyBegin) {
+    World world = makeWorld();
+    addBody(world, dynamicAt({0, 1}), box(0.5, 0.5));
+    const BodyId lift = addBody(world, bodyAt(BodyType::kinematic, {0, 0}), box(0.5, 0.5));
+    run(world, 3);
+    BodyDef def = world.definition(lift);
+    def.type = BodyType::dynamic;
+    must(world.redefine(lift, def));
+    must(world.step(kStep));
+    std::vector<ContactEventType> types;
+    for (const ContactEvent& event : world.contactEvents()) { types.push_back(event.type); }
+    EXPECT_EQ(types, (std::vector{ContactEventType::end, ContactEventType::begin}));
+}
+
+TEST(Redefine, AnythingButUserDataWakesWhatWasMadeAsleep) {
+    const auto isAwakeAfter = [](void (*change)(ShapeDef&)) {
+        World world = makeWorld();
+        BodyDef def = dynamicAt({0, 0});
+        def.awake = false;
+        const BodyId body = addBody(world, def, box(0.5, 0.5));
+        ShapeDef surface = world.definition(onlyShapeOf(world, body));
+        change(surface);
+        must(world.redefine(onlyShapeOf(world, body), surface));
+        return world.isAwake(body);
+    };
+    EXPECT_FALSE(isAwakeAfter([](ShapeDef& def) { def.userData = 7; }));
+    EXPECT_TRUE(isAwakeAfter([](ShapeDef& def) { def.density = 3; }));
+    EXPECT_TRUE(isAwakeAfter([](ShapeDef& def) { def.friction = 0; }));
+    EXPECT_TRUE(isAwakeAfter([](ShapeDef& def) { def.filter.category = 2; }));
+}
+
 }  // namespace
 }  // namespace swept::test

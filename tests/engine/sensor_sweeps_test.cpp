@@ -133,5 +133,81 @@ TEST(SensorSweeps, CostNothingWithoutSensorsOrSpeed) {
     must(world.destroyBody(gate));
 }
 
+TEST(SensorSweeps, SeeWhatPassesAChain) {
+    for (const bool isChain : {false, true}) {
+        World world = makeWorld(settingsOf(ContinuousMode::subStep));
+        const BodyId gate = must(world.createBody({}));
+        const std::array points{vec(0, -2), vec(0, 0), vec(0, 2)};
+        if (isChain) {
+            must(world.addChain(gate, points, false, sensorDef()));
+        } else {
+            must(world.addShape(gate, segment(0, -2, 0, 2), sensorDef()));
+        }
+        addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.1));
+        run(world, 1);
+        const std::vector<ContactEvent> events = sensorEventsOf(world);
+        ASSERT_EQ(events.size(), 2U) << (isChain ? "chain" : "segment");
+        EXPECT_EQ(events[0].type, ContactEventType::sensorBegin);
+        EXPECT_NEAR(events[0].fraction, 0.45, 1e-3);
+        EXPECT_EQ(events[1].type, ContactEventType::sensorEnd);
+        EXPECT_NEAR(events[1].fraction, 0.55, 1e-3);
+    }
+}
+
+/// Both cross in the middle of the step, far from where either began.
+TEST(SensorSweeps, OfFastBodiesSeeFastBodies) {
+    for (const BroadphaseKind kind : {BroadphaseKind::automatic, BroadphaseKind::allPairs}) {
+        WorldSettings settings = settingsOf(ContinuousMode::subStep);
+        settings.broadphase = kind;
+        World world = makeWorld(settings);
+        const BodyId scanner = addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.05));
+        must(world.addShape(scanner, circle(0.1), sensorDef()));
+        addBody(world, dynamicAt({0, -1}, vec(0, 120)), circle(0.1));
+        run(world, 1);
+        const std::vector<ContactEvent> events = sensorEventsOf(world);
+        ASSERT_EQ(events.size(), 2U);
+        // The gap is √2·|1 − 2f| metres at first, and they meet at 0.2.
+        EXPECT_NEAR(events[0].fraction, 0.5 - 0.1 / std::sqrt(2.0), 1e-3);
+        EXPECT_NEAR(events[1].fraction, 0.5 + 0.1 / std::sqrt(2.0), 1e-3);
+    }
+}
+
+/// Thrown up so that it is at the same height at both ends of a step of 0.2 s, and 5 cm higher in its middle.
+TEST(SensorSweeps, SeeTheTopOfAParabola) {
+    WorldSettings settings = settingsOf(ContinuousMode::subStep, kGravity);
+    World world = makeWorld(settings);
+    addStatic(world, box(10, 0.1), sensorDef(), {0, 0.33});  // its bottom at 0.23
+    addBody(world, dynamicAt({0, 0}, vec(10, 1)), circle(0.2));
+    run(world, 1, 0.2);
+    const std::vector<ContactEvent> events = sensorEventsOf(world);
+    ASSERT_EQ(events.size(), 2U);
+    // 0.2 + t − 5·t² = 0.23
+    const double away = std::sqrt(1 - 0.6) / 10;
+    EXPECT_NEAR(events[0].fraction * 0.2, 0.1 - away, 1e-3);
+    EXPECT_NEAR(events[1].fraction * 0.2, 0.1 + away, 1e-3);
+}
+
+/// A ball that touches at the start and leaves at once; balls that graze.
+TEST(SensorSweeps, NeverTellTheEndBeforeItsBegin) {
+    int seen = 0;
+    for (int i = 0; i < 400; ++i) {
+        World world = makeWorld(settingsOf(ContinuousMode::subStep));
+        addStatic(world, circle(0.3), sensorDef());
+        const bool leaves = i % 4 == 0;
+        const double y = 0.4999 + 0.0002 * i / 400;
+        addBody(world, leaves ? dynamicAt({0.5, 0}, vec(100, 0)) : dynamicAt({-0.8, y}, vec(100, 0)), circle(0.2));
+        run(world, 1);
+        const std::vector<ContactEvent> events = sensorEventsOf(world);
+        ASSERT_EQ(events.size() % 2, 0U);
+        for (std::size_t k = 0; k < events.size(); k += 2) {
+            ASSERT_EQ(events[k].type, ContactEventType::sensorBegin) << "y = " << y;
+            ASSERT_EQ(events[k + 1].type, ContactEventType::sensorEnd);
+            EXPECT_GT(length(toReal(events[k + 1].point)), real(0.1)) << "where they were, not at the origin";
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 100);
+}
+
 }  // namespace
 }  // namespace swept::test
