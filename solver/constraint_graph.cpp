@@ -113,18 +113,20 @@ void ConstraintGraph::sortAsListed(std::vector<Constraint>& constraints) {
     constraints.swap(sorted);
 }
 
+/// Before all others. @param links  none: there are no hinges, or they have no links
 void ConstraintGraph::colourHinges(const std::vector<HingeLink>& links) {
     areHingesKept_ = areBodiesKept_ && links == before_.hinges;
-    if (links.empty() || areHingesKept_) {
-        if (!links.empty()) { used_ = before_.usedByHinges; }
-        isUsed_ = links.empty() ? 0 : before_.isUsedByHinges;
-    } else {
-        listByColour(links, rangesOf<RevoluteConstraint>());
-        hingeColours_.swap(colours_);
-        before_.usedByHinges = used_;
-        before_.isUsedByHinges = isUsed_;
+    if (links.empty()) { return before_.hinges.clear(); }
+    if (areHingesKept_) {
+        used_ = before_.usedByHinges;
+        isUsed_ = before_.isUsedByHinges;
+        return;
     }
-    if (!areHingesKept_) { before_.hinges = links; }
+    listByColour(links, rangesOf<RevoluteConstraint>());
+    hingeColours_.swap(colours_);
+    before_.hinges = links;
+    before_.usedByHinges = used_;
+    before_.isUsedByHinges = isUsed_;
 }
 
 void ConstraintGraph::begin(const SolverBatch& batch) {
