@@ -32,12 +32,24 @@ ToiFeature featureOf(int first, int second) {
     return {first, second};
 }
 
+/// Beyond it squares of lengths come near the end of what doubles hold. A smaller tolerance than was asked for does no
+/// harm, as long as rounding leaves room for it (`validateToi` asks for four times the slack).
+double boundedTolerance(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                        double tolerance) {
+    constexpr double kLargest = 0x1p400;
+    if (!(tolerance > kLargest)) { return tolerance; }
+    return std::min(tolerance, std::max(kLargest, 8 * roundingSlack(a, sweepA, b, sweepB)));
+}
+
 /// One search: where it stands, and what it has proved.
 class Search {
 public:
     Search(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
            const ToiSettings& settings)
-        : pair_(a, sweepA, b, sweepB), sweepA_(sweepA), settings_(settings) {
+        : pair_(a, sweepA, b, sweepB),
+          sweepA_(sweepA),
+          settings_(settings),
+          tolerance_(boundedTolerance(a, sweepA, b, sweepB, settings.tolerance)) {
         setTarget(settings.target);
     }
 
@@ -57,7 +69,7 @@ public:
         pose_ = pair_.poseAt(0);
         remembered_ = hold(pair_, pose_, Vec2{axis.x, axis.y}, AxisOwner::a);
         look();
-        setTarget(std::min(target_, closest_.separation - 2 * settings_.tolerance));
+        setTarget(std::min(target_, closest_.separation - 2 * tolerance_));
         return search();
     }
 
@@ -75,8 +87,8 @@ private:
         // Steps aim half a tolerance below the target and end half a tolerance
         // above it: the band between is wide enough for the last step to land in,
         // and what is left on either side is for rounding.
-        level_ = target - 0.5 * settings_.tolerance;
-        closeEnough_ = target + 0.5 * settings_.tolerance;
+        level_ = target - 0.5 * tolerance_;
+        closeEnough_ = target + 0.5 * tolerance_;
     }
 
     Toi search() {
@@ -305,6 +317,7 @@ private:
     MovingPair pair_;
     const Sweep& sweepA_;
     const ToiSettings& settings_;
+    double tolerance_;
     double target_ = 0;
     double level_ = 0;
     double closeEnough_ = 0;

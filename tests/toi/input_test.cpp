@@ -128,5 +128,24 @@ TEST(ToiInput, OverlapAndTouchAtTheStart) {
     EXPECT_EQ(toi.iterations, 1);
 }
 
+/// libFuzzer found a pair that parted within a tolerance of 5·10³⁰³, and was not answered.
+TEST(ToiInput, AnswersWithinAnyTolerance) {
+    for (const double tolerance : {1.0, 1e10, 1e100, 1e200, 5e303, std::numeric_limits<double>::max() / 4}) {
+        for (const double speed : {-3.0, 0.0, 3.0}) {
+            for (const double spin : {0.0, 2.0, 40.0}) {
+                Query q = good();
+                q.settings.tolerance = tolerance;
+                q.sweepB.c0 = {4, 0.1};
+                q.sweepB.c1 = {4 + speed, 0.3};
+                q.sweepB.a1 = q.sweepB.a0 + spin;
+                ASSERT_TRUE(validateToi(q.a, q.sweepA, q.b, q.sweepB, q.settings).ok());
+                const Toi toi = ask(q);
+                EXPECT_NE(toi.state, ToiState::failed) << tolerance << ", " << speed << " m, " << spin << " rad";
+                EXPECT_TRUE(std::isfinite(toi.separation));
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
