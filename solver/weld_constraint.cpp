@@ -22,35 +22,58 @@ Seam seamOf(const WeldConstraint& joint, const JointPair& pair) {
 Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
 
 /// The angle's own change: drag of the spring, once per sub-step, or rigid.
-Real angleChange(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, Real mass, bool useBias) {
+Real angleChange(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, Real mass,
+                 const Softness& softness, bool useBias) {
     const Real speed = speedOf(kSpinRow, pair);
     if (!joint.hasAngularSpring) {
         return scalarChange(mass, speed, useBias ? seam.angle : Real(0), joint.angularImpulse,
-                            useBias ? joint.softness : kRigid);
+                            useBias ? softness : kRigid);
     }
     return useBias ? joint.angularSpring.drag * (joint.angularImpulse - mass * speed) : Real(0);
 }
 
-/// The point rigid, then the angle while the point stays.
+/// The angle while the point stays. @param softness  of a rigid one
+void solveGuidedAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair, const Softness& softness,
+                      bool useBias) {
+    if (!(turnOf(pair) > 0)) { return; }
+    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB);
+    const Real twist = angleChange(joint, seam, pair, spin.mass, softness, useBias);
+    joint.angularImpulse += twist;
+    apply(spin, seam.point, pair, twist, joint.linearImpulse);
+}
+
+/// What softness takes back of both, without an answer of either: all rows give way as one block.
+void takeBack(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    const Vec2 push = -joint.softness.impulseScale * joint.linearImpulse;
+    joint.linearImpulse += push;
+    apply(seam.point, pair, push);
+    if (joint.hasAngularSpring) { return; }
+    const Real twist = -joint.softness.impulseScale * joint.angularImpulse;
+    joint.angularImpulse += twist;
+    apply(kSpinRow, pair, twist);
+}
+
+/// The point as if it were rigid, then the angle while the point stays; softness comes last. (Where it took its part of
+/// the point first, the bodies turned, and the angle that answered that brought back m·L²/I times as much at a lever L:
+/// in a few passes without end.)
 void solveAtPoint(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
     const bool isDone = joint.isHeld && useBias;
     if (!isDone) {
-        const Vec2 change = heldChange(seam.point, pair, seam.gap, joint.linearImpulse, joint.softness, useBias);
-        joint.linearImpulse += change;
-        apply(seam.point, pair, change);
+        const Vec2 bias = useBias ? joint.softness.biasRate * seam.gap : Vec2{};
+        const Vec2 push = -solve(seam.point.matrix, speedsOf(seam.point, pair) + bias);
+        joint.linearImpulse += push;
+        apply(seam.point, pair, push);
     }
-    if (isDone && !joint.hasAngularSpring) { return; }
-    if (!(turnOf(pair) > 0)) { return; }
-    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB);
-    const Real twist = angleChange(joint, seam, pair, spin.mass, useBias);
-    joint.angularImpulse += twist;
-    apply(spin, seam.point, pair, twist, joint.linearImpulse);
+    if (!isDone || joint.hasAngularSpring) {
+        solveGuidedAngle(joint, seam, pair, {.biasRate = joint.softness.biasRate}, useBias);
+    }
+    if (!isDone && useBias) { takeBack(joint, seam, pair); }
 }
 
 void solveAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
     const Real turn = turnOf(pair);
     if (!(turn > 0) || (joint.isHeld && useBias && !joint.hasAngularSpring)) { return; }
-    const Real twist = angleChange(joint, seam, pair, 1 / turn, useBias);
+    const Real twist = angleChange(joint, seam, pair, 1 / turn, joint.softness, useBias);
     joint.angularImpulse += twist;
     apply(kSpinRow, pair, twist);
 }
