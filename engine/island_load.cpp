@@ -37,12 +37,12 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
     load.debt = std::max(load.debt, more.debt);
     load.staysPut = load.staysPut && more.staysPut;
     load.heaviestLoose = std::max(load.heaviestLoose, more.heaviestLoose);
+    load.heaviestJointed = std::max(load.heaviestJointed, more.heaviestJointed);
     if (more.lightestJointed > 0) {
         load.lightestJointed =
             load.lightestJointed > 0 ? std::min(load.lightestJointed, more.lightestJointed) : more.lightestJointed;
     }
     load.lightest = std::min(load.lightest, more.lightest);
-    load.heaviest = std::max(load.heaviest, more.heaviest);
     load.thinnest = std::min(load.thinnest, more.thinnest);
     load.lowest = std::min(load.lowest, more.lowest);
     load.highest = std::max(load.highest, more.highest);
@@ -51,8 +51,8 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
 void addBody(IslandLoad& load, const BodyLoad& body) {
     addBodiesOf(load, {.bodies = 1,
                        .lightest = body.mass,
-                       .heaviest = body.mass,
                        .lightestJointed = body.isJointed ? body.mass : 0,
+                       .heaviestJointed = body.isJointed ? body.mass : 0,
                        .thinnest = body.extent,
                        .lowest = body.height,
                        .highest = body.height,
@@ -142,6 +142,7 @@ void addJoints(WorldState& world) {
         load.joints += chain.joints;
         load.plainJoints += chain.plainJoints;
         load.driven += chain.drivenJoints;
+        load.holdsAngles = load.holdsAngles || chain.holdsAngles;
     }
 }
 

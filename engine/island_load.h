@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "effort.h"
@@ -11,24 +12,27 @@ struct IslandLoad {
     std::uint32_t bodies = 0;
     std::uint32_t contacts = 0;
     std::uint32_t joints = 0;
-    Real lightest = 0;  ///< kg
-    Real heaviest = 0;
+    Real lightest = 0;               ///< kg
     std::uint32_t plainJoints = 0;   ///< rigid, without springs, limits and motors
     bool isAnchored = false;         ///< a joint ties it to what is not dynamic
     bool hasLoop = false;            ///< joints between some of its bodies, and the ground, close one
     std::uint32_t longestChain = 0;  ///< joints that hang together without contacts
     Real lightestJointed = 0;        ///< kg, of the bodies that joints hold
-    Real thinnest = 0;               ///< smallest extent, metres
-    double lowest = 0;               ///< centre of mass against gravity, metres
+    Real heaviestJointed = 0;
+    Real thinnest = 0;  ///< smallest extent, metres
+    double lowest = 0;  ///< centre of mass against gravity, metres
     double highest = 0;
     Real fastest = 0;          ///< square of the largest speed of a centre of mass, m²/s²
     std::uint32_t moving = 0;  ///< bodies on the move: fast for their size
     Real heaviestLoose = 0;    ///< kg, of the bodies that no joint holds
     std::uint32_t driven = 0;  ///< joints with a motor or a spring
+    bool holdsAngles = false;  ///< some joint keeps its bodies from turning against each other
     std::uint32_t debt = 0;    ///< largest `Body::searchDebt`
     bool staysPut = true;      ///< each body was solved all at once in the last step, or does not move at all
     Effort effort{};
 };
+
+inline Real heaviestOf(const IslandLoad& load) { return std::max(load.heaviestJointed, load.heaviestLoose); }
 
 /// What a body adds to the load of its island.
 struct BodyLoad {

@@ -37,6 +37,17 @@ struct DrivenJoints {
         return isDriven;
     }
 };
+/// Whether a joint keeps its bodies from turning against each other.
+struct AngleJoints {
+    bool operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>&) const { return true; }
+    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const { return !part.def.angularSpring; }
+    template <class Part>
+    bool operator()(const Part&) const {
+        return false;
+    }
+};
+bool holdsAngle(const Joint& joint) { return std::visit(AngleJoints{}, joint.parts); }
+
 bool isDriven(const Joint& joint) { return std::visit(DrivenJoints{}, joint.parts); }
 
 HingeParts hingePartsOf(const RevoluteJointDef& def) {
@@ -56,6 +67,7 @@ JointTie tieOf(const Joint& joint) {
             .isHinge = hinge != nullptr,
             .isPlain = isPlain(joint),
             .isDriven = isDriven(joint),
+            .holdsAngle = holdsAngle(joint),
             .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
 }
 

@@ -78,9 +78,10 @@ struct JointTie {
     bool isPair : 1 = true;     ///< it ties no other bodies
     bool mayBreak : 1 = false;  ///< it has a limit
     bool isHinge : 1 = false;
-    bool isPlain : 1 = false;   ///< holds what it holds rigidly, and does nothing else
-    bool isDriven : 1 = false;  ///< does what takes or gives energy: what it holds keeps none
-    HingeParts hingeParts;      ///< of a hinge
+    bool isPlain : 1 = false;     ///< holds what it holds rigidly, and does nothing else
+    bool isDriven : 1 = false;    ///< does what takes or gives energy: what it holds keeps none
+    bool holdsAngle : 1 = false;  ///< of its bodies to each other, rigidly
+    HingeParts hingeParts;        ///< of a hinge
 
     bool operator==(const JointTie&) const = default;
 };

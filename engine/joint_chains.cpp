@@ -73,6 +73,7 @@ void sumUpJoints(WorldState& world) {
         ++chain.joints;
         chain.plainJoints += tie.isPlain ? 1 : 0;
         chain.drivenJoints += tie.isDriven ? 1 : 0;
+        chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;
         for (const std::uint32_t slot : world.joints[i].allBodies()) {
             chain.isAnchored = chain.isAnchored || !world.bodies[slot].isDynamic();
         }

@@ -18,7 +18,8 @@ struct JointChain {
     std::uint32_t joints = 0;
     std::uint32_t plainJoints = 0;  ///< `JointTie::isPlain`
     std::uint32_t drivenJoints = 0;
-    bool isAnchored = false;  ///< a joint ties it to what is not dynamic
+    bool holdsAngles = false;  ///< `JointTie::holdsAngle` of any
+    bool isAnchored = false;   ///< a joint ties it to what is not dynamic
 };
 
 /// All chains. They persist: as long as nothing sleeps and no joint is made, changed or removed, a step asks none of

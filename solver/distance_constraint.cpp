@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "freedom_parts.h"
 #include "joint_rows.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -30,6 +30,10 @@ constexpr Vec2 solve(const PointMatrix& m, Vec2 rhs) {
     return {(m.yy * rhs.x - m.xy * rhs.y) / m.determinant, (m.xx * rhs.y - m.xy * rhs.x) / m.determinant};
 }
 
+constexpr Vec2 product(const PointMatrix& m, Vec2 impulse) {
+    return {m.xx * impulse.x + m.xy * impulse.y, m.xy * impulse.x + m.yy * impulse.y};
+}
+
 /// One step of a constraint in one direction: the change of the accumulated impulse.
 /// @param speed  present velocity of the constraint; @param error  its position error C
 constexpr Real scalarChange(Real mass, Real speed, Real error, Real accumulated, const Softness& softness) {

@@ -35,13 +35,12 @@ void solveOne(PrismaticConstraint& joint, const JointPair& pair, Real h, bool us
     const Slide slide = slideOf(joint, pair);
     const Real angle = joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
     const Vec2 error{cross(joint.axisNow, slide.offset), canTurn(pair) ? angle : Real(0)};
-    if (!joint.isHeld || !useBias) {
-        const Vec2 change = heldChange(slide.held, pair, error, joint.heldImpulse, joint.softness, useBias);
-        joint.heldImpulse += change;
-        apply(slide.held, pair, change);
+    const bool isSoft = useBias && !joint.isHeld;
+    const GuidedRow along = guidedBy(slide.held, slide.along, pair, inverseMassOf(slide, pair),
+                                     isSoft ? complianceOf(joint.softness) : Real(0));
+    if (isSoft || !useBias) {
+        solveGuiding(along, slide.held, pair, isSoft ? joint.softness.biasRate * error : Vec2{}, joint.heldImpulse);
     }
-    if (!joint.hasSpring && !joint.hasMotor && !joint.hasLimits) { return; }
-    const GuidedRow along = guidedBy(slide.held, slide.along, pair, inverseMassOf(slide, pair));
     solveFreedom(
         joint, along.mass, dot(joint.axisNow, slide.offset), joint.softness, h, useBias,
         [&] { return speedOf(along.row, pair); },

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "freedom_parts.h"
 #include "joint_constraint.h"
 #include "joint_rows.h"
 

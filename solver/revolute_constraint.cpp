@@ -44,39 +44,53 @@ void turn(const JointPair& pair, Real impulse) {
     pair.b.angularVelocity += pair.inertiaB.inverseInertia * impulse;
 }
 
-/// Turning while the point is held, see `GuidedRow`.
+/// Turning while the point is held, and the point that guides it; see `GuidedRow`.
 struct Spin {
     Real mass = 0;
     Vec2 answer;
+    PointMatrix given;
+    PointMatrix pointMatrix;
 };
 
-Spin spinOf(const Hinge& hinge, const JointPair& pair) {
+/// @param compliance  of the point
+Spin spinOf(const Hinge& hinge, const JointPair& pair, Real compliance) {
     const Real turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
     // Without mass to resist it the point is held by nothing: bodies that only turn.
     const bool heavy = hinge.matrix.determinant > 0;
     const Real inverse = heavy ? fullDeterminant(pair, hinge.armA, hinge.armB) / hinge.matrix.determinant : turns;
+    if (!(inverse > 0)) { return {0, {}, {}, hinge.matrix}; }
     const Vec2 pull{-(pair.inertiaA.inverseInertia * hinge.armA.y + pair.inertiaB.inverseInertia * hinge.armB.y),
                     pair.inertiaA.inverseInertia * hinge.armA.x + pair.inertiaB.inverseInertia * hinge.armB.x};
-    return {inverse > 0 ? 1 / inverse : Real(0), -solve(hinge.matrix, pull)};
+    const PointMatrix given = givenBy(hinge.matrix, pull, turns, compliance);
+    const PointMatrix matrix = softened(hinge.matrix, given, compliance, inverse, turns);
+    return {guidedMass(compliance, inverse, turns), -solve(matrix, pull), given, matrix};
 }
 
+Vec2 gapOf(const RevoluteConstraint& joint, const Hinge& hinge, const JointPair& pair) {
+    return joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (hinge.armB - hinge.armA);
+}
+
+/// A point that guides nothing.
 void solvePoint(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& pair, bool useBias) {
     if (!useBias) {
         push(joint, hinge, pair, -solve(hinge.matrix, speedsOf(hinge, pair)));
         return;
     }
     if (joint.isHeld) { return; }
-    const Vec2 gap = joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (hinge.armB - hinge.armA);
-    const Vec2 firm = solve(hinge.matrix, speedsOf(hinge, pair) + joint.softness.biasRate * gap);
+    const Vec2 firm = solve(hinge.matrix, speedsOf(hinge, pair) + joint.softness.biasRate * gapOf(joint, hinge, pair));
     push(joint, hinge, pair, -joint.softness.massScale * firm - joint.softness.impulseScale * joint.linearImpulse);
 }
 
-void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
-    const Hinge hinge = hingeOf(joint, pair);
-    solvePoint(joint, hinge, pair, useBias);
-    if (!hasParts(joint)) { return; }
-    // The angle last, but guided: the point stays as it was just solved.
-    const Spin spin = spinOf(hinge, pair);
+/// The point, and the angle after it, but guided: the point stays as it was just solved.
+void solveParts(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& pair, Real h, bool useBias) {
+    const bool isSoft = useBias && !joint.isHeld;
+    const Spin spin = spinOf(hinge, pair, isSoft ? complianceOf(joint.softness) : Real(0));
+    if (isSoft) {
+        const Vec2 wanted = speedsOf(hinge, pair) + joint.softness.biasRate * gapOf(joint, hinge, pair);
+        push(joint, hinge, pair, -solve(spin.pointMatrix, wanted + product(spin.given, joint.linearImpulse)));
+    } else if (!useBias) {
+        push(joint, hinge, pair, -solve(hinge.matrix, speedsOf(hinge, pair)));
+    }
     solveFreedom(
         joint, spin.mass, angleOf(joint, pair), joint.softness, h, useBias,
         [&] { return pair.b.angularVelocity - pair.a.angularVelocity; },
@@ -84,6 +98,15 @@ void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool use
             turn(pair, impulse);
             push(joint, hinge, pair, impulse * spin.answer);
         });
+}
+
+void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
+    const Hinge hinge = hingeOf(joint, pair);
+    if (hasParts(joint)) {
+        solveParts(joint, hinge, pair, h, useBias);
+    } else {
+        solvePoint(joint, hinge, pair, useBias);
+    }
 }
 
 }  // namespace
@@ -98,7 +121,7 @@ void warmStart(std::span<RevoluteConstraint> joints, const SolverBodies& bodies)
         const Hinge hinge = hingeOf(joint, pair);
         applyImpulse(a, pair.inertiaA, -joint.linearImpulse, hinge.armA);
         applyImpulse(b, pair.inertiaB, joint.linearImpulse, hinge.armB);
-        const Real mass = joint.hasSpring ? spinOf(hinge, pair).mass : Real(0);
+        const Real mass = joint.hasSpring ? spinOf(hinge, pair, 0).mass : Real(0);
         pushSpring(joint, mass, angleOf(joint, pair));
         if (hasParts(joint)) { turn(pair, joint.impulse()); }
         storePair(bodies, joint.slotA, a, joint.slotB, b);

@@ -21,61 +21,56 @@ Seam seamOf(const WeldConstraint& joint, const JointPair& pair) {
 
 Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
 
-/// The angle's own change: drag of the spring, once per sub-step, or rigid.
-Real angleChange(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, Real mass,
-                 const Softness& softness, bool useBias) {
-    const Real speed = speedOf(kSpinRow, pair);
-    if (!joint.hasAngularSpring) {
-        return scalarChange(mass, speed, useBias ? seam.angle : Real(0), joint.angularImpulse,
-                            useBias ? softness : kRigid);
-    }
-    return useBias ? joint.angularSpring.drag * (joint.angularImpulse - mass * speed) : Real(0);
-}
-
-/// The angle while the point stays. @param softness  of a rigid one
-void solveGuidedAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair, const Softness& softness,
-                      bool useBias) {
-    if (!(turnOf(pair) > 0)) { return; }
-    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB);
-    const Real twist = angleChange(joint, seam, pair, spin.mass, softness, useBias);
+void turnBy(WeldConstraint& joint, const JointPair& pair, Real twist) {
     joint.angularImpulse += twist;
-    apply(spin, seam.point, pair, twist, joint.linearImpulse);
+    apply(kSpinRow, pair, twist);
 }
 
-/// What softness takes back of both, without an answer of either: all rows give way as one block.
-void takeBack(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
-    const Vec2 push = -joint.softness.impulseScale * joint.linearImpulse;
+void pushBy(WeldConstraint& joint, const Seam& seam, const JointPair& pair, Vec2 push) {
     joint.linearImpulse += push;
     apply(seam.point, pair, push);
-    if (joint.hasAngularSpring) { return; }
-    const Real twist = -joint.softness.impulseScale * joint.angularImpulse;
-    joint.angularImpulse += twist;
-    apply(kSpinRow, pair, twist);
 }
 
-/// The point as if it were rigid, then the angle while the point stays; softness comes last. (Where it took its part of
-/// the point first, the bodies turned, and the angle that answered that brought back m·L²/I times as much at a lever L:
-/// in a few passes without end.)
-void solveAtPoint(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
-    const bool isDone = joint.isHeld && useBias;
-    if (!isDone) {
-        const Vec2 bias = useBias ? joint.softness.biasRate * seam.gap : Vec2{};
-        const Vec2 push = -solve(seam.point.matrix, speedsOf(seam.point, pair) + bias);
-        joint.linearImpulse += push;
-        apply(seam.point, pair, push);
-    }
-    if (!isDone || joint.hasAngularSpring) {
-        solveGuidedAngle(joint, seam, pair, {.biasRate = joint.softness.biasRate}, useBias);
-    }
-    if (!isDone && useBias) { takeBack(joint, seam, pair); }
+/// All three rows: the point as if it were rigid, then the angle while the point stays; softness comes last, of all of
+/// them as one block. (Where it took its part of the point first, the bodies turned, and the angle that answered that
+/// brought back m·L²/I times as much at a lever L: in a few passes without end.)
+void solveRigid(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+    if (joint.isHeld && useBias) { return; }
+    const Real rate = useBias ? joint.softness.biasRate : Real(0);
+    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, 0);
+    solveGuiding(spin, seam.point, pair, rate * seam.gap, joint.linearImpulse);
+    const Real twist = -spin.mass * (speedOf(kSpinRow, pair) + rate * seam.angle);
+    joint.angularImpulse += twist;
+    apply(spin, seam.point, pair, twist, joint.linearImpulse);
+    if (!useBias) { return; }
+    pushBy(joint, seam, pair, -joint.softness.impulseScale * joint.linearImpulse);
+    turnBy(joint, pair, -joint.softness.impulseScale * joint.angularImpulse);
 }
 
-void solveAngle(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
-    const Real turn = turnOf(pair);
-    if (!(turn > 0) || (joint.isHeld && useBias && !joint.hasAngularSpring)) { return; }
-    const Real twist = angleChange(joint, seam, pair, 1 / turn, joint.softness, useBias);
+Real springDrag(const WeldConstraint& joint, const JointPair& pair, Real mass) {
+    return joint.angularSpring.drag * (joint.angularImpulse - mass * speedOf(kSpinRow, pair));
+}
+
+Vec2 springDrag(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, const PointMatrix& matrix) {
+    return joint.linearSpring.drag * (joint.linearImpulse - solve(matrix, speedsOf(seam.point, pair)));
+}
+
+/// Part of a pass in which what is rigid gives way; a direct solve has done the rest.
+Real complianceOf(const WeldConstraint& joint, bool useBias) {
+    return useBias && !joint.isHeld ? complianceOf(joint.softness) : Real(0);
+}
+
+/// The point, then, once per sub-step, the drag of the angle's spring while the point stays.
+void solveTwisted(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, complianceOf(joint, useBias));
+    if (!joint.isHeld || !useBias) {
+        solveGuiding(spin, seam.point, pair, useBias ? joint.softness.biasRate * seam.gap : Vec2{},
+                     joint.linearImpulse);
+    }
+    if (!useBias) { return; }
+    const Real twist = springDrag(joint, pair, spin.mass);
     joint.angularImpulse += twist;
-    apply(kSpinRow, pair, twist);
+    apply(spin, seam.point, pair, twist, joint.linearImpulse);
 }
 
 /// Response of the points while the angle is held: the bodies move as one, but for what their arms differ.
@@ -88,36 +83,63 @@ PointMatrix matrixAtAngle(const Seam& seam, const JointPair& pair) {
             mass * (mass + both * lengthSquared(arm))};
 }
 
-/// What the linear spring moves: the points while the angle is held, or while it is a spring, too, as they like.
-PointMatrix linearMatrix(const WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
-    return joint.hasAngularSpring ? seam.point.matrix : matrixAtAngle(seam, pair);
+/// The angle, and the points that it guides: `GuidedRow` with the parts exchanged.
+struct StiffAngle {
+    Real given = 0;      ///< γ·S
+    Real response = 0;   ///< k + γ·S; 0 of bodies that cannot turn
+    Vec2 pull;           ///< of the angle on the points
+    PointMatrix points;  ///< response of the points with the answer of the angle
+};
+
+StiffAngle stiffAngleOf(const Seam& seam, const JointPair& pair, Real compliance) {
+    const PointMatrix firm = matrixAtAngle(seam, pair);
+    const Real turn = turnOf(pair);
+    if (!(turn > 0)) { return {0, 0, {}, firm}; }
+    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, 0);
+    const Real given = spin.mass > 0 ? compliance / spin.mass : Real(0);
+    const Vec2 pull{coupling(kSpinRow, seam.point.first, pair), coupling(kSpinRow, seam.point.second, pair)};
+    const Real more = given / (turn * (turn + given));
+    return {given,
+            turn + given,
+            pull,
+            {firm.xx + more * square(pull.x), firm.xy + more * pull.x * pull.y, firm.yy + more * square(pull.y),
+             firm.determinant * (1 + more * dot(pull, solve(firm, pull)))}};
+}
+
+/// The angle, then, once per sub-step, the drag of the point's spring while the angle stays.
+void solveHung(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+    const StiffAngle angle = stiffAngleOf(seam, pair, complianceOf(joint, useBias));
+    const bool canTurn = angle.response > 0;
+    if (canTurn && (!joint.isHeld || !useBias)) {
+        const Real bias = useBias ? joint.softness.biasRate * seam.angle : Real(0);
+        turnBy(joint, pair, -(speedOf(kSpinRow, pair) + bias + angle.given * joint.angularImpulse) / angle.response);
+    }
+    if (!useBias) { return; }
+    const Vec2 push = springDrag(joint, seam, pair, angle.points);
+    pushBy(joint, seam, pair, push);
+    if (canTurn) { turnBy(joint, pair, -dot(angle.pull, push) / angle.response); }
+}
+
+/// Two springs that do not know of each other drag once per sub-step.
+void solveSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+    if (!useBias) { return; }
+    if (turnOf(pair) > 0) { turnBy(joint, pair, springDrag(joint, pair, 1 / turnOf(pair))); }
+    pushBy(joint, seam, pair, springDrag(joint, seam, pair, seam.point.matrix));
 }
 
 /// Inertia that the angular spring moves.
 Real angularMass(const WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
     const Real turn = turnOf(pair);
     if (!(turn > 0)) { return 0; }
-    return joint.hasLinearSpring ? 1 / turn : guidedSpin(seam.point, pair, seam.armA, seam.armB).mass;
-}
-
-void dragPoint(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
-    const Vec2 wanted = joint.linearImpulse - solve(linearMatrix(joint, seam, pair), speedsOf(seam.point, pair));
-    const Vec2 change = joint.linearSpring.drag * wanted;
-    joint.linearImpulse += change;
-    apply(seam.point, pair, change);
-    const Real turn = turnOf(pair);
-    if (joint.hasAngularSpring || !(turn > 0)) { return; }
-    // A rigid angle stays as it was solved.
-    const Real turned = pair.inertiaA.inverseInertia * cross(seam.armA, change) +
-                        pair.inertiaB.inverseInertia * cross(seam.armB, change);
-    joint.angularImpulse -= turned / turn;
-    apply(kSpinRow, pair, -turned / turn);
+    return joint.hasLinearSpring ? 1 / turn : guidedSpin(seam.point, pair, seam.armA, seam.armB, 0).mass;
 }
 
 /// The pushes of the springs take the place of their old impulses.
 void pushSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
     if (joint.hasLinearSpring) {
-        joint.linearImpulse = -joint.linearSpring.push * solve(linearMatrix(joint, seam, pair), seam.gap);
+        // The points while the angle is held, or while it is a spring, too, as they like.
+        const PointMatrix matrix = joint.hasAngularSpring ? seam.point.matrix : matrixAtAngle(seam, pair);
+        joint.linearImpulse = -joint.linearSpring.push * solve(matrix, seam.gap);
     }
     if (joint.hasAngularSpring) {
         joint.angularImpulse = -angularMass(joint, seam, pair) * (joint.angularSpring.push * seam.angle);
@@ -126,9 +148,11 @@ void pushSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair)
 
 void solveOne(WeldConstraint& joint, const JointPair& pair, Real, bool useBias) {
     const Seam seam = seamOf(joint, pair);
-    if (!joint.hasLinearSpring) { return solveAtPoint(joint, seam, pair, useBias); }
-    solveAngle(joint, seam, pair, useBias);
-    if (useBias) { dragPoint(joint, seam, pair); }
+    if (joint.hasLinearSpring) {
+        joint.hasAngularSpring ? solveSprings(joint, seam, pair, useBias) : solveHung(joint, seam, pair, useBias);
+    } else {
+        joint.hasAngularSpring ? solveTwisted(joint, seam, pair, useBias) : solveRigid(joint, seam, pair, useBias);
+    }
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "guided_row.h"
 #include "joint_constraint.h"
-#include "joint_rows.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -30,11 +30,40 @@ Real inverseMassOf(const Axle& axle, const JointPair& pair) {
     return pointMatrix(pair.inertiaA, axle.armA, pair.inertiaB, axle.armB).determinant / across;
 }
 
-void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair) {
+bool canTurn(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0; }
+
+bool isDriven(const WheelConstraint& joint, const JointPair& pair) { return joint.hasMotor && canTurn(pair); }
+bool isSprung(const WheelConstraint& joint) { return joint.suspension.hasSpring || joint.suspension.hasLimits; }
+
+/// Response across the axis while all that it guides is held, too: a Schur complement, as a quotient of determinants.
+Real lonelyResponse(const WheelConstraint& joint, const Axle& axle, const JointPair& pair) {
+    const Real turn = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    const Real along = coupling(axle.along, axle.along, pair);
+    if (!(along > 0)) { return axle.held.matrix.xx; }
+    if (isDriven(joint, pair) && isSprung(joint)) {
+        const Real rest = heldSlide(pair, axle.along).matrix.determinant;
+        return rest > 0 ? fullDeterminant(pair, axle.armA, axle.armB) / rest : axle.held.matrix.xx;
+    }
+    if (isDriven(joint, pair)) { return heldSlide(pair, axle.held.first).matrix.determinant / turn; }
+    if (isSprung(joint)) { return pointMatrix(pair.inertiaA, axle.armA, pair.inertiaB, axle.armB).determinant / along; }
+    return axle.held.matrix.xx;
+}
+
+/// @param given  see `guidedByLine`
+void solveAcross(WheelConstraint& joint, const Axle& axle, const JointPair& pair, Real given, bool useBias) {
+    const Real across = axle.held.matrix.xx + given;
+    if ((joint.isHeld && useBias) || !(across > 0)) { return; }
+    const Real bias = useBias ? joint.softness.biasRate * cross(joint.axisNow, axle.offset) : Real(0);
+    const Real change = -(speedOf(axle.held.first, pair) + bias + given * joint.heldImpulse.x) / across;
+    joint.heldImpulse.x += change;
+    apply(axle.held.first, pair, change);
+}
+
+void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair, Real given) {
     const Real across = axle.held.matrix.xx;
     const Real inverse = across > 0 ? heldSlide(pair, axle.held.first).matrix.determinant / across
                                     : pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
-    const GuidedRow spin = guidedBy(axle.held, kSpinRow, pair, inverse);
+    const GuidedRow spin = guidedByLine(axle.held, kSpinRow, pair, inverse, given);
     const Real change =
         motorChange(spin.mass, speedOf(kSpinRow, pair), joint.motorSpeed, joint.motorImpulse, joint.maxMotorImpulse);
     joint.motorImpulse += change;
@@ -43,16 +72,12 @@ void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair) 
 
 void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Axle axle = axleOf(joint, pair);
-    const Vec2 error{cross(joint.axisNow, axle.offset), 0};
-    if (!joint.isHeld || !useBias) {
-        const Vec2 change = heldChange(axle.held, pair, error, joint.heldImpulse, joint.softness, useBias);
-        joint.heldImpulse += change;
-        apply(axle.held, pair, change);
-    }
-    const bool turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0;
-    if (joint.hasMotor && turns) { driveSpin(joint, axle, pair); }
-    if (!joint.suspension.hasSpring && !joint.suspension.hasLimits) { return; }
-    const GuidedRow along = guidedBy(axle.held, axle.along, pair, inverseMassOf(axle, pair));
+    const bool isSoft = useBias && !joint.isHeld;
+    const Real given = isSoft ? complianceOf(joint.softness) * lonelyResponse(joint, axle, pair) : Real(0);
+    solveAcross(joint, axle, pair, given, useBias);
+    if (isDriven(joint, pair)) { driveSpin(joint, axle, pair, given); }
+    if (!isSprung(joint)) { return; }
+    const GuidedRow along = guidedByLine(axle.held, axle.along, pair, inverseMassOf(axle, pair), given);
     solveFreedom(
         joint.suspension, along.mass, dot(joint.axisNow, axle.offset), joint.softness, h, useBias,
         [&] { return speedOf(along.row, pair); },

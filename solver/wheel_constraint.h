@@ -1,7 +1,8 @@
 #pragma once
 
+#include "freedom_parts.h"
+#include "guided_row.h"
 #include "joint_constraint.h"
-#include "joint_rows.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -66,17 +66,30 @@ public:
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
         if (pass.hasMoved) { findGeometry(); }
-        solvePoint<kUseBias>();
-        if (block_.parts.any()) { solveParts<kUseBias>(hn::Set(Tag(), pass.h)); }
+        if (block_.parts.any()) {
+            solveParts<kUseBias>(hn::Set(Tag(), pass.h));
+        } else {
+            solvePoint<kUseBias>();
+        }
         if (pass.isLast) { addUp(); }
         scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
 private:
-    /// Turning while the point is held.
+    /// Symmetric 2×2.
+    struct Matrix {
+        Lanes xx;
+        Lanes xy;
+        Lanes yy;
+        Lanes determinant;
+    };
+
+    /// Turning while the point is held, and the point that guides it.
     struct Spin {
         Lanes mass;
         Pair answer;
+        Matrix given;  ///< without determinant
+        Matrix pointMatrix;
     };
 
     HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
@@ -123,15 +136,17 @@ private:
             block_.determinant, begin_);
     }
 
+    HWY_INLINE Matrix pointMatrix() const {
+        return {at(block_.matrixXX), at(block_.matrixXY), at(block_.matrixYY), at(block_.determinant)};
+    }
+
     /// Impulse with matrix·impulse = rhs.
-    HWY_INLINE Pair solved(const Pair& rhs) const {
-        const Lanes xy = at(block_.matrixXY);
-        const Lanes determinant = at(block_.determinant);
-        const LaneMask isHeavy = hn::Gt(determinant, hn::Zero(Tag()));
-        const Lanes x = hn::Sub(hn::Mul(at(block_.matrixYY), rhs.x), hn::Mul(xy, rhs.y));
-        const Lanes y = hn::Sub(hn::Mul(at(block_.matrixXX), rhs.y), hn::Mul(xy, rhs.x));
-        return {hn::IfThenElseZero(isHeavy, hn::Div(x, determinant)),
-                hn::IfThenElseZero(isHeavy, hn::Div(y, determinant))};
+    static HWY_INLINE Pair solved(const Matrix& m, const Pair& rhs) {
+        const LaneMask isHeavy = hn::Gt(m.determinant, hn::Zero(Tag()));
+        const Lanes x = hn::Sub(hn::Mul(m.yy, rhs.x), hn::Mul(m.xy, rhs.y));
+        const Lanes y = hn::Sub(hn::Mul(m.xx, rhs.y), hn::Mul(m.xy, rhs.x));
+        return {hn::IfThenElseZero(isHeavy, hn::Div(x, m.determinant)),
+                hn::IfThenElseZero(isHeavy, hn::Div(y, m.determinant))};
     }
 
     HWY_INLINE void push(const Pair& impulse) {
@@ -147,45 +162,94 @@ private:
         add(impulse.y, block_.impulseY);
     }
 
+    HWY_INLINE Pair pointSpeeds() const {
+        return {
+            hn::Add(hn::Sub(hn::Sub(b_.x, a_.x), hn::Mul(at(block_.armBY), b_.z)), hn::Mul(at(block_.armAY), a_.z)),
+            hn::Sub(hn::Add(hn::Sub(b_.y, a_.y), hn::Mul(at(block_.armBX), b_.z)), hn::Mul(at(block_.armAX), a_.z))};
+    }
+
+    /// Speeds that are to go: the present ones and the bias.
+    HWY_INLINE Pair wantedSpeeds() const {
+        const Lanes rate = at(block_.biasRate);
+        const Pair speeds = pointSpeeds();
+        return {hn::Add(speeds.x, hn::Mul(rate, at(block_.gapX))), hn::Add(speeds.y, hn::Mul(rate, at(block_.gapY)))};
+    }
+
+    /// A point that guides nothing.
     template <bool kUseBias>
     HWY_INLINE void solvePoint() {
-        const Lanes speedX =
-            hn::Add(hn::Sub(hn::Sub(b_.x, a_.x), hn::Mul(at(block_.armBY), b_.z)), hn::Mul(at(block_.armAY), a_.z));
-        const Lanes speedY =
-            hn::Sub(hn::Add(hn::Sub(b_.y, a_.y), hn::Mul(at(block_.armBX), b_.z)), hn::Mul(at(block_.armAX), a_.z));
         if constexpr (kUseBias) {
-            const Lanes rate = at(block_.biasRate);
             const Lanes scale = hn::Neg(at(block_.massScale));
             const Lanes back = at(block_.impulseScale);
-            const Pair firm = solved(
-                {hn::Add(speedX, hn::Mul(rate, at(block_.gapX))), hn::Add(speedY, hn::Mul(rate, at(block_.gapY)))});
+            const Pair firm = solved(pointMatrix(), wantedSpeeds());
             push({hn::Sub(hn::Mul(scale, firm.x), hn::Mul(back, at(block_.impulseX))),
                   hn::Sub(hn::Mul(scale, firm.y), hn::Mul(back, at(block_.impulseY)))});
         } else {
-            const Pair firm = solved({speedX, speedY});
+            const Pair firm = solved(pointMatrix(), pointSpeeds());
             push({hn::Neg(firm.x), hn::Neg(firm.y)});
         }
     }
 
-    /// `guidedSpin`. @pre in lanes in use, one body or both can turn
+    /// A point that guides the angle.
+    template <bool kUseBias>
+    HWY_INLINE void solveGuiding(const Spin& spin) {
+        Pair rhs;
+        if constexpr (kUseBias) {
+            const Lanes x = at(block_.impulseX);
+            const Lanes y = at(block_.impulseY);
+            const Pair wanted = wantedSpeeds();
+            rhs = {hn::Add(wanted.x, hn::Add(hn::Mul(spin.given.xx, x), hn::Mul(spin.given.xy, y))),
+                   hn::Add(wanted.y, hn::Add(hn::Mul(spin.given.xy, x), hn::Mul(spin.given.yy, y)))};
+        } else {
+            rhs = pointSpeeds();
+        }
+        const Pair firm = solved(spin.pointMatrix, rhs);
+        push({hn::Neg(firm.x), hn::Neg(firm.y)});
+    }
+
+    /// `spinOf`. @pre in lanes in use, one body or both can turn
+    template <bool kIsSoft>
     HWY_INLINE Spin spinOf() const {
         const Tag tag;
+        const Lanes zero = hn::Zero(tag);
+        const Lanes one = hn::Set(tag, Real(1));
         const Lanes mass = hn::Add(inverseMassA_, inverseMassB_);
-        const Lanes turn = hn::Add(inverseInertiaA_, inverseInertiaB_);
+        const Lanes turns = hn::Add(inverseInertiaA_, inverseInertiaB_);
         const Lanes apartX = hn::Sub(at(block_.armAX), at(block_.armBX));
         const Lanes apartY = hn::Sub(at(block_.armAY), at(block_.armBY));
         const Lanes apart = hn::Add(hn::Mul(apartX, apartX), hn::Mul(apartY, apartY));
         const Lanes all =
-            hn::Mul(mass, hn::Add(hn::Mul(mass, turn), hn::Mul(hn::Mul(inverseInertiaA_, inverseInertiaB_), apart)));
-        const Lanes determinant = at(block_.determinant);
-        const Lanes zero = hn::Zero(tag);
-        const Lanes inverse = hn::IfThenElse(hn::Gt(determinant, zero), hn::Div(all, determinant), turn);
+            hn::Mul(mass, hn::Add(hn::Mul(mass, turns), hn::Mul(hn::Mul(inverseInertiaA_, inverseInertiaB_), apart)));
+        const Matrix held = pointMatrix();
+        const Lanes inverse = hn::IfThenElse(hn::Gt(held.determinant, zero), hn::Div(all, held.determinant), turns);
+        const LaneMask isMovable = hn::Gt(inverse, zero);
         const Pair pull{
             hn::Neg(hn::Add(hn::Mul(inverseInertiaA_, at(block_.armAY)), hn::Mul(inverseInertiaB_, at(block_.armBY)))),
             hn::Add(hn::Mul(inverseInertiaA_, at(block_.armAX)), hn::Mul(inverseInertiaB_, at(block_.armBX)))};
-        const Pair answer = solved(pull);
-        return {hn::IfThenElseZero(hn::Gt(inverse, zero), hn::Div(hn::Set(tag, Real(1)), inverse)),
-                {hn::Neg(answer.x), hn::Neg(answer.y)}};
+        if constexpr (!kIsSoft) {
+            const Pair answer = solved(held, pull);
+            return {hn::IfThenElseZero(isMovable, hn::Div(turns, hn::Mul(turns, inverse))),
+                    {hn::Neg(answer.x), hn::Neg(answer.y)},
+                    {zero, zero, zero, zero},
+                    held};
+        } else {
+            const Lanes compliance = hn::Div(at(block_.impulseScale), at(block_.massScale));
+            const auto given = [&](Lanes heldPart, Lanes p, Lanes q) {
+                return hn::IfThenElseZero(isMovable,
+                                          hn::Mul(compliance, hn::Sub(heldPart, hn::Div(hn::Mul(p, q), turns))));
+            };
+            const Matrix gives{given(held.xx, pull.x, pull.x), given(held.xy, pull.x, pull.y),
+                               given(held.yy, pull.y, pull.y), zero};
+            const Lanes more = hn::Add(one, compliance);
+            const Lanes soft =
+                hn::Mul(hn::Mul(more, held.determinant), hn::Add(one, hn::Mul(compliance, hn::Div(inverse, turns))));
+            const Matrix matrix{hn::Add(held.xx, gives.xx), hn::Add(held.xy, gives.xy), hn::Add(held.yy, gives.yy),
+                                hn::IfThenElse(isMovable, soft, held.determinant)};
+            const Pair answer = solved(matrix, pull);
+            const Lanes spinMass =
+                hn::Div(hn::Add(turns, hn::Mul(compliance, inverse)), hn::Mul(hn::Mul(more, turns), inverse));
+            return {hn::IfThenElseZero(isMovable, spinMass), {hn::Neg(answer.x), hn::Neg(answer.y)}, gives, matrix};
+        }
     }
 
     HWY_INLINE Lanes speed() const { return hn::Sub(b_.z, a_.z); }
@@ -206,14 +270,15 @@ private:
     HWY_INLINE void warmStartParts() {
         if (block_.parts.hasSpring) {
             const Lanes wanted = hn::Mul(at(block_.springPush), angle());
-            put(hn::Mul(hn::Neg(spinOf().mass), wanted), block_.springImpulse, begin_);
+            put(hn::Mul(hn::Neg(spinOf<false>().mass), wanted), block_.springImpulse, begin_);
         }
         turn(twist());
     }
 
     template <bool kUseBias>
     HWY_INLINE void solveParts(Lanes h) {
-        const Spin spin = spinOf();
+        const Spin spin = spinOf<kUseBias>();
+        solveGuiding<kUseBias>(spin);
         const Lanes place = angle();
         if (block_.parts.hasSpring && kUseBias) {
             const Lanes change =

@@ -312,35 +312,5 @@ TEST(JointMotion, WhatWhirlsBesideABarOnTheGroundAsksForNoMoreSubSteps) {
     EXPECT_GE(subStepsBesideAWhirl(true), 3 * kUsual);
 }
 
-/// A disc on a long rigid arm that is thrown at the floor: the weld stops it, and nothing else may come of it.
-/// (Softness that was taken back of the point first fed the angle, and the disc was at 10¹² m after a step.)
-TEST(JointMotion, AWeldAtALeverStopsWhatIsThrown) {
-    for (const Profile profile : {Profile::accurate, Profile::fast}) {
-        for (const double arm : {1.0, 2.0, 3.0, 5.0}) {
-            for (const double gap : {0.0, 0.05}) {
-                for (const double speed : {5.0, 20.0, 100.0}) {
-                    WorldSettings settings = awakeSettings(0);
-                    settings.profile = profile;
-                    World world = makeWorld(settings);
-                    const BodyId base = addStatic(world, box(50, 0.5), {}, {0, -gap - 0.2 - 0.5});
-                    const BodyId disc = addBody(world, dynamicAt({arm, 0}, vec(0, -speed)), circle(0.2));
-                    WeldJointDef weld;
-                    weld.base.bodyA = base;
-                    weld.base.bodyB = disc;
-                    weld.anchor = {0, 0};
-                    must(world.createJoint(weld));
-                    const testing::Message what = testing::Message()
-                                                  << arm << " m, " << gap << " m, " << speed << " m/s";
-                    for (int i = 0; i < 120; ++i) {
-                        must(world.step(kStep));
-                        ASSERT_LE(length(velocityOf(world, disc)), 1.01 * speed) << what << ", step " << i;
-                    }
-                    expectAtMost("off its place", length(world.position(disc) - DVec2{arm, 0}), 0.01);
-                }
-            }
-        }
-    }
-}
-
 }  // namespace
 }  // namespace swept::test

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+
+#include "point_constraint.h"
+
+/// Limits, motors and springs: what drives the one direction that a joint leaves free.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// One side of a pair of limits, whose impulse only pushes. @param room  what is left before the limit, negative beyond
+/// it
+/// @param speed  at which the room grows; @return change of the accumulated impulse
+inline Real limitChange(Real mass, Real speed, Real room, Real accumulated, const Softness& softness, Real h,
+                        bool useBias) {
+    Real change = 0;
+    if (room > 0) {
+        change = -mass * (speed + room / h);  // may reach the limit within this sub-step, no more
+    } else {
+        change = scalarChange(mass, speed, useBias ? room : Real(0), accumulated, useBias ? softness : kRigid);
+    }
+    return std::max(accumulated + change, Real(0)) - accumulated;
+}
+
+/// Towards a speed, with limited impulse; the change of the accumulated one.
+inline Real motorChange(Real mass, Real speed, Real wantedSpeed, Real accumulated, Real maxImpulse) {
+    return std::clamp(accumulated - mass * (speed - wantedSpeed), -maxImpulse, maxImpulse) - accumulated;
+}
+
+/// Limits, motor and spring of one free direction of a joint: an angle or a translation.
+struct FreedomParts {
+    Real lower = 0;  ///< rad or metres
+    Real upper = 0;
+    Real motorSpeed = 0;       ///< rad/s or m/s
+    Real maxMotorImpulse = 0;  ///< maximum torque or force times sub-step
+    SpringGains spring;        ///< towards 0
+    bool hasLimits = false;
+    bool hasMotor = false;
+    bool hasSpring = false;
+    /// Accumulated; warm start in (but for the spring), result out. N·s or N·m·s per sub-step.
+    Real lowerImpulse = 0;
+    Real upperImpulse = 0;
+    Real motorImpulse = 0;
+    Real springImpulse = 0;
+
+    constexpr Real impulse() const { return springImpulse + motorImpulse + lowerImpulse - upperImpulse; }
+};
+
+constexpr void dropUnused(FreedomParts& parts) {
+    if (!parts.hasMotor) { parts.motorImpulse = 0; }
+    if (!parts.hasLimits) { parts.lowerImpulse = parts.upperImpulse = 0; }
+}
+
+/// The spring's push, at the start of a sub-step: part of warm starting, where it takes the place of an old impulse.
+constexpr void pushSpring(FreedomParts& parts, Real mass, Real place) {
+    parts.springImpulse = parts.hasSpring ? -mass * (parts.spring.push * place) : Real(0);
+}
+
+/// Drag of the spring, motor and limits in this order: limits have the last word. @param speed  the present one, called
+/// anew for each
+/// @param push  applies an impulse
+template <class SpeedNow, class Push>
+void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& softness, Real h, bool useBias,
+                  SpeedNow&& speed, Push&& push) {
+    if (!(mass > 0)) { return; }       // nothing to move; and 0 times the room of a limit at infinity is no number
+    if (parts.hasSpring && useBias) {  // once per sub-step
+        const Real change = parts.spring.drag * (parts.springImpulse - mass * speed());
+        parts.springImpulse += change;
+        push(change);
+    }
+    if (parts.hasMotor) {
+        const Real change = motorChange(mass, speed(), parts.motorSpeed, parts.motorImpulse, parts.maxMotorImpulse);
+        parts.motorImpulse += change;
+        push(change);
+    }
+    if (!parts.hasLimits) { return; }
+    const Real lower = limitChange(mass, speed(), place - parts.lower, parts.lowerImpulse, softness, h, useBias);
+    parts.lowerImpulse += lower;
+    push(lower);
+    const Real upper = limitChange(mass, -speed(), parts.upper - place, parts.upperImpulse, softness, h, useBias);
+    parts.upperImpulse += upper;
+    push(-upper);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
