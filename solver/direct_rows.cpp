@@ -15,6 +15,10 @@ constexpr double kSmallErrorRatio = 1.0 / 8;
 /// Radians whose square is not seen beside 1, and may underflow.
 constexpr Real kLeastTurn = 1 / static_cast<Real>(std::uint64_t{1} << (std::numeric_limits<Real>::digits / 2 + 2));
 
+/// Radians in a sub-step beyond which the second order tells nothing: what is so fast before the solve was spun by the
+/// impulse of a blow that is over, which the solve takes back, and arms do not bend by it.
+constexpr Real kMostTurn = Real(0.5);
+
 /// Adds rows of one joint after another.
 class RowWriter {
 public:
@@ -59,7 +63,13 @@ private:
         armA_ = rotate(a_->deltaRotation, joint.anchorA);
         armB_ = rotate(b_->deltaRotation, joint.anchorB);
         turnA_ = notableTurn(h_ * a_->angularVelocity);
-        bend_ = bendOf(notableTurn(h_ * b_->angularVelocity), armB_) - bendOf(turnA_, armA_);
+        const Real turnB = notableTurn(h_ * b_->angularVelocity);
+        if (std::fabs(turnA_) > kMostTurn || std::fabs(turnB) > kMostTurn) {
+            turnA_ = 0;
+            bend_ = {};
+        } else {
+            bend_ = bendOf(turnB, armB_) - bendOf(turnA_, armA_);
+        }
     }
     static Real notableTurn(Real turn) { return std::fabs(turn) < kLeastTurn ? Real(0) : turn; }
     /// What a turn does to an arm beyond the first order.

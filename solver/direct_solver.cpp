@@ -20,6 +20,10 @@ constexpr double kTowerStrength = 64 * kJointStrength;
 /// Rows in loops depend on each other, and what is too strong finds a state in which they work against each other: a
 /// pyramid of boxes pressed itself apart.
 constexpr double kLoopStrength = kJointStrength / 16;
+/// Of what joints carry, this part is to be found again in each solve: an error of 1/64 over their strength, 10⁻⁶. Two
+/// joints that hold the same against a motor would else work against each other more and more, each solve by what the
+/// motor gave: a weld and a slider went from 1 to 1350 N·m·s in a third of a second, and flew apart.
+constexpr double kForgottenPart = 1.0 / 64;
 /// Changes this much smaller than the largest in the island are noise.
 constexpr double kNoiseRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 36);
 
@@ -177,7 +181,7 @@ void DirectSolver::gatherJoints(SolverBatch& batch, Real h, bool useBias, bool a
     for (const DirectRow& held : jointRows_) {
         Row row = rowOf(batch, held);
         row.excess = atRest ? static_cast<double>(held.bias) : excessOf(batch, held);
-        joints_.push_back({row, held.impulse});
+        joints_.push_back({row, held.impulse, atRest ? 0 : kForgottenPart * static_cast<double>(*held.impulse)});
     }
 }
 
@@ -244,7 +248,9 @@ void DirectSolver::computeChange() {
         }
     };
     if constexpr (kJoints) {
-        for (const HeldJoint& joint : joints_) { push(joint.row, -strength_ * joint.row.strength * joint.row.excess); }
+        for (const HeldJoint& joint : joints_) {
+            push(joint.row, -strength_ * joint.row.strength * joint.row.excess - joint.forgotten);
+        }
     }
     for (const ContactPoint& contact : contacts_) {
         pushContact(contact.normal, contact.normalHold);
@@ -290,7 +296,7 @@ template <bool kJoints>
 void DirectSolver::applyToImpulses() {
     if constexpr (kJoints) {
         for (const HeldJoint& joint : joints_) {
-            const double change = -strength_ * joint.row.strength * changedExcess(joint.row);
+            const double change = -strength_ * joint.row.strength * changedExcess(joint.row) - joint.forgotten;
             *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
         }
     }

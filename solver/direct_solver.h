@@ -88,6 +88,7 @@ private:
     struct HeldJoint {
         Row row;
         Real* impulse = nullptr;
+        double forgotten = 0;  ///< of the impulse, N·s or N·m·s; taken back, to be found again
     };
     enum class Hold : std::uint8_t {
         free,    ///< carries nothing, whatever it does

@@ -158,9 +158,10 @@ bool JointIsland::keepsEnergy(double h, int subSteps, const Rates& rates) {
     const bool keeps = std::fabs(after - before) <= kMostEnergyRatio * scale;
     const bool isHeld = bodies_.size() > columns_;
     const bool isCoarse = isSoft_ || (keeps && h * subSteps * rates.turn > kCoarseTurn);
-    if (isHeld && isCoarse && after > before) {
+    const double most = std::max(before, 0.0);  // what the gaps of joints held is no energy
+    if (isHeld && isCoarse && after > most) {
         // Speeds that agree with joints to what stands still do so at any size.
-        const double part = std::sqrt(std::max(before, 0.0) / after);
+        const double part = std::sqrt(most / after);
         for (IslandBody& body : bodies_) {
             body.velocity = part * body.velocity;
             body.spin *= part;

@@ -100,6 +100,14 @@ void solveParts(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& 
         });
 }
 
+/// The new push of the spring, and what the point answers to its change.
+void warmStartSpring(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& pair) {
+    const Real before = joint.springImpulse;
+    const Spin spin = joint.hasSpring ? spinOf(hinge, pair, 0) : Spin{};
+    pushSpring(joint, spin.mass, angleOf(joint, pair));
+    joint.linearImpulse += (joint.springImpulse - before) * spin.answer;
+}
+
 void solveOne(RevoluteConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Hinge hinge = hingeOf(joint, pair);
     if (hasParts(joint)) {
@@ -119,10 +127,9 @@ void warmStart(std::span<RevoluteConstraint> joints, const SolverBodies& bodies)
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
         const Hinge hinge = hingeOf(joint, pair);
+        warmStartSpring(joint, hinge, pair);
         applyImpulse(a, pair.inertiaA, -joint.linearImpulse, hinge.armA);
         applyImpulse(b, pair.inertiaB, joint.linearImpulse, hinge.armB);
-        const Real mass = joint.hasSpring ? spinOf(hinge, pair, 0).mass : Real(0);
-        pushSpring(joint, mass, angleOf(joint, pair));
         if (hasParts(joint)) { turn(pair, joint.impulse()); }
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }

@@ -127,23 +127,25 @@ void solveSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair
     pushBy(joint, seam, pair, springDrag(joint, seam, pair, seam.point.matrix));
 }
 
-/// Inertia that the angular spring moves.
-Real angularMass(const WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
-    const Real turn = turnOf(pair);
-    if (!(turn > 0)) { return 0; }
-    return joint.hasLinearSpring ? 1 / turn : guidedSpin(seam.point, pair, seam.armA, seam.armB, 0).mass;
-}
-
-/// The pushes of the springs take the place of their old impulses.
+/// The pushes of the springs take the place of their old impulses; what is rigid answers to the change.
 void pushSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+    const Real turn = turnOf(pair);
     if (joint.hasLinearSpring) {
         // The points while the angle is held, or while it is a spring, too, as they like.
         const PointMatrix matrix = joint.hasAngularSpring ? seam.point.matrix : matrixAtAngle(seam, pair);
+        const Vec2 before = joint.linearImpulse;
         joint.linearImpulse = -joint.linearSpring.push * solve(matrix, seam.gap);
+        if (!joint.hasAngularSpring && turn > 0) {
+            const Vec2 pull{coupling(kSpinRow, seam.point.first, pair), coupling(kSpinRow, seam.point.second, pair)};
+            joint.angularImpulse -= dot(pull, joint.linearImpulse - before) / turn;
+        }
     }
-    if (joint.hasAngularSpring) {
-        joint.angularImpulse = -angularMass(joint, seam, pair) * (joint.angularSpring.push * seam.angle);
-    }
+    if (!joint.hasAngularSpring) { return; }
+    const Real before = joint.angularImpulse;
+    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, 0);
+    const Real mass = joint.hasLinearSpring ? (turn > 0 ? 1 / turn : Real(0)) : spin.mass;
+    joint.angularImpulse = -mass * (joint.angularSpring.push * seam.angle);
+    if (!joint.hasLinearSpring) { joint.linearImpulse += (joint.angularImpulse - before) * spin.answer; }
 }
 
 void solveOne(WeldConstraint& joint, const JointPair& pair, Real, bool useBias) {

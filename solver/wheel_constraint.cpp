@@ -70,6 +70,14 @@ void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair, 
     apply(spin, axle.held, pair, change, joint.heldImpulse);
 }
 
+/// The new push of the spring, and what is held answers to its change.
+void warmStartSpring(WheelConstraint& joint, const Axle& axle, const JointPair& pair) {
+    const Real before = joint.suspension.springImpulse;
+    const GuidedRow along = guidedByLine(axle.held, axle.along, pair, inverseMassOf(axle, pair), 0);
+    pushSpring(joint.suspension, along.mass, dot(joint.axisNow, axle.offset));
+    joint.heldImpulse += (joint.suspension.springImpulse - before) * along.answer;
+}
+
 void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Axle axle = axleOf(joint, pair);
     const bool isSoft = useBias && !joint.isHeld;
@@ -97,9 +105,8 @@ void warmStart(std::span<WheelConstraint> joints, const SolverBodies& bodies) {
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
         const Axle axle = axleOf(joint, pair);
+        warmStartSpring(joint, axle, pair);
         apply(axle.held, pair, joint.heldImpulse);
-        const Real inverseMass = inverseMassOf(axle, pair);
-        pushSpring(joint.suspension, inverseMass > 0 ? 1 / inverseMass : Real(0), dot(joint.axisNow, axle.offset));
         apply(axle.along, pair, joint.suspension.impulse());
         apply(kSpinRow, pair, joint.motorImpulse);
         storePair(bodies, joint.slotA, a, joint.slotB, b);

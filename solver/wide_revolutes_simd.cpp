@@ -49,6 +49,7 @@ public:
 
     HWY_INLINE void warmStart(bool hasMoved) {
         if (hasMoved) { findGeometry(); }
+        if (block_.parts.hasSpring) { warmStartSpring(); }
         const Lanes x = at(block_.impulseX);
         const Lanes y = at(block_.impulseY);
         a_.x = hn::Sub(a_.x, hn::Mul(inverseMassA_, x));
@@ -59,7 +60,7 @@ public:
         b_.y = hn::Add(b_.y, hn::Mul(inverseMassB_, y));
         const Lanes twistB = hn::Sub(hn::Mul(at(block_.armBX), y), hn::Mul(at(block_.armBY), x));
         b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, twistB));
-        if (block_.parts.any()) { warmStartParts(); }
+        if (block_.parts.any()) { turn(twist()); }
         scatterPair(block_, begin_, bodies_, a_, b_);
     }
 
@@ -267,12 +268,14 @@ private:
         push({hn::Mul(impulse, spin.answer.x), hn::Mul(impulse, spin.answer.y)});
     }
 
-    HWY_INLINE void warmStartParts() {
-        if (block_.parts.hasSpring) {
-            const Lanes wanted = hn::Mul(at(block_.springPush), angle());
-            put(hn::Mul(hn::Neg(spinOf<false>().mass), wanted), block_.springImpulse, begin_);
-        }
-        turn(twist());
+    HWY_INLINE void warmStartSpring() {
+        const Spin spin = spinOf<false>();
+        const Lanes before = at(block_.springImpulse);
+        const Lanes push = hn::Mul(hn::Neg(spin.mass), hn::Mul(at(block_.springPush), angle()));
+        put(push, block_.springImpulse, begin_);
+        const Lanes change = hn::Sub(push, before);
+        add(hn::Mul(change, spin.answer.x), block_.impulseX);
+        add(hn::Mul(change, spin.answer.y), block_.impulseY);
     }
 
     template <bool kUseBias>

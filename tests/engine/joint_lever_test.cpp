@@ -3,13 +3,13 @@
 #include "../../solver/softness.h"
 
 /// Joints whose anchor is far from the body that they hold, against its own size. What holds such a body and what turns
-/// it are strongly coupled: m·L²/I is 3200 for the longest arm here.
+/// it are strongly coupled: m·L²/I is 12800 for the longest arm here.
 
 namespace swept::test {
 namespace {
 
 constexpr Real kLeverRadius = Real(0.2);
-constexpr double kLeverArms[] = {0.2, 0.5, 1, 2, 4, 8};
+constexpr double kLeverArms[] = {0.2, 0.5, 1, 2, 4, 8, 16};
 
 /// What holds a disc at the end of an arm along x, by its anchor at the origin. Nothing here gives energy.
 struct LeverCase {
@@ -183,6 +183,22 @@ TEST(JointLever, OfAWeldStopsWhatIsThrown) {
             }
         }
     }
+}
+
+/// What a blow left at rest, a little below its place, is brought back there. (Its energy was below none, and the root
+/// of a quotient of zeros was its speed.)
+TEST(JointLever, OfAWeldRestsAfterABlow) {
+    World world = makeWorld();
+    const BodyId base = addStatic(world, box(50, 0.5), {}, {0, -1.05});
+    const BodyId disc = addBody(world, dynamicAt({0.5, 0}, vec(0, -5)), circle(0.5));
+    WeldJointDef weld;
+    weld.base = between(base, disc);
+    must(world.createJoint(weld));
+    for (int i = 0; i < 120; ++i) {
+        must(world.step(kStep));
+        ASSERT_EQ(world.counters().putBack, 0U) << "step " << i;
+    }
+    expectAtMost("off its place", length(world.position(disc) - DVec2{0.5, 0}), 1e-6);
 }
 
 /// A light sign on a long arm, a wall behind it: no ball that is shot at it comes back faster than it was.
