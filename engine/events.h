@@ -39,7 +39,9 @@ struct JointBreakEvent {
     BodyId bodyA{};
     BodyId bodyB{};
     std::uint64_t userData = 0;
-    DVec2 point{};  ///< anchor on A, world
+    DVec2 point{};      ///< anchor on A, world
+    DVec2 force{};      ///< on B at its anchor, mean of the step: what broke it, N
+    double torque = 0;  ///< on B, likewise, N·m
 };
 
 }  // namespace swept

@@ -157,7 +157,9 @@ void breakJoints(WorldState& world) {
                                      .bodyA = joint.base.bodyA,
                                      .bodyB = joint.base.bodyB,
                                      .userData = joint.base.userData,
-                                     .point = anchorAOf(world, joint)});
+                                     .point = anchorAOf(world, joint),
+                                     .force = toDouble(joint.reactionForce),
+                                     .torque = static_cast<double>(joint.reactionTorque)});
         removeJoint(world, id);
     }
 }

@@ -67,6 +67,7 @@ void putBack(WorldState& world, std::uint32_t slot) {
     updatePose(world, slot);
     forgetImpulses(world, slot);
     ++world.counters.putBack;
+    world.bodiesPutBack.push_back(world.bodies.idOf(slot));
 }
 
 }  // namespace

@@ -216,6 +216,7 @@ Status World::step(double dt) {
     world.contactEvents.swap(world.eventsToCome);
     world.eventsBetween = world.contactEvents.size();
     world.jointBreaks.clear();
+    world.bodiesPutBack.clear();
     world.lostTime.clear();
     world.impactPoses.clear();
     shareStep(world, work, [&world, dt] { advance(world, dt); });
@@ -225,6 +226,7 @@ Status World::step(double dt) {
 
 std::span<const ContactEvent> World::contactEvents() const { return state_->contactEvents; }
 std::span<const JointBreakEvent> World::jointBreaks() const { return state_->jointBreaks; }
+std::span<const BodyId> World::bodiesPutBack() const { return state_->bodiesPutBack; }
 std::span<const LostTimeEntry> World::lostTime() const { return state_->lostTime; }
 std::span<const ImpactPose> World::impactPoses() const { return state_->impactPoses; }
 const StepCounters& World::counters() const { return state_->counters; }

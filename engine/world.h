@@ -184,7 +184,7 @@ public:
     /// Shapes that overlap or touch the polygon, exactly.
     void overlapShape(const Polygon& polygon, const WorldTransform& pose, const QueryFilter& filter,
                       FunctionRef<bool(ShapeId)> visit) const;
-    /// All contact points there are now.
+    /// All contact points there are now, also of what is near and does not touch: `separation` tells.
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
     // What one body or shape touches. Not const, since the third of these calls after a step lists all contacts by
     // shape; from then on each takes as long as its answer.
@@ -205,6 +205,8 @@ public:
     /// destroyed is not.
     void visitMoved(FunctionRef<void(BodyId)> visit) const;
     std::span<const JointBreakEvent> jointBreaks() const;
+    /// Bodies whose state overflowed in the last step: they are at rest where they were before it.
+    std::span<const BodyId> bodiesPutBack() const;
     std::span<const LostTimeEntry> lostTime() const;
     std::span<const ImpactPose> impactPoses() const;
     const StepCounters& counters() const;

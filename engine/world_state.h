@@ -245,6 +245,7 @@ struct WorldState : Workers {
     EventPlaces eventPlaces;
     std::vector<ContactEvent> sortedEvents;  ///< scratch of `sortEvents`
     std::vector<JointBreakEvent> jointBreaks;
+    std::vector<BodyId> bodiesPutBack;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
     StepCounters counters;

@@ -33,6 +33,7 @@ struct [[nodiscard]] Status {
     const char* field = "";  ///< name of the offending argument or member; a string literal, never null
 
     constexpr bool ok() const { return code == StatusCode::ok; }
+    constexpr explicit operator bool() const { return ok(); }
     static constexpr Status success() { return {}; }
 };
 
@@ -81,6 +82,7 @@ public:
     constexpr Result(Status status) : status_(status) { assert(!status.ok() && "a success carries a value"); }
 
     constexpr bool ok() const { return status_.ok(); }
+    constexpr explicit operator bool() const { return ok(); }
     constexpr Status status() const { return status_; }
 
     /// The value; on failure a default-constructed one (a null id is refused by every call that takes an id).

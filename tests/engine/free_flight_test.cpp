@@ -170,6 +170,8 @@ TEST(FreeFlight, OnlyWhatLeavesTheRangeIsPutBack) {
     must(world.setVelocity(leaver, {real(0.5 * kLargestNumber), 0}, 0));
     must(world.step(1));
     EXPECT_EQ(world.counters().putBack, 1U);
+    ASSERT_EQ(world.bodiesPutBack().size(), 1U);
+    EXPECT_EQ(world.bodiesPutBack()[0], leaver);
     EXPECT_EQ(world.position(leaver).x, start.x);
     EXPECT_EQ(velocityOf(world, leaver).x, 0);
 }

@@ -141,6 +141,8 @@ bool breaks(Bearer& bearer) {
         EXPECT_EQ(world.jointBreaks().size(), 1U);
         EXPECT_EQ(world.jointBreaks()[0].joint, bearer.joint);
         EXPECT_EQ(world.jointBreaks()[0].bodyB, bearer.load);
+        const JointBreakEvent& told = world.jointBreaks()[0];
+        EXPECT_TRUE(length(told.force) > 0 || told.torque != 0);
         EXPECT_FALSE(world.isValid(bearer.joint));
         EXPECT_EQ(world.jointCount(), before - 1);
         must(world.step(kStep));
@@ -195,6 +197,7 @@ TEST(JointBreaking, TheLoadFallsFromThere) {
     must(bearer.world.setBreakLimits(bearer.joint, real(0.5 * kWeight), {}));
     must(bearer.world.step(kStep));
     ASSERT_EQ(bearer.world.jointBreaks().size(), 1U);
+    EXPECT_NEAR(bearer.world.jointBreaks()[0].force.y, kWeight, 1e-3 * kWeight);
     const double speed = velocityOf(bearer.world, bearer.load).y;
     EXPECT_NEAR(speed, 0, 1e-3) << "it held to the end of that step";
     run(bearer.world, 30);
