@@ -14,6 +14,8 @@ struct EnergyAccount {
     double work = 0;          ///< of gravity and forces
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
     bool isDriven = false;
+    bool isJointed = false;              ///< by joints that give nothing
+    bool isAnchored = false;             ///< one of them ties it to something static
     bool isGrounded = false;             ///< presses on something static
     DVec2 push{};                        ///< of what is static, all of it, N·s
     std::uint32_t motion = 0xFFFFFFFFU;  ///< of the island, an index; none

@@ -11,10 +11,17 @@ constexpr double kRounding = 8 * static_cast<double>(kEpsilon);
 /// What rests trembles by its contacts' give: this part of the energy that it would gain in free fall is no gain.
 constexpr double kTremble = 1.0 / 1024;
 
-double excessOf(const EnergyAccount& account) { return account.gained - std::max(account.work, 0.0); }
+/// Of joints and contacts that take turns, and of chains that whip, as a part of the kinetic energy.
+constexpr double kJointedPart = 1.0 / 256;
+
+/// What overlaps is pushed up by its contacts for nothing; what joints lift has to pay for it.
+double excessOf(const EnergyAccount& account) {
+    return account.gained - (account.isJointed ? account.work : std::max(account.work, 0.0));
+}
 
 bool hasGained(const EnergyAccount& account) {
-    return excessOf(account) > kRounding * account.kinetic + kTremble * account.fall;
+    const double part = account.isJointed ? kJointedPart : kRounding;
+    return excessOf(account) > part * account.kinetic + kTremble * account.fall;
 }
 
 double squared(double x) { return x * x; }
@@ -48,6 +55,26 @@ void noteContact(WorldState& world, const Contact& contact) {
     account.push += (contact.dynamicB ? impulse : -impulse) * toDouble(normal);
 }
 
+/// Joints that are solved exactly have accounts of their own (`JointIsland`).
+void noteJoint(WorldState& world, const TiedGroup& group, std::uint32_t joint) {
+    const JointTie& tie = world.jointTies[joint];
+    const bool isPassive = tie.isPassive && group.effort.direct != DirectScope::islands;
+    bool isAnchored = false;
+    bool isCarried = false;
+    const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
+    for (const std::uint32_t slot : bodies) {
+        isAnchored = isAnchored || world.bodies[slot].def.type == BodyType::fixed;
+        isCarried = isCarried || world.bodies[slot].def.type == BodyType::kinematic;
+    }
+    for (const std::uint32_t slot : bodies) {
+        if (!world.bodies[slot].isDynamic()) { continue; }
+        EnergyAccount& account = accountOf(world, slot);
+        account.isDriven = account.isDriven || !isPassive || isCarried;
+        account.isAnchored = account.isAnchored || isAnchored;
+        account.isJointed = true;
+    }
+}
+
 /// What else has a part in the motion of the islands.
 void noteOthers(WorldState& world, const TiedGroup& group) {
     if (group.role == BodyRole::solved) {
@@ -57,16 +84,7 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
     } else {
         for (const Contact& contact : group.contacts) { noteContact(world, contact); }
     }
-    const auto drive = [&](std::uint32_t slot) {
-        if (world.bodies[slot].isDynamic()) { accountOf(world, slot).isDriven = true; }
-    };
-    for (const std::uint32_t joint : group.joints) {
-        const JointTie& tie = world.jointTies[joint];
-        drive(tie.bodyA);
-        drive(tie.bodyB);
-        if (tie.isPair) { continue; }
-        for (const std::uint32_t slot : world.joints[joint].allBodies()) { drive(slot); }
-    }
+    for (const std::uint32_t joint : group.joints) { noteJoint(world, group, joint); }
 }
 
 double inertiaOf(const Body& body) { return body.inverseInertia > 0 ? body.inertia : 0; }
@@ -118,7 +136,10 @@ DVec2 alongGround(DVec2 velocity, DVec2 push) {
 void findShares(WorldState& world, SolveDesk& desk) {
     for (IslandMotion& island : desk.islandMotions) {
         const EnergyAccount& account = world.energyAccounts[island.root];
-        if (account.isGrounded) {
+        if (account.isAnchored) {
+            island.velocity = {};
+            island.spin = 0;
+        } else if (account.isGrounded) {
             island.velocity = alongGround(island.velocity, account.push);
             island.spin = 0;
         }

@@ -37,6 +37,20 @@ struct DrivenJoints {
         return isDriven;
     }
 };
+/// Whether a joint gives no energy: neither motor nor spring; nor what follows a target.
+struct PassiveJoints {
+    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
+        return !part.def.linearSpring && !part.def.angularSpring;
+    }
+    bool operator()(const JointPart<MotorJointDef, MotorConstraint>&) const { return false; }
+    bool operator()(const JointPart<MouseJointDef, MouseConstraint>&) const { return false; }
+    template <class Part>
+    bool operator()(const Part& part) const {
+        return !DrivenJoints{}(part);
+    }
+};
+bool isPassive(const Joint& joint) { return std::visit(PassiveJoints{}, joint.parts); }
+
 /// Whether a joint keeps its bodies from turning against each other.
 struct AngleJoints {
     bool operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>&) const { return true; }
@@ -66,6 +80,7 @@ JointTie tieOf(const Joint& joint) {
             .mayBreak = joint.base.breakForce || joint.base.breakTorque,
             .isHinge = hinge != nullptr,
             .isPlain = isPlain(joint),
+            .isPassive = isPassive(joint),
             .isDriven = isDriven(joint),
             .holdsAngle = holdsAngle(joint),
             .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};

@@ -145,6 +145,7 @@ struct ConstraintFiller {
         constraint.centerOffset = toReal(world.motions[joint.bodyB].center - def.target);
         constraint.hasSpring = def.spring.has_value();
         if (def.spring) { constraint.spring = gainsOf(*def.spring); }
+        constraint.approachRate = kApproachRatio / dt;
         constraint.maxImpulse = def.maxForce ? h * *def.maxForce : std::numeric_limits<Real>::infinity();
     }
     void fillSide(GearSide& side, const Joint& geared) const {

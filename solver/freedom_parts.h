@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "point_constraint.h"
 
@@ -25,6 +26,11 @@ inline Real limitChange(Real mass, Real speed, Real room, Real accumulated, cons
 /// Towards a speed, with limited impulse; the change of the accumulated one.
 inline Real motorChange(Real mass, Real speed, Real wantedSpeed, Real accumulated, Real maxImpulse) {
     return std::clamp(accumulated - mass * (speed - wantedSpeed), -maxImpulse, maxImpulse) - accumulated;
+}
+
+/// The fastest approach that ends in time. @param acceleration  that there is to brake with
+inline Real approachSpeed(Real distance, Real rate, Real acceleration) {
+    return std::min(rate * distance, std::sqrt(2 * acceleration * distance));
 }
 
 /// Limits, motor and spring of one free direction of a joint: an angle or a translation.

@@ -6,11 +6,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// The fastest approach that ends in time. @param acceleration  that the motor has to brake with
-Real approachSpeed(Real distance, Real rate, Real acceleration) {
-    return std::min(rate * distance, std::sqrt(2 * acceleration * distance));
-}
-
 /// Wanted velocities, once per sub-step: they are real, and stay what they are in relaxation.
 void aim(MotorConstraint& joint, const JointPair& pair, Real h) {
     if (joint.seeksPlace) {

@@ -1,5 +1,7 @@
 #include "mouse_constraint.h"
 
+#include <limits>
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
@@ -14,16 +16,28 @@ HeldRows gripOf(const MouseConstraint& joint, const JointPair& pair) {
 
 /// The push of the spring takes the place of its old impulse.
 void pushSpring(MouseConstraint& joint, const JointPair& pair, const HeldRows& grip) {
-    const Vec2 gap = anchorOffset(joint, pair.a, pair.b);
-    joint.linearImpulse = limited(-joint.spring.push * solve(grip.matrix, gap), joint.maxImpulse);
+    joint.springImpulse = -joint.spring.push * solve(grip.matrix, anchorOffset(joint, pair.a, pair.b));
+    joint.linearImpulse = limited(joint.springImpulse, joint.maxImpulse);
 }
 
-void solveOne(MouseConstraint& joint, const JointPair& pair, Real, bool useBias) {
+/// The speed that the target is approached with, once per sub-step: it is real, and stays in relaxation.
+void aim(MouseConstraint& joint, const JointPair& pair, const HeldRows& grip, Real h) {
+    const UnitAndLength away = normalized(anchorOffset(joint, pair.a, pair.b));
+    const Real acceleration = joint.maxImpulse / h * dot(product(grip.matrix, away.unit), away.unit);
+    joint.velocity = -approachSpeed(away.length, joint.approachRate, acceleration) * away.unit;
+}
+
+void solveOne(MouseConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     if (joint.hasSpring && !useBias) { return; }  // drags once per sub-step
     const HeldRows grip = gripOf(joint, pair);
     Vec2 total = joint.linearImpulse;
     if (joint.hasSpring) {
-        total += joint.spring.drag * (total - solve(grip.matrix, speedsOf(grip, pair)));
+        // The speed without what of the push was applied.
+        const Vec2 speed = solve(grip.matrix, speedsOf(grip, pair)) - joint.linearImpulse;
+        total = joint.springImpulse - joint.spring.drag * speed;
+    } else if (joint.maxImpulse < std::numeric_limits<Real>::infinity()) {
+        if (useBias) { aim(joint, pair, grip, h); }
+        total -= solve(grip.matrix, speedsOf(grip, pair) - joint.velocity);
     } else {
         total += heldChange(grip, pair, anchorOffset(joint, pair.a, pair.b), total, joint.softness, useBias);
     }

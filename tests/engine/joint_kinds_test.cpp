@@ -144,6 +144,34 @@ TEST(JointKinds, MouseForceIsLimitedAndCarriesWeight) {
     expectAtMost("force", std::abs(static_cast<double>(world.jointForce(joint).y) / 8 - 1), 1e-3);
 }
 
+/// What is far away comes with all the force that there is, and stops at the target: with a spring it is the sum of
+/// spring and damper that is limited.
+TEST(JointKinds, MouseWithLimitedForceComesFromFarAway) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        for (const bool hasSpring : {false, true}) {
+            WorldSettings settings = awakeSettings(0);
+            settings.profile = profile;
+            World world = makeWorld(settings);
+            const BodyId base = anchorOf(world);
+            const BodyId disc = addBody(world, dynamicAt({0, 0}), circle(0.5));
+            const double acceleration = 10;
+            MouseJointDef def;
+            def.base = between(base, disc);
+            def.anchor = DVec2{0, 0};
+            def.target = {5, 0};
+            def.maxForce = static_cast<Real>(acceleration * world.mass(disc));
+            if (hasSpring) { def.spring = Spring{5, 1}; }
+            must(world.createJoint(def));
+            runFor(world, 0.5);
+            const std::string what = (hasSpring ? "spring" : "rigid");
+            expectAtMost(what + ": speeds up", std::abs(velocityOf(world, disc).x / (0.5 * acceleration) - 1), 0.05);
+            runFor(world, 9.5);
+            expectAtMost(what + ": is there", length(world.position(disc) - DVec2{5, 0}), 1e-3);
+            expectAtMost(what + ": rests", length(velocityOf(world, disc)), 1e-3);
+        }
+    }
+}
+
 /// Two wheels of one gear, first + ratio·second = constant; the torques at the teeth are as 1 : ratio.
 TEST(JointKinds, GearCouplesSpinsAndConservesWhatItMust) {
     const double ratio = 2.5;

@@ -167,7 +167,10 @@ template <class Visit>
 void visitJoint(MouseConstraint& joint, Visit&& visit) {
     visitGains(joint.spring, visit);
     visit(joint.maxImpulse, kImpulse);
+    visit(joint.approachRate, kRate);
     visitVector(joint.linearImpulse, kImpulse, visit);
+    visitVector(joint.springImpulse, kImpulse, visit);
+    visitVector(joint.velocity, kSpeed, visit);
 }
 /// The dimensions of a gear follow from what its two joints leave free.
 template <class Visit>

@@ -174,6 +174,7 @@ private:
         joint.anchorA = {};
         joint.hasSpring = random_.chance(0.7);
         joint.spring = spring();
+        joint.approachRate = number(1, 20);
         joint.maxImpulse = number(0, 0.1);
     }
     void fill(GearSide& side) {
