@@ -12,7 +12,7 @@ constexpr double kRounding = 8 * static_cast<double>(kEpsilon);
 constexpr double kTremble = 1.0 / 1024;
 
 /// Of joints and contacts that take turns, and of chains that whip, as a part of the kinetic energy.
-constexpr double kJointedPart = 1.0 / 256;
+constexpr double kJointedPart = 1.0 / 64;
 
 /// What overlaps is pushed up by its contacts for nothing; what joints lift has to pay for it.
 double excessOf(const EnergyAccount& account) {
