@@ -14,7 +14,8 @@ struct EnergyAccount {
     double work = 0;          ///< of gravity and forces
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
     bool isDriven = false;
-    bool isJointed = false;              ///< by joints that give nothing
+    bool isJointed = false;
+    bool isTouching = false;             ///< something; noted only of what may have gained
     bool isAnchored = false;             ///< one of them ties it to something static
     bool isGrounded = false;             ///< presses on something static
     DVec2 push{};                        ///< of what is static, all of it, N·s
@@ -31,6 +32,7 @@ struct EnergyEntry {
     double turningKinetic = 0;
     double turningGained = 0;
     double turningWork = 0;
+    bool isJointed = false;
 };
 
 /// An island that gained, as one rigid body.

@@ -11,17 +11,24 @@ constexpr double kRounding = 8 * static_cast<double>(kEpsilon);
 /// What rests trembles by its contacts' give: this part of the energy that it would gain in free fall is no gain.
 constexpr double kTremble = 1.0 / 1024;
 
-/// Of joints and contacts that take turns, and of chains that whip, as a part of the kinetic energy.
+/// Of this part of its energy islands with joints may gain anything. And nets give way: one that sags swings back with
+/// what its gaps held, by four times as much in a step as it would gain in free fall. What takes turns with contacts is
+/// held closer: it bursts with up to hundreds of times that.
 constexpr double kJointedPart = 1.0 / 64;
+constexpr double kMostFalls = 16;
+constexpr double kMostFallsInTouch = 1.0 / 4;
 
-/// What overlaps is pushed up by its contacts for nothing; what joints lift has to pay for it.
-double excessOf(const EnergyAccount& account) {
-    return account.gained - (account.isJointed ? account.work : std::max(account.work, 0.0));
+double excessOf(const EnergyAccount& account) { return account.gained - std::max(account.work, 0.0); }
+
+/// @param falls  that joints may give back
+bool hasGained(const EnergyAccount& account, double falls) {
+    if (account.isJointed) {  // without a fall nothing tells what is much
+        return account.fall > 0 && excessOf(account) > kJointedPart * account.kinetic + falls * account.fall;
+    }
+    return excessOf(account) > kRounding * account.kinetic + kTremble * account.fall;
 }
-
 bool hasGained(const EnergyAccount& account) {
-    const double part = account.isJointed ? kJointedPart : kRounding;
-    return excessOf(account) > part * account.kinetic + kTremble * account.fall;
+    return hasGained(account, account.isTouching ? kMostFallsInTouch : kMostFalls);
 }
 
 double squared(double x) { return x * x; }
@@ -45,9 +52,11 @@ void forEachGainer(WorldState& world, const TiedGroup& group, const Visit& visit
 }
 
 void noteContact(WorldState& world, const Contact& contact) {
-    if (contact.sensor || contact.manifold.count == 0 || contact.dynamicA == contact.dynamicB) { return; }
+    if (contact.sensor || contact.manifold.count == 0) { return; }
     const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
     EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
+    account.isTouching = true;
+    if (contact.dynamicA == contact.dynamicB) { return; }
     account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
     account.isGrounded = account.isGrounded || contact.pressed;
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
@@ -71,15 +80,15 @@ void noteJoint(WorldState& world, const TiedGroup& group, std::uint32_t joint) {
         EnergyAccount& account = accountOf(world, slot);
         account.isDriven = account.isDriven || !isPassive || isCarried;
         account.isAnchored = account.isAnchored || isAnchored;
-        account.isJointed = true;
     }
 }
 
 /// What else has a part in the motion of the islands.
 void noteOthers(WorldState& world, const TiedGroup& group) {
+    const bool hasJoints = !group.joints.empty();
     if (group.role == BodyRole::solved) {
         for (const TouchingPair& pair : world.touching) {
-            if (!pair.areDynamic()) { noteContact(world, world.contacts[pair.contact]); }
+            if (!pair.areDynamic() || hasJoints) { noteContact(world, world.contacts[pair.contact]); }
         }
     } else {
         for (const Contact& contact : group.contacts) { noteContact(world, contact); }
@@ -164,6 +173,7 @@ EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState
     const Body& body = world.bodies[slot];
     const BodyMotion& before = world.motions[slot];
     EnergyEntry entry;
+    entry.isJointed = body.holdingJoints > 0;
     if (body.inverseMass > 0) {
         const double half = 0.5 / static_cast<double>(body.inverseMass);
         const DVec2 pull = toDouble(accelerationOf(world, body));
@@ -193,6 +203,7 @@ void add(EnergyAccount& account, const EnergyEntry& entry) {
     account.kinetic += entry.turningKinetic;
     account.gained += entry.turningGained;
     account.work += entry.turningWork;
+    account.isJointed = account.isJointed || entry.isJointed;
 }
 
 }  // namespace
@@ -220,11 +231,15 @@ void book(WorldState& world, SolveDesk& desk) {
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
-    const auto gained = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
-    if (std::none_of(roots.begin(), roots.end(), gained)) { return; }
+    const auto mayHaveGained = [&](std::uint32_t root) {
+        return hasGained(world.energyAccounts[root], kMostFallsInTouch);
+    };
+    if (std::none_of(roots.begin(), roots.end(), mayHaveGained)) { return; }
     noteOthers(world, group);
     // What platforms carry gains all the time, and is driven.
-    const auto pays = [&](std::uint32_t root) { return gained(root) && !world.energyAccounts[root].isDriven; };
+    const auto pays = [&](std::uint32_t root) {
+        return hasGained(world.energyAccounts[root]) && !world.energyAccounts[root].isDriven;
+    };
     if (std::none_of(roots.begin(), roots.end(), pays)) { return; }
     findIslandMotions(world, group);
     findShares(world, group.desk);
