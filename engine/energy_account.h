@@ -32,7 +32,6 @@ struct EnergyEntry {
     double turningKinetic = 0;
     double turningGained = 0;
     double turningWork = 0;
-    bool isJointed = false;
 };
 
 /// An island that gained, as one rigid body.

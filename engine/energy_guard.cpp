@@ -173,7 +173,6 @@ EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState
     const Body& body = world.bodies[slot];
     const BodyMotion& before = world.motions[slot];
     EnergyEntry entry;
-    entry.isJointed = body.holdingJoints > 0;
     if (body.inverseMass > 0) {
         const double half = 0.5 / static_cast<double>(body.inverseMass);
         const DVec2 pull = toDouble(accelerationOf(world, body));
@@ -203,7 +202,6 @@ void add(EnergyAccount& account, const EnergyEntry& entry) {
     account.kinetic += entry.turningKinetic;
     account.gained += entry.turningGained;
     account.work += entry.turningWork;
-    account.isJointed = account.isJointed || entry.isJointed;
 }
 
 }  // namespace
@@ -231,6 +229,10 @@ void book(WorldState& world, SolveDesk& desk) {
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
+    for (const std::uint32_t joint : group.joints) {
+        const JointTie& tie = world.jointTies[joint];
+        accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB).isJointed = true;
+    }
     const auto mayHaveGained = [&](std::uint32_t root) {
         return hasGained(world.energyAccounts[root], kMostFallsInTouch);
     };
