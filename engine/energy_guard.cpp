@@ -229,6 +229,8 @@ void book(WorldState& world, SolveDesk& desk) {
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
+    const auto hasGainedAnything = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
+    if (std::none_of(roots.begin(), roots.end(), hasGainedAnything)) { return; }
     for (const std::uint32_t joint : group.joints) {
         const JointTie& tie = world.jointTies[joint];
         accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB).isJointed = true;

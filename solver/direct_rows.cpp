@@ -17,7 +17,7 @@ constexpr Real kLeastTurn = 1 / static_cast<Real>(std::uint64_t{1} << (std::nume
 
 /// Radians in a sub-step beyond which the second order tells nothing: what is so fast before the solve was spun by the
 /// impulse of a blow that is over, which the solve takes back, and arms do not bend by it.
-constexpr Real kMostTurn = Real(0.5);
+constexpr Real kMostBendingTurn = Real(0.5);
 
 /// Adds rows of one joint after another.
 class RowWriter {
@@ -64,7 +64,7 @@ private:
         armB_ = rotate(b_->deltaRotation, joint.anchorB);
         turnA_ = notableTurn(h_ * a_->angularVelocity);
         const Real turnB = notableTurn(h_ * b_->angularVelocity);
-        if (std::fabs(turnA_) > kMostTurn || std::fabs(turnB) > kMostTurn) {
+        if (std::fabs(turnA_) > kMostBendingTurn || std::fabs(turnB) > kMostBendingTurn) {
             turnA_ = 0;
             bend_ = {};
         } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "joint_constraint.h"
 #include "joint_rows.h"
 
 /// Rows that are moved while others are held: limits, motors and springs of a joint.
@@ -7,7 +8,10 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// Softness as a compliance: what soft rows give way per impulse is this part of what they give way anyhow.
-constexpr Real complianceOf(const Softness& softness) { return softness.impulseScale / softness.massScale; }
+/// Nothing in a relaxation, nor where a direct solve holds the joint.
+inline Real complianceOf(const JointConstraint& joint, bool useBias) {
+    return useBias && !joint.isHeld ? joint.softness.impulseScale / joint.softness.massScale : Real(0);
+}
 
 /// A row that is pushed while held rows stay as they are: each unit of impulse on it brings `answer` on the held ones.
 /// Such a block is solved exactly, however long the arms; and a spring between hinged bodies has the inertia that it
@@ -57,7 +61,8 @@ constexpr GuidedRow guidedBy(const HeldRows& held, const JointRow& row, const Jo
     return {row, -solve(matrix, pull), guidedMass(compliance, inverse, own), given, matrix};
 }
 
-/// Beside other rows, guided by a direction alone, see `heldLine`.
+/// Beside other rows, guided by a direction alone, see `heldLine`. Who solves that knows `given`: the matrices stay
+/// empty.
 /// @param given  γ·S, 1/kg: S is what is left of the direction's response while all that it guides is held, too
 constexpr GuidedRow guidedByLine(const HeldRows& line, const JointRow& row, const JointPair& pair, Real inverse,
                                  Real given) {
@@ -70,7 +75,7 @@ constexpr GuidedRow guidedByLine(const HeldRows& line, const JointRow& row, cons
 /// Determinant of all three rows of two bodies: two points and the angle, or any turn of these axes.
 constexpr Real fullDeterminant(const JointPair& pair, Vec2 armA, Vec2 armB) {
     const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
-    const Real turn = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    const Real turn = turnOf(pair);
     return mass *
            (mass * turn + pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia * lengthSquared(armA - armB));
 }
@@ -80,8 +85,7 @@ constexpr GuidedRow guidedSpin(const HeldRows& point, const JointPair& pair, Vec
     const Real all = fullDeterminant(pair, armA, armB);
     // Without mass to resist it the point is held by nothing: bodies that only turn.
     const bool heavy = point.matrix.determinant > 0;
-    const Real turn = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
-    return guidedBy(point, kSpinRow, pair, heavy ? all / point.matrix.determinant : turn, compliance);
+    return guidedBy(point, kSpinRow, pair, heavy ? all / point.matrix.determinant : turnOf(pair), compliance);
 }
 
 constexpr void apply(const GuidedRow& guided, const HeldRows& held, const JointPair& pair, Real impulse,

@@ -40,6 +40,9 @@ constexpr void apply(const JointRow& row, const JointPair& pair, Real impulse) {
     pair.b.angularVelocity += pair.inertiaB.inverseInertia * row.spinB * impulse;
 }
 
+/// Speed of the angle per impulse on it; 0 of bodies that cannot turn.
+constexpr Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
+
 /// Speed of one row per impulse on the other.
 constexpr Real coupling(const JointRow& p, const JointRow& q, const JointPair& pair) {
     return (pair.inertiaA.inverseMass + pair.inertiaB.inverseMass) * dot(p.linear, q.linear) +
@@ -76,7 +79,7 @@ constexpr HeldRows heldLine(const JointPair& pair, const JointRow& side) {
 /// A direction and the angle are held: what a slider leaves free is the direction across.
 constexpr HeldRows heldSlide(const JointPair& pair, const JointRow& side) {
     const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
-    const Real turn = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    const Real turn = turnOf(pair);
     const Real across = coupling(side, side, pair);
     if (!(turn > 0)) { return heldLine(pair, side); }  // bodies that cannot turn need no holding
     // Expanded into terms that are all ≥ 0: see `pointMatrix`.

@@ -16,8 +16,7 @@ void aim(MotorConstraint& joint, const JointPair& pair, Real h) {
     }
     if (joint.seeksAngle) {
         const Real angle = joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
-        const Real inverseInertia = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
-        const Real acceleration = joint.maxAngularImpulse / h * inverseInertia;
+        const Real acceleration = joint.maxAngularImpulse / h * turnOf(pair);
         joint.spin = std::copysign(approachSpeed(std::fabs(angle), joint.approachRate, acceleration), -angle);
     }
 }
@@ -33,7 +32,7 @@ void driveLine(MotorConstraint& joint, const JointPair& pair) {
 }
 
 void driveAngle(MotorConstraint& joint, const JointPair& pair) {
-    const Real turn = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    const Real turn = turnOf(pair);
     if (!(turn > 0)) { return; }
     const Real change =
         motorChange(1 / turn, speedOf(kSpinRow, pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);

@@ -17,8 +17,6 @@ struct Slide {
     Real inverseMass;  ///< speed along the axis per impulse, while the bodies neither turn against each other nor part
 };
 
-Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
-
 Slide slideOf(PrismaticConstraint& joint, const JointPair& pair) {
     joint.axisNow = rotate(pair.a.deltaRotation, joint.axis);
     const Vec2 offset = anchorOffset(joint, pair.a, pair.b);
@@ -49,13 +47,14 @@ Real leverTorque(const PrismaticConstraint& joint, const Slide& slide) {
 }
 
 /// The angle gives way by no more than what moves the anchor as far as its softness across the axis does.
-void solveAngle(PrismaticConstraint& joint, const Slide& slide, const JointPair& pair, bool useBias) {
+/// @param compliance  of what is held
+void solveAngle(PrismaticConstraint& joint, const Slide& slide, const JointPair& pair, Real compliance, bool useBias) {
     const Real turn = turnOf(pair);
     if (!(turn > 0)) { return; }
     const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
     const Real farther = turn * lengthSquared(slide.lever);
     const Real part = mass + farther > 0 ? mass / (mass + farther) : Real(1);
-    const Real given = useBias ? complianceOf(joint.softness) * turn * part : Real(0);
+    const Real given = compliance * turn * part;
     const Real bias = useBias ? joint.softness.biasRate * slide.angle : Real(0);
     const Real twist = -(speedOf(kSpinRow, pair) + bias + given * joint.heldImpulse.y) / (turn + given);
     joint.heldImpulse.y += twist;
@@ -64,21 +63,18 @@ void solveAngle(PrismaticConstraint& joint, const Slide& slide, const JointPair&
 
 /// The angle, side and way of one pass. @pre `heldImpulse.y` is the torque at the point
 void solveAtPoint(PrismaticConstraint& joint, const Slide& slide, const JointPair& pair, Real h, bool useBias) {
-    const bool isSoft = useBias && !joint.isHeld;
-    const GuidedRow along =
-        guidedBy(slide.side, slide.along, pair, slide.inverseMass, isSoft ? complianceOf(joint.softness) : Real(0));
-    if (isSoft || !useBias) {
-        solveAngle(joint, slide, pair, useBias);
+    const Real compliance = complianceOf(joint, useBias);
+    const GuidedRow along = guidedBy(slide.side, slide.along, pair, slide.inverseMass, compliance);
+    Vec2 side{joint.heldImpulse.x, 0};
+    if (!joint.isHeld || !useBias) {
+        solveAngle(joint, slide, pair, compliance, useBias);
         const Real error = errorAt(slide, leftPerp(joint.axisNow));
-        Vec2 impulse{joint.heldImpulse.x, 0};
-        solveGuiding(along, slide.side, pair, {useBias ? joint.softness.biasRate * error : Real(0), 0}, impulse);
-        joint.heldImpulse.x = impulse.x;
+        solveGuiding(along, slide.side, pair, {useBias ? joint.softness.biasRate * error : Real(0), 0}, side);
     }
-    Vec2 impulse{joint.heldImpulse.x, 0};
     solveFreedom(
         joint, along.mass, errorAt(slide, joint.axisNow), joint.softness, h, useBias,
-        [&] { return speedOf(along.row, pair); }, [&](Real push) { apply(along, slide.side, pair, push, impulse); });
-    joint.heldImpulse.x = impulse.x;
+        [&] { return speedOf(along.row, pair); }, [&](Real push) { apply(along, slide.side, pair, push, side); });
+    joint.heldImpulse.x = side.x;
 }
 
 void solveOne(PrismaticConstraint& joint, const JointPair& pair, Real h, bool useBias) {

@@ -54,7 +54,7 @@ struct Spin {
 
 /// @param compliance  of the point
 Spin spinOf(const Hinge& hinge, const JointPair& pair, Real compliance) {
-    const Real turns = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    const Real turns = turnOf(pair);
     // Without mass to resist it the point is held by nothing: bodies that only turn.
     const bool heavy = hinge.matrix.determinant > 0;
     const Real inverse = heavy ? fullDeterminant(pair, hinge.armA, hinge.armB) / hinge.matrix.determinant : turns;
@@ -84,7 +84,7 @@ void solvePoint(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& 
 /// The point, and the angle after it, but guided: the point stays as it was just solved.
 void solveParts(RevoluteConstraint& joint, const Hinge& hinge, const JointPair& pair, Real h, bool useBias) {
     const bool isSoft = useBias && !joint.isHeld;
-    const Spin spin = spinOf(hinge, pair, isSoft ? complianceOf(joint.softness) : Real(0));
+    const Spin spin = spinOf(hinge, pair, complianceOf(joint, useBias));
     if (isSoft) {
         const Vec2 wanted = speedsOf(hinge, pair) + joint.softness.biasRate * gapOf(joint, hinge, pair);
         push(joint, hinge, pair, -solve(spin.pointMatrix, wanted + product(spin.given, joint.linearImpulse)));

@@ -19,8 +19,6 @@ Seam seamOf(const WeldConstraint& joint, const JointPair& pair) {
             joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle), heldPoint(pair, armA, armB)};
 }
 
-Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
-
 void turnBy(WeldConstraint& joint, const JointPair& pair, Real twist) {
     joint.angularImpulse += twist;
     apply(kSpinRow, pair, twist);
@@ -53,11 +51,6 @@ Real springDrag(const WeldConstraint& joint, const JointPair& pair, Real mass) {
 
 Vec2 springDrag(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, const PointMatrix& matrix) {
     return joint.linearSpring.drag * (joint.linearImpulse - solve(matrix, speedsOf(seam.point, pair)));
-}
-
-/// Part of a pass in which what is rigid gives way; a direct solve has done the rest.
-Real complianceOf(const WeldConstraint& joint, bool useBias) {
-    return useBias && !joint.isHeld ? complianceOf(joint.softness) : Real(0);
 }
 
 /// The point, then, once per sub-step, the drag of the angle's spring while the point stays.

@@ -30,21 +30,18 @@ Real inverseMassOf(const Axle& axle, const JointPair& pair) {
     return pointMatrix(pair.inertiaA, axle.armA, pair.inertiaB, axle.armB).determinant / across;
 }
 
-bool canTurn(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia > 0; }
-
-bool isDriven(const WheelConstraint& joint, const JointPair& pair) { return joint.hasMotor && canTurn(pair); }
+bool isDriven(const WheelConstraint& joint, const JointPair& pair) { return joint.hasMotor && turnOf(pair) > 0; }
 bool isSprung(const WheelConstraint& joint) { return joint.suspension.hasSpring || joint.suspension.hasLimits; }
 
 /// Response across the axis while all that it guides is held, too: a Schur complement, as a quotient of determinants.
 Real lonelyResponse(const WheelConstraint& joint, const Axle& axle, const JointPair& pair) {
-    const Real turn = pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
     const Real along = coupling(axle.along, axle.along, pair);
     if (!(along > 0)) { return axle.held.matrix.xx; }
     if (isDriven(joint, pair) && isSprung(joint)) {
         const Real rest = heldSlide(pair, axle.along).matrix.determinant;
         return rest > 0 ? fullDeterminant(pair, axle.armA, axle.armB) / rest : axle.held.matrix.xx;
     }
-    if (isDriven(joint, pair)) { return heldSlide(pair, axle.held.first).matrix.determinant / turn; }
+    if (isDriven(joint, pair)) { return heldSlide(pair, axle.held.first).matrix.determinant / turnOf(pair); }
     if (isSprung(joint)) { return pointMatrix(pair.inertiaA, axle.armA, pair.inertiaB, axle.armB).determinant / along; }
     return axle.held.matrix.xx;
 }
@@ -61,8 +58,7 @@ void solveAcross(WheelConstraint& joint, const Axle& axle, const JointPair& pair
 
 void driveSpin(WheelConstraint& joint, const Axle& axle, const JointPair& pair, Real given) {
     const Real across = axle.held.matrix.xx;
-    const Real inverse = across > 0 ? heldSlide(pair, axle.held.first).matrix.determinant / across
-                                    : pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia;
+    const Real inverse = across > 0 ? heldSlide(pair, axle.held.first).matrix.determinant / across : turnOf(pair);
     const GuidedRow spin = guidedByLine(axle.held, kSpinRow, pair, inverse, given);
     const Real change =
         motorChange(spin.mass, speedOf(kSpinRow, pair), joint.motorSpeed, joint.motorImpulse, joint.maxMotorImpulse);
@@ -80,8 +76,8 @@ void warmStartSpring(WheelConstraint& joint, const Axle& axle, const JointPair& 
 
 void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Axle axle = axleOf(joint, pair);
-    const bool isSoft = useBias && !joint.isHeld;
-    const Real given = isSoft ? complianceOf(joint.softness) * lonelyResponse(joint, axle, pair) : Real(0);
+    const Real compliance = complianceOf(joint, useBias);
+    const Real given = compliance > 0 ? compliance * lonelyResponse(joint, axle, pair) : Real(0);
     solveAcross(joint, axle, pair, given, useBias);
     if (isDriven(joint, pair)) { driveSpin(joint, axle, pair, given); }
     if (!isSprung(joint)) { return; }

@@ -21,75 +21,69 @@ Real strongEnough(const World& world, BodyId disc, double arm) {
     return static_cast<Real>(3 * world.mass(disc) * kGravity * arm);
 }
 
-JointId withLeverMotor(World& world, BodyId ground, BodyId disc, double arm) {
-    RevoluteJointDef def;
+/// A joint of the ground and the disc.
+template <class Def, class Fill>
+JointId leverJoin(World& world, BodyId ground, BodyId disc, Fill&& fill) {
+    Def def;
     def.base = between(ground, disc);
-    def.motor = AngularMotor{0, strongEnough(world, disc, arm)};
+    fill(def);
     return must(world.createJoint(def));
+}
+
+/// A slider aslant.
+template <class Fill>
+JointId leverSlider(World& world, BodyId ground, BodyId disc, Fill&& fill) {
+    return leverJoin<PrismaticJointDef>(world, ground, disc, [&](PrismaticJointDef& def) {
+        def.axis = {1, -0.96};
+        fill(def);
+    });
+}
+
+JointId withLeverMotor(World& world, BodyId ground, BodyId disc, double arm) {
+    return leverJoin<RevoluteJointDef>(world, ground, disc, [&](RevoluteJointDef& def) {
+        def.motor = AngularMotor{0, strongEnough(world, disc, arm)};
+    });
 }
 
 constexpr LeverCase kLevers[] = {
     {"hinge with a motor", withLeverMotor},
     {"hinge with limits",
-     [](World& world, BodyId ground, BodyId disc, double) {
-         RevoluteJointDef def;
-         def.base = between(ground, disc);
-         def.limits = AngleLimits{Real(-0.3), Real(0.3)};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double) {
+         return leverJoin<RevoluteJointDef>(w, ground, disc, [](auto& def) {
+             def.limits = AngleLimits{Real(-0.3), Real(0.3)};
+         });
      }},
     {"hinge with a spring",
-     [](World& world, BodyId ground, BodyId disc, double) {
-         RevoluteJointDef def;
-         def.base = between(ground, disc);
-         def.spring = Spring{5, Real(0.7)};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double) {
+         return leverJoin<RevoluteJointDef>(w, ground, disc, [](auto& def) { def.spring = Spring{5, Real(0.7)}; });
      }},
     {"slider with limits",
-     [](World& world, BodyId ground, BodyId disc, double) {
-         PrismaticJointDef def;
-         def.base = between(ground, disc);
-         def.axis = {1, -0.96};
-         def.limits = TranslationLimits{-1, 1};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double) {
+         return leverSlider(w, ground, disc, [](auto& def) { def.limits = TranslationLimits{-1, 1}; });
      }},
     {"slider with a motor",
-     [](World& world, BodyId ground, BodyId disc, double) {
-         PrismaticJointDef def;
-         def.base = between(ground, disc);
-         def.axis = {1, -0.96};
-         def.motor = LinearMotor{0, strongEnough(world, disc, 1)};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double) {
+         return leverSlider(w, ground, disc, [&](auto& def) { def.motor = LinearMotor{0, strongEnough(w, disc, 1)}; });
      }},
     {"slider with a spring",
-     [](World& world, BodyId ground, BodyId disc, double) {
-         PrismaticJointDef def;
-         def.base = between(ground, disc);
-         def.axis = {1, -0.96};
-         def.spring = Spring{2, Real(0.5)};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double) {
+         return leverSlider(w, ground, disc, [](auto& def) { def.spring = Spring{2, Real(0.5)}; });
      }},
     {"weld whose angle is a spring",
-     [](World& world, BodyId ground, BodyId disc, double) {
-         WeldJointDef def;
-         def.base = between(ground, disc);
-         def.angularSpring = Spring{2, Real(0.1)};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double) {
+         return leverJoin<WeldJointDef>(w, ground, disc, [](auto& def) { def.angularSpring = Spring{2, Real(0.1)}; });
      }},
     {"weld whose point is a spring",
-     [](World& world, BodyId ground, BodyId disc, double) {
-         WeldJointDef def;
-         def.base = between(ground, disc);
-         def.linearSpring = Spring{4, 1};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double) {
+         return leverJoin<WeldJointDef>(w, ground, disc, [](auto& def) { def.linearSpring = Spring{4, 1}; });
      }},
     {"frame on a wheel with a motor",
-     [](World& world, BodyId ground, BodyId disc, double arm) {
-         WheelJointDef def;
-         def.base = between(disc, ground);
-         def.motor = AngularMotor{0, strongEnough(world, disc, arm)};
-         def.spring = Spring{2, Real(0.7)};
-         def.limits = TranslationLimits{-1, 1};
-         return must(world.createJoint(def));
+     [](World& w, BodyId ground, BodyId disc, double arm) {
+         return leverJoin<WheelJointDef>(w, disc, ground, [&](auto& def) {
+             def.motor = AngularMotor{0, strongEnough(w, disc, arm)};
+             def.spring = Spring{2, Real(0.7)};
+             def.limits = TranslationLimits{-1, 1};
+         });
      }},
 };
 
