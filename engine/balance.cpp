@@ -51,7 +51,8 @@ bool markRestless(WorldState& world) {
     const std::vector<BodyTraits>& traits = world.traits;
     const auto isStill = [&traits](std::uint32_t slot) { return (traits[slot] & kIsStill) != 0; };
     if (std::none_of(world.tied.begin(), world.tied.end(), isStill)) { return false; }
-    world.islandRests.assign(world.bodies.slotCount(), {});
+    world.islandRests.resize(world.bodies.slotCount());
+    for (const std::uint32_t slot : world.awake) { world.islandRests[slot] = {}; }
     std::size_t moving = 0;
     for (const std::uint32_t slot : world.tied) {
         if (isStill(slot)) { continue; }

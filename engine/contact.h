@@ -82,6 +82,10 @@ struct ContactPair {
     ProxyId proxyB{};
 };
 
+/// What stands where a pair was removed: its place is found without a look at the others (pairs_of_shapes.h).
+inline bool isGap(const ContactPair& pair) { return pair.bodyA == pair.bodyB; }
+inline void makeGap(ContactPair& pair) { pair.bodyA = pair.bodyB; }
+
 /// A new pair of boxes, as far as it does not depend on the other ones.
 struct NewPair : ContactPair {
     std::uint32_t shapeA = 0;  ///< slots

@@ -68,7 +68,7 @@ template <bool kWatched>
 void listBlocks(WorldState& world) {
     ContactLists& lists = world.lists;
     const Question question = questionOf(world);
-    const std::size_t count = world.activeContacts;
+    const std::size_t count = world.probes.size();
     const std::size_t blocks = (count + kProbesPerBlock - 1) / kProbesPerBlock;
     for (auto* const list : {&lists.noted, &lists.near, &lists.ground, &lists.apart}) { list->resize(count); }
     lists.counts.resize(blocks);

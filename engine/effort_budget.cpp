@@ -77,7 +77,7 @@ void measureBodies(WorldState& world, Real dt) {
 
 void measureContacts(WorldState& world, Real dt) {
     const Real budget = world.settings.maxPenetration;
-    for (const ContactProbe& probe : std::span(world.probes).first(world.activeContacts)) {
+    for (const ContactProbe& probe : world.probes) {
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
         const std::uint32_t slot = movingBodyOf(world, contact);

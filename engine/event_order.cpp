@@ -65,13 +65,17 @@ void listChainTouches(WorldState& world, int bits) {
     std::vector<EventPlace>& touches = world.eventPlaces.chainTouches;
     touches.clear();
     std::vector<std::uint8_t>& isNamed = world.eventPlaces.isNamed;
-    isNamed.assign(world.shapes.slotCount(), 0);
-    for (const EventPlace& place : world.eventPlaces.ofChains) {
-        const ContactEvent& e = world.contactEvents[place.index];
-        isNamed[e.shapeA.index] = isNamed[e.shapeB.index] = 1;
-    }
+    isNamed.resize(world.shapes.slotCount(), 0);
+    const auto name = [&world, &isNamed](std::uint8_t value) {
+        for (const EventPlace& place : world.eventPlaces.ofChains) {
+            const ContactEvent& e = world.contactEvents[place.index];
+            isNamed[e.shapeA.index] = isNamed[e.shapeB.index] = value;
+        }
+    };
+    name(1);
     const std::vector<std::uint8_t>& isSegment = world.chainSegments;
     const auto headOf = [&](std::uint32_t shape) { return isSegment[shape] != 0 ? world.shapes[shape].head : shape; };
+    // What sleeps begins and ends nothing.
     for (const ContactProbe& probe : world.probes) {
         if (probe.isPlain || probe.isIdle) { continue; }  // chains do not move; what is idle does not touch
         const Contact& contact = world.contacts[probe.contact];
@@ -82,6 +86,7 @@ void listChainTouches(WorldState& world, int bits) {
             touches.push_back({keyOfShapes(a, b, bits), contact.sensor ? kOfSensor : kOfSolid});
         }
     }
+    name(0);
     sortByKeys(touches, world.eventPlaces.spare, [](const EventPlace&, const EventPlace&) { return false; });
 }
 

@@ -17,21 +17,24 @@ bool maySetAside(const WorldState& world, const IslandRest& rest) {
 }
 
 std::uint32_t openIsland(HeldIslands& held, std::uint32_t body) {
-    ++held.islands;
     if (held.free.empty()) {
-        held.list.push_back({.last = body});
+        held.free.push_back(static_cast<std::uint32_t>(held.list.size()));
+        held.list.emplace_back();
         held.free.reserve(held.list.capacity());
-        return static_cast<std::uint32_t>(held.list.size() - 1);
     }
     const std::uint32_t place = held.free.back();
     held.free.pop_back();
-    held.list[place] = {.last = body};
+    held.list[place] = {.last = body, .placeInUse = static_cast<std::uint32_t>(held.inUse.size())};
+    held.inUse.push_back(place);
     return place;
 }
 
 void closeIsland(HeldIslands& held, std::uint32_t place) {
-    --held.islands;
     held.bodies -= held.list[place].bodies;
+    const std::uint32_t placeInUse = held.list[place].placeInUse;
+    held.inUse[placeInUse] = held.inUse.back();
+    held.list[held.inUse.back()].placeInUse = placeInUse;
+    held.inUse.pop_back();
     held.list[place] = {};
     held.free.push_back(place);
 }
@@ -53,6 +56,7 @@ void addBody(WorldState& world, std::uint32_t place, std::uint32_t slot) {
     body.heldIn = place;
     body.awake = false;
     body.role = BodyRole::idle;
+    world.traits[slot] = 0;
     world.motions[slot].velocity = {};
     world.motions[slot].angularVelocity = 0;
     noteRest(world, slot);
@@ -117,22 +121,22 @@ void releaseHeld(WorldState& world, std::uint32_t start) {
         body.restSteps += island.restSteps;
         body.restTime += island.restTime;
         world.awake.push_back(slot);
-        world.parked.woke = true;
+        world.parked.woken.push_back(slot);
     } while (slot != island.last);
 }
 
 void releaseAllHeld(WorldState& world) {
-    if (world.held.islands == 0) { return; }
+    if (world.held.inUse.empty()) { return; }
     for (std::size_t i = 0; i < world.held.list.size(); ++i) {
         if (world.held.list[i].bodies > 0) { releaseHeld(world, world.held.list[i].last); }
     }
 }
 
 void restHeld(WorldState& world, double dt) {
-    if (world.held.islands == 0) { return; }
-    for (std::uint32_t place = 0; place < world.held.list.size(); ++place) {
+    const std::vector<std::uint32_t>& inUse = world.held.inUse;
+    for (std::size_t i = inUse.size(); i > 0; --i) {  // from behind: the last one takes the place of one that goes
+        const std::uint32_t place = inUse[i - 1];
         HeldIsland& island = world.held.list[place];
-        if (island.bodies == 0) { continue; }
         ++island.restSteps;
         island.restTime += dt;
         const bool isTired = island.restSteps >= island.stepsToSleep && island.restTime >= island.timeToSleep;

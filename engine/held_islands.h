@@ -16,6 +16,7 @@ struct WorldState;
 struct HeldIsland {
     std::uint32_t last = 0;  ///< of its bodies, by slot; their ring (`Body::nextAsleep`) goes on with the first
     std::uint32_t bodies = 0;
+    std::uint32_t placeInUse = 0;  ///< in `HeldIslands::inUse`
     // What `Body` counts while it is awake, if the world may sleep.
     int restSteps = 0;  ///< since it is held
     double restTime = 0;
@@ -25,10 +26,10 @@ struct HeldIsland {
 
 /// Kept for its capacity, and for what the counters say.
 struct HeldIslands {
-    std::vector<HeldIsland> list;     ///< by `Body::heldIn`; those that are free have no bodies
-    std::vector<std::uint32_t> free;  ///< places in the list
-    std::uint32_t islands = 0;
-    std::uint32_t bodies = 0;  ///< of all
+    std::vector<HeldIsland> list;      ///< by `Body::heldIn`; those that are free have no bodies
+    std::vector<std::uint32_t> inUse;  ///< places in the list, in no order
+    std::vector<std::uint32_t> free;   ///< the others
+    std::uint32_t bodies = 0;          ///< of all
 };
 
 /// Sets aside the islands for which that is worth its while: those in balance that nothing pushes for this step alone.

@@ -21,7 +21,8 @@ void findUnasked(WorldState& world) {
 
 void findGroups(WorldState& world) {
     HemmedPairs& hemmed = world.hemmed;
-    hemmed.groups = world.islands;
+    hemmed.groups.reset(world.bodies.slotCount(), world.awake);
+    hemmed.groups.uniteAs(world.islands);
     for (const TouchingPair& pair : hemmed.passing) { hemmed.groups.unite(pair.bodyA, pair.bodyB); }
     for (const std::uint32_t place : hemmed.unasked) {
         hemmed.groups.unite(world.probes[place].bodyA, world.probes[place].bodyB);

@@ -178,7 +178,7 @@ void addFoundContacts(WorldState& world) {
     });
     for (const Contact& contact : found) {
         if (!addContact(world, contact.shapeA, contact.shapeB)) { continue; }
-        world.contacts[world.probes[world.activeContacts - 1].contact] = contact;
+        world.contacts[world.probes.back().contact] = contact;
         ++world.counters.contacts;
         ++world.counters.touching;
     }

@@ -30,6 +30,9 @@ public:
         return std::span(items_).subspan(begins_[island], begins_[island + 1] - begins_[island]);
     }
 
+    /// Island after island. @pre likewise
+    std::span<const std::uint32_t> all() const { return items_; }
+
 private:
     struct Added {
         std::uint32_t island = 0;

@@ -41,7 +41,7 @@ std::uint32_t firstAwakeOf(const WorldState& world, const JointTie& tie, std::ui
 
 void tieBodies(WorldState& world) {
     JointChains& chains = world.jointChains;
-    chains.finder.reset(world.bodies.slotCount());
+    chains.finder.reset(world.bodies.slotCount(), world.awake);
     for (const std::uint32_t i : world.activeJoints) {
         const std::uint32_t first = firstAwakeOf(world, world.jointTies[i], i);
         for (const std::uint32_t other : world.joints[i].allBodies()) {
@@ -52,16 +52,21 @@ void tieBodies(WorldState& world) {
 
 void listMembers(WorldState& world) {
     JointChains& chains = world.jointChains;
-    chains.places.resize(world.bodies.slotCount());
-    for (std::uint32_t slot = 0; slot < world.bodies.slotCount(); ++slot) {
+    for (const std::uint32_t slot : world.awake) {
         if (!isAwakeDynamic(world, slot) || world.bodies[slot].holdingJoints == 0) { continue; }
-        const std::uint32_t lowest = chains.finder.find(slot);
-        chains.members.push_back({slot, lowest});
-        if (lowest == slot) {
-            chains.places[lowest] = static_cast<std::uint32_t>(chains.list.size());
-            chains.list.push_back({.lowest = lowest});
+        chains.members.push_back({slot, chains.finder.find(slot)});
+    }
+    const auto isLower = [](const JointChains::Member& a, const JointChains::Member& b) { return a.body < b.body; };
+    if (!std::is_sorted(chains.members.begin(), chains.members.end(), isLower)) {
+        std::sort(chains.members.begin(), chains.members.end(), isLower);
+    }
+    chains.places.resize(world.bodies.slotCount());
+    for (const JointChains::Member& member : chains.members) {
+        if (member.lowest == member.body) {
+            chains.places[member.lowest] = static_cast<std::uint32_t>(chains.list.size());
+            chains.list.push_back({.lowest = member.lowest});
         }
-        ++chains.list[chains.places[lowest]].bodies;
+        ++chains.list[chains.places[member.lowest]].bodies;
     }
 }
 
@@ -84,13 +89,12 @@ void sumUpJoints(WorldState& world) {
 
 void findJointChains(WorldState& world) {
     JointChains& chains = world.jointChains;
-    const bool isAnyAsleep = anyAsleep(world);
     world.activeJoints.clear();
     chains.list.clear();
     chains.members.clear();
-    chains.areCurrent = !isAnyAsleep;
+    chains.areCurrent = true;
     if (world.joints.size() == 0) { return; }
-    if (isAnyAsleep) {
+    if (anyAsleep(world)) {
         listJointsOfAwake(world);
     } else {
         listAllJoints(world);

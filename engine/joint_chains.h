@@ -22,21 +22,25 @@ struct JointChain {
     bool isAnchored = false;   ///< a joint ties it to what is not dynamic
 };
 
-/// All chains. They persist: as long as nothing sleeps and no joint is made, changed or removed, a step asks none of
-/// them, but unites each body with the lowest one of its chain.
+/// All chains. They persist: as long as no joint is made, changed or removed, and nothing that one holds wakes or falls
+/// asleep, a step asks none of them, but unites each body with the lowest one of its chain.
 struct JointChains {
     struct Member {
         std::uint32_t body = 0;    ///< slots
         std::uint32_t lowest = 0;  ///< of its chain
     };
-    bool areCurrent = false;            ///< those of all joints, as they are now
+    bool areCurrent = false;            ///< those of all joints of what is awake, as they are now
     std::vector<JointChain> list;       ///< in order of their lowest bodies
     std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
     IslandFinder finder;                ///< scratch
     std::vector<std::uint32_t> places;  ///< scratch, by slot of the lowest body: in `list`
+
+    /// A body wakes, or falls asleep. @param holdingJoints  of the body
+    void noteTurn(std::uint32_t holdingJoints) { areCurrent = areCurrent && holdingJoints == 0; }
 };
 
-/// Finds the chains anew, and `WorldState::activeJoints`: wherever `areCurrent` does not hold, or anything sleeps.
+/// Finds the chains anew, and `WorldState::activeJoints`: wherever `areCurrent` does not hold. In proportion to what is
+/// awake.
 /// @pre the traits of this step tell who is awake
 void findJointChains(WorldState& world);
 

@@ -89,8 +89,10 @@ void listPoints(const LoadSearch& search) {
     WorldState& world = search.world;
     LoadPaths& paths = search.paths;
     paths.points.clear();
-    for (const std::uint32_t slot : world.tied) {
+    for (std::uint32_t place = 0; place < world.tied.size(); ++place) {
+        const std::uint32_t slot = world.tied[place];
         const Body& body = world.bodies[slot];
+        paths.places[slot] = place;
         paths.loads[slot] = {(body.mass * search.dt) * toDouble(accelerationOf(world, body)), 0};
         paths.waiting[slot] = 0;
     }
@@ -112,17 +114,17 @@ void listPoints(const LoadSearch& search) {
 /// Those that may change stand together, by the body that they carry, in their order; the others behind them.
 void sortPoints(const LoadSearch& search) {
     LoadPaths& paths = search.paths;
-    const std::size_t slots = search.world.bodies.slotCount();
-    const auto placeOf = [slots](const LoadPoint& point) {
+    const std::size_t bodies = search.world.tied.size();
+    const auto placeOf = [&paths, bodies](const LoadPoint& point) {
         const bool stays = point.carried == kNoIndex || (point.isAtSide && point.carrier != kNoIndex);
-        return stays ? slots : static_cast<std::size_t>(point.carried);
+        return stays ? bodies : static_cast<std::size_t>(paths.places[point.carried]);
     };
-    paths.firstPoint.assign(slots + 2, 0);
+    paths.firstPoint.assign(bodies + 2, 0);
     for (const LoadPoint& point : paths.points) { ++paths.firstPoint[placeOf(point) + 1]; }
-    for (std::size_t i = 0; i <= slots; ++i) { paths.firstPoint[i + 1] += paths.firstPoint[i]; }
+    for (std::size_t i = 0; i <= bodies; ++i) { paths.firstPoint[i + 1] += paths.firstPoint[i]; }
     paths.spare.resize(paths.points.size());
     for (const LoadPoint& point : paths.points) { paths.spare[paths.firstPoint[placeOf(point)]++] = point; }
-    for (std::size_t i = slots + 1; i > 0; --i) { paths.firstPoint[i] = paths.firstPoint[i - 1]; }
+    for (std::size_t i = bodies + 1; i > 0; --i) { paths.firstPoint[i] = paths.firstPoint[i - 1]; }
     paths.firstPoint[0] = 0;
     std::swap(paths.points, paths.spare);
 }
@@ -169,8 +171,9 @@ bool balanceBody(const LoadSearch& search, std::uint32_t slot, std::span<LoadPoi
 /// @return whether it could be held
 bool handDown(const LoadSearch& search, std::uint32_t slot) {
     LoadPaths& paths = search.paths;
-    const std::uint32_t first = paths.firstPoint[slot];
-    const std::span<LoadPoint> points = std::span(paths.points).subspan(first, paths.firstPoint[slot + 1] - first);
+    const std::uint32_t place = paths.places[slot];
+    const std::uint32_t first = paths.firstPoint[place];
+    const std::span<LoadPoint> points = std::span(paths.points).subspan(first, paths.firstPoint[place + 1] - first);
     if (!balanceBody(search, slot, points, false)) {
         const auto isAtSide = [](const LoadPoint& point) { return point.isAtSide; };
         const bool hasSides = std::any_of(points.begin(), points.end(), isAtSide);
@@ -229,6 +232,7 @@ void makeRoomForLoads(WorldState& world) {
     if (paths.spare.capacity() < paths.points.capacity()) { paths.spare.reserve(paths.points.capacity()); }
     if (paths.loads.size() < slots) { paths.loads.resize(slots); }
     if (paths.waiting.size() < slots) { paths.waiting.resize(slots); }
+    if (paths.places.size() < slots) { paths.places.resize(slots); }
     if (paths.firstPoint.capacity() < slots + 2) { paths.firstPoint.reserve(slots + 2); }
     if (paths.ready.capacity() < slots) { paths.ready.reserve(slots); }
     paths.balance.reserve(kEdgesAtOnce);

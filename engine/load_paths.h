@@ -30,8 +30,9 @@ struct LoadPoint {
 struct LoadPaths {
     std::vector<LoadPoint> points;
     std::vector<LoadPoint> spare;
-    std::vector<Wrench> loads;  ///< by slot: of the pulls and of what was handed down; torques over no lever
-    std::vector<std::uint32_t> firstPoint;  ///< by slot: of those that carry it
+    std::vector<Wrench> loads;          ///< by slot: of the pulls and of what was handed down; torques over no lever
+    std::vector<std::uint32_t> places;  ///< by slot: among `WorldState::tied`
+    std::vector<std::uint32_t> firstPoint;  ///< by place: of those that carry it
     std::vector<std::uint32_t> waiting;     ///< by slot: points that hand something down to it, and did not yet
     std::vector<std::uint32_t> ready;       ///< slots, in the order in which loads are handed down
     ConeBalance balance;

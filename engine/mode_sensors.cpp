@@ -162,7 +162,7 @@ void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, d
 void remember(WorldState& world, const SensorPair& pair, Contact* contact, bool inside) {
     if (contact == nullptr) {
         if (!inside || !addContact(world, pair.sensor, pair.other)) { return; }
-        contact = &world.contacts[world.probes[world.activeContacts - 1].contact];
+        contact = &world.contacts[world.probes.back().contact];
     }
     contact->touching = inside;
 }

@@ -11,26 +11,40 @@ namespace {
 /// To list the pairs of all shapes takes as long as two looks at all pairs.
 constexpr int kScansBeforeLists = 2;
 
-/// Calls `visit` with each pair that is no gap and its place, in order.
+/// Places of those that are not parked go from here on, in order. Those of parked ones follow, contacts and candidates
+/// alike: contacts have the lower places.
+struct Places {
+    std::size_t parkedProbes = 0;
+    std::size_t candidates = 0;
+    std::size_t parkedCandidates = 0;
+};
+
+Places placesIn(const WorldState& world) {
+    Places begins;
+    begins.parkedProbes = world.probes.size();
+    begins.candidates = begins.parkedProbes + world.parked.probes.all().size();
+    begins.parkedCandidates = begins.candidates + world.candidates.size();
+    return begins;
+}
+
+/// Calls `visit` with each pair that is not parked, and no gap, and its place, in order.
 template <class Visit>
 void forEachPair(WorldState& world, const Visit& visit) {
-    std::uint32_t place = 0;
-    const auto go = [&](auto& pairs) {
+    const auto go = [&](auto& pairs, std::size_t place) {
         for (ContactPair& pair : pairs) {
-            if (!isGap(pair)) { visit(pair, place); }
+            if (!isGap(pair)) { visit(pair, static_cast<std::uint32_t>(place)); }
             ++place;
         }
     };
-    go(world.probes);
-    go(world.candidates);
-    go(world.parked.candidates);
+    go(world.probes, 0);
+    go(world.candidates, placesIn(world).candidates);
 }
 
 ContactPair& pairAt(WorldState& world, std::size_t place) {
-    if (place < world.probes.size()) { return world.probes[place]; }
-    place -= world.probes.size();
-    if (place < world.candidates.size()) { return world.candidates[place]; }
-    return world.parked.candidates[place - world.candidates.size()];
+    const Places begins = placesIn(world);
+    if (ContactProbe* const probe = probeAt(world, place)) { return *probe; }
+    if (place < begins.parkedCandidates) { return world.candidates[place - begins.candidates]; }
+    return world.parked.candidates[static_cast<std::uint32_t>(place - begins.parkedCandidates)];
 }
 
 std::array<std::size_t, 2> proxiesOf(const ContactPair& pair) {
@@ -56,9 +70,40 @@ void listPairs(WorldState& world) {
     });
 }
 
+/// Those of the parked pairs of a body that are meant.
+void addParked(WorldState& world, std::uint32_t body, FunctionRef<bool(const ContactPair&)> isMeant) {
+    std::vector<std::uint32_t>& found = world.pairsOfShapes.found;
+    const Places begins = placesIn(world);
+    const auto add = [&](auto& pairs, std::size_t begin) {
+        pairs.visitOf(body, [&](std::uint32_t place) {
+            if (isMeant(pairs[place])) { found.push_back(static_cast<std::uint32_t>(begin + place)); }
+        });
+    };
+    add(world.parked.probes, begins.parkedProbes);
+    add(world.parked.candidates, begins.parkedCandidates);
+}
+
+/// Of the pairs of a shape that are not parked. @pre listed
+void addListed(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant) {
+    PairsOfShapes& lists = world.pairsOfShapes;
+    const auto proxy = static_cast<std::size_t>(world.shapes[shape].proxy);
+    if (proxy + 1 >= lists.begins.size()) { return; }  // made since: it has no pairs yet
+    for (std::uint32_t i = lists.begins[proxy]; i < lists.begins[proxy + 1]; ++i) {
+        const ContactPair& pair = pairAt(world, lists.places[i]);
+        if (!isGap(pair) && isMeant(pair)) { lists.found.push_back(lists.places[i]); }
+    }
+}
+
 }  // namespace
 
-std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
+ContactProbe* probeAt(WorldState& world, std::size_t place) {
+    const Places begins = placesIn(world);
+    if (place < begins.parkedProbes) { return &world.probes[place]; }
+    if (place >= begins.candidates) { return nullptr; }
+    return &world.parked.probes[static_cast<std::uint32_t>(place - begins.parkedProbes)];
+}
+
+std::span<const std::uint32_t> pairsOf(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> shapes,
                                        FunctionRef<bool(const ContactPair&)> isMeant) {
     PairsOfShapes& lists = world.pairsOfShapes;
     lists.found.clear();
@@ -67,17 +112,11 @@ std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::u
         forEachPair(world, [&](const ContactPair& pair, std::uint32_t place) {
             if (isMeant(pair)) { lists.found.push_back(place); }
         });
-        return lists.found;
+    } else {
+        if (!lists.isListed) { listPairs(world); }
+        for (const std::uint32_t shape : shapes) { addListed(world, shape, isMeant); }
     }
-    if (!lists.isListed) { listPairs(world); }
-    for (const std::uint32_t shape : shapes) {
-        const auto proxy = static_cast<std::size_t>(world.shapes[shape].proxy);
-        if (proxy + 1 >= lists.begins.size()) { continue; }  // made since: it has no pairs yet
-        for (std::uint32_t i = lists.begins[proxy]; i < lists.begins[proxy + 1]; ++i) {
-            const ContactPair& pair = pairAt(world, lists.places[i]);
-            if (!isGap(pair) && isMeant(pair)) { lists.found.push_back(lists.places[i]); }
-        }
-    }
+    addParked(world, body, isMeant);
     std::sort(lists.found.begin(), lists.found.end());
     lists.found.erase(std::unique(lists.found.begin(), lists.found.end()), lists.found.end());
     return lists.found;
@@ -85,8 +124,9 @@ std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::u
 
 void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places) {
     for (const std::uint32_t place : places) {
-        if (place >= world.probes.size()) { return; }  // candidates do not touch
-        const Contact& contact = world.contacts[world.probes[place].contact];
+        const ContactProbe* const probe = probeAt(world, place);
+        if (probe == nullptr) { return; }  // candidates do not touch
+        const Contact& contact = world.contacts[probe->contact];
         if (contact.isSolid()) { wake(world, contact.bodyA == body ? contact.bodyB : contact.bodyA); }
     }
 }
@@ -103,18 +143,24 @@ void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<C
 }
 
 void removePairs(WorldState& world, std::span<const std::uint32_t> places) {
+    const Places begins = placesIn(world);
     for (const std::uint32_t place : places) {
         ContactPair& pair = pairAt(world, place);
         dropPair(world, pair);
-        if (place < world.probes.size()) {
-            const ContactProbe& probe = world.probes[place];
-            reportEnd(world, probe, world.eventsToCome);
-            const bool isParked = place >= world.activeContacts;
-            if (isParked && world.contacts[probe.contact].isSolid()) { --world.parked.touching; }
+        if (const ContactProbe* const probe = probeAt(world, place)) {
+            reportEnd(world, *probe, world.eventsToCome);
+            const bool isParked = place >= begins.parkedProbes;
+            if (isParked && world.contacts[probe->contact].isSolid()) { --world.parked.touching; }
         }
-        pair.bodyA = pair.bodyB = kNoIndex;
+        if (place >= begins.parkedCandidates) {
+            world.parked.candidates.erase(static_cast<std::uint32_t>(place - begins.parkedCandidates));
+        } else if (place >= begins.parkedProbes && place < begins.candidates) {
+            world.parked.probes.erase(static_cast<std::uint32_t>(place - begins.parkedProbes));
+        } else {
+            makeGap(pair);
+            ++world.pairsOfShapes.gaps;
+        }
     }
-    world.pairsOfShapes.gaps += places.size();
 }
 
 void closeUpPairs(WorldState& world) {
@@ -123,11 +169,8 @@ void closeUpPairs(WorldState& world) {
     lists.isListed = false;
     if (lists.gaps == 0) { return; }
     lists.gaps = 0;
-    const auto firstParked = world.probes.begin() + static_cast<std::ptrdiff_t>(world.activeContacts);
-    world.activeContacts -= static_cast<std::size_t>(std::count_if(world.probes.begin(), firstParked, isGap));
     std::erase_if(world.probes, isGap);
     std::erase_if(world.candidates, isGap);
-    std::erase_if(world.parked.candidates, isGap);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -14,10 +14,11 @@ namespace swept::inline SWEPT_PRECISION {
 struct WorldState;
 
 /// Where the contacts and candidates of a shape stand, for what is destroyed or put elsewhere between steps. A place
-/// counts through probes, candidates and parked candidates. What is removed leaves a gap, until the next step closes
-/// all of them at once: so each of many removals costs what the shape has, and not what the world has.
+/// counts through probes, parked probes, candidates and parked candidates. What is not parked leaves a gap when it is
+/// removed, until the next step closes all of them at once: so each of many removals costs what the shape has, and not
+/// what the world has.
 struct PairsOfShapes {
-    int scans = 0;                      ///< since the last step: pairs that were found by a look at all
+    int scans = 0;                      ///< since the last step: pairs that were found by a look at all not parked
     bool isListed = false;              ///< since the last step: the two lists below are made
     std::size_t gaps = 0;               ///< that are still there
     std::vector<std::uint32_t> begins;  ///< by proxy, and of one more: where its places begin
@@ -26,17 +27,18 @@ struct PairsOfShapes {
 };
 
 /// Between steps: places of the pairs for which `isMeant` is true, ascending. Valid until the next question.
-/// @param shapes  slots; each pair that is meant has one of them
-std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
+/// @param body    each pair that is meant is of it
+/// @param shapes  slots; and has one of these
+std::span<const std::uint32_t> pairsOf(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> shapes,
                                        FunctionRef<bool(const ContactPair&)> isMeant);
+/// @return nothing where the place is that of a candidate: these follow all contacts
+ContactProbe* probeAt(WorldState& world, std::size_t place);
 /// Wakes whom the body touches in one of these pairs.
 void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places);
 /// Removes these pairs, and reports the end of those that touched.
 void removePairs(WorldState& world, std::span<const std::uint32_t> places);
 /// Of a contact that is about to be dropped: its end, if it touches.
 void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events);
-/// Whether a pair was removed since the last step.
-inline bool isGap(const ContactPair& pair) { return pair.bodyA == pair.bodyB; }
 /// As a step begins: what stays moves up, in its order (who comes first is solved first). Nobody asks for places then.
 void closeUpPairs(WorldState& world);
 

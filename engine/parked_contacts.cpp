@@ -1,7 +1,6 @@
 #include "parked_contacts.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "world_state.h"
 
@@ -11,22 +10,40 @@ namespace {
 /// Contacts are parked as soon as so many times as many bodies as came to rest are not more than are awake.
 constexpr std::size_t kAwakePerRested = 8;
 
-void noteWhoIsUp(WorldState& world) {
-    std::vector<std::uint8_t>& isUp = world.parked.isUp;
-    isUp.assign(world.bodies.slotCount(), 0);
-    for (const std::uint32_t slot : world.awake) { isUp[slot] = 1; }
+void noteWhoIsUp(WorldState& world, std::uint8_t isUp) {
+    world.parked.isUp.resize(world.bodies.slotCount());
+    for (const std::uint32_t slot : world.awake) { world.parked.isUp[slot] = isUp; }
 }
 
 /// As much as the others have: what has room for all of it once needs no more.
-void reserveAll(WorldState& world) {
-    ParkedContacts& parked = world.parked;
-    parked.probes.reserve(world.probes.capacity());
-    const std::size_t pairs = std::max(world.candidates.capacity(), parked.candidates.capacity());
-    world.candidates.reserve(pairs);
-    parked.candidates.reserve(pairs);
+template <class Pair>
+void reserveBoth(std::vector<Pair>& pairs, ParkedPairs<Pair>& parked) {
+    pairs.reserve(pairs.size() + parked.size());
+    parked.reserve(std::max(pairs.capacity(), parked.capacity()));
+    pairs.reserve(parked.capacity());
 }
 
 bool isSolid(const WorldState& world, const ContactProbe& probe) { return world.contacts[probe.contact].isSolid(); }
+
+/// Places of the parked pairs of what woke and is awake still, ascending.
+template <class Pair>
+std::span<const std::uint32_t> placesOfWoken(WorldState& world, const ParkedPairs<Pair>& pairs) {
+    std::vector<std::uint32_t>& places = world.parked.places;
+    places.clear();
+    for (const std::uint32_t slot : world.parked.woken) {
+        if (!world.bodies.isAlive(slot) || !world.bodies[slot].awake) { continue; }
+        pairs.visitOf(slot, [&places](std::uint32_t place) { places.push_back(place); });
+    }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+}
+
+/// What is parked next takes the places from the first one on.
+template <class Pair>
+void erase(ParkedPairs<Pair>& pairs, std::span<const std::uint32_t> places) {
+    for (std::size_t i = places.size(); i > 0; --i) { pairs.erase(places[i - 1]); }
+}
 
 }  // namespace
 
@@ -34,54 +51,42 @@ void parkContacts(WorldState& world) {
     ParkedContacts& parked = world.parked;
     if (parked.rested == 0 || parked.rested * kAwakePerRested < world.awake.size()) { return; }
     parked.rested = 0;
-    noteWhoIsUp(world);
+    noteWhoIsUp(world, 1);
     const auto rests = [&parked](const ContactPair& pair) {
         return (parked.isUp[pair.bodyA] | parked.isUp[pair.bodyB]) == 0;
     };
-    reserveAll(world);
-    parked.probes.clear();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < world.activeContacts; ++i) {
-        if (!world.probes[i].isUnseen && rests(world.probes[i])) {
-            parked.touching += isSolid(world, world.probes[i]) ? 1 : 0;
-            parked.probes.push_back(world.probes[i]);
-            parked.probes.back().state = ContactState::asleep;
-            continue;
-        }
-        if (kept != i) { world.probes[kept] = world.probes[i]; }
-        ++kept;
-    }
-    world.activeContacts = kept;
-    std::copy(parked.probes.begin(), parked.probes.end(), world.probes.begin() + static_cast<std::ptrdiff_t>(kept));
-    std::erase_if(world.candidates, [&](const ContactPair& pair) {
-        if (!rests(pair)) { return false; }
-        parked.candidates.push_back(pair);
+    reserveBoth(world.probes, parked.probes);
+    reserveBoth(world.candidates, parked.candidates);
+    std::erase_if(world.probes, [&](ContactProbe& probe) {
+        if (probe.isUnseen || !rests(probe)) { return false; }
+        parked.touching += isSolid(world, probe) ? 1 : 0;
+        probe.state = ContactState::asleep;
+        parked.probes.add(probe);
         return true;
     });
+    std::erase_if(world.candidates, [&](const ContactPair& pair) {
+        if (!rests(pair)) { return false; }
+        parked.candidates.add(pair);
+        return true;
+    });
+    noteWhoIsUp(world, 0);
 }
 
 std::size_t unparkContacts(WorldState& world) {
     ParkedContacts& parked = world.parked;
-    if (!parked.woke) { return 0; }
-    parked.woke = false;
-    if (world.activeContacts == world.probes.size() && parked.candidates.empty()) { return 0; }
-    noteWhoIsUp(world);
-    const auto isUp = [&parked](const ContactPair& pair) {
-        return (parked.isUp[pair.bodyA] | parked.isUp[pair.bodyB]) != 0;
-    };
-    const std::size_t before = world.activeContacts;
-    for (std::size_t i = before; i < world.probes.size(); ++i) {
-        if (!isUp(world.probes[i])) { continue; }
-        parked.touching -= isSolid(world, world.probes[i]) ? 1 : 0;
-        const std::size_t place = world.activeContacts++;
-        if (place != i) { std::swap(world.probes[place], world.probes[i]); }
+    if (parked.woken.empty()) { return 0; }
+    const std::span<const std::uint32_t> places = placesOfWoken(world, parked.probes);
+    for (const std::uint32_t place : places) {
+        world.probes.push_back(parked.probes[place]);
+        parked.touching -= isSolid(world, parked.probes[place]) ? 1 : 0;
     }
-    std::erase_if(parked.candidates, [&](const ContactPair& pair) {
-        if (!isUp(pair)) { return false; }
-        world.candidates.push_back(pair);
-        return true;
-    });
-    return world.activeContacts - before;
+    erase(parked.probes, places);
+    const std::size_t count = places.size();
+    const std::span<const std::uint32_t> candidates = placesOfWoken(world, parked.candidates);
+    for (const std::uint32_t place : candidates) { world.candidates.push_back(parked.candidates[place]); }
+    erase(parked.candidates, candidates);
+    parked.woken.clear();
+    return count;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -3,28 +3,29 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact.h"
+#include "parked_pairs.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
 
-/// The probes of contacts of which neither body is awake stand behind the others, where no loop of a step gets to;
-/// candidates likewise, in a list of their own. Those of bodies that wake come back, to the end of the others.
+/// The probes of contacts of which neither body is awake, and candidates likewise, where no loop of a step gets to.
+/// Those of bodies that wake come back, to the end of the others.
 struct ParkedContacts {
-    std::uint32_t rested = 0;    ///< bodies that came to rest since contacts were parked last
-    bool woke = false;           ///< bodies woke, whose contacts may be parked
-    std::uint32_t touching = 0;  ///< parked contacts with points
-    std::vector<ContactPair> candidates;
+    ParkedPairs<ContactProbe> probes;
+    ParkedPairs<ContactPair> candidates;
+    std::uint32_t touching = 0;        ///< parked contacts with points
+    std::uint32_t rested = 0;          ///< bodies that came to rest since contacts were parked last
+    std::vector<std::uint32_t> woken;  ///< slots of bodies that woke, whose contacts may be parked
     // Scratch.
     std::vector<std::uint8_t> isUp;  ///< by body slot: awake
-    std::vector<ContactProbe> probes;
+    std::vector<std::uint32_t> places;
 };
 
 /// As the stage of contacts begins: parks what came to rest, once that is an eighth of what is awake: the others have
 /// to move up.
 void parkContacts(WorldState& world);
-/// Brings back the contacts of what woke. @return how many, at the end of those that are not parked
+/// Brings back the contacts of what woke: a look at those, and at no others. @return how many, at the end of the probes
 std::size_t unparkContacts(WorldState& world);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -60,7 +60,7 @@ void slowHangingIslands(WorldState& world, double dt) {
     const Real speed = kHangingRatio * length(world.settings.gravity) * step;
     world.islandPulls.resize(std::max<std::size_t>(world.islandPulls.size(), world.bodies.slotCount()));
     // Their effort tells what is still in question: those that move keep theirs.
-    world.islandHangs.assign(world.bodies.slotCount(), 0);
+    world.islandHangs.resize(world.bodies.slotCount());
     for (const std::uint32_t slot : world.tied) {
         world.islandHangs[slot] = isDirectChain(world.islandLoads[slot]) ? 1 : 0;
     }

@@ -314,10 +314,11 @@ void countAhead(WorldState& world) {
     }
 }
 
-bool hasContacts(const WorldState& world) { return world.activeContacts > 0 || !world.candidates.empty(); }
+bool hasContacts(const WorldState& world) { return !world.probes.empty() || !world.candidates.empty(); }
 
 void countContacts(WorldState& world) {
-    world.counters.contacts = world.probes.size() + world.candidates.size() + world.parked.candidates.size();
+    world.counters.contacts =
+        world.probes.size() + world.candidates.size() + world.parked.probes.size() + world.parked.candidates.size();
     world.counters.touching = world.touching.size() + world.parked.touching;
 }
 
@@ -325,9 +326,9 @@ void countContacts(WorldState& world) {
 
 void listUnparked(WorldState& world) {
     const std::size_t count = unparkContacts(world);
-    for (std::size_t i = world.activeContacts - count; i < world.activeContacts; ++i) {
-        const Contact& contact = world.contacts[world.probes[i].contact];
-        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, world.probes[i].contact)); }
+    for (const ContactProbe& probe : std::span(world.probes).last(count)) {
+        const Contact& contact = world.contacts[probe.contact];
+        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
     }
 }
 
@@ -347,8 +348,9 @@ void listHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
 }
 
 void collideContacts(WorldState& world) {
-    const bool mayHaveContacts = !world.probes.empty() || !world.candidates.empty() || !world.newPairs.empty();
-    noteMotions(world, mayHaveContacts || !world.parked.candidates.empty());
+    const ParkedContacts& parked = world.parked;
+    const bool areAnyParked = parked.probes.size() > 0 || parked.candidates.size() > 0;
+    noteMotions(world, areAnyParked || hasContacts(world) || !world.newPairs.empty());
     unparkContacts(world);
     parkContacts(world);
     closeGaps(world);
@@ -380,7 +382,7 @@ void noticeContacts(WorldState& world) {
         removeApartContacts(world);
     }
     wakeOnward(world, before);
-    if (world.parked.woke) { listUnparked(world); }
+    if (!world.parked.woken.empty()) { listUnparked(world); }
     countContacts(world);
 }
 

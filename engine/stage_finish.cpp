@@ -74,7 +74,7 @@ bool movesKinematically(const WorldState& world, std::uint32_t slot) {
 
 /// Marks the islands that a moving kinematic body keeps awake.
 void keepAwakeByKinematic(WorldState& world) {
-    for (const ContactProbe& probe : std::span(world.probes).first(world.activeContacts)) {
+    for (const ContactProbe& probe : world.probes) {
         if (probe.isPlain) { continue; }
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
@@ -99,6 +99,7 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
     motion.velocity = {};
     motion.angularVelocity = 0;
     noteRest(world, slot);
+    world.jointChains.noteTurn(body.holdingJoints);
     // Into the ring of its island, whose last member is remembered by root.
     const std::uint32_t root = world.islands.find(slot);
     const std::uint32_t last = world.islandRing[root];
@@ -170,8 +171,12 @@ void putToSleep(WorldState& world, double dt) {
     // Where all moves, which is most steps of what is awake, no island is asked.
     const std::vector<Tiredness>& tiredness = world.tiredness;
     if (std::find(tiredness.begin(), tiredness.end(), Tiredness::tired) == tiredness.end()) { return; }
-    world.islandRestless.assign(world.bodies.slotCount(), 0);
-    world.islandRing.assign(world.bodies.slotCount(), kNoIndex);
+    world.islandRestless.resize(world.bodies.slotCount());
+    world.islandRing.resize(world.bodies.slotCount());
+    for (const std::uint32_t slot : world.awake) {  // and so all roots
+        world.islandRestless[slot] = 0;
+        world.islandRing[slot] = kNoIndex;
+    }
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
         if (tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
     }

@@ -18,8 +18,16 @@ bool isFastTied(const WorldState& world, std::uint32_t slot) {
 /// Of each island.
 void countMembers(WorldState& world) {
     std::vector<std::uint32_t>& members = world.fastIslands.members;
-    members.assign(world.bodies.slotCount(), 0);
+    members.resize(world.bodies.slotCount());
+    for (const std::uint32_t slot : world.tied) { members[slot] = 0; }
     for (const std::uint32_t slot : world.tied) { ++members[world.islands.find(slot)]; }
+}
+
+/// Those of the last such step.
+void forgetNumbers(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    for (const std::uint32_t slot : fast.bodies.all()) { fast.numbers[slot] = kNoIndex; }
+    fast.numbers.resize(world.bodies.slotCount(), kNoIndex);
 }
 
 /// Numbers the islands with something fast by their lowest members, which stand for them in `world.islands`. Islands
@@ -29,20 +37,20 @@ void numberIslands(WorldState& world) {
     const auto isFast = [&world](std::uint32_t slot) { return isFastTied(world, slot); };
     if (std::none_of(world.tied.begin(), world.tied.end(), isFast)) { return; }
     countMembers(world);
+    forgetNumbers(world);
+    std::vector<std::uint32_t>& roots = fast.roots;
+    roots.clear();
     for (const std::uint32_t slot : world.tied) {
         if (!isFast(slot)) { continue; }
         const std::uint32_t root = world.islands.find(slot);
-        if (fast.members[root] > mostTogether(world.settings)) { continue; }
-        if (!fast.any) { fast.numbers.assign(world.bodies.slotCount(), kNoIndex); }
-        fast.any = true;
+        if (fast.members[root] > mostTogether(world.settings) || fast.numbers[root] != kNoIndex) { continue; }
         fast.numbers[root] = 0;
+        roots.push_back(root);
     }
-    if (!fast.any) { return; }
-    std::uint32_t count = 0;
-    for (std::uint32_t& number : fast.numbers) {
-        if (number != kNoIndex) { number = count++; }
-    }
-    fast.isDone.assign(count, 0);
+    fast.any = !roots.empty();
+    std::sort(roots.begin(), roots.end());
+    for (std::uint32_t i = 0; i < roots.size(); ++i) { fast.numbers[roots[i]] = i; }
+    fast.isDone.assign(roots.size(), 0);
 }
 
 /// Gives all bodies of the islands the role `together`, and the number of their island.
@@ -94,7 +102,7 @@ void listContactsAndJoints(WorldState& world) {
     fast.contacts.clear();
     fast.joints.clear();
     const bool mayClash = world.bouncyShapes > 0 || world.bullets > 0;
-    for (std::uint32_t i = 0; i < world.activeContacts; ++i) {
+    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {
         const ContactProbe& probe = world.probes[i];
         if (!mayClash && probe.isPlain && probe.isIdle) { continue; }  // see `isInside`
         const std::uint32_t ofA = fast.numbers[probe.bodyA];

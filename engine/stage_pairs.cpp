@@ -82,13 +82,17 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
 }
 
 void closeGaps(WorldState& world) {
-    if (world.contacts.size() <= world.probes.size() + world.probes.size() / kContactsPerGap + kFewGaps) { return; }
-    world.probesThere.assign(world.contacts.size(), kNoIndex);
-    for (std::uint32_t i = 0; i < world.probes.size(); ++i) { world.probesThere[world.probes[i].contact] = i; }
+    const std::size_t count = world.probes.size() + world.parked.probes.size();
+    if (world.contacts.size() <= count + count / kContactsPerGap + kFewGaps) { return; }
+    world.probesThere.assign(world.contacts.size(), nullptr);
+    for (ContactProbe& probe : world.probes) { world.probesThere[probe.contact] = &probe; }
+    for (ContactProbe& probe : world.parked.probes.all()) {
+        if (!isGap(probe)) { world.probesThere[probe.contact] = &probe; }
+    }
     std::uint32_t kept = 0;
     for (std::uint32_t place = 0; place < world.contacts.size(); ++place) {
-        if (world.probesThere[place] == kNoIndex) { continue; }
-        world.probes[world.probesThere[place]].contact = kept;
+        if (world.probesThere[place] == nullptr) { continue; }
+        world.probesThere[place]->contact = kept;
         if (kept != place) { world.contacts[kept] = world.contacts[place]; }
         ++kept;
     }
@@ -115,13 +119,8 @@ namespace {
 
 /// Makes room for contacts, which come last. @return place of the first of their probes
 std::size_t makeRoomForContacts(WorldState& world, std::size_t count) {
-    const std::size_t first = world.activeContacts;
-    for (std::size_t place = first; place < first + count; ++place) {
-        world.probes.emplace_back();
-        if (place + 1 < world.probes.size()) { world.probes.back() = world.probes[place]; }  // a parked one makes room
-        world.probes[place] = {};
-    }
-    world.activeContacts += count;
+    const std::size_t first = world.probes.size();
+    world.probes.resize(first + count);
     world.contacts.resize(world.contacts.size() + count);
     return first;
 }

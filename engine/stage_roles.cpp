@@ -71,7 +71,7 @@ void startleNearKinematicBodies(WorldState& world, Real dt) {
     const auto isAwakeKinematic = [&world](std::uint32_t slot) {
         return (world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake;
     };
-    for (std::size_t i = 0; i < world.activeContacts; ++i) {
+    for (std::size_t i = 0; i < world.probes.size(); ++i) {
         const ContactProbe& probe = world.probes[i];
         if (probe.isPlain || !(isAwakeKinematic(probe.bodyA) || isAwakeKinematic(probe.bodyB))) { continue; }
         startle(world, world.contacts[probe.contact], dt);
@@ -291,25 +291,25 @@ void assignRoles(WorldState& world, Real dt) {
     if (world.kinematicBodies > 0) {
         const std::size_t before = world.awake.size();
         startleNearKinematicBodies(world, dt);
-        if (world.parked.woke) { listUnparked(world); }
+        if (!world.parked.woken.empty()) { listUnparked(world); }
         const std::size_t startled = world.awake.size();
         wakeOnward(world, before);
         resetBodies(world, std::span(world.awake).subspan(startled), dt);
     }
-    world.islands.reset(world.bodies.slotCount());
+    world.islands.reset(world.bodies.slotCount(), world.awake);
     noteTouching(world, dt);
     giveRoles(world);
     listRoles(world);
     world.counters.solvedBodies = world.tied.size();
     world.counters.settledBodies = world.held.bodies;
-    world.counters.islands = world.held.islands;
+    world.counters.islands = world.held.inUse.size();
     world.counters.flyers = world.flyers.size();
     world.counters.awakeBodies = world.awake.size() + world.held.bodies;
 }
 
 /// By contacts the bodies are united already.
 void findIslands(WorldState& world) {
-    if (!world.jointChains.areCurrent || anyAsleep(world)) { findJointChains(world); }
+    if (!world.jointChains.areCurrent) { findJointChains(world); }
     for (const JointChains::Member& member : world.jointChains.members) {
         world.islands.unite(member.body, member.lowest);
     }

@@ -31,7 +31,7 @@ void wakeOnward(WorldState& world, std::size_t from) {
     while (from < world.awake.size() && anyAsleep(world)) {
         const std::size_t before = world.awake.size();
         if (world.joints.size() > 0) { wakeAcrossJoints(world, from); }
-        if (world.parked.woke) { listUnparked(world); }
+        if (!world.parked.woken.empty()) { listUnparked(world); }
         wakeAcrossContacts(world);
         from = before;
     }

@@ -100,10 +100,24 @@ void changeStep(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) { reachWithVelocity(world, slot); }
 }
 
+/// Of more than one slot in so many it is faster to go through all of them in order.
+constexpr std::size_t kFewShare = 64;
+
+/// What was not awake in the last step has none, and what is held lost them.
+void resetTraits(WorldState& world) {
+    std::vector<BodyTraits>& traits = world.traits;
+    if (kFewShare * world.stepped.size() > traits.size()) {
+        traits.clear();
+    } else {
+        for (const std::uint32_t slot : world.stepped) { traits[slot] = 0; }
+    }
+    traits.resize(world.bodies.slotCount(), 0);
+}
+
 /// One worker notices contacts while the others forget what bodies did in the last step, but of what wakes then.
 /// @param noticed  called when contacts are
 void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
-    world.traits.assign(world.bodies.slotCount(), 0);
+    resetTraits(world);
     world.awake.reserve(world.bodies.size());  // so that nothing moves when something wakes
     const std::span<const std::uint32_t> before = world.awake;
     const auto notice = [&world, noticed] {

@@ -41,7 +41,7 @@ Status check(const BodyDef& def) {
 /// Contacts of a body that was teleported or destroyed say nothing any more; what rested on it wakes.
 void dropContacts(WorldState& world, std::uint32_t slot) {
     const std::span<const std::uint32_t> places =
-        pairsOf(world, world.bodies[slot].shapes,
+        pairsOf(world, slot, world.bodies[slot].shapes,
                 [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
     wakeAcross(world, slot, places);
     wakeJoined(world, slot);
@@ -338,6 +338,7 @@ Status World::setAwake(BodyId id, bool awake) {
         world.motions[id.index].velocity = {};
         world.motions[id.index].angularVelocity = 0;
         noteRest(world, id.index);
+        world.jointChains.noteTurn(body->holdingJoints);
         std::erase(world.awake, id.index);
         ++world.parked.rested;
     }

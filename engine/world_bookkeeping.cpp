@@ -69,8 +69,9 @@ void wake(WorldState& world, std::uint32_t start) {
         body.awake = true;
         body.nextAsleep = slot;
         startResting(body, world.motions[slot]);
+        world.jointChains.noteTurn(body.holdingJoints);
         world.awake.push_back(slot);
-        world.parked.woke = true;
+        world.parked.woken.push_back(slot);
         ++world.counters.wokeUp;
         slot = next;
     } while (slot != start);
@@ -183,13 +184,9 @@ void removeApartContacts(WorldState& world) {
     for (std::size_t i = 0; i < apart.size(); ++i) {
         world.droppedPairs.push_back(probes[apart[i]]);
         reportEnd(world, probes[apart[i]], world.contactEvents);
-        kept = std::copy(at(apart[i] + 1), at(i + 1 < apart.size() ? apart[i + 1] : world.activeContacts), kept);
+        kept = std::copy(at(apart[i] + 1), at(i + 1 < apart.size() ? apart[i + 1] : probes.size()), kept);
     }
-    // What is parked has no order: its last ones close the gap.
-    const std::size_t left = std::min(apart.size(), probes.size() - world.activeContacts);
-    std::copy(probes.end() - static_cast<std::ptrdiff_t>(left), probes.end(), kept);
     probes.resize(probes.size() - apart.size());
-    world.activeContacts -= apart.size();
     dropPairs(world, world.droppedPairs);
 }
 

@@ -29,12 +29,13 @@ void visitPoints(const WorldState& world, const Contact& contact, FunctionRef<vo
 /// Calls `visit` with the contacts of these shapes of a body, in the order of all contacts.
 template <class Visit>
 void visitContactsOf(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> shapes, const Visit& visit) {
-    pairsOf(world, shapes, [body](const ContactPair& pair) { return pair.bodyA == body || pair.bodyB == body; });
+    pairsOf(world, body, shapes, [body](const ContactPair& pair) { return pair.bodyA == body || pair.bodyB == body; });
     std::vector<std::uint32_t> places;
     places.swap(world.pairsOfShapes.found);  // for as long as the visit may ask again
     for (const std::uint32_t place : places) {
-        if (place >= world.probes.size()) { break; }  // candidates do not touch
-        visit(world.contacts[world.probes[place].contact]);
+        const ContactProbe* const probe = probeAt(world, place);
+        if (probe == nullptr) { break; }  // candidates do not touch
+        visit(world.contacts[probe->contact]);
     }
     places.swap(world.pairsOfShapes.found);
 }
@@ -42,8 +43,10 @@ void visitContactsOf(WorldState& world, std::uint32_t body, std::span<const std:
 }  // namespace
 
 void World::visitContacts(FunctionRef<void(const ContactView&)> visit) const {
-    for (const ContactProbe& probe : state_->probes) {
-        if (!isGap(probe)) { visitPoints(*state_, state_->contacts[probe.contact], visit); }
+    for (const std::span<const ContactProbe> probes : {std::span(state_->probes), state_->parked.probes.all()}) {
+        for (const ContactProbe& probe : probes) {
+            if (!isGap(probe)) { visitPoints(*state_, state_->contacts[probe.contact], visit); }
+        }
     }
 }
 

@@ -52,9 +52,10 @@ Result<JointId> insert(WorldState& world, Joint joint) {
         const auto isBetween = [a = placed.bodyA, b = placed.bodyB](const ContactPair& c) {
             return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
         };
-        const std::vector<std::uint32_t>& ofA = world.bodies[placed.bodyA].shapes;
-        const std::vector<std::uint32_t>& ofB = world.bodies[placed.bodyB].shapes;
-        removePairs(world, pairsOf(world, ofA.size() < ofB.size() ? ofA : ofB, isBetween));
+        const auto shapesOf = [&world](std::uint32_t body) { return std::span(world.bodies[body].shapes); };
+        const bool hasAFewer = shapesOf(placed.bodyA).size() < shapesOf(placed.bodyB).size();
+        const std::uint32_t body = hasAFewer ? placed.bodyA : placed.bodyB;
+        removePairs(world, pairsOf(world, body, shapesOf(body), isBetween));
     }
     return *id;
 }

@@ -119,7 +119,7 @@ std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::uint32_t bod
     const auto isOfShape = [&world, head = slots.front()](ProxyId proxy) {
         return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
     };
-    return pairsOf(world, slots, [&](const ContactPair& pair) {
+    return pairsOf(world, body, slots, [&](const ContactPair& pair) {
         return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
     });
 }
@@ -127,11 +127,11 @@ std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::uint32_t bod
 /// What is near only may have no contact yet.
 void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
     for (const std::uint32_t place : places) {
-        if (place >= world.probes.size()) { return; }
-        ContactProbe& probe = world.probes[place];
-        Contact& contact = world.contacts[probe.contact];
+        ContactProbe* const probe = probeAt(world, place);
+        if (probe == nullptr) { return; }
+        Contact& contact = world.contacts[probe->contact];
         mixSurfaces(world, contact);
-        probe.bounces = contact.restitution > 0;
+        probe->bounces = contact.restitution > 0;
         for (std::size_t i = 0; i < contact.tangentImpulse.size(); ++i) {  // or what slides now would be in balance
             const Real most = contact.friction * std::max(contact.normalImpulse[i], Real(0));
             contact.tangentImpulse[i] = std::clamp(contact.tangentImpulse[i], -most, most);

@@ -181,11 +181,9 @@ struct WorldState : Workers {
     std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
     std::vector<ContactPair> metPairs;  ///< of these, what met where nothing moves
 
-    RawVector<Contact> contacts;       ///< in the order in which they began, with gaps where some ended
-    std::vector<ContactProbe> probes;  ///< one for each contact, by which it is reached
-    std::size_t activeContacts =
-        0;  ///< whose probes are the first ones (with the gaps of `pairsOfShapes`); the others are parked
-    std::vector<std::uint32_t> probesThere;  ///< scratch of `closeGaps`: by place of a contact
+    RawVector<Contact> contacts;             ///< in the order in which they began, with gaps where some ended
+    std::vector<ContactProbe> probes;        ///< one for each contact that is not parked, by which it is reached
+    std::vector<ContactProbe*> probesThere;  ///< scratch of `closeGaps`: by place of a contact
     ParkedContacts parked;
     PairsOfShapes pairsOfShapes;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts

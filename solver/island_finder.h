@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace swept {
@@ -12,8 +13,30 @@ class IslandFinder {
 public:
     /// `count` members, each on its own.
     void reset(std::size_t count) {
-        parents_.resize(count);
-        for (std::size_t i = 0; i < count; ++i) { parents_[i] = static_cast<std::uint32_t>(i); }
+        standAloneFrom(0, count);
+        united_.clear();
+        mayAllBeUnited_ = true;
+    }
+
+    /// The same where most stay on their own from one time to the next, as what sleeps does: where those that are
+    /// united are few, the others are not touched.
+    /// @param united  the only ones that are, until the next time
+    void reset(std::size_t count, std::span<const std::uint32_t> united) {
+        const bool areMany = kFewShare * united.size() >= count;
+        if (areMany || mayAllBeUnited_) {
+            reset(count);
+        } else {
+            for (const std::uint32_t member : united_) { parents_[member] = member; }
+            standAloneFrom(parents_.size(), count);
+        }
+        mayAllBeUnited_ = areMany;
+        if (!areMany) { united_.assign(united.begin(), united.end()); }
+    }
+
+    /// Unites whom `other` has united. @pre just reset, with the same count and members as that one
+    void uniteAs(const IslandFinder& other) {
+        if (mayAllBeUnited_) { parents_ = other.parents_; }
+        for (const std::uint32_t member : united_) { parents_[member] = other.parents_[member]; }
     }
 
     std::uint32_t find(std::uint32_t member) {
@@ -42,6 +65,13 @@ public:
     }
 
 private:
+    /// Of more than one in so many it is faster to go through all of them in order.
+    static constexpr std::size_t kFewShare = 8;
+
+    void standAloneFrom(std::size_t first, std::size_t count) {
+        parents_.resize(count);
+        for (std::size_t i = first; i < count; ++i) { parents_[i] = static_cast<std::uint32_t>(i); }
+    }
     /// The same as `find`. Mostly the root is no farther than two steps.
     std::uint32_t findNear(std::uint32_t member) {
         const std::uint32_t root = parents_[parents_[member]];
@@ -49,6 +79,8 @@ private:
     }
 
     std::vector<std::uint32_t> parents_;
+    std::vector<std::uint32_t> united_;  ///< who may be, unless all may
+    bool mayAllBeUnited_ = false;
 };
 
 }  // namespace swept

@@ -7,7 +7,7 @@
 namespace swept::worlds {
 namespace {
 
-constexpr std::array<SceneEntry, 15> kScenes{{
+constexpr std::array<SceneEntry, 16> kScenes{{
     {"compounds", "3000 bodies of two triangles fall into a tub", true, makeCompounds},
     {"joint-grid", "10 000 circles on a net of hinges", true, makeJointGrid},
     {"junkyard", "8000 pentagons, stirred by a pusher", true, makeJunkyard},
@@ -21,6 +21,8 @@ constexpr std::array<SceneEntry, 15> kScenes{{
     {"platformer", "a level of 400 tiles with 20 moving platforms and 60 riders", false, makePlatformer},
     {"crates", "500 crates at rest in stacks of ten, kept awake", false, makeCrates},
     {"crates-asleep", "the same, allowed to sleep", false, makeCratesAsleep},
+    {"warehouse", "20 disks on the move beside 10 000 sleeping crates, one of them kicked every ten steps", false,
+     makeWarehouse},
     {"disks", "10 000 circles that fall and never meet", false, makeDisks},
     {"bullet-hell", "5000 circles among walls and posts, no gravity", false, makeBulletHell},
 }};

@@ -59,6 +59,7 @@ BenchScene makeRain(double size);
 BenchScene makePlatformer(double size);
 BenchScene makeCrates(double size);
 BenchScene makeCratesAsleep(double size);
+BenchScene makeWarehouse(double size);
 BenchScene makeDisks(double size);
 BenchScene makeBulletHell(double size);
 
