@@ -42,42 +42,40 @@ BenchScene makeDisks(double size) {
 BenchScene makeCrates(double size) { return crates("crates", size, false); }
 BenchScene makeCratesAsleep(double size) { return crates("crates-asleep", size, true); }
 
-/// Crates asleep in stacks of two, as many as the size tells; beside them, whatever the size, disks that never come to
-/// rest between two walls, and now and then one crate that is kicked up.
+/// Crates asleep in stacks of two, as many as the size tells; beside them, whatever the size, disks that are driven to
+/// and fro, and now and then one crate that is kicked up.
 BenchScene makeWarehouse(double size) {
-    constexpr int kHigh = 2;
     constexpr int kStacksPerFloor = 50;
-    constexpr int kDisks = 20;
     constexpr std::int64_t kStepsPerKick = 10;
     constexpr std::int64_t kStacksPerKick = 7;
+    constexpr std::int64_t kStepsPerTurn = 60;
     const int stacks = scaledCount(5000, size);
     BenchScene bench = emptyBench("warehouse", 150, 300);
-    std::vector<ShapeDescription> floors;
+    std::vector<ShapeDescription> floors{build::box({50, 1}, {-100, -1})};
     for (int i = 0; i < stacks; i += kStacksPerFloor) {
         floors.push_back(build::box({kStacksPerFloor, 1}, {2.0 * i + kStacksPerFloor - 1, -1}));
     }
     build::addFixed(bench.scene, "floors", {0, 0}, std::move(floors));
+    std::vector<std::uint32_t> disks;
+    for (int i = 0; i < 20; ++i) {
+        disks.push_back(static_cast<std::uint32_t>(bench.scene.bodies.size()));
+        build::addDynamic(bench.scene, "", {4.0 * i - 138, 0.5}, {build::circle(0.5)});
+    }
     std::vector<std::uint32_t> tops;
     for (int i = 0; i < stacks; ++i) {
-        for (int j = 0; j < kHigh; ++j) {
-            build::addDynamic(bench.scene, "", {2.0 * i, j + 0.5}, {build::box({0.5, 0.5})});
-        }
-        tops.push_back(static_cast<std::uint32_t>(bench.scene.bodies.size() - 1));
+        build::addDynamic(bench.scene, "", {2.0 * i, 0.5}, {build::box({0.5, 0.5})});
+        tops.push_back(static_cast<std::uint32_t>(bench.scene.bodies.size()));
+        build::addDynamic(bench.scene, "", {2.0 * i, 1.5}, {build::box({0.5, 0.5})});
     }
-    const auto smooth = [](const ShapeDescription& shape) {
-        return build::withFriction(build::withRestitution(shape, 1), 0);
-    };
-    build::addFixed(bench.scene, "pen", {-100, 0},
-                    {smooth(build::box({50, 1}, {0, -1})), smooth(build::box({1, 2}, {-49, 2})),
-                     smooth(build::box({1, 2}, {49, 2}))});
-    for (int i = 0; i < kDisks; ++i) {
-        build::addDynamic(bench.scene, "", {4.0 * i - 138, 0.5}, {smooth(build::circle(0.5))}).velocity = {
-            i % 2 == 0 ? 3.0 : -2.0, 0};
-    }
-    bench.script = [tops](std::int64_t step) {
+    bench.script = [disks, tops](std::int64_t step) {
         SceneChange change;
         const auto kick = static_cast<std::size_t>(step / kStepsPerKick * kStacksPerKick);
         if (step % kStepsPerKick == 0) { change.pushed.push_back({tops[kick % tops.size()], {0, 1}}); }
+        if (step % kStepsPerTurn != 0) { return change; }
+        const double side = step / kStepsPerTurn % 2 == 0 ? 1 : -1;
+        for (std::size_t i = 0; i < disks.size(); ++i) {
+            change.pushed.push_back({disks[i], {side * (2.0 + static_cast<double>(i % 3)), 0}});
+        }
         return change;
     };
     return bench;
