@@ -1,9 +1,11 @@
 #include <bit>
 #include <optional>
 
+#include "../support/random.h"
 #include "world_support.h"
 
-/// What joints tie together is found once, and again only when joints come, change or go.
+/// What joints tie together is found once, and again only when joints come, change or go, or one of their bodies wakes
+/// or falls asleep.
 
 namespace swept::test {
 namespace {
@@ -87,6 +89,59 @@ TEST(JointChains, KeptOrFoundAnewTheyMoveAlike) {
         return bits;
     };
     EXPECT_EQ(run(false), run(true));
+}
+
+/// The same of what falls asleep, is put to sleep, woken and kicked in any order, beside a pair that never sleeps.
+TEST(JointChains, KeptOrFoundAnewTheyWakeAlike) {
+    struct Outcome {
+        std::vector<std::uint64_t> bits;
+        std::uint64_t fellAsleep = 0;
+        std::uint64_t wokeUp = 0;
+    };
+    const auto run = [](std::uint64_t seed, bool anew) {
+        constexpr int kLinks = 24;
+        Row row(WorldSettings{}, kLinks);
+        (void)addStatic(row.world, box(200, 0.5), {}, {0, 0});
+        for (std::size_t i = 3; i < kLinks - 1; i += 4) { must(row.world.destroyJoint(row.hinges[i])); }  // six chains
+        BodyDef def = dynamicAt({0, 100});
+        def.gravityScale = 0;
+        for (int i = 0; i < 2; ++i) {
+            def.angularVelocity = Real(0.5);
+            def.position.x += 3;
+            row.links.push_back(addBody(row.world, def, box(0.5, 0.25)));
+        }
+        const JointId watch = row.hinge(kLinks, kLinks + 1);
+        Random random(seed);
+        Outcome outcome;
+        for (int i = 0; i < 400; ++i) {
+            const BodyId link = row.links[static_cast<std::size_t>(random.integer(0, kLinks - 1))];
+            const int what = random.integer(0, 11);
+            if (what == 0) { must(row.world.setAwake(link, false)); }
+            if (what == 1) { must(row.world.setAwake(link, true)); }
+            if (what == 2 && i % 3 == 0) { must(row.world.setVelocity(link, vec(0, 2), 0)); }
+            const auto limit = anew && i % 2 == 0 ? std::optional(Real(0x1p60)) : std::nullopt;
+            must(row.world.setBreakLimits(watch, limit, std::nullopt));
+            must(row.world.step(kStep));
+            outcome.fellAsleep += row.world.counters().fellAsleep;
+            outcome.wokeUp += row.world.counters().wokeUp;
+            outcome.bits.push_back(row.world.counters().islands);
+        }
+        for (const BodyId link : row.links) {
+            outcome.bits.push_back(std::bit_cast<std::uint64_t>(row.world.position(link).x));
+            outcome.bits.push_back(std::bit_cast<std::uint64_t>(row.world.position(link).y));
+        }
+        return outcome;
+    };
+    std::uint64_t fellAsleep = 0;
+    std::uint64_t wokeUp = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const Outcome kept = run(seed, false);
+        EXPECT_EQ(kept.bits, run(seed, true).bits) << "seed " << seed;
+        fellAsleep += kept.fellAsleep;
+        wokeUp += kept.wokeUp;
+    }
+    EXPECT_GT(fellAsleep, 50U);
+    EXPECT_GT(wokeUp, 100U);
 }
 
 }  // namespace

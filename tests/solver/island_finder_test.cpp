@@ -63,6 +63,41 @@ TEST(IslandFinder, RootIsTheLowestReachableMemberInAnyOrder) {
     EXPECT_GT(joined, 2 * islands);
 }
 
+/// Whether few or most are united, and whoever was the time before.
+TEST(IslandFinder, ResetForFewForgetsAll) {
+    IslandFinder finder;
+    IslandFinder other;
+    std::size_t count = 0;
+    std::size_t few = 0;
+    for (std::uint64_t seed = 0; seed < 3'000; ++seed) {
+        Random random(seed);
+        count += static_cast<std::size_t>(random.integer(0, 2));
+        std::vector<std::uint32_t> united;
+        const double share = random.chance(0.5) ? 0.01 : 0.3;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (random.chance(share)) { united.push_back(i); }
+        }
+        const int edgeCount = united.empty() ? 0 : random.integer(0, 40);
+        std::vector<Edge> edges;
+        const auto anyone = [&] {
+            return united[static_cast<std::size_t>(random.integer(0, static_cast<int>(united.size()) - 1))];
+        };
+        for (int i = 0; i < edgeCount; ++i) { edges.emplace_back(anyone(), anyone()); }
+        finder.reset(count, united);
+        for (const auto& [a, b] : edges) { finder.unite(a, b); }
+        other.reset(count, united);
+        other.uniteAs(finder);
+        const std::vector<std::uint32_t> wanted = lowestReachable(count, edges);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            ASSERT_EQ(finder.find(i), wanted[i]) << "seed " << seed;
+            ASSERT_EQ(other.find(i), wanted[i]) << "seed " << seed;
+        }
+        few += !edges.empty() && 8 * united.size() < count ? 1 : 0;
+    }
+    EXPECT_GT(few, 1'000U);
+    EXPECT_LT(few, 2'000U);
+}
+
 TEST(IslandFinder, ResetForgets) {
     IslandFinder finder;
     finder.reset(3);

@@ -42,10 +42,11 @@ std::vector<Cost> committedCosts() {
 }
 
 /// Of a whole run, start and end included.
-double instructionsOnce(const std::string& scene, int steps, const ScratchDirectory& scratch) {
-    const ProgramResult result =
-        runProgram(SWEPT_VALGRIND, {"--tool=callgrind", "--callgrind-out-file=" + scratch.path("callgrind.out"),
-                                    SWEPT_PROGRAM, "run", scene, "--steps", std::to_string(steps)});
+double instructionsOnce(const std::vector<std::string>& command) {
+    const ScratchDirectory scratch;
+    std::vector<std::string> arguments{"--tool=callgrind", "--callgrind-out-file=" + scratch.path("callgrind.out")};
+    arguments.insert(arguments.end(), command.begin(), command.end());
+    const ProgramResult result = runProgram(SWEPT_VALGRIND, arguments);
     EXPECT_EQ(result.exitCode, 0) << result.err;
     std::smatch match;
     const bool isTold = std::regex_search(result.err, match, std::regex("Collected : ([0-9]+)"));
@@ -54,10 +55,10 @@ double instructionsOnce(const std::string& scene, int steps, const ScratchDirect
 }
 
 /// What starting takes differs from run to run by some 1e5, now and then by 1e6: the least of three.
-double instructionsOf(const std::string& scene, int steps, const ScratchDirectory& scratch) {
-    const double first = instructionsOnce(scene, steps, scratch);
-    const double second = instructionsOnce(scene, steps, scratch);
-    return std::min({first, second, instructionsOnce(scene, steps, scratch)});
+double instructionsOf(const std::vector<std::string>& command) {
+    const double first = instructionsOnce(command);
+    const double second = instructionsOnce(command);
+    return std::min({first, second, instructionsOnce(command)});
 }
 
 TEST(Instructions, OfAStepDoNotGrow) {
@@ -71,12 +72,33 @@ TEST(Instructions, OfAStepDoNotGrow) {
         SceneDescription scene = worlds::sceneNamed(cost.scene)->make(cost.size).scene;
         scene.settings.profile = cost.profile == "fast" ? SceneProfile::fast : SceneProfile::accurate;
         const std::string path = scratch.write("scene.json", writeScene(scene));
-        const double start = instructionsOf(path, cost.warmSteps, scratch);
-        const double now = (instructionsOf(path, cost.warmSteps + kSteps, scratch) - start) / kSteps;
+        const auto upTo = [&path](int steps) {
+            return instructionsOf({SWEPT_PROGRAM, "run", path, "--steps", std::to_string(steps)});
+        };
+        const double now = (upTo(cost.warmSteps + kSteps) - upTo(cost.warmSteps)) / kSteps;
         std::cout << "[ COUNTED  ] " << cost.scene << ',' << cost.size << ',' << cost.profile << ',' << cost.warmSteps
                   << ',' << std::llround(now) << '\n';
         EXPECT_GT(now, 1000) << cost.scene << " does nothing";
         EXPECT_LE(now, kMostGrowth * cost.instructions + kNoise) << cost.scene << ", " << cost.profile;
+    }
+}
+
+/// Whatever sleeps beside it.
+TEST(Instructions, OfAStepAreThoseOfWhatIsAwake) {
+    constexpr int kWarmSteps = 130;
+    constexpr int kSteps = 200;
+    for (const std::string profile : {"fast", "accurate"}) {
+        const auto cost = [&profile](int crates) {
+            const auto upTo = [&](int steps) {
+                return instructionsOf({SWEPT_BESIDE_SLEEPERS, std::to_string(crates), std::to_string(steps), profile});
+            };
+            return (upTo(kWarmSteps + kSteps) - upTo(kWarmSteps)) / kSteps;
+        };
+        const double few = cost(100);
+        const double many = cost(2'000);
+        std::cout << "[ COUNTED  ] " << profile << ": " << few << " beside 100 crates, " << many << " beside 2000\n";
+        EXPECT_GT(few, 10'000);
+        EXPECT_LE(many, 1.05 * few + 2e5 / kSteps);
     }
 }
 
