@@ -158,6 +158,12 @@ std::vector<Contestant> allContestants() {
 
 double WorldRow::perStep() const { return times.empty() ? 0 : sumOf(times) / static_cast<double>(times.size()); }
 
+double WorldRow::longestStep() const {
+    double longest = 0;
+    for (const StepTime& time : times) { longest = std::max(longest, time.seconds); }
+    return longest;
+}
+
 PeerStages WorldRow::stages() const {
     PeerStages sum;
     for (const StepTime& time : times) {

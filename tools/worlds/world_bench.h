@@ -54,6 +54,8 @@ struct WorldRow {
 
     /// Means of the timed steps, seconds; 0 without any.
     double perStep() const;
+    /// The one step that took longest, seconds; 0 without any.
+    double longestStep() const;
     /// Engines take these from the wall clock: where a step was interrupted, they are parts of its processor time.
     PeerStages stages() const;
 };

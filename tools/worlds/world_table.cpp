@@ -48,18 +48,23 @@ std::string errorText(double value) {
 }
 
 /// Of what was stopped, with a star; of what was not timed, why.
-std::string timeText(const WorldRow& row) {
+std::string timeText(const WorldRow& row, double seconds) {
     if (row.times.empty()) { return row.verdict.empty() ? "-" : row.verdict; }
-    return bench::threeDigits(kMilli * row.perStep()) + (row.verdict.empty() ? "" : "*");
+    return bench::threeDigits(kMilli * seconds) + (row.verdict.empty() ? "" : "*");
 }
 
-void writeTimes(std::ostream& out, const std::vector<WorldRow>& rows) {
+/// @param timeOf  seconds of a row
+void writeTimes(std::ostream& out, const std::vector<WorldRow>& rows, const char* title,
+                double (WorldRow::*timeOf)() const) {
     const auto contestants = distinct(rows, contestantOf);
-    out << "\nMilliseconds a step (*: stopped, of fewer steps)\n";
+    out << '\n' << title << '\n';
     bench::TextTable table(with({"scene", "bodies"}, contestants));
     for (const std::string& scene : distinct(rows, sceneOf)) {
         std::vector<std::string> line{scene, std::to_string(find(rows, scene, contestants.front())->bodies)};
-        for (const std::string& contestant : contestants) { line.push_back(timeText(*find(rows, scene, contestant))); }
+        for (const std::string& contestant : contestants) {
+            const WorldRow& row = *find(rows, scene, contestant);
+            line.push_back(timeText(row, (row.*timeOf)()));
+        }
         table.add(line);
     }
     table.write(out);
@@ -151,8 +156,9 @@ void writeRefusals(std::ostream& out, const std::vector<WorldRow>& rows) {
 
 void writeWorldTables(std::ostream& out, const std::vector<WorldRow>& rows) {
     if (rows.empty()) { return; }
-    writeTimes(out, rows);
+    writeTimes(out, rows, "Milliseconds a step (*: stopped, of fewer steps)", &WorldRow::perStep);
     writeRatios(out, rows);
+    writeTimes(out, rows, "Longest of the steps, milliseconds", &WorldRow::longestStep);
     writeStages(out, rows);
     writeQuality(out, rows);
     writeRefusals(out, rows);
@@ -183,7 +189,8 @@ void writeGrowthTable(std::ostream& out, const std::vector<WorldRow>& rows) {
 }
 
 void writeWorldCsv(std::ostream& out, const std::vector<WorldRow>& rows) {
-    out << "scene,engine,bodies,steps,secondsPerStep,pairs,collide,islands,solve,continuous,finish,deepest,meanOverlap,"
+    out << "scene,engine,bodies,steps,secondsPerStep,longestStep,pairs,collide,islands,solve,continuous,finish,deepest,"
+           "meanOverlap,"
            "jointGap,startEnergy,endEnergy,memory,verdict\n";
     for (const WorldRow& row : rows) {
         const Quality quality = row.quality.value_or(Quality{});
@@ -191,8 +198,8 @@ void writeWorldCsv(std::ostream& out, const std::vector<WorldRow>& rows) {
                            ',' + std::to_string(row.times.size());
         const PeerStages s = row.stages();
         for (const double number :
-             {row.perStep(), s.pairs, s.collide, s.islands, s.solve, s.continuous, s.finish, quality.deepest,
-              quality.mean, quality.jointError, row.startEnergy, quality.energy, row.memory}) {
+             {row.perStep(), row.longestStep(), s.pairs, s.collide, s.islands, s.solve, s.continuous, s.finish,
+              quality.deepest, quality.mean, quality.jointError, row.startEnergy, quality.energy, row.memory}) {
             line += ',';
             appendNumber(line, number);
         }
