@@ -19,15 +19,12 @@ namespace swept::inline SWEPT_PRECISION {
 enum class ProxyId : std::uint32_t {};
 
 /// The type lists: which kinds can meet at all. Static never meets static or kinematic, and kinematic not kinematic;
-/// sensors meet kinematic and dynamic things, never each other or static ones.
+/// sensors meet everything but each other.
 enum class ProxyKind : std::uint8_t { fixed, kinematic, dynamic, sensor };
 inline constexpr int kProxyKindCount = 4;
 
 constexpr bool canMeet(ProxyKind a, ProxyKind b) {
-    if (a == ProxyKind::sensor || b == ProxyKind::sensor) {
-        const ProxyKind other = a == ProxyKind::sensor ? b : a;
-        return other == ProxyKind::kinematic || other == ProxyKind::dynamic;
-    }
+    if (a == ProxyKind::sensor || b == ProxyKind::sensor) { return a != b; }
     return a == ProxyKind::dynamic || b == ProxyKind::dynamic;
 }
 

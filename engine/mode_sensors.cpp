@@ -168,8 +168,7 @@ void remember(WorldState& world, const SensorPair& pair, Contact* contact, bool 
 }
 
 bool isPair(const WorldState& world, const Shape& sensor, const Shape& other) {
-    return sensor.def.sensor && !other.def.sensor && world.bodies[other.body].def.type != BodyType::fixed &&
-           mayTouch(world, sensor, other);
+    return sensor.def.sensor && !other.def.sensor && mayTouch(world, sensor, other);
 }
 
 void addPairs(WorldState& world, std::uint32_t a, std::uint32_t b) {

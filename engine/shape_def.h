@@ -29,7 +29,7 @@ struct ShapeDef {
     Real density = 1;           ///< kg/m², at least 0
     Real friction = Real(0.6);  ///< at least 0
     Real restitution = 0;       ///< 0 … 1
-    bool sensor = false;        ///< reports overlaps with kinematic and dynamic shapes, never collides
+    bool sensor = false;        ///< reports overlaps with what is no sensor (of fixed bodies: if it can move), never collides
     Filter filter{};
     std::uint64_t userData = 0;
 };

@@ -56,7 +56,11 @@ std::optional<JointId> gearOn(const WorldState& world, JointId id) {
 }  // namespace
 
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
-    return a.body != b.body && shouldCollide(a.def.filter, b.def.filter) && !jointForbids(world, a.body, b.body);
+    if (a.body == b.body || !shouldCollide(a.def.filter, b.def.filter)) { return false; }
+    const auto isFixed = [&world](const Shape& shape) { return world.bodies[shape.body].def.type == BodyType::fixed; };
+    const bool isSensed = a.def.sensor || b.def.sensor;  // without, somebody asks for one that is dynamic
+    if (isSensed && isFixed(a) && isFixed(b)) { return false; }
+    return !jointForbids(world, a.body, b.body);
 }
 
 void wake(WorldState& world, std::uint32_t start) {

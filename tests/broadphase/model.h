@@ -91,12 +91,12 @@ private:
         return std::max(a.lower.x, b.lower.x) <= std::min(a.upper.x, b.upper.x) &&
                std::max(a.lower.y, b.lower.y) <= std::min(a.upper.y, b.upper.y);
     }
-    /// The table of the design, spelled out: fixed, kinematic, dynamic, sensor.
+    /// Who meets whom, spelled out: fixed, kinematic, dynamic, sensor.
     static bool mayMeet(ProxyKind a, ProxyKind b) {
-        static constexpr bool kTable[4][4] = {{false, false, true, false},
+        static constexpr bool kTable[4][4] = {{false, false, true, true},
                                               {false, false, true, true},
                                               {true, true, true, true},
-                                              {false, true, true, false}};
+                                              {true, true, true, false}};
         return kTable[static_cast<int>(a)][static_cast<int>(b)];
     }
 

@@ -209,5 +209,88 @@ TEST(SensorSweeps, NeverTellTheEndBeforeItsBegin) {
     EXPECT_GT(seen, 100);
 }
 
+/// Feet of a character that stands, jumps and lands: on a box, on a chain of three segments, on what moves.
+TEST(Sensors, OfWhatMovesSeeTheGround) {
+    for (const int ground : {0, 1, 2}) {
+        World world = makeWorld(awakeSettings());
+        BodyDef def;
+        def.type = ground == 2 ? BodyType::kinematic : BodyType::fixed;
+        const BodyId floor = must(world.createBody(def));
+        const std::array points{vec(10, 0), vec(0.1, 0), vec(-0.1, 0), vec(-10, 0)};
+        const ShapeId shape = ground == 1 ? must(world.addChain(floor, points, false, {}))
+                                          : must(world.addShape(floor, must(makeBox(vec(10, 0.5), vec(0, -0.5)))));
+        def = dynamicAt({0, 1});
+        def.fixedRotation = true;
+        const BodyId hero = addBody(world, def, box(0.4, 0.9));
+        const ShapeId foot = must(world.addShape(hero, must(makeBox(vec(0.3, 0.1), vec(0, -0.9))), sensorDef()));
+        const ShapeId head = must(world.addShape(hero, must(makeBox(vec(0.3, 0.1), vec(0, 0.9))), sensorDef()));
+        std::vector<ContactEvent> events;
+        for (int i = 0; i < 150; ++i) {
+            if (i == 60) { must(world.setVelocity(hero, vec(0, 4), 0)); }
+            run(world, 1);
+            const std::vector<ContactEvent> more = sensorEventsOf(world);
+            events.insert(events.end(), more.begin(), more.end());
+        }
+        ASSERT_EQ(events.size(), 3U) << ground;
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(events[i].type, i == 1 ? ContactEventType::sensorEnd : ContactEventType::sensorBegin);
+            EXPECT_EQ(events[i].shapeA, foot);
+            EXPECT_EQ(events[i].shapeB, shape);
+        }
+        std::vector<ShapeId> below;
+        world.visitOverlaps(foot, [&](ShapeId other) { below.push_back(other); });
+        EXPECT_EQ(below, std::vector{shape});
+        world.visitOverlaps(head, [](ShapeId) { FAIL(); });
+        must(world.destroyBody(floor));
+        run(world, 1);
+        ASSERT_EQ(sensorEventsOf(world).size(), 1U);
+        EXPECT_EQ(sensorEventsOf(world)[0].type, ContactEventType::sensorEnd);
+    }
+}
+
+/// A probe that flies through a wall in a step, and one that is put over a wall while it sleeps.
+TEST(Sensors, OfWhatMovesSeeWallsTheyPass) {
+    World world = makeWorld(0);
+    const BodyId wall = addStatic(world, box(0.05, 5));
+    const BodyId probe = must(world.createBody(dynamicAt({-3, 0}, vec(240, 0))));
+    must(world.addShape(probe, circle(0.1), sensorDef()));
+    run(world, 1);
+    const std::vector<ContactEvent> events = sensorEventsOf(world);
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_NEAR(events[0].fraction, (3 - 0.15) / 4, 1e-3);
+    EXPECT_NEAR(events[1].fraction, (3 + 0.15) / 4, 1e-3);
+    EXPECT_EQ(events[0].bodyB, wall);
+    must(world.setPose(probe, {20, 0}, 0));
+    must(world.setVelocity(probe, {}, 0));
+    must(world.setAwake(probe, false));
+    run(world, 2);
+    must(world.setPose(wall, {20, 0}, 0));
+    run(world, 1);
+    ASSERT_EQ(sensorEventsOf(world).size(), 1U);
+    EXPECT_EQ(sensorEventsOf(world)[0].type, ContactEventType::sensorBegin);
+}
+
+/// Until what has them can move.
+TEST(Sensors, OfFixedBodiesSeeNoGround) {
+    World world = makeWorld(0);
+    addStatic(world, box(5, 0.5));
+    const BodyId gate = addStatic(world, box(1, 1), sensorDef());
+    addStatic(world, box(1, 1), sensorDef(), {0.5, 0});
+    run(world, 2);
+    EXPECT_TRUE(sensorEventsOf(world).empty());
+    EXPECT_EQ(world.counters().contacts, 0U);
+    BodyDef def = world.definition(gate);
+    def.type = BodyType::kinematic;
+    must(world.redefine(gate, def));
+    run(world, 1);
+    EXPECT_EQ(sensorEventsOf(world).size(), 1U);
+    def.type = BodyType::fixed;
+    must(world.redefine(gate, def));
+    run(world, 1);
+    ASSERT_EQ(sensorEventsOf(world).size(), 1U);
+    EXPECT_EQ(sensorEventsOf(world)[0].type, ContactEventType::sensorEnd);
+    EXPECT_EQ(world.counters().contacts, 0U);
+}
+
 }  // namespace
 }  // namespace swept::test
