@@ -194,37 +194,56 @@ EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState
 
 namespace {
 
-void add(EnergyAccount& account, const EnergyEntry& entry) {
-    account.kinetic += entry.kinetic;
-    account.gained += entry.gained;
-    account.work += entry.work;
-    account.fall += entry.fall;
-    account.kinetic += entry.turningKinetic;
-    account.gained += entry.turningGained;
-    account.work += entry.turningWork;
-}
+/// What is added up of an account.
+struct EnergySums {
+    explicit EnergySums(const EnergyAccount& account)
+        : kinetic(account.kinetic), gained(account.gained), work(account.work), fall(account.fall) {}
+
+    void add(const EnergyEntry& entry) {
+        kinetic += entry.kinetic;
+        gained += entry.gained;
+        work += entry.work;
+        fall += entry.fall;
+        kinetic += entry.turningKinetic;
+        gained += entry.turningGained;
+        work += entry.turningWork;
+    }
+    void writeTo(EnergyAccount& account) const {
+        account.kinetic = kinetic;
+        account.gained = gained;
+        account.work = work;
+        account.fall = fall;
+    }
+
+    double kinetic;
+    double gained;
+    double work;
+    double fall;
+};
 
 }  // namespace
 
 /// Added up outside of memory as long as bodies are of one island, as mostly: each sum there waits for the one before.
 void book(WorldState& world, SolveDesk& desk) {
+    EnergyAccount* account = nullptr;
+    EnergySums sums{EnergyAccount{}};
     std::uint32_t root = kNoIndex;
-    EnergyAccount account;
     for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
         const std::uint32_t next = world.islands.find(desk.bodies[i]);
         if (next != root) {
-            if (root != kNoIndex) { world.energyAccounts[root] = account; }
+            if (account != nullptr) { sums.writeTo(*account); }
             root = next;
-            account = world.energyAccounts[root];
-            if (account.solve != desk.energySolve) {
-                account = {.solve = desk.energySolve};
+            account = &world.energyAccounts[root];
+            if (account->solve != desk.energySolve) {
+                *account = {.solve = desk.energySolve};
                 desk.energyRoots.push_back(root);
             }
+            sums = EnergySums(*account);
         }
-        add(account, desk.energyEntries[i]);
+        sums.add(desk.energyEntries[i]);
     }
-    if (root != kNoIndex) { world.energyAccounts[root] = account; }
+    if (account != nullptr) { sums.writeTo(*account); }
 }
 
 void settleAccounts(WorldState& world, const TiedGroup& group) {
