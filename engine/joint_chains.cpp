@@ -39,6 +39,21 @@ std::uint32_t firstAwakeOf(const WorldState& world, const JointTie& tie, std::ui
                          [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); });
 }
 
+/// Of joints that hold something.
+bool tieSleepers(const WorldState& world) {
+    const auto sleeps = [&world](std::uint32_t slot) {
+        const Body& body = world.bodies[slot];
+        return !body.awake && body.def.type != BodyType::fixed;
+    };
+    return std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t slot) {
+        const std::vector<std::uint32_t>& joints = world.bodies[slot].joints;
+        return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t index) {
+            const std::span<const std::uint32_t> bodies = world.joints[index].allBodies();
+            return world.joints[index].holds() && std::any_of(bodies.begin(), bodies.end(), sleeps);
+        });
+    });
+}
+
 void tieBodies(WorldState& world) {
     JointChains& chains = world.jointChains;
     chains.finder.reset(world.bodies.slotCount(), world.awake);
@@ -93,8 +108,10 @@ void findJointChains(WorldState& world) {
     chains.list.clear();
     chains.members.clear();
     chains.areCurrent = true;
+    chains.tieSleepers = false;
     if (world.joints.size() == 0) { return; }
     if (anyAsleep(world)) {
+        chains.tieSleepers = tieSleepers(world);
         listJointsOfAwake(world);
     } else {
         listAllJoints(world);

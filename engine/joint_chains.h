@@ -30,6 +30,7 @@ struct JointChains {
         std::uint32_t lowest = 0;  ///< of its chain
     };
     bool areCurrent = false;            ///< those of all joints of what is awake, as they are now
+    bool tieSleepers = false;           ///< a joint ties what is awake to what sleeps
     std::vector<JointChain> list;       ///< in order of their lowest bodies
     std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
     IslandFinder finder;                ///< scratch

@@ -374,7 +374,8 @@ void noticeContacts(WorldState& world) {
     const bool anyGhost = haveContacts && dropGhosts(world, world.contacts, world.slides, world.lists.ground,
                                                      world.awake, world.nextGroundContact);
     if (anyGhost) { distrustGhosts(world); }
-    if (world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world, 0); }
+    const bool mayJointsWake = !world.jointChains.areCurrent || world.jointChains.tieSleepers;
+    if (mayJointsWake && world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world, 0); }
     const std::size_t before = world.awake.size();
     if (haveContacts) {
         if (world.watched) { countAhead(world); }

@@ -46,6 +46,27 @@ TEST_P(SleepersRow, WakeAcrossJoints) {
     EXPECT_NEAR(momentumOf(world, bodies).x, 3, 1e-3);
 }
 
+/// Steps after it fell asleep, with nothing else going on.
+TEST(Sleepers, WakeWhenThePlatformTheyHangOnSetsOut) {
+    World world = makeWorld(WorldSettings{});
+    BodyDef def;
+    def.type = BodyType::kinematic;
+    def.position = {0, 5};
+    const BodyId platform = must(world.createBody(def));
+    const BodyId load = addBody(world, dynamicAt({0, 3}), box(0.5, 0.5));
+    RevoluteJointDef hinge;
+    hinge.base = between(platform, load);
+    hinge.anchor = {0, 5};
+    const JointId joint = must(world.createJoint(hinge));
+    run(world, 300);
+    ASSERT_FALSE(world.isAwake(load));
+    must(world.setVelocity(platform, vec(1, 0), 0));
+    run(world, 60);
+    EXPECT_TRUE(world.isAwake(load));
+    EXPECT_GT(world.position(load).x, 0.5);
+    EXPECT_LT(world.jointError(joint), 1e-3);
+}
+
 /// Boxes that are held; the lower one is made ground and free again: the other one moves once in a step.
 TEST(Sleepers, HeldOnesMayBeFrozenAndFreed) {
     for (const bool wait : {false, true}) {
