@@ -121,7 +121,8 @@ bool weighContact(WorldState& world, const TouchingPair& pair, const RestLimits&
 void weighContacts(WorldState& world) {
     const auto subSteps = static_cast<Real>(subStepsOf(world.settings));
     for (const TouchingPair& pair : world.touching) {
-        IslandRest& rest = restOf(world, pair.dynamicA ? pair.bodyA : pair.bodyB);
+        if (!isTied(world, pair)) { continue; }
+        IslandRest& rest = restOf(world, pair.dynamicBody());
         if (rest.isRestless) { continue; }
         const bool onKinematic =
             !pair.areDynamic() && world.bodies[pair.dynamicA ? pair.bodyB : pair.bodyA].def.type == BodyType::kinematic;
@@ -174,6 +175,10 @@ bool chooseSought(WorldState& world) {
 }
 
 }  // namespace
+
+bool isTied(const WorldState& world, const TouchingPair& pair) {
+    return (world.traits[pair.dynamicBody()] & kIsTied) != 0;
+}
 
 IslandRest& restOf(WorldState& world, std::uint32_t slot) { return world.islandRests[world.islands.find(slot)]; }
 

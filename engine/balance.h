@@ -49,7 +49,9 @@ struct IslandRest {
     std::uint32_t heldIn = 0xFFFFFFFFu;  ///< place in `HeldIslands`, once it has one
 };
 
-/// Of the island of a body, by slot. @pre `findBalancedIslands` is at work, or found some
+/// Whether a contact is of what the solver moves in this step: beside a kinematic body at rest it may be of a sleeper.
+bool isTied(const WorldState& world, const TouchingPair& pair);
+/// Of the island of a body, by slot. @pre `findBalancedIslands` is at work, or found some; the body is awake
 IslandRest& restOf(WorldState& world, std::uint32_t slot);
 /// Those that an island has to keep.
 RestLimits limitsOf(const WorldState& world, const IslandRest& rest);

@@ -19,8 +19,6 @@ bool isMember(const WorldState& world, std::uint32_t slot, Effort effort) {
     return body.role == BodyRole::solved && body.effort == effort;
 }
 
-std::uint32_t movingBodyOf(const TouchingPair& pair) { return pair.dynamicA ? pair.bodyA : pair.bodyB; }
-
 template <class Visit>
 void forEachKinematic(const WorldState& world, const Visit& visit) {
     if (world.kinematicBodies == 0) { return; }
@@ -80,7 +78,7 @@ void measureClass(WorldState& world, Effort effort, double dt) {
     }
     moveKinematics(world, dt);
     for (const TouchingPair& pair : world.touching) {
-        const std::uint32_t slot = movingBodyOf(pair);
+        const std::uint32_t slot = pair.dynamicBody();
         if (!isMember(world, slot, effort)) { continue; }
         Real& depth = world.islandErrors[world.islands.find(slot)].penetrationAfter;
         depth = std::max(depth, depthAfter(world, world.contacts[pair.contact]));
@@ -179,7 +177,7 @@ void rememberClass(WorldState& world, Effort effort) {
     }
     trial.contacts.clear();
     for (const TouchingPair& pair : world.touching) {
-        if (!isMember(world, movingBodyOf(pair), effort)) { continue; }
+        if (!isMember(world, pair.dynamicBody(), effort)) { continue; }
         const Contact& contact = world.contacts[pair.contact];
         trial.contacts.push_back({.contact = pair.contact,
                                   .normalImpulse = contact.normalImpulse,

@@ -80,7 +80,7 @@ void fallAsleep(WorldState& world, std::uint32_t place) {
 void keepTotals(WorldState& world) {
     const auto subSteps = static_cast<Real>(subStepsOf(world.settings));
     for (const TouchingPair& pair : world.touching) {
-        if (world.bodies[pair.dynamicA ? pair.bodyA : pair.bodyB].heldIn == kNoIndex) { continue; }
+        if (world.bodies[pair.dynamicBody()].heldIn == kNoIndex) { continue; }
         Contact& contact = world.contacts[pair.contact];
         for (std::size_t i = 0; i < pair.points; ++i) { contact.totalImpulse[i] = subSteps * contact.normalImpulse[i]; }
     }

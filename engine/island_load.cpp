@@ -98,7 +98,7 @@ void countIslandContacts(WorldState& world) {
     std::uint32_t root = kNoIndex;
     std::uint32_t count = 0;
     for (const TouchingPair& pair : world.touching) {
-        const std::uint32_t next = world.islands.rootOf(pair.dynamicA ? pair.bodyA : pair.bodyB);
+        const std::uint32_t next = world.islands.rootOf(pair.dynamicBody());
         if (next != root && count > 0) {
             runs.push_back({root, count});
             count = 0;

@@ -97,7 +97,8 @@ void listPoints(const LoadSearch& search) {
         paths.waiting[slot] = 0;
     }
     for (const TouchingPair& pair : world.touching) {
-        IslandRest& rest = restOf(world, pair.dynamicA ? pair.bodyA : pair.bodyB);
+        if (!isTied(world, pair)) { continue; }
+        IslandRest& rest = restOf(world, pair.dynamicBody());
         if (rest.isSought) { rest.isSought = addContact(search, pair, rest); }
     }
     for (const LoadPoint& point : paths.points) {

@@ -18,9 +18,9 @@ void noteWhoIsUp(WorldState& world, std::uint8_t isUp) {
 /// As much as the others have: what has room for all of it once needs no more.
 template <class Pair>
 void reserveBoth(std::vector<Pair>& pairs, ParkedPairs<Pair>& parked) {
-    pairs.reserve(pairs.size() + parked.size());
-    parked.reserve(std::max(pairs.capacity(), parked.capacity()));
-    pairs.reserve(parked.capacity());
+    const std::size_t count = pairs.size() + parked.size();
+    if (count > pairs.capacity()) { pairs.reserve(std::max(count, 2 * pairs.capacity())); }
+    parked.reserve(pairs.capacity());
 }
 
 bool isSolid(const WorldState& world, const ContactProbe& probe) { return world.contacts[probe.contact].isSolid(); }

@@ -294,6 +294,7 @@ void assignRoles(WorldState& world, Real dt) {
         if (!world.parked.woken.empty()) { listUnparked(world); }
         const std::size_t startled = world.awake.size();
         wakeOnward(world, before);
+        if (!world.parked.woken.empty()) { listUnparked(world); }
         resetBodies(world, std::span(world.awake).subspan(startled), dt);
     }
     world.islands.reset(world.bodies.slotCount(), world.awake);

@@ -22,6 +22,9 @@ struct TouchingPair : TouchTraits {
     TouchingPair(const TouchTraits& traits, std::uint32_t place, std::uint32_t a, std::uint32_t b)
         : TouchTraits(traits), contact(place), bodyA(a), bodyB(b) {}
 
+    /// One of them that is dynamic: if both are, A.
+    std::uint32_t dynamicBody() const { return dynamicA ? bodyA : bodyB; }
+
     std::uint32_t contact;  ///< place in `WorldState::contacts`
     std::uint32_t bodyA;    ///< slots
     std::uint32_t bodyB;

@@ -220,7 +220,7 @@ struct WorldState : Workers {
     JointChains jointChains;
     std::vector<std::uint8_t> islandHangs;  ///< by root: nothing in it moves (settled.cpp)
     std::vector<Pull> islandPulls;          ///< by slot: what is left of pulls and impulses of a step
-    std::vector<IslandRest> islandRests;    ///< by root, of this step
+    std::vector<IslandRest> islandRests;    ///< by root, of this step: of what is awake
     LoadPaths loadPaths;
     HeldIslands held;
     std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget

@@ -179,5 +179,44 @@ TEST(LoadPaths, ScalesTellUnlikeWeights) {
     }
 }
 
+/// Their contacts with a kinematic body at rest are listed, but theirs is no balance that is sought: their places among
+/// what is awake are of other times. (What that made of memory only the checks of a sanitizer build see.)
+TEST(LoadPaths, SleepersBesideAPlatformAreNoPartOfIt) {
+    constexpr int kPyramids = 12;
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        WorldSettings settings;
+        settings.profile = profile;
+        World world = makeWorld(settings);
+        addStatic(world, box(1000, 1), {}, {0, -1});
+        const auto addPyramid = [&world](double x) {
+            std::vector<BodyId> boxes;
+            for (int row = 0; row < 3; ++row) {
+                for (int i = 0; i < 3 - row; ++i) {
+                    boxes.push_back(addBody(world, dynamicAt({x + 1.05 * i + 0.525 * row, row + 0.5}), box(0.5, 0.5)));
+                }
+            }
+            return boxes;
+        };
+        std::vector<BodyId> corners;
+        for (int i = 0; i < kPyramids; ++i) { corners.push_back(addPyramid(10.0 * i).front()); }
+        run(world, 300);
+        ASSERT_EQ(world.counters().awakeBodies, 0U);
+        for (const BodyId corner : corners) {
+            BodyDef def;
+            def.type = BodyType::kinematic;
+            def.position = world.position(corner) + DVec2{-0.99, 0};
+            (void)addBody(world, def, box(0.5, 0.4));
+        }
+        const std::vector<BodyId> another = addPyramid(-30);
+        std::vector<DVec2> places;
+        for (const BodyId body : another) { places.push_back(world.position(body)); }
+        run(world, 60);
+        for (const BodyId corner : corners) { EXPECT_FALSE(world.isAwake(corner)); }
+        for (std::size_t i = 0; i < another.size(); ++i) {
+            EXPECT_LT(length(world.position(another[i]) - places[i]), 1e-3);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
