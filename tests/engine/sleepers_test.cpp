@@ -46,6 +46,85 @@ TEST_P(SleepersRow, WakeAcrossJoints) {
     EXPECT_NEAR(momentumOf(world, bodies).x, 3, 1e-3);
 }
 
+/// Boxes, disks and chains that fall, come to rest, are put to sleep, kicked, destroyed and made anew.
+class Playground {
+public:
+    /// @param sleepers  crates asleep, far away, that were there before
+    Playground(std::uint64_t seed, int sleepers) : world_(makeWorld(settingsOf(seed))), random_(seed) {
+        BodyDef def = dynamicAt({});
+        def.awake = false;
+        for (int i = 0; i < sleepers; ++i) {
+            def.position = {1e4 + 2.0 * i, 0.5};
+            addBody(world_, def, box(0.5, 0.5));
+        }
+        addStatic(world_, box(1e5, 1), {}, {0, -1});
+        for (int i = 0; i < 12; ++i) { bodies_.push_back(makeBody()); }
+    }
+
+    void step() {
+        const auto chosen = static_cast<std::size_t>(random_.integer(0, static_cast<int>(bodies_.size()) - 1));
+        const BodyId body = bodies_[chosen];
+        const int what = random_.integer(0, 160);
+        if (what == 0) { must(world_.setAwake(body, false)); }
+        if (what == 1) { must(world_.setVelocity(body, vec(random_.range(-6, 6), 4), 0)); }
+        if (what == 2) {
+            must(world_.destroyBody(body));
+            bodies_[chosen] = makeBody();
+        }
+        if (what == 3) { (void)world_.createJoint(hingeTo(body)); }  // or it is refused: with itself
+        run(world_, 1);
+    }
+
+    std::vector<DVec2> state() const {
+        std::vector<DVec2> state;
+        for (const BodyId body : bodies_) {
+            state.push_back(world_.position(body));
+            state.push_back({world_.angle(body), world_.isAwake(body) ? 1.0 : 0.0});
+        }
+        return state;
+    }
+    std::uint64_t fellAsleep() const { return world_.counters().fellAsleep; }
+
+private:
+    static WorldSettings settingsOf(std::uint64_t seed) {
+        WorldSettings settings;
+        settings.profile = seed % 2 == 0 ? Profile::fast : Profile::accurate;
+        return settings;
+    }
+    BodyId makeBody() {
+        const double size = random_.range(0.2, 0.6);
+        const BodyDef def = dynamicAt({random_.range(-5, 5), random_.range(1, 6)});
+        return random_.chance(0.3) ? addBody(world_, def, circle(size)) : addBody(world_, def, box(size, 0.3));
+    }
+    RevoluteJointDef hingeTo(BodyId body) {
+        const BodyId other = bodies_[static_cast<std::size_t>(random_.integer(0, 11))];
+        RevoluteJointDef def;
+        def.base = between(body, other);
+        def.anchor = 0.5 * (world_.position(body) + world_.position(other));
+        return def;
+    }
+
+    World world_;
+    Random random_;
+    std::vector<BodyId> bodies_;
+};
+
+/// Not a bit, whatever wakes and falls asleep itself.
+TEST(Sleepers, ElsewhereChangeNothing) {
+    std::uint64_t fellAsleep = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        Playground alone(seed, 0);
+        Playground among(seed, 200);
+        for (int i = 0; i < 900; ++i) {
+            alone.step();
+            among.step();
+            fellAsleep += alone.fellAsleep();
+            ASSERT_EQ(alone.state(), among.state()) << "seed " << seed << " step " << i;
+        }
+    }
+    EXPECT_GT(fellAsleep, 100U);
+}
+
 /// Steps after it fell asleep, with nothing else going on.
 TEST(Sleepers, WakeWhenThePlatformTheyHangOnSetsOut) {
     World world = makeWorld(WorldSettings{});
