@@ -11,8 +11,7 @@ namespace {
 /// To list the pairs of all shapes takes as long as two looks at all pairs.
 constexpr int kScansBeforeLists = 2;
 
-/// Places of those that are not parked go from here on, in order. Those of parked ones follow, contacts and candidates
-/// alike: contacts have the lower places.
+/// Where the places of each list begin; those of the probes at 0. All contacts come before all candidates.
 struct Places {
     std::size_t parkedProbes = 0;
     std::size_t candidates = 0;
