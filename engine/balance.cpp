@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../solver/closeness.h"
 #include "load_paths.h"
 #include "profile.h"
 #include "step.h"
@@ -98,12 +99,15 @@ bool weighContact(WorldState& world, const TouchingPair& pair, const RestLimits&
     const Vec2 fromBToA = toReal(a.center - b.center);
     const Real radius = movedRadius(world, pair);
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const Vec2 armA = rotate(a.pose.rotation, contact.manifold.points[i].point) + originFromA;
         const Real separation = contact.manifold.points[i].separation;
         const bool presses = contact.normalImpulse[i] > 0;
-        const Real gap = limits.gap * radius;
-        if (presses ? separation > gap || separation < -limits.overlap * radius : separation < -gap) { return false; }
+        // A point that was closed to a rounding, and is measured anew, is off by two.
+        const Real rounding = 2 * separationRounding(armA, armA + fromBToA);
+        const Real gap = std::max(limits.gap * radius, rounding);
+        const Real overlap = std::max(limits.overlap * radius, rounding);
+        if (presses ? separation > gap || separation < -overlap : separation < -gap) { return false; }
         const Vec2 impulse = subSteps * (contact.normalImpulse[i] * normal + contact.tangentImpulse[i] * tangent);
-        const Vec2 armA = rotate(a.pose.rotation, contact.manifold.points[i].point) + originFromA;
         if (pair.dynamicA) {
             Pull& pull = world.islandPulls[pair.bodyA];
             pull.force -= impulse;

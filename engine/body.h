@@ -58,7 +58,7 @@ struct Body {
     bool fast = false;            ///< this step: startled, or some point may move more than a quarter of the extent
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
-    std::uint16_t searchDebt = 0;   ///< what solving its large island all at once cost lately (effort.h)
+    std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (effort.h)
     std::uint16_t soughtSteps = 0;  ///< in which it was still, and its island not in balance (balance.h)
     Effort effort;                  ///< of its island, this step
     DVec2 startCenter{};            ///< at the start of this step

@@ -22,6 +22,13 @@ constexpr Real kHeavyRatio = 8;
 /// nothing after that; at most nine steps in a row are spent on rounds without end.
 constexpr int kRoundsOfDebt = 16;
 constexpr std::uint16_t kMostDebt = 96;
+/// In a small web or a tower what is at rest needs some rounds in each sub-step, for ever; more of them cost a step of
+/// debt for so many bodies that they were for. (A heap of 256 bodies that came to rest asked for 150 rounds, 10 ms,
+/// fourteen times in a row, where a step that is iterated takes 0.15 ms.)
+constexpr int kUsualRoundsOfSubStep = 6;
+constexpr int kBodyRoundsOfDebt = 512;
+/// Towers of equal masses are iterated for so many steps after a search in vain: for long they might not stand it.
+constexpr std::uint16_t kPauseOfTower = 16;
 /// Joints in an island that iteration brings together badly.
 constexpr std::uint32_t kLongChain = 16;
 /// Joints that close loops: in larger nets the factor fills up.
@@ -80,8 +87,8 @@ bool isPlanar(const IslandLoad& load) { return load.contacts <= 3 * load.bodies;
 /// Whether contacts that close loops are few enough to be solved all at once. (Heaps of 600 boxes that came to rest on
 /// springs asked for a hundred rounds in each step, and slipped whenever they changed from one to the other.)
 bool isWeb(const IslandLoad& load) {
-    const bool isSmall = load.bodies <= kSmallWebBodies;
-    return load.bodies <= kMostWebBodies && isPlanar(load) && (isSmall || (load.staysPut && load.debt < kMostDebt));
+    const bool mayBegin = load.bodies <= kSmallWebBodies && load.debt == 0;
+    return load.bodies <= kMostWebBodies && isPlanar(load) && (mayBegin || load.staysPut) && load.debt < kMostDebt;
 }
 
 /// How far the top of a heap sinks in under its weight, metres: each of its layers gives way by h²·|g| for each that it
@@ -145,7 +152,8 @@ DirectScope scopeForContacts(const IslandLoad& load, bool rests) {
     const bool isHeavy = heaviestOf(load) >= kHeavyRatio * load.lightest;
     const bool isStack = load.bodies > 1 && load.thinnest > 0;
     const bool needsIt = (isHigh && rests) || isHeavy;
-    const bool mayHaveIt = isTree(load) || (rests && isWeb(load));
+    const bool isTower = isTree(load) && (isHeavy || load.debt <= kMostDebt - kPauseOfTower);
+    const bool mayHaveIt = isTower || (rests && isWeb(load));
     return isStack && needsIt && mayHaveIt ? DirectScope::all : DirectScope::none;
 }
 
@@ -181,9 +189,12 @@ Effort effortFor(const IslandLoad& load, const StepScale& step) {
 
 }  // namespace
 
-std::uint16_t searchDebtAfter(std::uint16_t debt, int rounds, bool isSolved) {
-    const int owed = debt + rounds / kRoundsOfDebt;
-    return isSolved && owed < kMostDebt ? static_cast<std::uint16_t>(owed) : kMostDebt;
+std::uint16_t searchDebtAfter(std::uint16_t debt, const SearchCost& cost) {
+    const int unusual = std::max(cost.rounds - kUsualRoundsOfSubStep * cost.subSteps, 0);
+    const int ofSmall = unusual * static_cast<int>(cost.bodies) / kBodyRoundsOfDebt;
+    const int owed = debt + (cost.isLarge ? cost.rounds / kRoundsOfDebt : ofSmall);
+    // A step goes down from it before anybody asks.
+    return cost.isSolved && owed < kMostDebt ? static_cast<std::uint16_t>(owed) : kMostDebt + 1;
 }
 
 namespace {

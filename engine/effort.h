@@ -16,7 +16,7 @@ struct Effort {
     std::int8_t doublings = 0;  ///< of the sub-steps that the settings ask for; negative: halvings
     DirectScope direct = DirectScope::none;
     bool isCrowd = false;    ///< jostling, not carrying: one pass of relaxation after each solve does
-    bool isLarge = false;    ///< a web of more than `kSmallWebBodies`: searched with more patience, taken back in vain
+    bool isLarge = false;    ///< a web of more than `kSmallWebBodies`: searched with more patience
     /// Which of those that were searched in vain in this step, from 1 on: a class of its own, since all others may be
     /// solved by then; 0: none.
     std::uint8_t retry = 0;
@@ -49,9 +49,18 @@ constexpr int relaxPassesFor(Effort effort, int relaxPasses) {
 inline constexpr std::uint32_t kSmallWebBodies = 256;
 inline constexpr std::uint32_t kMostWebBodies = 2048;
 
-/// What a body owes after so many rounds of a search in its large island. Debts go down by one in each step; beyond a
-/// limit, as after a search in vain, the island is iterated.
-std::uint16_t searchDebtAfter(std::uint16_t debt, int rounds, bool isSolved);
+/// What it cost to solve the contacts of a class all at once.
+struct SearchCost {
+    int rounds = 0;
+    int subSteps = 0;
+    std::size_t bodies = 0;
+    bool isLarge = false;
+    bool isSolved = false;  ///< in vain else
+};
+
+/// What a body owes after such a search. Debts go down by one in each step; beyond a limit, as after a search in vain,
+/// the island is iterated: a web until it owes nothing, a tower for some steps, unless it has masses far apart.
+std::uint16_t searchDebtAfter(std::uint16_t debt, const SearchCost& cost);
 
 /// Gives every body that the solver moves the effort of its island, from the state alone.
 void assignEfforts(WorldState& world, double dt);

@@ -27,8 +27,9 @@ bool limitSpeed(Vec2& velocity, Real maxSpeed) {
 /// who bounces together takes as long as all else, and what of it is left undone is lost. (Of 400 elastic disks that
 /// jostle each other 18 % of their energy was left after a second that way, and is 67 % in turn.)
 constexpr std::size_t kMostReflected = 256;
-/// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner).
-constexpr std::size_t kMostReflectedOfFast = 24;
+/// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner), and in
+/// crowds a quarter of theirs.
+constexpr std::size_t kMostReflectedOfCrowd = 24;
 /// Of no more that bounce together each is a constraint on its own, and all others take the short way into blocks: one
 /// bouncy ball in a pile took everybody off it before. More of them are solved in blocks themselves.
 constexpr std::size_t kMostAlone = 24;
@@ -93,10 +94,10 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     return report;
 }
 
-void rememberSearch(WorldState& world, const TiedGroup& group, int rounds, bool isSolved) {
+void rememberSearch(WorldState& world, const TiedGroup& group, const SearchCost& cost) {
     for (const std::uint32_t slot : group.bodies) {
         Body& body = world.bodies[slot];
-        if (isMember(body, group)) { body.searchDebt = searchDebtAfter(body.searchDebt, rounds, isSolved); }
+        if (isMember(body, group)) { body.searchDebt = searchDebtAfter(body.searchDebt, cost); }
     }
 }
 
@@ -147,8 +148,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
         addBodies(world, group, isIterated ? h : h / 2);
     }
     const std::size_t bouncing = mayBounce ? contacts.countBouncing() : 0;
-    const bool isFast = world.settings.profile == Profile::fast;
-    const bool inTurn = mayLink && bouncing > (isFast ? kMostReflectedOfFast : kMostReflected);
+    const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
+    const bool inTurn = mayLink && bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
     const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
     if (!areLinked) {
         contacts.addConstraints();
@@ -172,7 +173,14 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group, time);
     const bool isSolved = scope != DirectScope::all || (report.isDirect && report.direct.givenUp == 0);
-    if (group.effort.isLarge) { rememberSearch(world, group, report.direct.rounds, isSolved); }
+    if (scope == DirectScope::all) {
+        rememberSearch(world, group,
+                       {.rounds = report.direct.rounds,
+                        .subSteps = part.subSteps,
+                        .bodies = desk.batch.states.size() - 1,
+                        .isLarge = group.effort.isLarge,
+                        .isSolved = isSolved});
+    }
     StepCounters& counters = desk.counters;
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
     const bool ownSubSteps = report.mostSubSteps > 0;
@@ -229,7 +237,8 @@ void solveTiedBodies(WorldState& world, double dt) {
             const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
             if (std::any_of(bodies.begin(), bodies.end(), isOfClass)) { world.tiedJoints.push_back(i); }
         }
-        if (isTried || effort.isLarge) { rememberClass(world, effort); }
+        const bool isSearch = effort.direct == DirectScope::all && !effort.isSettled;
+        if (isTried || isSearch) { rememberClass(world, effort); }
         const bool isSolved =
             solveGroup(world,
                        {.desk = desk,
@@ -239,7 +248,7 @@ void solveTiedBodies(WorldState& world, double dt) {
                         .joints = world.tiedJoints},
                        {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
         clearDesk(world, desk);
-        if (effort.isLarge && !isSolved) {
+        if (isSearch && !isSolved) {
             takeBackClass(world, place, {.retry = ++retries});
         } else if (isTried) {
             takeBackMissed(world, place, dt);

@@ -13,8 +13,10 @@ namespace {
 /// through: walls of a thousand bricks that find their first impulses take up to 17, with 12 they were given up.
 constexpr int kMostRounds = 12;
 constexpr int kMostRoundsOfPatient = 40;
-/// The same for a whole solve: a web of 256 bodies that never settles must not stop the world.
+/// The same for a whole solve: a web of 256 bodies that never settles must not stop the world. The first few are not
+/// counted, the others all solves of a step share.
 constexpr int kMostRoundsOfSolve = 48;
+constexpr int kUsualRoundsOfSolve = 4;
 constexpr int kMostRoundsOfPatientSolve = 150;
 /// Dampers are then made weaker by this, as often as that. What they leave is mended by the next solve. Among many
 /// bodies less at a time: with 1/64 the first solves of a pyramid of 1275 boxes left 2 cm/s, with 1/8 0.2 mm/s.
@@ -97,7 +99,7 @@ void DirectSolver::gatherContacts(const SolverBatch& batch, Real h, bool useBias
         const Real closing = -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), constraint.normal);
         // What bounces must arrive in the next sub-step with its speed.
         const bool isOut = !useBias && (!(expected > 0) || closing > constraint.bounceSpeed);
-        const bool presses = !isOut && (expected > 0 || closing >= bias);
+        const bool presses = !isOut && (expected > 0 || (closing >= bias && !(separation > 0)));
         contact.normal.guess = isOut ? 0 : static_cast<double>(point.normalImpulse);
         contact.tangent.guess = isOut ? 0 : static_cast<double>(point.tangentImpulse);
         contact.normal.impulse = contact.tangent.impulse = 0;
@@ -286,9 +288,18 @@ bool DirectSolver::tighten() {
 
 template <bool kJoints>
 bool DirectSolver::findImpulses(DirectReport& report) {
+    const int most = isPatient_ ? kMostRoundsOfPatientSolve
+                                : std::min(kMostRoundsOfSolve, kUsualRoundsOfSolve + std::max(spareRounds_, 0));
+    roundsLeft_ = most;
+    const bool isFound = searchImpulses<kJoints>(report);
+    spareRounds_ -= std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
+    return isFound;
+}
+
+template <bool kJoints>
+bool DirectSolver::searchImpulses(DirectReport& report) {
     noise_.assign(nodes_.size(), 0);
     strength_ = 1;
-    roundsLeft_ = isPatient_ ? kMostRoundsOfPatientSolve : kMostRoundsOfSolve;
     if (contacts_.empty()) {
         if (!holdsAsBefore()) { assemble<kJoints>(report); }
         computeChange<kJoints>();

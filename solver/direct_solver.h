@@ -119,9 +119,10 @@ private:
     double excessOf(const SolverBatch& batch, const DirectRow& row) const;
     void gatherJoints(SolverBatch& batch, Real h, bool useBias, bool atRest);
     // Without joints nothing of theirs is looked at.
+    /// @param tangentShare  of their strength that rows of friction have
     template <bool kJoints>
-    void assemble(DirectReport& report);
-    void addToMatrix(const Row& row);
+    void assemble(DirectReport& report, double tangentShare = 1);
+    void addToMatrix(const Row& row, double share = 1);
     bool holdsAsBefore() const;
     void push(const Row& row, double impulse);
     double changedExcess(const Row& row) const;
@@ -137,6 +138,8 @@ private:
     void gatherContacts(const SolverBatch& batch, Real h, bool useBias);
     template <bool kJoints>
     bool findImpulses(DirectReport& report);
+    template <bool kJoints>
+    bool searchImpulses(DirectReport& report);
     template <bool kJoints>
     bool settle(DirectReport& report);
     bool classify(bool isFirm);
@@ -166,6 +169,7 @@ private:
     bool isFactorised_ = false;
     double factorised_ = 0;  ///< strength with which
     int roundsLeft_ = 0;     ///< of this solve
+    int spareRounds_ = 0;    ///< of this step, for what takes more than the usual
     double strength_ = 1;    ///< of all rows, in units of their own
     BlockLdlt matrix_;
     std::vector<Block3> change_;   ///< of the velocities, by node
