@@ -70,9 +70,9 @@ void TiedHinges::fetchAhead(std::size_t i) const {
     if (i + kHingesAhead < links.size()) { fetch(world_.joints[links[i + kHingesAhead].source]); }
 }
 
-void TiedHinges::fill(std::size_t first, std::span<const HingePlace> places, const HingeArrays& to) {
+void TiedHinges::fill(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& to) {
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const HingePlace& place = places[i];
+        const BlockPlace& place = places[i];
         const HingeLink& link = desk_.batch.hingeLinks[first + i];
         fetchAhead(first + i);
         if (place.isInBlock) {
@@ -83,9 +83,9 @@ void TiedHinges::fill(std::size_t first, std::span<const HingePlace> places, con
     }
 }
 
-void TiedHinges::take(std::size_t first, std::span<const HingePlace> places, const HingeArrays& from) {
+void TiedHinges::take(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& from) {
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const HingePlace& place = places[i];
+        const BlockPlace& place = places[i];
         fetchAhead(first + i);
         Joint& joint = world_.joints[desk_.batch.hingeLinks[first + i].source];
         if (!place.isInBlock) {

@@ -16,8 +16,8 @@ public:
     /// Gives the batch the link of a hinge, which it takes from here when it is solved.
     void link(std::uint32_t joint, const JointTie& tie);
 
-    void fill(std::size_t first, std::span<const HingePlace> places, const HingeArrays& to) override;
-    void take(std::size_t first, std::span<const HingePlace> places, const HingeArrays& from) override;
+    void fill(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& to) override;
+    void take(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& from) override;
 
 private:
     Vec2 armOf(BodySlot slot, std::uint32_t body, Vec2 localAnchor) const;

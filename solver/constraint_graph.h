@@ -6,26 +6,13 @@
 #include <tuple>
 #include <vector>
 
+#include "constraint_colours.h"
 #include "solver_batch.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Colours of the constraint graph. Two constraints of one colour share no movable body, so a colour can be solved wide
-/// or by many threads, in any order, with the same bits. The last colour is the overflow: solved one after the other.
-inline constexpr int kColourCount = 64;
-inline constexpr int kOverflowColour = kColourCount - 1;
-/// Constraints against the fixed world take colours from here on, so that they are solved last: ground has the last
-/// word.
-inline constexpr int kFirstFixedColour = 48;
-
 /// By colour: how many contacts there are with no point, one and two.
 using PointCounts = std::array<std::array<std::uint32_t, 3>, kColourCount>;
-
-/// A range of one colour within a kind's array.
-struct ColourRange {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-};
 
 /// Greedy colouring in array order (deterministic), then a stable sort by colour: of the joints themselves, kind by
 /// kind, and of the places of the contacts. Colours of links follow from the links of the batch alone, and are kept as

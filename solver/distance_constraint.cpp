@@ -5,8 +5,14 @@
 
 #include "freedom_parts.h"
 #include "joint_rows.h"
+#include "wide_rods.h"
 
 namespace swept::inline SWEPT_PRECISION {
+
+#ifndef SWEPT_SIMD
+const RodKernels* rodKernels() { return nullptr; }
+#endif
+
 namespace {
 
 /// The joint as it stands in this sub-step.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "joint_lanes.h"
 #include "revolute_constraint.h"
 #include "wide_revolutes.h"
 
@@ -21,34 +22,9 @@ struct HingeHead {
 /// Lanes of one block may be filled at the same time. @pre the block was emptied
 inline void fillHead(WideRevolute& block, std::size_t lane, const HingeHead& head, const BodyInertia& a,
                      const BodyInertia& b) {
-    block.slotA[lane] = head.slotA;
-    block.slotB[lane] = head.slotB;
-    block.anchorAX[lane] = head.anchorA.x;
-    block.anchorAY[lane] = head.anchorA.y;
-    block.anchorBX[lane] = head.anchorB.x;
-    block.anchorBY[lane] = head.anchorB.y;
-    block.offsetX[lane] = head.centerOffset.x;
-    block.offsetY[lane] = head.centerOffset.y;
-    block.biasRate[lane] = head.softness.biasRate;
-    block.massScale[lane] = head.softness.massScale;
-    block.impulseScale[lane] = head.softness.impulseScale;
-    block.inverseMassA[lane] = a.inverseMass;
-    block.inverseMassB[lane] = b.inverseMass;
-    block.inverseInertiaA[lane] = a.inverseInertia;
-    block.inverseInertiaB[lane] = b.inverseInertia;
+    fillJoint(block, lane, head, a, b);
     block.impulseX[lane] = head.impulse.x;
     block.impulseY[lane] = head.impulse.y;
-}
-
-/// Ends what the heads of the lanes began.
-inline void closeBlock(WideRevolute& block) {
-    block.movableA = block.movableB = 0;
-    for (std::size_t lane = 0; lane < block.lanes; ++lane) {
-        const BodyInertia a{.inverseMass = block.inverseMassA[lane], .inverseInertia = block.inverseInertiaA[lane]};
-        const BodyInertia b{.inverseMass = block.inverseMassB[lane], .inverseInertia = block.inverseInertiaB[lane]};
-        block.movableA |= (isMovable(a) ? 1U : 0U) << lane;
-        block.movableB |= (isMovable(b) ? 1U : 0U) << lane;
-    }
 }
 
 /// Of a block with parts. @param baseAngle  of the joint at the start of the step

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "block_layout.h"
 #include "revolute_constraint.h"
 #include "wide_revolutes.h"
 
@@ -19,13 +20,6 @@ struct HingeLink {
 };
 static_assert(sizeof(HingeLink) == 16, "four links a cache line: colouring does little else than to read them");
 
-/// Where a hinge of a solve stands.
-struct HingePlace {
-    std::uint32_t index = 0;  ///< of the block, or of the constraint
-    std::uint8_t lane = 0;
-    bool isInBlock = false;
-};
-
 /// All places of a solve.
 struct HingeArrays {
     std::span<WideRevolute> blocks;
@@ -40,9 +34,9 @@ public:
 
     /// Blocks are empty before, and closed after (`closeBlock`). Parts of the links may be filled at the same time.
     /// @param places  of the links of the batch from the first one on, in their order
-    virtual void fill(std::size_t first, std::span<const HingePlace> places, const HingeArrays& to) = 0;
+    virtual void fill(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& to) = 0;
     /// Takes impulses and totals back from there. Likewise.
-    virtual void take(std::size_t first, std::span<const HingePlace> places, const HingeArrays& from) = 0;
+    virtual void take(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& from) = 0;
 
 protected:
     HingeStore() = default;

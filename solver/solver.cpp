@@ -37,28 +37,30 @@ std::size_t countOf(const std::vector<Constraint>& joints, const ConstraintGraph
     return joints.empty() ? 0 : range.end - range.begin;
 }
 
-/// Of arrays of joints.
+/// Of arrays of joints: `Solver::blocksOf` has those.
 template <class Joints>
-constexpr bool kAreHinges = std::is_same_v<std::remove_cvref_t<Joints>, std::vector<RevoluteConstraint>>;
+constexpr bool kStandInBlocks = std::is_same_v<std::remove_cvref_t<Joints>, std::vector<RevoluteConstraint>> ||
+                                std::is_same_v<std::remove_cvref_t<Joints>, std::vector<DistanceConstraint>>;
 
 SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias}; }
 
+}  // namespace
+
 /// The joints of a colour, kind by kind, as far as they are inside of the cut.
-/// @param ofHinges  goes through hinges, which stand in blocks
+/// @param ofBlocks  called with the blocks of joints of a kind that has them, where there are any
 /// @param ofJoints  called with some joints of any other kind
-template <class OfHinges, class OfJoints>
-void forEachJointOf(SolverBatch& batch, const ConstraintGraph& graph, int colour, RangeCut& cut,
-                    const OfHinges& ofHinges, const OfJoints& ofJoints) {
+template <class OfBlocks, class OfJoints>
+void Solver::forEachJointOf(SolverBatch& batch, int colour, RangeCut& cut, const OfBlocks& ofBlocks,
+                            const OfJoints& ofJoints) {
     batch.forEachJointKind([&](auto& joints) {
-        if constexpr (kAreHinges<decltype(joints)>) {
-            if (batch.hasHinges()) { ofHinges(); }
+        if constexpr (kStandInBlocks<decltype(joints)>) {
+            auto& blocks = blocksOf(joints);
+            if (blocks.areIn(batch)) { ofBlocks(blocks); }
         } else if (!joints.empty()) {
-            ofJoints(cut.next(joints, rangeOf(joints, graph, colour)));
+            ofJoints(cut.next(joints, rangeOf(joints, graph_, colour)));
         }
     });
 }
-
-}  // namespace
 
 /// In the order of colours: so the contacts of a store stand there, too, once they do. Others are listed before they
 /// are laid into blocks, with the speed that they are given here.
@@ -129,12 +131,13 @@ void Solver::forEachRun(SolverBatch& batch, const Visit& visit) {
 
 /// Parts of a colour: what `forEachRun` counts through.
 template <bool kJoints>
-std::size_t Solver::partsOf(SolverBatch& batch, int colour) const {
+std::size_t Solver::partsOf(SolverBatch& batch, int colour) {
     std::size_t count = contacts_.countOf(colour);
     if constexpr (kJoints) {
         batch.forEachJointKind([&](auto& joints) {
-            if constexpr (kAreHinges<decltype(joints)>) {
-                count += batch.hasHinges() ? hinges_.countOf(colour) : 0;
+            if constexpr (kStandInBlocks<decltype(joints)>) {
+                auto& blocks = blocksOf(joints);
+                count += blocks.areIn(batch) ? blocks.countOf(colour) : 0;
             } else {
                 count += countOf(joints, graph_, colour);
             }
@@ -144,7 +147,7 @@ std::size_t Solver::partsOf(SolverBatch& batch, int colour) const {
 }
 
 template <bool kJoints>
-bool Solver::isWorthSharing(SolverBatch& batch) const {
+bool Solver::isWorthSharing(SolverBatch& batch) {
     std::size_t all = 0;
     std::size_t companions = 0;
     for (const Run& run : runs_) {
@@ -160,7 +163,7 @@ void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
     forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
         if constexpr (kJoints) {
             forEachJointOf(
-                batch, graph_, colour, cut, [&] { hinges_.warmStart(batch, colour, cut, hasMoved); },
+                batch, colour, cut, [&](auto& blocks) { blocks.warmStart(batch, colour, cut, hasMoved); },
                 [bodies = bodiesOf(batch)](auto joints) { swept::warmStart(joints, bodies); });
         }
         contacts_.warmStart(batch, colour, cut);
@@ -172,7 +175,7 @@ void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
     forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
         if constexpr (kJoints) {
             forEachJointOf(
-                batch, graph_, colour, cut, [&] { hinges_.solve(batch, colour, cut, pass); },
+                batch, colour, cut, [&](auto& blocks) { blocks.solve(batch, colour, cut, pass); },
                 [&pass, bodies = bodiesOf(batch)](auto joints) { swept::solve(joints, bodies, pass.h, pass.useBias); });
         }
         contacts_.solve(batch, colour, cut, pass);
@@ -296,8 +299,8 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
         }
         if constexpr (kJoints) {
             batch.forEachJointKind([&](auto& joints) {
-                if constexpr (kAreHinges<decltype(joints)>) {
-                    hinges_.addUpRest(batch);
+                if constexpr (kStandInBlocks<decltype(joints)>) {
+                    blocksOf(joints).addUpRest(batch);
                 } else {
                     addUpReactions(std::span(joints));
                 }
@@ -329,8 +332,11 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     const bool hasManyHinges = isAtOnce || batch.hingeLinks.size() >= kFewestToFill;
     TaskSystem& ofManyHinges = hasManyHinges ? loops : serial_;
     if constexpr (kJoints) {
-        hinges_.build(batch, graph_, settings.wide && !report.isDirect, ofManyHinges);
+        const bool isWide = settings.wide && !report.isDirect;
+        hinges_.build(batch, graph_, isWide, ofManyHinges);
+        rods_.build(batch, graph_, isWide);
         report.hingeBlocks = hinges_.blockCount();
+        report.rodBlocks = rods_.blockCount();
     }
     listRuns<kJoints>(batch);
     const bool isShared = isAtOnce || isWorthSharing<kJoints>(batch);
@@ -342,7 +348,10 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         runSubSteps<kJoints, true>(batch, settings, report);
     }
     contacts_.readBack(batch, ofMany);
-    if constexpr (kJoints) { hinges_.readBack(batch, ofManyHinges); }
+    if constexpr (kJoints) {
+        hinges_.readBack(batch, ofManyHinges);
+        rods_.readBack(batch);
+    }
     return report;
 }
 

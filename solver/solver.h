@@ -9,7 +9,9 @@
 #include "direct_solver.h"
 #include "hinge_blocks.h"
 #include "impact.h"
+#include "joint_blocks.h"
 #include "joint_islands.h"
+#include "rod_sort.h"
 #include "solve_report.h"
 #include "solver_batch.h"
 #include "wide_motion.h"
@@ -84,10 +86,16 @@ private:
     template <bool kJoints>
     SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings, bool isColoured, TaskSystem& loops);
     SolveReport solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
+    /// Of joints that stand in blocks.
+    HingeBlocks& blocksOf(const std::vector<RevoluteConstraint>&) { return hinges_; }
+    JointBlocks<RodSort>& blocksOf(const std::vector<DistanceConstraint>&) { return rods_; }
+    template <class OfBlocks, class OfJoints>
+    void forEachJointOf(SolverBatch& batch, int colour, RangeCut& cut, const OfBlocks& ofBlocks,
+                        const OfJoints& ofJoints);
     template <bool kJoints>
-    std::size_t partsOf(SolverBatch& batch, int colour) const;
+    std::size_t partsOf(SolverBatch& batch, int colour);
     template <bool kJoints>
-    bool isWorthSharing(SolverBatch& batch) const;
+    bool isWorthSharing(SolverBatch& batch);
     template <bool kJoints>
     void listRuns(SolverBatch& batch);
     template <bool kJoints>
@@ -110,6 +118,7 @@ private:
     bool isColoured_ = false;  ///< ahead: for the next solve alone
     ContactBlocks contacts_;
     HingeBlocks hinges_;
+    JointBlocks<RodSort> rods_;
     DirectSolver direct_;
     JointIslands islands_;
     std::vector<Run> runs_;

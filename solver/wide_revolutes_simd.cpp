@@ -21,6 +21,7 @@ const RevoluteKernels* kernelsForHinges() { return nullptr; }
 
 HWY_BEFORE_NAMESPACE();
 #include "wide_bodies.inc"
+#include "wide_joints.inc"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
@@ -28,24 +29,11 @@ namespace HWY_NAMESPACE {
 // Every function here does what its scalar twin in revolute_constraint.cpp and joint_rows.h does, in the same order.
 // Signs are moved only where that is exact.
 
-struct Pair {
-    Lanes x;
-    Lanes y;
-};
-
 /// A group of lanes of a block.
-class RevoluteGroup {
+class RevoluteGroup : JointGroup<WideRevolute> {
 public:
     HWY_INLINE RevoluteGroup(WideRevolute& block, std::size_t begin, const SolverBodies& bodies)
-        : block_(block),
-          begin_(begin),
-          bodies_(bodies),
-          a_(gather(bodies.states, block.slotA.data() + begin, kVelocities)),
-          b_(gather(bodies.states, block.slotB.data() + begin, kVelocities)),
-          inverseMassA_(at(block.inverseMassA)),
-          inverseMassB_(at(block.inverseMassB)),
-          inverseInertiaA_(at(block.inverseInertiaA)),
-          inverseInertiaB_(at(block.inverseInertiaB)) {}
+        : JointGroup(block, begin, bodies) {}
 
     HWY_INLINE void warmStart(bool hasMoved) {
         if (hasMoved) { findGeometry(); }
@@ -61,7 +49,7 @@ public:
         const Lanes twistB = hn::Sub(hn::Mul(at(block_.armBX), y), hn::Mul(at(block_.armBY), x));
         b_.z = hn::Add(b_.z, hn::Mul(inverseInertiaB_, twistB));
         if (block_.parts.any()) { turn(twist()); }
-        scatterPair(block_, begin_, bodies_, a_, b_);
+        writeBodies();
     }
 
     template <bool kUseBias>
@@ -73,7 +61,7 @@ public:
             solvePoint<kUseBias>();
         }
         if (pass.isLast) { addUp(); }
-        scatterPair(block_, begin_, bodies_, a_, b_);
+        writeBodies();
     }
 
 private:
@@ -93,27 +81,11 @@ private:
         Matrix pointMatrix;
     };
 
-    HWY_INLINE Lanes at(const LaneArray& lanes) const { return lanesAt(lanes, begin_); }
-    HWY_INLINE void add(Lanes change, LaneArray& lanes) const { put(hn::Add(at(lanes), change), lanes, begin_); }
-
     HWY_INLINE void findGeometry() {
-        const Quad a = gather(bodies_.states, block_.slotA.data() + begin_, kMotion);
-        const Quad b = gather(bodies_.states, block_.slotB.data() + begin_, kMotion);
-        const auto rotated = [this](const Quad& body, const LaneArray& anchorX, const LaneArray& anchorY) {
-            const Lanes x = at(anchorX);
-            const Lanes y = at(anchorY);
-            return Pair{hn::Sub(hn::Mul(body.z, x), hn::Mul(body.w, y)),
-                        hn::Add(hn::Mul(body.w, x), hn::Mul(body.z, y))};
-        };
-        const Pair armA = rotated(a, block_.anchorAX, block_.anchorAY);
-        const Pair armB = rotated(b, block_.anchorBX, block_.anchorBY);
-        put(armA.x, block_.armAX, begin_);
-        put(armA.y, block_.armAY, begin_);
-        put(armB.x, block_.armBX, begin_);
-        put(armB.y, block_.armBY, begin_);
-        put(hn::Add(hn::Add(at(block_.offsetX), hn::Sub(b.x, a.x)), hn::Sub(armB.x, armA.x)), block_.gapX, begin_);
-        put(hn::Add(hn::Add(at(block_.offsetY), hn::Sub(b.y, a.y)), hn::Sub(armB.y, armA.y)), block_.gapY, begin_);
-        findMatrix(armA, armB);
+        const Arms arms = findArms();
+        put(hn::Add(arms.apart.x, hn::Sub(arms.b.x, arms.a.x)), block_.gapX, begin_);
+        put(hn::Add(arms.apart.y, hn::Sub(arms.b.y, arms.a.y)), block_.gapY, begin_);
+        findMatrix(arms.a, arms.b);
     }
 
     /// `pointMatrix`.
@@ -307,38 +279,11 @@ private:
         turnGuided(spin, hn::Neg(upper));
     }
 
-    template <bool kUseBias>
-    HWY_INLINE Lanes limitChange(Lanes mass, Lanes speedOut, Lanes room, const LaneArray& impulse, Lanes h) const {
-        const Tag tag;
-        const Lanes before = at(impulse);
-        const Lanes zero = hn::Zero(tag);
-        const LaneMask isInside = hn::Gt(room, zero);
-        const Lanes free = hn::Mul(hn::Neg(mass), hn::Add(speedOut, hn::Div(room, h)));
-        // `scalarChange`, of a rigid constraint without error in a relaxation.
-        const Lanes error = kUseBias ? hn::Mul(at(block_.biasRate), room) : zero;
-        const Lanes scale = kUseBias ? at(block_.massScale) : hn::Set(tag, Real(1));
-        const Lanes back = kUseBias ? at(block_.impulseScale) : zero;
-        const Lanes held =
-            hn::Sub(hn::Mul(hn::Mul(hn::Neg(scale), mass), hn::Add(speedOut, error)), hn::Mul(back, before));
-        const Lanes change = hn::IfThenElse(isInside, free, held);
-        return hn::Sub(notNegative(hn::Add(before, change)), before);
-    }
-
     HWY_INLINE void addUp() {
         add(at(block_.impulseX), block_.totalX);
         add(at(block_.impulseY), block_.totalY);
         if (block_.parts.any()) { add(twist(), block_.totalTwist); }
     }
-
-    WideRevolute& block_;
-    std::size_t begin_;
-    const SolverBodies& bodies_;
-    Quad a_;
-    Quad b_;
-    Lanes inverseMassA_;
-    Lanes inverseMassB_;
-    Lanes inverseInertiaA_;
-    Lanes inverseInertiaB_;
 };
 
 void warmStart(std::span<WideRevolute> blocks, const SolverBodies& bodies, bool hasMoved) {

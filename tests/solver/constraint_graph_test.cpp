@@ -183,8 +183,8 @@ public:
 };
 class SilentHinges final : public HingeStore {
 public:
-    void fill(std::size_t, std::span<const HingePlace>, const HingeArrays&) override { ADD_FAILURE(); }
-    void take(std::size_t, std::span<const HingePlace>, const HingeArrays&) override { ADD_FAILURE(); }
+    void fill(std::size_t, std::span<const BlockPlace>, const HingeArrays&) override { ADD_FAILURE(); }
+    void take(std::size_t, std::span<const BlockPlace>, const HingeArrays&) override { ADD_FAILURE(); }
 };
 
 /// The same constraints as links, one after the other.

@@ -29,7 +29,7 @@ public:
         batch.hingeStore = this;
     }
 
-    void fill(std::size_t first, std::span<const HingePlace> places, const HingeArrays& to) override {
+    void fill(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& to) override {
         for (std::size_t i = 0; i < places.size(); ++i) {
             const RevoluteConstraint& joint = hinges_[first + i];
             if (!places[i].isInBlock) {
@@ -46,7 +46,7 @@ public:
             ++inBlocks;
         }
     }
-    void take(std::size_t first, std::span<const HingePlace> places, const HingeArrays& from) override {
+    void take(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& from) override {
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (places[i].isInBlock) {
                 takeLane(from.blocks[places[i].index], places[i].lane, hinges_[first + i]);

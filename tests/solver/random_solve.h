@@ -31,8 +31,8 @@ struct RandomSolve {
         for (int i = times * random_.integer(1, 16); i > 0; --i) { addContact(); }
         for (int i = 0; i < times; ++i) {
             addJoints(batch.revolutes, [this](auto& joint) { fill(joint); });
+            addJoints(batch.distances, [this](auto& joint) { fill(joint); });
         }
-        addJoints(batch.distances, [this](auto& joint) { fill(joint); });
         addJoints(batch.prismatics, [this](auto& joint) { fill(joint); });
         addJoints(batch.wheels, [this](auto& joint) { fill(joint); });
         addJoints(batch.welds, [this](auto& joint) { fill(joint); });
@@ -121,14 +121,17 @@ private:
         joint.linearImpulse = vector(0.1);
     }
     void fill(DistanceConstraint& joint) {
-        joint.centerOffset = vector(3);
+        // Anchors that coincide have no direction.
+        joint.centerOffset = random_.chance(0.1) ? joint.anchorA - joint.anchorB : vector(3);
+        joint.axis = direction();
         joint.length = number(1, 3);
         joint.isRigid = random_.chance(0.5);
         joint.hasSpring = random_.chance(0.5);
         joint.spring = spring();
         joint.hasLimits = random_.chance(0.5);
         joint.minLength = number(0, 2);
-        joint.maxLength = number(2, 4);
+        joint.maxLength = random_.chance(0.2) ? Real(1e6) : number(2, 4);
+        joint.rigidImpulse = number(-0.1, 0.1);
     }
     void fill(PrismaticConstraint& joint) {
         joint.axis = joint.axisNow = direction();

@@ -48,10 +48,10 @@ void forgetPrepared(SolverBatch& batch) {
     }
 }
 
-/// Of contacts and of hinges.
 struct BlockCounts {
     int contacts = 0;
     int hinges = 0;
+    int rods = 0;
 };
 
 BlockCounts expectSameBits(int times, std::uint64_t seeds) {
@@ -75,12 +75,13 @@ BlockCounts expectSameBits(int times, std::uint64_t seeds) {
             forgetPrepared(narrow.batch);
             forgetPrepared(wide.batch);
         }
-        EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks, 0);
+        EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks + ofNarrow.rodBlocks, 0);
         EXPECT_EQ(ofNarrow.bounceRounds, ofWide.bounceRounds) << "seed " << seed;
         EXPECT_EQ(bitsOf(narrow.batch), bitsOf(wide.batch)) << "seed " << seed;
         if (testing::Test::HasFailure()) { break; }
         blocks.contacts += ofWide.contactBlocks;
         blocks.hinges += ofWide.hingeBlocks;
+        blocks.rods += ofWide.rodBlocks;
     }
     return blocks;
 }
@@ -269,6 +270,7 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     const BlockCounts blocks = expectSameBits(16, 60);
     EXPECT_GT(blocks.contacts, 600);  // of sixteen lanes in float: fewer than when there were eight
     EXPECT_GT(blocks.hinges, 150);
+    EXPECT_GT(blocks.rods, 100);
 }
 
 TEST_P(WideContacts, BounceInTurnToTheBitAsOneByOne) {
