@@ -14,6 +14,7 @@
 #include "rod_sort.h"
 #include "solve_report.h"
 #include "solver_batch.h"
+#include "weld_sort.h"
 #include "wide_motion.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -89,6 +90,7 @@ private:
     /// Of joints that stand in blocks.
     HingeBlocks& blocksOf(const std::vector<RevoluteConstraint>&) { return hinges_; }
     JointBlocks<RodSort>& blocksOf(const std::vector<DistanceConstraint>&) { return rods_; }
+    JointBlocks<WeldSort>& blocksOf(const std::vector<WeldConstraint>&) { return welds_; }
     template <class OfBlocks, class OfJoints>
     void forEachJointOf(SolverBatch& batch, int colour, RangeCut& cut, const OfBlocks& ofBlocks,
                         const OfJoints& ofJoints);
@@ -119,6 +121,7 @@ private:
     ContactBlocks contacts_;
     HingeBlocks hinges_;
     JointBlocks<RodSort> rods_;
+    JointBlocks<WeldSort> welds_;
     DirectSolver direct_;
     JointIslands islands_;
     std::vector<Run> runs_;

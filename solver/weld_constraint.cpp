@@ -1,6 +1,14 @@
 #include "weld_constraint.h"
 
+#include "pin.h"
+#include "wide_welds.h"
+
 namespace swept::inline SWEPT_PRECISION {
+
+#ifndef SWEPT_SIMD
+const WeldKernels* weldKernels() { return nullptr; }
+#endif
+
 namespace {
 
 /// The joint as it stands in this sub-step.
@@ -12,16 +20,20 @@ struct Seam {
     HeldRows point;
 };
 
+Real angleOf(const WeldConstraint& joint, const JointPair& pair) {
+    return joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
+}
+
 Seam seamOf(const WeldConstraint& joint, const JointPair& pair) {
     const Vec2 armA = rotate(pair.a.deltaRotation, joint.anchorA);
     const Vec2 armB = rotate(pair.b.deltaRotation, joint.anchorB);
     return {armA, armB, joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (armB - armA),
-            joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle), heldPoint(pair, armA, armB)};
+            angleOf(joint, pair), heldPoint(pair, armA, armB)};
 }
 
 void turnBy(WeldConstraint& joint, const JointPair& pair, Real twist) {
     joint.angularImpulse += twist;
-    apply(kSpinRow, pair, twist);
+    turn(pair, twist);
 }
 
 void pushBy(WeldConstraint& joint, const Seam& seam, const JointPair& pair, Vec2 push) {
@@ -32,16 +44,20 @@ void pushBy(WeldConstraint& joint, const Seam& seam, const JointPair& pair, Vec2
 /// All three rows: the point as if it were rigid, then the angle while the point stays; softness comes last, of all of
 /// them as one block. (Where it took its part of the point first, the bodies turned, and the angle that answered that
 /// brought back m·L²/I times as much at a lever L: in a few passes without end.)
-void solveRigid(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+void solveRigid(WeldConstraint& joint, const JointPair& pair, bool useBias) {
     if (joint.isHeld && useBias) { return; }
-    const Real rate = useBias ? joint.softness.biasRate : Real(0);
-    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, 0);
-    solveGuiding(spin, seam.point, pair, rate * seam.gap, joint.linearImpulse);
-    const Real twist = -spin.mass * (speedOf(kSpinRow, pair) + rate * seam.angle);
-    joint.angularImpulse += twist;
-    apply(spin, seam.point, pair, twist, joint.linearImpulse);
+    const Pin pin = pinOf(joint, pair);
+    const Spin spin = spinOf(pin, pair, 0);
+    Vec2 speeds = speedsOf(pin, pair);
+    if (useBias) { speeds += joint.softness.biasRate * gapOf(joint, pin, pair); }
+    push(joint, pin, pair, -solve(pin.matrix, speeds));
+    Real turning = pair.b.angularVelocity - pair.a.angularVelocity;
+    if (useBias) { turning += joint.softness.biasRate * angleOf(joint, pair); }
+    const Real twist = -spin.mass * turning;
+    turnBy(joint, pair, twist);
+    push(joint, pin, pair, twist * spin.answer);
     if (!useBias) { return; }
-    pushBy(joint, seam, pair, -joint.softness.impulseScale * joint.linearImpulse);
+    push(joint, pin, pair, -joint.softness.impulseScale * joint.linearImpulse);
     turnBy(joint, pair, -joint.softness.impulseScale * joint.angularImpulse);
 }
 
@@ -141,13 +157,11 @@ void pushSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair)
     if (!joint.hasLinearSpring) { joint.linearImpulse += (joint.angularImpulse - before) * spin.answer; }
 }
 
-void solveOne(WeldConstraint& joint, const JointPair& pair, Real, bool useBias) {
+void solveOne(WeldConstraint& joint, const JointPair& pair, bool useBias) {
+    if (!joint.hasLinearSpring && !joint.hasAngularSpring) { return solveRigid(joint, pair, useBias); }
     const Seam seam = seamOf(joint, pair);
-    if (joint.hasLinearSpring) {
-        joint.hasAngularSpring ? solveSprings(joint, seam, pair, useBias) : solveHung(joint, seam, pair, useBias);
-    } else {
-        joint.hasAngularSpring ? solveTwisted(joint, seam, pair, useBias) : solveRigid(joint, seam, pair, useBias);
-    }
+    if (!joint.hasLinearSpring) { return solveTwisted(joint, seam, pair, useBias); }
+    joint.hasAngularSpring ? solveSprings(joint, seam, pair, useBias) : solveHung(joint, seam, pair, useBias);
 }
 
 }  // namespace
@@ -159,19 +173,19 @@ void warmStart(std::span<WeldConstraint> joints, const SolverBodies& bodies) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        const Seam seam = seamOf(joint, pair);
-        pushSprings(joint, seam, pair);
-        apply(seam.point, pair, joint.linearImpulse);
-        apply(kSpinRow, pair, joint.angularImpulse);
+        if (joint.hasLinearSpring || joint.hasAngularSpring) { pushSprings(joint, seamOf(joint, pair), pair); }
+        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, rotate(a.deltaRotation, joint.anchorA));
+        applyImpulse(b, pair.inertiaB, joint.linearImpulse, rotate(b.deltaRotation, joint.anchorB));
+        turn(pair, joint.angularImpulse);
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }
 
-void solve(std::span<WeldConstraint> joints, const SolverBodies& bodies, Real h, bool useBias) {
+void solve(std::span<WeldConstraint> joints, const SolverBodies& bodies, Real, bool useBias) {
     for (WeldConstraint& joint : joints) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
-        solveOne(joint, {a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]}, h, useBias);
+        solveOne(joint, {a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]}, useBias);
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }

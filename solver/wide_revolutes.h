@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
+#include "joint_kernels.h"
 #include "wide_contacts.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -71,12 +71,7 @@ struct alignas(kBlockBytes) WideRevolute {
     LaneArray springImpulse;
 };
 
-/// Kernels over blocks of one colour: what `warmStart` and `solve` of hinges do, to the bit.
-struct RevoluteKernels {
-    /// @param hasMoved  since the pass before
-    void (*warmStart)(std::span<WideRevolute> blocks, const SolverBodies& bodies, bool hasMoved);
-    void (*solve)(std::span<WideRevolute> blocks, const SolverBodies& bodies, const ContactPass& pass);
-};
+using RevoluteKernels = JointKernels<WideRevolute>;
 
 /// Null where there are none, see `contactKernels`.
 const RevoluteKernels* revoluteKernels();

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
+#include "joint_kernels.h"
 #include "wide_contacts.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -60,12 +60,7 @@ struct alignas(kBlockBytes) WideRod {
     LaneArray totalY;
 };
 
-/// Kernels over blocks of one colour: what `warmStart` and `solve` of distance joints do, to the bit.
-struct RodKernels {
-    /// @param hasMoved  since the pass before
-    void (*warmStart)(std::span<WideRod> blocks, const SolverBodies& bodies, bool hasMoved);
-    void (*solve)(std::span<WideRod> blocks, const SolverBodies& bodies, const ContactPass& pass);
-};
+using RodKernels = JointKernels<WideRod>;
 
 /// Null where there are none, see `contactKernels`; nor are there any without doubles side by side.
 const RodKernels* rodKernels();

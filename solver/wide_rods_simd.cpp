@@ -186,27 +186,8 @@ private:
     }
 };
 
-void warmStart(std::span<WideRod> blocks, const SolverBodies& bodies, bool hasMoved) {
-    for (WideRod& block : blocks) {
-        for (std::size_t i = 0; i < block.lanes; i += kGroup) { RodGroup(block, i, bodies).warmStart(hasMoved); }
-    }
-}
-
-void solve(std::span<WideRod> blocks, const SolverBodies& bodies, const ContactPass& pass) {
-    for (WideRod& block : blocks) {
-        for (std::size_t i = 0; i < block.lanes; i += kGroup) {
-            RodGroup group(block, i, bodies);
-            if (pass.useBias) {
-                group.solve<true>(pass);
-            } else {
-                group.solve<false>(pass);
-            }
-        }
-    }
-}
-
 const RodKernels* kernelsForRods() {
-    static const RodKernels kKernels = {warmStart, solve};
+    static const RodKernels kKernels = kernelsOf<RodGroup, WideRod>();
     return &kKernels;
 }
 

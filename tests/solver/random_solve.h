@@ -32,10 +32,10 @@ struct RandomSolve {
         for (int i = 0; i < times; ++i) {
             addJoints(batch.revolutes, [this](auto& joint) { fill(joint); });
             addJoints(batch.distances, [this](auto& joint) { fill(joint); });
+            addJoints(batch.welds, [this](auto& joint) { fill(joint); });
         }
         addJoints(batch.prismatics, [this](auto& joint) { fill(joint); });
         addJoints(batch.wheels, [this](auto& joint) { fill(joint); });
-        addJoints(batch.welds, [this](auto& joint) { fill(joint); });
         addJoints(batch.motors, [this](auto& joint) { fill(joint); });
         addJoints(batch.mice, [this](auto& joint) { fill(joint); });
         addJoints(batch.gears, [this](auto& joint) { fill(joint); });
@@ -152,11 +152,12 @@ private:
     }
     void fill(WeldConstraint& joint) {
         joint.baseAngle = number(-0.01, 0.01);
-        joint.hasLinearSpring = random_.chance(0.5);
+        joint.hasLinearSpring = random_.chance(0.3);
         joint.linearSpring = spring();
-        joint.hasAngularSpring = random_.chance(0.5);
+        joint.hasAngularSpring = random_.chance(0.3);
         joint.angularSpring = spring();
         joint.linearImpulse = vector(0.1);
+        joint.angularImpulse = number(-0.1, 0.1);
     }
     void fill(MotorConstraint& joint) {
         joint.centerOffset += vector(0.5);

@@ -52,6 +52,7 @@ struct BlockCounts {
     int contacts = 0;
     int hinges = 0;
     int rods = 0;
+    int welds = 0;
 };
 
 BlockCounts expectSameBits(int times, std::uint64_t seeds) {
@@ -75,13 +76,14 @@ BlockCounts expectSameBits(int times, std::uint64_t seeds) {
             forgetPrepared(narrow.batch);
             forgetPrepared(wide.batch);
         }
-        EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks + ofNarrow.rodBlocks, 0);
+        EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks + ofNarrow.rodBlocks + ofNarrow.weldBlocks, 0);
         EXPECT_EQ(ofNarrow.bounceRounds, ofWide.bounceRounds) << "seed " << seed;
         EXPECT_EQ(bitsOf(narrow.batch), bitsOf(wide.batch)) << "seed " << seed;
         if (testing::Test::HasFailure()) { break; }
         blocks.contacts += ofWide.contactBlocks;
         blocks.hinges += ofWide.hingeBlocks;
         blocks.rods += ofWide.rodBlocks;
+        blocks.welds += ofWide.weldBlocks;
     }
     return blocks;
 }
@@ -271,6 +273,7 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     EXPECT_GT(blocks.contacts, 600);  // of sixteen lanes in float: fewer than when there were eight
     EXPECT_GT(blocks.hinges, 150);
     EXPECT_GT(blocks.rods, 100);
+    EXPECT_GT(blocks.welds, 50);
 }
 
 TEST_P(WideContacts, BounceInTurnToTheBitAsOneByOne) {
