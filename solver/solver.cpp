@@ -41,6 +41,7 @@ std::size_t countOf(const std::vector<Constraint>& joints, const ConstraintGraph
 template <class Joints>
 constexpr bool kStandInBlocks = std::is_same_v<std::remove_cvref_t<Joints>, std::vector<RevoluteConstraint>> ||
                                 std::is_same_v<std::remove_cvref_t<Joints>, std::vector<DistanceConstraint>> ||
+                                std::is_same_v<std::remove_cvref_t<Joints>, std::vector<WheelConstraint>> ||
                                 std::is_same_v<std::remove_cvref_t<Joints>, std::vector<WeldConstraint>>;
 
 SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias}; }
@@ -336,9 +337,11 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         const bool isWide = settings.wide && !report.isDirect;
         hinges_.build(batch, graph_, isWide, ofManyHinges);
         rods_.build(batch, graph_, isWide);
+        wheels_.build(batch, graph_, isWide);
         welds_.build(batch, graph_, isWide);
         report.hingeBlocks = hinges_.blockCount();
         report.rodBlocks = rods_.blockCount();
+        report.wheelBlocks = wheels_.blockCount();
         report.weldBlocks = welds_.blockCount();
     }
     listRuns<kJoints>(batch);
@@ -354,6 +357,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     if constexpr (kJoints) {
         hinges_.readBack(batch, ofManyHinges);
         rods_.readBack(batch);
+        wheels_.readBack(batch);
         welds_.readBack(batch);
     }
     return report;

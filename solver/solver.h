@@ -15,6 +15,7 @@
 #include "solve_report.h"
 #include "solver_batch.h"
 #include "weld_sort.h"
+#include "wheel_sort.h"
 #include "wide_motion.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -90,6 +91,7 @@ private:
     /// Of joints that stand in blocks.
     HingeBlocks& blocksOf(const std::vector<RevoluteConstraint>&) { return hinges_; }
     JointBlocks<RodSort>& blocksOf(const std::vector<DistanceConstraint>&) { return rods_; }
+    JointBlocks<WheelSort>& blocksOf(const std::vector<WheelConstraint>&) { return wheels_; }
     JointBlocks<WeldSort>& blocksOf(const std::vector<WeldConstraint>&) { return welds_; }
     template <class OfBlocks, class OfJoints>
     void forEachJointOf(SolverBatch& batch, int colour, RangeCut& cut, const OfBlocks& ofBlocks,
@@ -121,6 +123,7 @@ private:
     ContactBlocks contacts_;
     HingeBlocks hinges_;
     JointBlocks<RodSort> rods_;
+    JointBlocks<WheelSort> wheels_;
     JointBlocks<WeldSort> welds_;
     DirectSolver direct_;
     JointIslands islands_;

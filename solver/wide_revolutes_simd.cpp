@@ -113,23 +113,23 @@ private:
         const Lanes place = angle();
         if (block_.parts.hasSpring && kUseBias) {
             const Lanes change =
-                hn::Mul(at(block_.springDrag), hn::Sub(at(block_.springImpulse), hn::Mul(spin.mass, speed())));
+                hn::Mul(at(block_.springDrag), hn::Sub(at(block_.springImpulse), hn::Mul(spin.mass, speedOfSpin())));
             add(change, block_.springImpulse);
             turnGuided(spin, change);
         }
         if (block_.parts.hasMotor) {
             const Lanes before = at(block_.motorImpulse);
-            const Lanes wanted = hn::Sub(before, hn::Mul(spin.mass, hn::Sub(speed(), at(block_.motorSpeed))));
+            const Lanes wanted = hn::Sub(before, hn::Mul(spin.mass, hn::Sub(speedOfSpin(), at(block_.motorSpeed))));
             const Lanes change = hn::Sub(clampedTo(at(block_.maxMotorImpulse), wanted), before);
             add(change, block_.motorImpulse);
             turnGuided(spin, change);
         }
         if (!block_.parts.hasLimits) { return; }
         const Lanes lower =
-            limitChange<kUseBias>(spin.mass, speed(), hn::Sub(place, at(block_.lower)), block_.lowerImpulse, h);
+            limitChange<kUseBias>(spin.mass, speedOfSpin(), hn::Sub(place, at(block_.lower)), block_.lowerImpulse, h);
         add(lower, block_.lowerImpulse);
         turnGuided(spin, lower);
-        const Lanes upper = limitChange<kUseBias>(spin.mass, hn::Neg(speed()), hn::Sub(at(block_.upper), place),
+        const Lanes upper = limitChange<kUseBias>(spin.mass, hn::Neg(speedOfSpin()), hn::Sub(at(block_.upper), place),
                                                   block_.upperImpulse, h);
         add(upper, block_.upperImpulse);
         turnGuided(spin, hn::Neg(upper));

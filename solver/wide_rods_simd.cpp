@@ -108,23 +108,17 @@ private:
         const Tag tag;
         const Lanes zero = hn::Zero(tag);
         const Arms arms = findArms();
-        const UnitLanes offset = normalizedLanes({hn::Sub(hn::Add(arms.apart.x, arms.b.x), arms.a.x),
-                                                  hn::Sub(hn::Add(arms.apart.y, arms.b.y), arms.a.y)});
+        const UnitLanes offset = normalizedLanes(anchorOffset(arms));
         const LaneMask isLong = hn::Gt(offset.length, zero);
         const Pair axis{hn::IfThenElse(isLong, offset.unit.x, at(block_.axisX)),
                         hn::IfThenElse(isLong, offset.unit.y, at(block_.axisY))};
         put(axis.x, block_.axisX, begin_);
         put(axis.y, block_.axisY, begin_);
         put(offset.length, block_.lengthNow, begin_);
-        const auto square = [](Lanes v) { return hn::Mul(v, v); };
-        const auto crossed = [&axis](const Pair& arm) {
-            return hn::Sub(hn::Mul(arm.x, axis.y), hn::Mul(arm.y, axis.x));
-        };
-        const Lanes inverse = hn::Add(
-            hn::Add(hn::Add(inverseMassA_, inverseMassB_), hn::Mul(inverseInertiaA_, square(crossed(arms.a)))),
-            hn::Mul(inverseInertiaB_, square(crossed(arms.b))));
-        const Lanes mass = hn::Div(hn::Set(tag, Real(1)), inverse);
-        put(hn::IfThenElseZero(hn::Gt(inverse, zero), mass), block_.mass, begin_);
+        const Lanes inverse = hn::Add(hn::Add(mass(), hn::Mul(inverseInertiaA_, squareOf(crossOf(arms.a, axis)))),
+                                      hn::Mul(inverseInertiaB_, squareOf(crossOf(arms.b, axis))));
+        const Lanes heavy = hn::Div(hn::Set(tag, Real(1)), inverse);
+        put(hn::IfThenElseZero(hn::Gt(inverse, zero), heavy), block_.mass, begin_);
     }
 
     HWY_INLINE Lanes impulse() const {

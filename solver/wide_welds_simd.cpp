@@ -45,7 +45,7 @@ public:
         if (pass.hasMoved) { findSeam(); }
         const Pair firm = solved(pointMatrix(), kUseBias ? wantedSpeeds() : pointSpeeds());
         push({hn::Neg(firm.x), hn::Neg(firm.y)});
-        const Lanes wanted = kUseBias ? hn::Add(speed(), hn::Mul(at(block_.biasRate), angle())) : speed();
+        const Lanes wanted = kUseBias ? hn::Add(speedOfSpin(), hn::Mul(at(block_.biasRate), angle())) : speedOfSpin();
         const Lanes twist = hn::Mul(hn::Neg(at(block_.spinMass)), wanted);
         turnBy(twist);
         push({hn::Mul(twist, at(block_.answerX)), hn::Mul(twist, at(block_.answerY))});
