@@ -61,17 +61,6 @@ constexpr GuidedRow guidedBy(const HeldRows& held, const JointRow& row, const Jo
     return {row, -solve(matrix, pull), guidedMass(compliance, inverse, own), given, matrix};
 }
 
-/// Beside other rows, guided by a direction alone, see `heldLine`. Who solves that knows `given`: the matrices stay
-/// empty.
-/// @param given  γ·S, 1/kg: S is what is left of the direction's response while all that it guides is held, too
-constexpr GuidedRow guidedByLine(const HeldRows& line, const JointRow& row, const JointPair& pair, Real inverse,
-                                 Real given) {
-    if (!(inverse > 0) || !(line.matrix.xx > 0)) { return {row, {}, inverse > 0 ? 1 / inverse : Real(0), {}, {}}; }
-    const Real across = line.matrix.xx + given;
-    const Real soft = (inverse * line.matrix.xx + coupling(row, row, pair) * given) / across;
-    return {row, {-coupling(row, line.first, pair) / across, 0}, 1 / soft, {}, {}};
-}
-
 /// Determinant of all three rows of two bodies: two points and the angle, or any turn of these axes.
 constexpr Real fullDeterminant(const JointPair& pair, Vec2 armA, Vec2 armB) {
     const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;

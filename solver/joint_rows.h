@@ -70,24 +70,6 @@ constexpr HeldRows heldPoint(const JointPair& pair, Vec2 armA, Vec2 armB) {
             pointMatrix(pair.inertiaA, armA, pair.inertiaB, armB)};
 }
 
-/// A direction alone. The second row is empty.
-constexpr HeldRows heldLine(const JointPair& pair, const JointRow& side) {
-    const Real across = coupling(side, side, pair);
-    return {side, {}, {across, 0, across, across * across}};
-}
-
-/// A direction and the angle are held: what a slider leaves free is the direction across.
-constexpr HeldRows heldSlide(const JointPair& pair, const JointRow& side) {
-    const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
-    const Real turn = turnOf(pair);
-    const Real across = coupling(side, side, pair);
-    if (!(turn > 0)) { return heldLine(pair, side); }  // bodies that cannot turn need no holding
-    // Expanded into terms that are all ≥ 0: see `pointMatrix`.
-    const Real determinant =
-        mass * turn + pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia * square(side.spinA - side.spinB);
-    return {side, kSpinRow, {across, coupling(side, kSpinRow, pair), turn, determinant}};
-}
-
 /// Softly towards zero errors; the change of the accumulated impulses.
 /// @pre  not both `useBias` and held by a direct solve, see `JointConstraint::isHeld`
 constexpr Vec2 heldChange(const HeldRows& held, const JointPair& pair, Vec2 error, Vec2 accumulated,

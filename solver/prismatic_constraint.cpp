@@ -2,19 +2,27 @@
 
 #include <cmath>
 
+#include "guided_line.h"
+#include "pin.h"
+#include "wide_slides.h"
+
 namespace swept::inline SWEPT_PRECISION {
+
+#ifndef SWEPT_SIMD
+const SlideKernels* slideKernels() { return nullptr; }
+#endif
+
 namespace {
 
 /// The joint as it stands in this sub-step. Force and torque of the joint act at B's anchor; here its rows act at a
 /// point where forces do not turn the bodies against each other. So the angle has nothing to do with the rest of them,
 /// however far away the anchor is.
-struct Slide {
-    Vec2 offset;  ///< of the anchors
-    Vec2 lever;   ///< of that point, from B's anchor
-    Real angle;
-    JointRow along;
-    HeldRows side;
-    Real inverseMass;  ///< speed along the axis per impulse, while the bodies neither turn against each other nor part
+struct Slide : GuidedLine {
+    Vec2 lever;  ///< of that point, from B's anchor
+    Real angle = 0;
+    /// The angle gives way by no more than what moves the anchor as far as its softness across the axis does: this is its
+    /// response, that far, per compliance.
+    Real angleShare = 0;
 };
 
 Slide slideOf(PrismaticConstraint& joint, const JointPair& pair) {
@@ -26,61 +34,52 @@ Slide slideOf(PrismaticConstraint& joint, const JointPair& pair) {
     const Real partA = turn > 0 ? pair.inertiaA.inverseInertia / turn : Real(0);
     const Real partB = turn > 0 ? pair.inertiaB.inverseInertia / turn : Real(0);
     const Vec2 lever = -(partA * armA + partB * armB);
-    const JointRow along = rowAlong(joint.axisNow, armA + lever, armB + lever);
-    const HeldRows side = heldLine(pair, rowAlong(leftPerp(joint.axisNow), armA + lever, armB + lever));
+    Slide slide{lineAlong(joint.axisNow, offset, armA + lever, armB + lever, pair), lever};
+    // Errors of rows at B's anchor, there: they differ by how far the bodies have turned against each other.
+    slide.angle = turn > 0 ? joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle) : Real(0);
+    slide.place += cross(lever, slide.axis) * slide.angle;
+    slide.gap += dot(lever, slide.axis) * slide.angle;
     // Of both rows: terms that are all ≥ 0, see `pointMatrix`.
-    const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
+    const Real mass = massOf(pair);
     const Real determinant = mass * (mass + partA * pair.inertiaB.inverseInertia * lengthSquared(armA - armB));
-    const Real across = side.matrix.xx;
-    return {offset, lever, turn > 0 ? joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle) : Real(0),
-            along,  side,  across > 0 ? determinant / across : Real(0)};
-}
-
-/// Errors of rows at B's anchor, there: they differ by how far the bodies have turned against each other.
-Real errorAt(const Slide& slide, Vec2 direction) {
-    return dot(direction, slide.offset) + cross(slide.lever, direction) * slide.angle;
+    slide.inverseMass = slide.response > 0 ? determinant / slide.response : Real(0);
+    slide.lonely = slide.own > 0 ? determinant / slide.own : Real(0);
+    const Real farther = mass + turn * lengthSquared(lever);
+    slide.angleShare = farther > 0 ? turn * (mass / farther) : turn;
+    return slide;
 }
 
 /// Torque that forces at the point make about B's anchor.
 Real leverTorque(const PrismaticConstraint& joint, const Slide& slide) {
-    return cross(slide.lever, joint.impulse() * joint.axisNow + joint.heldImpulse.x * leftPerp(joint.axisNow));
+    return joint.impulse() * cross(slide.lever, slide.axis) + joint.heldImpulse.x * dot(slide.lever, slide.axis);
 }
 
-/// The angle gives way by no more than what moves the anchor as far as its softness across the axis does.
-/// @param compliance  of what is held
 void solveAngle(PrismaticConstraint& joint, const Slide& slide, const JointPair& pair, Real compliance, bool useBias) {
-    const Real turn = turnOf(pair);
-    if (!(turn > 0)) { return; }
-    const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
-    const Real farther = turn * lengthSquared(slide.lever);
-    const Real part = mass + farther > 0 ? mass / (mass + farther) : Real(1);
-    const Real given = compliance * turn * part;
-    const Real bias = useBias ? joint.softness.biasRate * slide.angle : Real(0);
-    const Real twist = -(speedOf(kSpinRow, pair) + bias + given * joint.heldImpulse.y) / (turn + given);
+    const Real turning = turnOf(pair);
+    if (!(turning > 0)) { return; }
+    const Real given = compliance * slide.angleShare;
+    Real wanted = pair.b.angularVelocity - pair.a.angularVelocity;
+    if (useBias) { wanted += joint.softness.biasRate * slide.angle + given * joint.heldImpulse.y; }
+    const Real twist = -wanted / (turning + given);
     joint.heldImpulse.y += twist;
-    apply(kSpinRow, pair, twist);
-}
-
-/// The angle, side and way of one pass. @pre `heldImpulse.y` is the torque at the point
-void solveAtPoint(PrismaticConstraint& joint, const Slide& slide, const JointPair& pair, Real h, bool useBias) {
-    const Real compliance = complianceOf(joint, useBias);
-    const GuidedRow along = guidedBy(slide.side, slide.along, pair, slide.inverseMass, compliance);
-    Vec2 side{joint.heldImpulse.x, 0};
-    if (!joint.isHeld || !useBias) {
-        solveAngle(joint, slide, pair, compliance, useBias);
-        const Real error = errorAt(slide, leftPerp(joint.axisNow));
-        solveGuiding(along, slide.side, pair, {useBias ? joint.softness.biasRate * error : Real(0), 0}, side);
-    }
-    solveFreedom(
-        joint, along.mass, errorAt(slide, joint.axisNow), joint.softness, h, useBias,
-        [&] { return speedOf(along.row, pair); }, [&](Real push) { apply(along, slide.side, pair, push, side); });
-    joint.heldImpulse.x = side.x;
+    turn(pair, twist);
 }
 
 void solveOne(PrismaticConstraint& joint, const JointPair& pair, Real h, bool useBias) {
     const Slide slide = slideOf(joint, pair);
+    const Real compliance = complianceOf(joint, useBias);
+    const Real given = compliance * slide.lonely;
+    joint.heldImpulse.y -= leverTorque(joint, slide);  // what acts at the point
+    if (!joint.isHeld || !useBias) { solveAngle(joint, slide, pair, compliance, useBias); }
+    solveAcross(joint, joint.heldImpulse.x, slide, pair, given, useBias);
+    solveAlong(joint, joint, joint.heldImpulse.x, slide, pair, given, h, useBias);
+    joint.heldImpulse.y += leverTorque(joint, slide);
+}
+
+/// The side answers to the change of the spring's push, and torques go with where forces act.
+void warmStartSpring(PrismaticConstraint& joint, const Slide& slide) {
     joint.heldImpulse.y -= leverTorque(joint, slide);
-    solveAtPoint(joint, slide, pair, h, useBias);
+    joint.heldImpulse.x += warmStartSpring(joint, static_cast<const GuidedLine&>(slide));
     joint.heldImpulse.y += leverTorque(joint, slide);
 }
 
@@ -94,16 +93,10 @@ void warmStart(std::span<PrismaticConstraint> joints, const SolverBodies& bodies
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
         const Slide slide = slideOf(joint, pair);
-        // The side answers to the change of the spring's push, and torques go with where forces act.
-        const Real before = joint.springImpulse;
-        pushSpring(joint, slide.inverseMass > 0 ? 1 / slide.inverseMass : Real(0), errorAt(slide, joint.axisNow));
-        const Real change = joint.springImpulse - before;
-        const Real side = change * guidedBy(slide.side, slide.along, pair, slide.inverseMass, 0).answer.x;
-        joint.heldImpulse.x += side;
-        joint.heldImpulse.y += cross(slide.lever, change * joint.axisNow + side * leftPerp(joint.axisNow));
-        apply(slide.side.first, pair, joint.heldImpulse.x);
-        apply(slide.along, pair, joint.impulse());
-        apply(kSpinRow, pair, joint.heldImpulse.y - leverTorque(joint, slide));
+        if (joint.hasSpring) { warmStartSpring(joint, slide); }
+        push(pair, leftPerp(slide.axis), slide.across, joint.heldImpulse.x);
+        push(pair, slide.axis, slide.along, joint.impulse());
+        turn(pair, joint.heldImpulse.y - leverTorque(joint, slide));
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }

@@ -18,6 +18,7 @@ struct SolveReport {
     int colours = 0;
     int hingeBlocks = 0;    ///< of hinges that were solved side by side
     int rodBlocks = 0;      ///< of distance joints, likewise
+    int slideBlocks = 0;    ///< of prismatic joints
     int wheelBlocks = 0;    ///< of wheels
     int weldBlocks = 0;     ///< of welds
     int contactBlocks = 0;  ///< of contacts that were solved side by side

@@ -41,6 +41,7 @@ std::size_t countOf(const std::vector<Constraint>& joints, const ConstraintGraph
 template <class Joints>
 constexpr bool kStandInBlocks = std::is_same_v<std::remove_cvref_t<Joints>, std::vector<RevoluteConstraint>> ||
                                 std::is_same_v<std::remove_cvref_t<Joints>, std::vector<DistanceConstraint>> ||
+                                std::is_same_v<std::remove_cvref_t<Joints>, std::vector<PrismaticConstraint>> ||
                                 std::is_same_v<std::remove_cvref_t<Joints>, std::vector<WheelConstraint>> ||
                                 std::is_same_v<std::remove_cvref_t<Joints>, std::vector<WeldConstraint>>;
 
@@ -337,10 +338,12 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         const bool isWide = settings.wide && !report.isDirect;
         hinges_.build(batch, graph_, isWide, ofManyHinges);
         rods_.build(batch, graph_, isWide);
+        slides_.build(batch, graph_, isWide);
         wheels_.build(batch, graph_, isWide);
         welds_.build(batch, graph_, isWide);
         report.hingeBlocks = hinges_.blockCount();
         report.rodBlocks = rods_.blockCount();
+        report.slideBlocks = slides_.blockCount();
         report.wheelBlocks = wheels_.blockCount();
         report.weldBlocks = welds_.blockCount();
     }
@@ -357,6 +360,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     if constexpr (kJoints) {
         hinges_.readBack(batch, ofManyHinges);
         rods_.readBack(batch);
+        slides_.readBack(batch);
         wheels_.readBack(batch);
         welds_.readBack(batch);
     }

@@ -12,6 +12,7 @@
 #include "joint_blocks.h"
 #include "joint_islands.h"
 #include "rod_sort.h"
+#include "slide_sort.h"
 #include "solve_report.h"
 #include "solver_batch.h"
 #include "weld_sort.h"
@@ -91,6 +92,7 @@ private:
     /// Of joints that stand in blocks.
     HingeBlocks& blocksOf(const std::vector<RevoluteConstraint>&) { return hinges_; }
     JointBlocks<RodSort>& blocksOf(const std::vector<DistanceConstraint>&) { return rods_; }
+    JointBlocks<SlideSort>& blocksOf(const std::vector<PrismaticConstraint>&) { return slides_; }
     JointBlocks<WheelSort>& blocksOf(const std::vector<WheelConstraint>&) { return wheels_; }
     JointBlocks<WeldSort>& blocksOf(const std::vector<WeldConstraint>&) { return welds_; }
     template <class OfBlocks, class OfJoints>
@@ -123,6 +125,7 @@ private:
     ContactBlocks contacts_;
     HingeBlocks hinges_;
     JointBlocks<RodSort> rods_;
+    JointBlocks<SlideSort> slides_;
     JointBlocks<WheelSort> wheels_;
     JointBlocks<WeldSort> welds_;
     DirectSolver direct_;

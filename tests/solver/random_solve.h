@@ -33,9 +33,9 @@ struct RandomSolve {
             addJoints(batch.revolutes, [this](auto& joint) { fill(joint); });
             addJoints(batch.distances, [this](auto& joint) { fill(joint); });
             addJoints(batch.welds, [this](auto& joint) { fill(joint); });
+            addJoints(batch.prismatics, [this](auto& joint) { fill(joint); });
             addJoints(batch.wheels, [this](auto& joint) { fill(joint); });
         }
-        addJoints(batch.prismatics, [this](auto& joint) { fill(joint); });
         addJoints(batch.motors, [this](auto& joint) { fill(joint); });
         addJoints(batch.mice, [this](auto& joint) { fill(joint); });
         addJoints(batch.gears, [this](auto& joint) { fill(joint); });

@@ -52,6 +52,7 @@ struct BlockCounts {
     int contacts = 0;
     int hinges = 0;
     int rods = 0;
+    int slides = 0;
     int wheels = 0;
     int welds = 0;
 };
@@ -78,13 +79,14 @@ BlockCounts expectSameBits(int times, std::uint64_t seeds) {
             forgetPrepared(wide.batch);
         }
         EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks + ofNarrow.rodBlocks, 0);
-        EXPECT_EQ(ofNarrow.wheelBlocks + ofNarrow.weldBlocks, 0);
+        EXPECT_EQ(ofNarrow.slideBlocks + ofNarrow.wheelBlocks + ofNarrow.weldBlocks, 0);
         EXPECT_EQ(ofNarrow.bounceRounds, ofWide.bounceRounds) << "seed " << seed;
         EXPECT_EQ(bitsOf(narrow.batch), bitsOf(wide.batch)) << "seed " << seed;
         if (testing::Test::HasFailure()) { break; }
         blocks.contacts += ofWide.contactBlocks;
         blocks.hinges += ofWide.hingeBlocks;
         blocks.rods += ofWide.rodBlocks;
+        blocks.slides += ofWide.slideBlocks;
         blocks.wheels += ofWide.wheelBlocks;
         blocks.welds += ofWide.weldBlocks;
     }
@@ -277,6 +279,7 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     EXPECT_GT(blocks.hinges, 150);
     // Where there are no doubles side by side, rods have no kernel.
     EXPECT_EQ(blocks.rods > 100, rodKernels() != nullptr);
+    EXPECT_GT(blocks.slides, 50);
     EXPECT_GT(blocks.wheels, 50);
     EXPECT_GT(blocks.welds, 50);
 }

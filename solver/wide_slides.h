@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "joint_kernels.h"
+#include "wide_contacts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What a slider has along its axis. All of a block have the same.
+struct SlideParts {
+    bool hasMotor = false;
+    bool hasSpring = false;
+    bool hasLimits = false;
+
+    bool any() const { return hasMotor || hasSpring || hasLimits; }
+};
+
+/// As many sliders as there are lanes, no movable body in two of them; see `PrismaticConstraint`. Lanes that are left over
+/// hold the fixed world to itself.
+struct alignas(kBlockBytes) WideSlide {
+    std::array<BodySlot, kBlockLanes> slotA;
+    std::array<BodySlot, kBlockLanes> slotB;
+    std::uint32_t lanes = 0;     ///< in use
+    std::uint32_t movableA = 0;  ///< one bit per lane: the body is to be written
+    std::uint32_t movableB = 0;
+    SlideParts parts;
+    alignas(kBlockBytes) LaneArray anchorAX;
+    LaneArray anchorAY;
+    LaneArray anchorBX;
+    LaneArray anchorBY;
+    LaneArray offsetX;  ///< between the centres at the start of the step
+    LaneArray offsetY;
+    LaneArray axisX;  ///< at the start of the step
+    LaneArray axisY;
+    LaneArray baseAngle;
+    LaneArray lower;
+    LaneArray upper;
+    LaneArray motorSpeed;
+    LaneArray maxMotorImpulse;
+    LaneArray springPush;
+    LaneArray springDrag;
+    LaneArray biasRate;
+    LaneArray massScale;
+    LaneArray impulseScale;
+    LaneArray inverseMassA;
+    LaneArray inverseMassB;
+    LaneArray inverseInertiaA;
+    LaneArray inverseInertiaB;
+    // As the bodies stand: changes only when they move.
+    LaneArray armAX;
+    LaneArray armAY;
+    LaneArray armBX;
+    LaneArray armBY;
+    LaneArray axisNowX;
+    LaneArray axisNowY;
+    LaneArray alongA;
+    LaneArray alongB;
+    LaneArray acrossA;
+    LaneArray acrossB;
+    LaneArray place;
+    LaneArray gap;
+    LaneArray response;
+    LaneArray own;
+    LaneArray coupled;
+    LaneArray inverseMass;
+    LaneArray lonely;
+    LaneArray leverAcross;  ///< of the point where rows act, from B's anchor: torque of a push along the axis
+    LaneArray leverAlong;   ///< of one across it
+    LaneArray angle;
+    LaneArray angleShare;
+    // Accumulated.
+    LaneArray heldImpulse;
+    LaneArray heldTwist;
+    LaneArray motorImpulse;
+    LaneArray springImpulse;
+    LaneArray lowerImpulse;
+    LaneArray upperImpulse;
+    LaneArray totalX;
+    LaneArray totalY;
+    LaneArray totalTwist;
+};
+
+using SlideKernels = JointKernels<WideSlide>;
+
+/// Null where there are none, see `contactKernels`.
+const SlideKernels* slideKernels();
+
+}  // namespace swept::inline SWEPT_PRECISION
