@@ -181,6 +181,11 @@ struct ConstraintFiller {
     template <class Part>
     typename Part::Constraint constraintOf(const Part& part) const {
         auto constraint = rememberedOf(joint, part);
+        fill(constraint, part);
+        return constraint;
+    }
+    template <class Part>
+    void fill(typename Part::Constraint& constraint, const Part& part) const {
         constraint.isHeld = false;
         constraint.slotA = world.solverSlots[joint.bodyA];
         constraint.slotB = world.solverSlots[joint.bodyB];
@@ -190,7 +195,6 @@ struct ConstraintFiller {
         const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
         constraint.softness = jointSoftness(world.settings, world.bodies[moving].effort, h, dt);
         (*this)(constraint, part.def);
-        return constraint;
     }
 };
 
@@ -229,15 +233,15 @@ struct ErrorReader {
     }
 };
 
-void append(SolverBatch& batch, const RevoluteConstraint& c) { batch.revolutes.push_back(c); }
-void append(SolverBatch& batch, const DistanceConstraint& c) { batch.distances.push_back(c); }
-void append(SolverBatch& batch, const PrismaticConstraint& c) { batch.prismatics.push_back(c); }
-void append(SolverBatch& batch, const WheelConstraint& c) { batch.wheels.push_back(c); }
-void append(SolverBatch& batch, const WeldConstraint& c) { batch.welds.push_back(c); }
-void append(SolverBatch& batch, const MotorConstraint& c) { batch.motors.push_back(c); }
-void append(SolverBatch& batch, const MouseConstraint& c) { batch.mice.push_back(c); }
-void append(SolverBatch& batch, const GearConstraint& c) { batch.gears.push_back(c); }
-void append(SolverBatch& batch, const PulleyConstraint& c) { batch.pulleys.push_back(c); }
+RevoluteConstraint& append(SolverBatch& batch, const RevoluteConstraint& c) { return batch.revolutes.emplace_back(c); }
+DistanceConstraint& append(SolverBatch& batch, const DistanceConstraint& c) { return batch.distances.emplace_back(c); }
+PrismaticConstraint& append(SolverBatch& batch, const PrismaticConstraint& c) { return batch.prismatics.emplace_back(c); }
+WheelConstraint& append(SolverBatch& batch, const WheelConstraint& c) { return batch.wheels.emplace_back(c); }
+WeldConstraint& append(SolverBatch& batch, const WeldConstraint& c) { return batch.welds.emplace_back(c); }
+MotorConstraint& append(SolverBatch& batch, const MotorConstraint& c) { return batch.motors.emplace_back(c); }
+MouseConstraint& append(SolverBatch& batch, const MouseConstraint& c) { return batch.mice.emplace_back(c); }
+GearConstraint& append(SolverBatch& batch, const GearConstraint& c) { return batch.gears.emplace_back(c); }
+PulleyConstraint& append(SolverBatch& batch, const PulleyConstraint& c) { return batch.pulleys.emplace_back(c); }
 
 /// Calls `visit(part)` unless the joint is a filter.
 template <class Parts, class Visit>
@@ -255,9 +259,10 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
     const Joint& joint = world.joints[source];
     const ConstraintFiller filler{world, joint, h, dt};
     visitPart(joint.parts, [&](const auto& part) {
-        auto constraint = filler.constraintOf(part);
+        // Where it stays: a copy of what was just written in parts has to wait for all of them.
+        auto& constraint = append(batch, rememberedOf(joint, part));
+        filler.fill(constraint, part);
         constraint.source = source;
-        append(batch, constraint);
     });
 }
 

@@ -45,7 +45,7 @@ std::span<const SceneEntry> allScenes();
 /// Null when there is none of that name.
 const SceneEntry* sceneNamed(const std::string& name);
 
-// In scenes_piles.cpp, scenes_stacks.cpp, scenes_jointed.cpp and scenes_games.cpp.
+// In scenes_piles.cpp, scenes_stacks.cpp, scenes_jointed.cpp, scenes_games.cpp and scenes_structures.cpp.
 BenchScene makeCompounds(double size);
 BenchScene makeJunkyard(double size);
 BenchScene makeSmash(double size);
@@ -62,6 +62,10 @@ BenchScene makeCratesAsleep(double size);
 BenchScene makeWarehouse(double size);
 BenchScene makeDisks(double size);
 BenchScene makeBulletHell(double size);
+BenchScene makeTray(double size);
+BenchScene makeSoftBodies(double size);
+BenchScene makeCloth(double size);
+BenchScene makeBeams(double size);
 
 /// So many of a row or column, at least one: `count` at size 1.
 int scaledCount(int count, double size);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -78,6 +79,25 @@ BenchScene makeWarehouse(double size) {
         }
         return change;
     };
+    return bench;
+}
+
+/// Boxes, disks and capsules fall into a tray; most of them lie still when it is about them.
+BenchScene makeTray(double size) {
+    const int count = scaledCount(1024, size);
+    const int columns = static_cast<int>(std::sqrt(2.0 * count)) + 1;
+    const double width = 1.2 * columns;
+    BenchScene bench = emptyBench("tray", 300, 1200);
+    build::addFixed(bench.scene, "tray", {0, 0},
+                    {build::box({width, 0.5}, {0, -0.5}), build::box({0.5, width}, {-0.6 * width - 1, width}),
+                     build::box({0.5, width}, {0.6 * width + 1, width})});
+    for (int i = 0; i < count; ++i) {
+        const int row = i / columns;
+        const DVec2 place{1.2 * (i % columns) - 0.6 * width + 0.1 * (row % 2), 1 + 1.2 * row};
+        const std::array<ShapeDescription, 3> shapes{build::box({0.5, 0.4}), build::circle(0.5),
+                                                     build::capsule({-0.3, 0}, {0.3, 0}, 0.2)};
+        build::addDynamic(bench.scene, "", place, {shapes[static_cast<std::size_t>(i) % shapes.size()]});
+    }
     return bench;
 }
 
