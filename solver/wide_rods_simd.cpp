@@ -107,16 +107,23 @@ private:
     HWY_INLINE void findGeometry() {
         const Tag tag;
         const Lanes zero = hn::Zero(tag);
-        const Arms arms = findArms();
-        const UnitLanes offset = normalizedLanes(anchorOffset(arms));
+        const Quad a = motionOfA();
+        const Quad b = motionOfB();
+        const Pair armA = armOfA(a);
+        const Pair armB = armOfB(b);
+        put(armA.x, block_.armAX, begin_);
+        put(armA.y, block_.armAY, begin_);
+        put(armB.x, block_.armBX, begin_);
+        put(armB.y, block_.armBY, begin_);
+        const UnitLanes offset = normalizedLanes(anchorOffset(a, b, armA, armB));
         const LaneMask isLong = hn::Gt(offset.length, zero);
         const Pair axis{hn::IfThenElse(isLong, offset.unit.x, at(block_.axisX)),
                         hn::IfThenElse(isLong, offset.unit.y, at(block_.axisY))};
         put(axis.x, block_.axisX, begin_);
         put(axis.y, block_.axisY, begin_);
         put(offset.length, block_.lengthNow, begin_);
-        const Lanes inverse = hn::Add(hn::Add(mass(), hn::Mul(inverseInertiaA_, squareOf(crossOf(arms.a, axis)))),
-                                      hn::Mul(inverseInertiaB_, squareOf(crossOf(arms.b, axis))));
+        const Lanes inverse = hn::Add(hn::Add(mass(), hn::Mul(inverseInertiaA_, squareOf(crossOf(armA, axis)))),
+                                      hn::Mul(inverseInertiaB_, squareOf(crossOf(armB, axis))));
         const Lanes heavy = hn::Div(hn::Set(tag, Real(1)), inverse);
         put(hn::IfThenElseZero(hn::Gt(inverse, zero), heavy), block_.mass, begin_);
     }

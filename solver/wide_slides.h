@@ -49,10 +49,6 @@ struct alignas(kBlockBytes) WideSlide {
     LaneArray inverseInertiaA;
     LaneArray inverseInertiaB;
     // As the bodies stand: changes only when they move.
-    LaneArray armAX;
-    LaneArray armAY;
-    LaneArray armBX;
-    LaneArray armBY;
     LaneArray axisNowX;
     LaneArray axisNowY;
     LaneArray alongA;

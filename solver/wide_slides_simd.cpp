@@ -65,16 +65,19 @@ private:
 
     /// `slideOf`.
     HWY_INLINE void findSlide() {
-        const Arms arms = findArms();
-        const Pair axis = rotated(arms.turnOfA, {at(block_.axisX), at(block_.axisY)});
-        const Pair offset = anchorOffset(arms);
-        const Pair armA = plus(arms.a, offset);
+        const Quad a = motionOfA();
+        const Quad b = motionOfB();
+        const Pair axis = rotated({a.z, a.w}, {at(block_.axisX), at(block_.axisY)});
+        const Pair anchorA = armOfA(a);
+        const Pair armB = armOfB(b);
+        const Pair offset = anchorOffset(a, b, anchorA, armB);
+        const Pair armA = plus(anchorA, offset);
         const Lanes turning = turns();
         const Lanes partA = hn::Div(inverseInertiaA_, turning);
         const Lanes partB = hn::Div(inverseInertiaB_, turning);
-        const Pair lever{hn::Neg(hn::Add(hn::Mul(partA, armA.x), hn::Mul(partB, arms.b.x))),
-                         hn::Neg(hn::Add(hn::Mul(partA, armA.y), hn::Mul(partB, arms.b.y)))};
-        const Line line = findLine(axis, offset, plus(armA, lever), plus(arms.b, lever));
+        const Pair lever{hn::Neg(hn::Add(hn::Mul(partA, armA.x), hn::Mul(partB, armB.x))),
+                         hn::Neg(hn::Add(hn::Mul(partA, armA.y), hn::Mul(partB, armB.y)))};
+        const Line line = findLine(axis, offset, plus(armA, lever), plus(armB, lever));
         const Lanes angle = angleNow();
         const Lanes leverAcross = crossOf(lever, axis);
         const Lanes leverAlong = dotOf(lever, axis);
@@ -83,7 +86,7 @@ private:
         put(leverAlong, block_.leverAlong, begin_);
         add(hn::Mul(leverAcross, angle), block_.place);
         add(hn::Mul(leverAlong, angle), block_.gap);
-        const Pair apart = minus(armA, arms.b);
+        const Pair apart = minus(armA, armB);
         const Lanes determinant =
             hn::Mul(mass(), hn::Add(mass(), hn::Mul(hn::Mul(partA, inverseInertiaB_), dotOf(apart, apart))));
         const Lanes zero = hn::Zero(Tag());

@@ -61,17 +61,20 @@ private:
     }
     /// `axleOf`.
     HWY_INLINE void findAxle() {
-        const Arms arms = findArms();
-        const Pair axis = rotated(arms.turnOfA, {at(block_.axisX), at(block_.axisY)});
-        const Pair offset = anchorOffset(arms);
-        const Pair armA = plus(arms.a, offset);
-        const Line line = findLine(axis, offset, armA, arms.b);
+        const Quad a = motionOfA();
+        const Quad b = motionOfB();
+        const Pair axis = rotated({a.z, a.w}, {at(block_.axisX), at(block_.axisY)});
+        const Pair anchorA = armOfA(a);
+        const Pair armB = armOfB(b);
+        const Pair offset = anchorOffset(a, b, anchorA, armB);
+        const Pair armA = plus(anchorA, offset);
+        const Line line = findLine(axis, offset, armA, armB);
         put(hn::Add(hn::Mul(inverseInertiaA_, line.across.a), hn::Mul(inverseInertiaB_, line.across.b)), block_.spinCoupled,
             begin_);
-        const Lanes point = pointDeterminant(armA, arms.b);
+        const Lanes point = pointDeterminant(armA, armB);
         put(quotient(point, line.response, hn::Zero(Tag())), block_.inverseMass, begin_);
         put(quotient(determinantWithAngle(line.across), line.response, turns()), block_.spinInverse, begin_);
-        put(lonelyResponse(line, point, fullDeterminant(armA, arms.b)), block_.lonely, begin_);
+        put(lonelyResponse(line, point, fullDeterminant(armA, armB)), block_.lonely, begin_);
     }
     HWY_INLINE Lanes lonelyResponse(const Line& line, Lanes point, Lanes all) const {
         if (block_.parts.hasMotor && block_.parts.isSprung()) {
