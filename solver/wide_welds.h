@@ -1,35 +1,13 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "joint_kernels.h"
-#include "wide_contacts.h"
+#include "wide_joint.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// As many welds without springs as there are lanes, no movable body in two of them; see `WeldConstraint`. Lanes that are
-/// left over hold the fixed world to itself.
-struct alignas(kBlockBytes) WideWeld {
-    std::array<BodySlot, kBlockLanes> slotA;
-    std::array<BodySlot, kBlockLanes> slotB;
-    std::uint32_t lanes = 0;     ///< in use
-    std::uint32_t movableA = 0;  ///< one bit per lane: the body is to be written
-    std::uint32_t movableB = 0;
-    alignas(kBlockBytes) LaneArray anchorAX;
-    LaneArray anchorAY;
-    LaneArray anchorBX;
-    LaneArray anchorBY;
-    LaneArray offsetX;  ///< between the centres at the start of the step
-    LaneArray offsetY;
+/// As many welds without springs as there are lanes; see `WeldConstraint`.
+struct WideWeld : WideJoint {
     LaneArray baseAngle;
-    LaneArray biasRate;
-    LaneArray massScale;
-    LaneArray impulseScale;
-    LaneArray inverseMassA;
-    LaneArray inverseMassB;
-    LaneArray inverseInertiaA;
-    LaneArray inverseInertiaB;
     // As the bodies stand: changes only when they move.
     LaneArray armAX;
     LaneArray armAY;

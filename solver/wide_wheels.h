@@ -1,10 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "joint_kernels.h"
-#include "wide_contacts.h"
+#include "wide_joint.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -17,22 +14,10 @@ struct WheelParts {
     bool isSprung() const { return hasSpring || hasLimits; }
 };
 
-/// As many wheels as there are lanes, no movable body in two of them; see `WheelConstraint`. Lanes that are left over hold
-/// the fixed world to itself.
-struct alignas(kBlockBytes) WideWheel {
-    std::array<BodySlot, kBlockLanes> slotA;
-    std::array<BodySlot, kBlockLanes> slotB;
-    std::uint32_t lanes = 0;     ///< in use
-    std::uint32_t movableA = 0;  ///< one bit per lane: the body is to be written
-    std::uint32_t movableB = 0;
+/// As many wheels as there are lanes, all with the same parts; see `WheelConstraint`.
+struct WideWheel : WideJoint {
     WheelParts parts;
-    alignas(kBlockBytes) LaneArray anchorAX;
-    LaneArray anchorAY;
-    LaneArray anchorBX;
-    LaneArray anchorBY;
-    LaneArray offsetX;  ///< between the centres at the start of the step
-    LaneArray offsetY;
-    LaneArray axisX;  ///< at the start of the step
+    alignas(kBlockBytes) LaneArray axisX;  ///< at the start of the step
     LaneArray axisY;
     LaneArray lower;
     LaneArray upper;
@@ -40,13 +25,6 @@ struct alignas(kBlockBytes) WideWheel {
     LaneArray maxMotorImpulse;
     LaneArray springPush;
     LaneArray springDrag;
-    LaneArray biasRate;
-    LaneArray massScale;
-    LaneArray impulseScale;
-    LaneArray inverseMassA;
-    LaneArray inverseMassB;
-    LaneArray inverseInertiaA;
-    LaneArray inverseInertiaB;
     // As the bodies stand: changes only when they move.
     LaneArray axisNowX;
     LaneArray axisNowY;
