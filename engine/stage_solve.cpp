@@ -94,10 +94,16 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     return report;
 }
 
-void rememberSearch(WorldState& world, const TiedGroup& group, const SearchCost& cost) {
-    for (const std::uint32_t slot : group.bodies) {
-        Body& body = world.bodies[slot];
-        if (isMember(body, group)) { body.searchDebt = searchDebtAfter(body.searchDebt, cost); }
+/// Only who took long pays: beside one heap that is searched in vain others are solved all at once.
+/// @param all  nothing was searched
+void rememberSearch(WorldState& world, const TiedGroup& group, const SearchCost& cost, bool all) {
+    const SolveDesk& desk = group.desk;
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        Body& body = world.bodies[desk.bodies[i]];
+        if (!isMember(body, group)) { continue; }
+        if (all || desk.solver.tookLong(static_cast<BodySlot>(i + 1))) {
+            body.searchDebt = searchDebtAfter(body.searchDebt, cost);
+        }
     }
 }
 
@@ -167,6 +173,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .coarseImpacts = world.settings.profile == Profile::fast,
                                   .direct = scope,
                                   .patient = group.effort.isLarge,
+                                  .takenBack = group.role == BodyRole::solved,
                                   .settled = group.effort.isSettled};
     const SolveReport report = settings.joints ? solveWithJoints(world, group, settings, dt)
                                                : desk.solver.solve(desk.batch, settings, *desk.loops);
@@ -179,7 +186,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                         .subSteps = part.subSteps,
                         .bodies = desk.batch.states.size() - 1,
                         .isLarge = group.effort.isLarge,
-                        .isSolved = isSolved});
+                        .isSolved = isSolved},
+                       !report.isDirect);
     }
     StepCounters& counters = desk.counters;
     counters.colours = std::max(counters.colours, static_cast<std::uint64_t>(report.colours));
@@ -249,7 +257,7 @@ void solveTiedBodies(WorldState& world, double dt) {
                        {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
         clearDesk(world, desk);
         if (isSearch && !isSolved) {
-            takeBackClass(world, place, {.retry = ++retries});
+            takeBackClass(world, place, {.doublings = std::max(effort.doublings, std::int8_t{0}), .retry = ++retries});
         } else if (isTried) {
             takeBackMissed(world, place, dt);
         }

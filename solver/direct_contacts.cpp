@@ -17,6 +17,9 @@ constexpr int kMostRoundsOfPatient = 40;
 /// counted, the others all solves of a step share.
 constexpr int kMostRoundsOfSolve = 48;
 constexpr int kUsualRoundsOfSolve = 4;
+/// Whoever is held otherwise after so many rounds of a solve asks for more than half of what is usual in a sub-step
+/// (effort.cpp).
+constexpr int kRoundsOfNoNote = 3;
 constexpr int kMostRoundsOfPatientSolve = 150;
 /// Dampers are then made weaker by this, as often as that. What they leave is mended by the next solve. Among many
 /// bodies less at a time: with 1/64 the first solves of a pyramid of 1275 boxes left 2 cm/s, with 1/8 0.2 mm/s.
@@ -143,17 +146,23 @@ void DirectSolver::findNoise() {
     }
 }
 
+bool DirectSolver::noted(const ContactPoint& contact, bool isOther) {
+    if (isOther && roundsLeft_ <= notedFrom_) { takesLong_[contact.island] = 1; }
+    return isOther;
+}
+
 /// Impulses and holds by what the dampers say at `change_`.
 /// @param isFirm  what is at the brink stays as it was
 /// @return whether anything is held otherwise than before
 bool DirectSolver::classify(bool isFirm) {
     bool changed = false;
-    const auto set = [&changed](Hold& hold, Hold now) {
-        changed = changed || hold != now;
-        hold = now;
-    };
     for (ContactPoint& contact : contacts_) {
         if (contact.normalHold == Hold::free) { continue; }
+        bool isOther = false;
+        const auto set = [&isOther](Hold& hold, Hold now) {
+            isOther = isOther || hold != now;
+            hold = now;
+        };
         const double brink = isFirm ? noise_[contact.island] : 0;
         Row& normal = contact.normal;
         Row& tangent = contact.tangent;
@@ -168,8 +177,9 @@ bool DirectSolver::classify(bool isFirm) {
             limit > 0 && std::fabs(rubbed) <= limit + (contact.tangentHold == Hold::held ? brink : -brink);
         const double before = tangent.impulse;
         tangent.impulse = sticks ? rubbed : std::clamp(rubbed, -limit, limit);
-        changed = changed || (!sticks && contact.tangentHold == Hold::forced && before * tangent.impulse < 0);
+        isOther = isOther || (!sticks && contact.tangentHold == Hold::forced && before * tangent.impulse < 0);
         set(contact.tangentHold, sticks ? Hold::held : Hold::forced);
+        changed = noted(contact, isOther) || changed;
     }
     return changed;
 }
@@ -262,7 +272,7 @@ bool DirectSolver::followLimits() {
         const double slack = kLimitTolerance * limit + noise_[contact.island];
         const bool isTooStrong = rubbed > limit + slack;
         const bool isTooWeak = contact.tangentHold == Hold::forced && rubbed + slack < limit;
-        isFar = isFar || isTooStrong || isTooWeak;
+        isFar = noted(contact, isTooStrong || isTooWeak) || isFar;
         contact.limit = limit;
     }
     return isFar;
@@ -275,7 +285,8 @@ bool DirectSolver::tighten() {
     for (const ContactPoint& contact : contacts_) {
         const double change = std::fabs(contact.normal.impulse - contact.normal.guess);
         const double rub = std::fabs(contact.tangent.impulse - contact.tangent.guess);
-        isFar = isFar || std::max(change, rub) > kFarRatio * (noise_[contact.island] / kBrinkRatio);
+        const bool isTooFar = std::max(change, rub) > kFarRatio * (noise_[contact.island] / kBrinkRatio);
+        isFar = noted(contact, isTooFar) || isFar;
     }
     if (!isFar) { return false; }
     for (ContactPoint& contact : contacts_) {
@@ -291,6 +302,7 @@ bool DirectSolver::findImpulses(DirectReport& report) {
     const int most = isPatient_ ? kMostRoundsOfPatientSolve
                                 : std::min(kMostRoundsOfSolve, kUsualRoundsOfSolve + std::max(spareRounds_, 0));
     roundsLeft_ = most;
+    notedFrom_ = most - kRoundsOfNoNote;
     const bool isFound = searchImpulses<kJoints>(report);
     spareRounds_ -= std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
     return isFound;

@@ -24,8 +24,8 @@ constexpr double kLoopStrength = kJointStrength / 16;
 /// joints that hold the same against a motor would else work against each other more and more, each solve by what the
 /// motor gave: a weld and a slider went from 1 to 1350 N·m·s in a third of a second, and flew apart.
 constexpr double kForgottenPart = 1.0 / 64;
-/// Rounds of a step beyond the usual ones of its solves: so many at least, and so many bodies in all of them. A step that
-/// takes more is taken back and iterated. (Heaps of 256 bodies took 180 at times, 12 ms.)
+/// Rounds of a step, or of a part of one, beyond the usual ones of its solves: so many at least, and so many bodies in all
+/// of them. What takes more is iterated. (Heaps of 256 bodies took 180 at times, 12 ms.)
 constexpr std::size_t kFewestSpareRounds = 32;
 constexpr std::size_t kSpareBodyRounds = 8192;
 /// Changes this much smaller than the largest in the island are noise.
@@ -66,12 +66,13 @@ void addScaled(Block3& to, double factor, const Block3& a) {
 
 }  // namespace
 
-bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient) {
+bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient, bool isTakenBack) {
     if ((scope == DirectScope::freeJoints || scope == DirectScope::islands) && !batch.contacts.empty()) {
         return false;
     }
     scope_ = scope;
     isPatient_ = isPatient;
+    isTakenBack_ = isTakenBack;
     hasGivenUp_ = false;
     isFactorised_ = false;
     joints_.clear();
@@ -79,6 +80,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     listNodes(batch);
     if (nodes_.empty() || !listEdges(batch)) { return false; }
     spareRounds_ = spareRoundsFor(nodes_.size());
+    takesLong_.assign(nodes_.size(), 0);
     if (scope == DirectScope::all) { listContacts(batch); }
     return true;
 }
@@ -319,9 +321,14 @@ void DirectSolver::applyToImpulses() {
     }
 }
 
+bool DirectSolver::tookLong(BodySlot slot) const {
+    const std::uint32_t node = nodeOf_[slot];
+    return node != kNoNode && takesLong_[islands_.rootOf(node)] != 0;
+}
+
 template <bool kJoints>
 bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
-    if (hasGivenUp_ && scope_ == DirectScope::all) { return false; }  // the step is taken back
+    if (hasGivenUp_ && (isPatient_ || isTakenBack_)) { return false; }
     strength_ = 1;
     if constexpr (kJoints) { gatherJoints(batch, h, useBias, false); }
     gatherContacts(batch, h, useBias);

@@ -38,8 +38,9 @@ class DirectSolver {
 public:
     /// Once a step: bodies, islands, rows. @pre contacts stay where they are until the step ends
     /// @param isPatient  of many bodies: more rounds
+    /// @param isTakenBack  what was searched in vain once is not again: the step will be taken back
     /// @return false when there is nothing to do, or the system is too tangled to pay
-    bool prepare(SolverBatch& batch, DirectScope scope, bool isPatient = false);
+    bool prepare(SolverBatch& batch, DirectScope scope, bool isPatient = false, bool isTakenBack = false);
 
     /// Changes velocities and impulses. Contacts come with the impulses expected, not yet applied; joints with theirs
     /// applied.
@@ -58,6 +59,10 @@ public:
     void beginFirstHalf();
     void beginSecondHalf();
     void addHalves();
+
+    /// Whether contacts of the body's island took more rounds than usual in this step: what cost the others of the batch
+    /// theirs, too.
+    bool tookLong(BodySlot slot) const;
 
 private:
     struct Node {
@@ -143,6 +148,7 @@ private:
     template <bool kJoints>
     bool settle(DirectReport& report);
     bool classify(bool isFirm);
+    bool noted(const ContactPoint& contact, bool isOther);
     bool followLimits();
     bool tighten();
     void guessHolds();
@@ -156,6 +162,7 @@ private:
 
     DirectScope scope_ = DirectScope::none;
     bool isPatient_ = false;
+    bool isTakenBack_ = false;
     bool hasGivenUp_ = false;  ///< in this step
     std::vector<std::uint32_t> nodeOf_;  ///< by slot
     std::vector<Node> nodes_;
@@ -169,7 +176,9 @@ private:
     bool isFactorised_ = false;
     double factorised_ = 0;  ///< strength with which
     int roundsLeft_ = 0;     ///< of this solve
-    int spareRounds_ = 0;    ///< of this step, for what takes more than the usual
+    int notedFrom_ = 0;      ///< from so many left on it is noted who takes them
+    int spareRounds_ = 0;    ///< since `prepare`, for what takes more than the usual
+    std::vector<std::uint8_t> takesLong_;  ///< by the first node of an island
     double strength_ = 1;    ///< of all rows, in units of their own
     BlockLdlt matrix_;
     std::vector<Block3> change_;   ///< of the velocities, by node

@@ -55,6 +55,7 @@ struct FreedomParts {
 constexpr void dropUnused(FreedomParts& parts) {
     if (!parts.hasMotor) { parts.motorImpulse = 0; }
     if (!parts.hasLimits) { parts.lowerImpulse = parts.upperImpulse = 0; }
+    if (!parts.hasSpring) { parts.springImpulse = 0; }
 }
 
 /// The spring's push, at the start of a sub-step: part of warm starting, where it takes the place of an old impulse.

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "contact_constraint.h"
-#include "wide_contacts.h"
+#include "wide_joint.h"
 
 /// What the blocks of all sorts of joints have in common.
 
@@ -22,8 +22,8 @@ void emptyJoints(Block& block, std::uint32_t lanes) {
 }
 
 /// What any joint has. Lanes of one block may be filled at the same time. @pre the block was emptied
-template <class Block, class Joint>
-void fillJoint(Block& block, std::size_t lane, const Joint& joint, const BodyInertia& a, const BodyInertia& b) {
+template <class Joint>
+void fillJoint(WideJoint& block, std::size_t lane, const Joint& joint, const BodyInertia& a, const BodyInertia& b) {
     block.slotA[lane] = joint.slotA;
     block.slotB[lane] = joint.slotB;
     block.anchorAX[lane] = joint.anchorA.x;
@@ -42,8 +42,7 @@ void fillJoint(Block& block, std::size_t lane, const Joint& joint, const BodyIne
 }
 
 /// Ends what the joints of the lanes began.
-template <class Block>
-void closeBlock(Block& block) {
+inline void closeBlock(WideJoint& block) {
     block.movableA = block.movableB = 0;
     for (std::size_t lane = 0; lane < block.lanes; ++lane) {
         const BodyInertia a{.inverseMass = block.inverseMassA[lane], .inverseInertia = block.inverseInertiaA[lane]};

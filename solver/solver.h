@@ -38,7 +38,8 @@ struct SolverSettings {
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
     /// then those of half a sub-step: one half before its motion and one after.
     DirectScope direct = DirectScope::none;
-    bool patient = false;  ///< of what is solved all at once: many bodies, more rounds
+    bool patient = false;    ///< of what is solved all at once: many bodies, more rounds
+    bool takenBack = false;  ///< likewise: the step will be, if it is searched in vain
     /// All is at rest, with the right impulses: contacts hold what they have, without springs, in one sub-step.
     /// @pre no joints, nothing is solved all at once; separations are found, 0 where a point presses
     bool settled = false;
@@ -63,6 +64,9 @@ public:
     /// others may set its bodies; links stay as they are. @pre none of these is kinematic, so that all are taken for
     /// movable; no joints, nothing is solved all at once
     void colourAhead(const SolverBatch& batch);
+
+    /// `DirectSolver::tookLong` in the last solve. @pre its `SolveReport::isDirect`
+    bool tookLong(BodySlot slot) const { return direct_.tookLong(slot); }
 
 private:
     /// A colour, and those that were joined to it.

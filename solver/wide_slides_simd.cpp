@@ -56,7 +56,7 @@ public:
         solveAcross<kUseBias>(given);
         if (block_.parts.any()) { solveAlong<kUseBias, true>(given, hn::Set(Tag(), pass.h)); }
         moveTwist(leverTorque());
-        if (pass.isLast) { addUp(); }
+        if (pass.isLast) { addUpLine(freedomImpulse(), at(block_.heldTwist)); }
         writeBodies();
     }
 
@@ -118,14 +118,6 @@ private:
         const Lanes twist = hn::Div(hn::Neg(wanted), hn::Add(turns(), given));
         moveTwist(twist);
         turn(twist);
-    }
-
-    HWY_INLINE void addUp() {
-        const Lanes all = freedomImpulse();
-        const Lanes held = at(block_.heldImpulse);
-        add(hn::Sub(hn::Mul(all, at(block_.axisNowX)), hn::Mul(held, at(block_.axisNowY))), block_.totalX);
-        add(hn::Add(hn::Mul(all, at(block_.axisNowY)), hn::Mul(held, at(block_.axisNowX))), block_.totalY);
-        add(at(block_.heldTwist), block_.totalTwist);
     }
 };
 

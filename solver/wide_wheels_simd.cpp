@@ -51,7 +51,7 @@ public:
         solveAcross<kUseBias>(given);
         if (block_.parts.hasMotor) { driveSpin(given); }
         if (block_.parts.isSprung()) { solveAlong<kUseBias, false>(given, hn::Set(Tag(), pass.h)); }
-        if (pass.isLast) { addUp(); }
+        if (pass.isLast) { addUpLine(suspensionImpulse(), at(block_.motorImpulse)); }
         writeBodies();
     }
 
@@ -94,13 +94,6 @@ private:
 
     HWY_INLINE Lanes suspensionImpulse() const {
         return hn::Sub(hn::Add(at(block_.springImpulse), at(block_.lowerImpulse)), at(block_.upperImpulse));
-    }
-    HWY_INLINE void addUp() {
-        const Lanes all = suspensionImpulse();
-        const Lanes held = at(block_.heldImpulse);
-        add(hn::Sub(hn::Mul(all, at(block_.axisNowX)), hn::Mul(held, at(block_.axisNowY))), block_.totalX);
-        add(hn::Add(hn::Mul(all, at(block_.axisNowY)), hn::Mul(held, at(block_.axisNowX))), block_.totalY);
-        add(at(block_.motorImpulse), block_.totalTwist);
     }
 };
 

@@ -92,6 +92,33 @@ TEST(JointSprings, PrismaticBlockOnAnIncline) {
     expectAtMost("reaction", std::abs(static_cast<double>(force.y) / (world.mass(block) * kGravity) - 1), 1e-3);
 }
 
+template <class Joint>
+void expectFallWithoutSpring(Profile profile) {
+    WorldSettings settings = awakeSettings();
+    settings.profile = profile;
+    World world = makeWorld(settings);
+    const BodyId wall = anchorOf(world);
+    const BodyId block = addBody(world, dynamicAt({0, 0}), box(0.2, 0.2));
+    Joint rail;
+    rail.base = between(wall, block);
+    rail.axis = {0, 1};
+    rail.spring = Spring{real(2), 1};
+    const JointId joint = must(world.createJoint(rail));
+    runFor(world, 3);  // hangs on it
+    must(world.setSpring(joint, std::nullopt));
+    runFor(world, 0.5);
+    EXPECT_NEAR(static_cast<double>(world.velocity(block).y), -0.5 * kGravity, 0.01) << static_cast<int>(profile);
+    EXPECT_NEAR(static_cast<double>(length(world.jointForce(joint))), 0, 0.01) << static_cast<int>(profile);
+}
+
+/// A spring that is taken away leaves nothing behind of its push.
+TEST(JointSprings, OneThatIsTakenAwayPushesNoMore) {
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        expectFallWithoutSpring<PrismaticJointDef>(profile);
+        expectFallWithoutSpring<WheelJointDef>(profile);
+    }
+}
+
 /// Chassis of mass M, held from turning, on a wheel of mass m that stands: ω² = k/M, with the k that the joint derives
 /// from the hertz of the two bodies alone, k = ω_joint²·Mm/(M + m).
 TEST(JointSprings, WheelSuspensionSwingsAtItsFrequency) {
