@@ -298,6 +298,15 @@ Softness jointSoftness(const WorldSettings& settings, Effort effort, Real h, Rea
     return softnessOfSubStep(kJointCycles, kJointDampingRatio, std::max(h, usual));
 }
 
+void forgetImpulses(Joint& joint) {
+    visitPart(joint.parts, [](auto& part) {
+        if constexpr (requires { part.memory; }) { part.memory = {}; }
+    });
+    joint.hinge = {};
+    joint.reactionForce = {};
+    joint.reactionTorque = 0;
+}
+
 void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
     batch.forEachJointKind([&](const auto& constraints) {
         using Constraint = typename std::remove_cvref_t<decltype(constraints)>::value_type;
@@ -311,6 +320,8 @@ void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
                     if constexpr (std::is_same_v<typename Part::Constraint, Constraint>) { part.memory = constraint; }
                 });
                 takeReaction(joint, constraint.total, dt);
+                // A torque is a force times a lever, and overflows before its bodies do.
+                if (!isFinite(joint.reactionForce) || !std::isfinite(joint.reactionTorque)) { forgetImpulses(joint); }
             }
         }
     });

@@ -19,6 +19,8 @@ Softness jointSoftness(const WorldSettings& settings, Effort effort, Real h, Rea
 void takeReaction(Joint& joint, const JointReaction& total, Real dt);
 void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt);
 
+/// Impulses to start from that belong to a state that is gone, or are no numbers.
+void forgetImpulses(Joint& joint);
 /// Takes impulses and reactions back from a solved batch.
 void readConstraints(SolverBatch& batch, WorldState& world, Real dt);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "joint_builder.h"
 #include "number_range.h"
 #include "step.h"
 
@@ -18,22 +19,12 @@ bool isSound(const BodyMotion& motion) {
 }
 
 /// Impulses to start from that belong to a state that is gone.
-void forgetImpulses(WorldState& world, std::uint32_t slot) {
+void forgetImpulsesOf(WorldState& world, std::uint32_t slot) {
     for (Contact& contact : world.contacts) {
         if (contact.bodyA != slot && contact.bodyB != slot) { continue; }
         contact.normalImpulse = contact.tangentImpulse = contact.totalImpulse = {};
     }
-    for (const std::uint32_t index : world.bodies[slot].joints) {
-        Joint& joint = world.joints[index];
-        std::visit(
-            [](auto& part) {
-                if constexpr (requires { part.memory; }) { part.memory = {}; }
-            },
-            joint.parts);
-        joint.hinge = {};
-        joint.reactionForce = {};
-        joint.reactionTorque = 0;
-    }
+    for (const std::uint32_t index : world.bodies[slot].joints) { forgetImpulses(world.joints[index]); }
 }
 
 /// What is no larger than `kLargestNumber` has no part that is.
@@ -65,7 +56,7 @@ void putBack(WorldState& world, std::uint32_t slot) {
     motion.velocity = {};
     motion.angularVelocity = 0;
     updatePose(world, slot);
-    forgetImpulses(world, slot);
+    forgetImpulsesOf(world, slot);
     ++world.counters.putBack;
     world.bodiesPutBack.push_back(world.bodies.idOf(slot));
 }
