@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../solver/closeness.h"
+#include "../solver/softness.h"
 #include "load_paths.h"
 #include "profile.h"
 #include "step.h"
@@ -42,6 +43,11 @@ constexpr RestLimits kLargeDirectLimits{.speed = kDirectLimits.speed,
                                         .torque = kDirectLimits.torque,
                                         .gap = Real(1) / (1 << 12),
                                         .overlap = Real(1) / (1 << 12)};
+
+/// Impulses that were sought, instead of having come about, are no balance where the contact would push its bodies out:
+/// where it is so many times as deep as it gives way under them. (A box that was made 0.5 m deep in the ground, at rest,
+/// stayed there for ever.)
+constexpr Real kMostGive = 4;
 
 bool isSlow(const Body& body, const BodyMotion& motion, Real speed) {
     return lengthSquared(motion.velocity) <= square(speed) && std::fabs(motion.angularVelocity) * body.radius <= speed;
@@ -88,8 +94,20 @@ bool listPulls(WorldState& world, Real dt, Real gravityStep) {
     return any;
 }
 
+/// Of a point to an impulse along the normal of its contact, 1/kg.
+Real responseOf(const WorldState& world, const TouchingPair& pair, Vec2 normal, Vec2 armA, Vec2 armB) {
+    const auto responseOfBody = [&world, normal](std::uint32_t slot, Vec2 arm) {
+        const Body& body = world.bodies[slot];
+        return static_cast<Real>(1 / body.mass) + static_cast<Real>(body.inverseInertia) * square(cross(arm, normal));
+    };
+    return (pair.dynamicA ? responseOfBody(pair.bodyA, armA) : Real(0)) +
+           (pair.dynamicB ? responseOfBody(pair.bodyB, armB) : Real(0));
+}
+
 /// Adds what a contact gave the bodies in the last step. @return whether it may stay as it is
-bool weighContact(WorldState& world, const TouchingPair& pair, const RestLimits& limits, Real subSteps) {
+bool weighContact(WorldState& world, const TouchingPair& pair, const IslandRest& rest, Real subSteps, Real dt) {
+    const RestLimits limits = limitsOf(world, rest);
+    const bool isFound = rest.isSought && !rest.isDirect;
     const Contact& contact = world.contacts[pair.contact];
     const BodyMotion& a = world.motions[pair.bodyA];
     const BodyMotion& b = world.motions[pair.bodyB];
@@ -100,12 +118,18 @@ bool weighContact(WorldState& world, const TouchingPair& pair, const RestLimits&
     const Real radius = movedRadius(world, pair);
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         const Vec2 armA = rotate(a.pose.rotation, contact.manifold.points[i].point) + originFromA;
+        const Vec2 armB = armA + fromBToA;
         const Real separation = contact.manifold.points[i].separation;
         const bool presses = contact.normalImpulse[i] > 0;
         // A point that was closed to a rounding, and is measured anew, is off by two.
-        const Real rounding = 2 * separationRounding(armA, armA + fromBToA);
+        const Real rounding = 2 * separationRounding(armA, armB);
         const Real gap = std::max(limits.gap * radius, rounding);
-        const Real overlap = std::max(limits.overlap * radius, rounding);
+        Real overlap = std::max(limits.overlap * radius, rounding);
+        if (isFound) {
+            const Real give = giveOfSubStep(kContactCycles, dt / subSteps, contact.normalImpulse[i],
+                                            responseOf(world, pair, normal, armA, armB));
+            overlap = std::max(gap, kMostGive * give);
+        }
         if (presses ? separation > gap || separation < -overlap : separation < -gap) { return false; }
         const Vec2 impulse = subSteps * (contact.normalImpulse[i] * normal + contact.tangentImpulse[i] * tangent);
         if (pair.dynamicA) {
@@ -116,13 +140,13 @@ bool weighContact(WorldState& world, const TouchingPair& pair, const RestLimits&
         if (pair.dynamicB) {
             Pull& pull = world.islandPulls[pair.bodyB];
             pull.force += impulse;
-            pull.torque += cross(armA + fromBToA, impulse);
+            pull.torque += cross(armB, impulse);
         }
     }
     return true;
 }
 
-void weighContacts(WorldState& world) {
+void weighContacts(WorldState& world, Real dt) {
     const auto subSteps = static_cast<Real>(subStepsOf(world.settings));
     for (const TouchingPair& pair : world.touching) {
         if (!isTied(world, pair)) { continue; }
@@ -131,7 +155,7 @@ void weighContacts(WorldState& world) {
         const bool onKinematic =
             !pair.areDynamic() && world.bodies[pair.dynamicA ? pair.bodyB : pair.bodyA].def.type == BodyType::kinematic;
         rest.isRestless = onKinematic;
-        rest.isOff = rest.isOff || !weighContact(world, pair, limitsOf(world, rest), subSteps);
+        rest.isOff = rest.isOff || !weighContact(world, pair, rest, subSteps, dt);
     }
 }
 
@@ -145,7 +169,7 @@ bool isBalanced(const Body& body, const Pull& pull, const RestLimits& limits, Re
 /// @return whether some of the islands that are still are in balance
 bool weighIslands(WorldState& world, Real step, Real gravityStep) {
     if (!listPulls(world, step, gravityStep)) { return false; }
-    weighContacts(world);
+    weighContacts(world, step);
     for (const std::uint32_t slot : world.tied) {
         IslandRest& rest = restOf(world, slot);
         if (rest.isRestless || rest.isOff) { continue; }

@@ -32,6 +32,14 @@ constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
     return softnessOf(kTwoPi * cycles / h, dampingRatio, h);
 }
 
+/// How far such a spring gives way at rest, metres.
+/// @param impulse   that it has to give in each sub-step, N·s
+/// @param response  of its point to an impulse, 1/kg
+constexpr Real giveOfSubStep(Real cycles, Real h, Real impulse, Real response) {
+    constexpr Real kTwoPi = static_cast<Real>(6.283185307179586);
+    return impulse * response * h / ((kTwoPi * cycles) * (kTwoPi * cycles));
+}
+
 /// A spring that a user gave, over one sub-step, in two parts: at its start a push of `push`·C, a force that is known
 /// before anything is solved, and within the solve a drag that takes the part `drag` of the velocity that there is
 /// without the push. (Warm-started with the impulse of the sub-step before, eight stiff springs at one body fed on each

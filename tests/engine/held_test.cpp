@@ -364,5 +364,32 @@ TEST(Held, ScalesByPowersOfTwo) {
     }
 }
 
+/// What is made at rest inside of something that carries it has no balance there, though impulses for one can be found:
+/// it is pushed out, as anything that got there.
+TEST(Held, NotWhereItWouldBePushedOut) {
+    for (const Profile profile : kProfiles) {
+        const double h = kStep / (profile == Profile::fast ? 4 : 16);
+        const double give = 8 * kGravity * h * h;
+        for (const double depth : {0.01, 0.1, 0.45}) {
+            World world = makeWorld(settingsOf(profile));
+            addStatic(world, box(10, 1), material(0.6));
+            const BodyId square = addBody(world, dynamicAt({-3, 1.5 - depth}), box(0.5, 0.5), material(0.6));
+            addBody(world, dynamicAt({0, 1.5 - depth}), circle(0.5), material(0.6));
+            BodyDef tilted = dynamicAt({3, 1.5 - depth});
+            tilted.angle = real(0.1);
+            addBody(world, tilted, box(0.5, 0.5), material(0.6));
+            addBody(world, dynamicAt({6, 1.5}), box(0.5, 0.5), material(0.6));
+            addBody(world, dynamicAt({6, 2.5 - depth}), box(0.5, 0.5), material(0.6));
+            runFor(world, 3);
+            expectAtMost("depth, m", deepestOverlap(world), give);
+            EXPECT_GE(world.counters().settledBodies, 5U) << "and is held where it came to rest";
+            // Nor what gets such a shape while it is held.
+            must(world.addShape(square, must(makeBox(vec(0.1, 0.1), vec(0, -0.5 - depth)))));
+            runFor(world, 3);
+            expectAtMost("depth with another shape, m", deepestOverlap(world), give);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
