@@ -203,9 +203,11 @@ bool isInsideUpTo(const Slice& slice, double x) {
 /// What the scene doctor calls safe lies inside the maps that are committed and held by envelope_limits_test.
 TEST(Envelope, LimitsOfTheDoctorLieInsideTheMaps) {
     const Slice chains = chainSlice(Grain::coarse);
-    EXPECT_GE(chains.x.values.back(), kJointMassRatio) << "loads are tried up to there";
+    EXPECT_GE(chains.x.values.back(), kDirectMassRatio) << "loads are tried up to there";
     EXPECT_TRUE(isInsideUpTo(chains, chains.x.values.back())) << "since trees of joints bear any load";
-    EXPECT_TRUE(isInsideUpTo(stackSlice(Grain::coarse), 1 / (kStepsPerNaturalTime * kStepsPerNaturalTime)));
+    const Slice stacks = stackSlice(Grain::coarse);
+    EXPECT_TRUE(isInsideUpTo(stacks, 1 / (kStepsPerNaturalTime * kStepsPerNaturalTime)));
+    EXPECT_GE(stacks.y.values.back(), kDirectMassRatio) << "so are heavy tops";
     const Slice bullets = bulletSlice(Grain::coarse);
     EXPECT_TRUE(isInsideUpTo(bullets, bullets.x.values.back()));
     EXPECT_GE(bullets.y.values.back(), kAspectRatio) << "slender bodies are tried up to there";

@@ -43,7 +43,7 @@ void printFindings(const std::vector<Finding>& findings) {
 }
 
 void printNeeds(const std::vector<Need>& needs) {
-    std::cout << "\nWhat the scene can reach:\n";
+    std::cout << "\nWhat the scene needs:\n";
     std::size_t widest = 0;
     for (const Need& need : needs) { widest = std::max(widest, need.feature.size()); }
     for (const Need& need : needs) {

@@ -147,7 +147,8 @@ SceneContinuous modeOf(const PlacedScene& placed, const PlacedBody& body) {
 
 double reachableSpeed(const PlacedScene& placed, const PlacedBody& body) {
     const double gravity = gravityOf(placed, body);
-    if (gravity == 0) { return body.speed; }
+    const double own = std::max(body.speed, body.drive);
+    if (gravity == 0) { return own; }
     // The depth of the fall: along gravity, from the body to the far end of the scene.
     const double sign = body.description->gravityScale < 0 ? -1 : 1;
     const DVec2 down = (sign / length(placed.scene->gravity)) * placed.scene->gravity;
@@ -161,7 +162,7 @@ double reachableSpeed(const PlacedScene& placed, const PlacedBody& body) {
             depth = std::max(depth, farthest - dot(down, body.center));
         }
     }
-    return std::sqrt(body.speed * body.speed + 2 * gravity * depth);
+    return std::sqrt(own * own + 2 * gravity * depth);
 }
 
 }  // namespace swept

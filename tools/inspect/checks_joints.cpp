@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <swept/samples/scene_reader.h>
 
 #include "../number_text.h"
+#include "assemblies.h"
 #include "checks.h"
 #include "envelope.h"
 
@@ -143,49 +143,53 @@ void checkRodPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
     }
 }
 
-/// Bodies that hang on each other by joints, as sets.
-class Assemblies {
-public:
-    explicit Assemblies(std::size_t bodies) : parent_(bodies) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-    int rootOf(int i) {
-        while (parent_[static_cast<std::size_t>(i)] != i) { i = parent_[static_cast<std::size_t>(i)]; }
-        return i;
-    }
-    void join(int a, int b) {
-        const int rootA = rootOf(a);
-        const int rootB = rootOf(b);
-        parent_[static_cast<std::size_t>(std::max(rootA, rootB))] = std::min(rootA, rootB);
-    }
-
-private:
-    std::vector<int> parent_;
+/// What joints tie together.
+struct Machine {
+    const PlacedBody* heavy = nullptr;
+    const PlacedBody* light = nullptr;
+    int bodies = 0;
+    int joints = 0;  ///< those to what does not move included
 };
 
-void checkMasses(const PlacedScene& placed, std::vector<Finding>& findings) {
+/// By root; where there is no dynamic body, empty.
+std::vector<Machine> machinesOf(const PlacedScene& placed) {
     Assemblies assemblies(placed.bodies.size());
     for (const JointDescription& joint : placed.scene->joints) {
         const Ends ends = endsOf(placed, joint);
         if (ends.a->isDynamic() && ends.b->isDynamic()) { assemblies.join(ends.a->index, ends.b->index); }
     }
-    for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
-        const int root = static_cast<int>(i);
-        if (assemblies.rootOf(root) != root) { continue; }
-        const PlacedBody* heavy = nullptr;
-        const PlacedBody* light = nullptr;
-        for (const PlacedBody& body : placed.bodies) {
-            if (body.mass > 0 && assemblies.rootOf(body.index) == root) {
-                heavy = heavy == nullptr || body.mass > heavy->mass ? &body : heavy;
-                light = light == nullptr || body.mass < light->mass ? &body : light;
-            }
-        }
-        if (heavy == nullptr || heavy->mass <= envelope::kJointMassRatio * light->mass) { continue; }
-        findings.push_back({Severity::warning, "mass-ratio", pointerOf(*heavy),
-                            heavy->name + " (" + roundedText(heavy->mass, 3) + " kg) hangs together with " +
-                                light->name + " (" + roundedText(light->mass, 3) + " kg), " +
-                                roundedText(heavy->mass / light->mass, 3) + " times lighter: the joints stretch",
-                            "masses within a factor of " + roundedText(envelope::kJointMassRatio) +
-                                ", or more /settings/subSteps (the error falls with their square)"});
+    std::vector<Machine> machines(placed.bodies.size());
+    const auto machineOf = [&](const PlacedBody& body) -> Machine& {
+        return machines[static_cast<std::size_t>(assemblies.rootOf(body.index))];
+    };
+    for (const PlacedBody& body : placed.bodies) {
+        if (!(body.mass > 0)) { continue; }
+        Machine& machine = machineOf(body);
+        machine.heavy = machine.heavy == nullptr || body.mass > machine.heavy->mass ? &body : machine.heavy;
+        machine.light = machine.light == nullptr || body.mass < machine.light->mass ? &body : machine.light;
+        ++machine.bodies;
+    }
+    for (const JointDescription& joint : placed.scene->joints) {
+        const Ends ends = endsOf(placed, joint);
+        if (ends.a->isDynamic() || ends.b->isDynamic()) { ++machineOf(ends.a->isDynamic() ? *ends.a : *ends.b).joints; }
+    }
+    return machines;
+}
+
+void checkMasses(const PlacedScene& placed, std::vector<Finding>& findings) {
+    for (const Machine& machine : machinesOf(placed)) {
+        if (machine.heavy == nullptr || machine.joints == 0) { continue; }
+        const PlacedBody& heavy = *machine.heavy;
+        const PlacedBody& light = *machine.light;
+        const bool isTree = machine.joints <= machine.bodies;
+        const bool isDirect = solvesAtOnce(placed) && (isTree || machine.bodies <= envelope::kMostLoopBodies);
+        const double most = isDirect ? envelope::kDirectMassRatio : iteratedMassRatio(placed, light, 2 * light.reach);
+        if (heavy.mass <= most * light.mass) { continue; }
+        findings.push_back({Severity::warning, "mass-ratio", pointerOf(heavy),
+                            heavy.name + " (" + roundedText(heavy.mass, 3) + " kg) hangs together with " + light.name +
+                                " (" + roundedText(light.mass, 3) + " kg), " +
+                                roundedText(heavy.mass / light.mass, 3) + " times lighter: the joints stretch",
+                            massRemedy(placed, most)});
     }
 }
 

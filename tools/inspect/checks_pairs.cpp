@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "../number_text.h"
+#include "assemblies.h"
 #include "checks.h"
 #include "envelope.h"
 
@@ -15,38 +19,77 @@ const PlacedBody& bodyOf(const PlacedScene& placed, const PlacedPiece& piece) {
     return placed.bodies[static_cast<std::size_t>(piece.body)];
 }
 
+bool isFast(const PlacedScene& placed) { return placed.scene->settings.profile == SceneProfile::fast; }
+
 void checkOverlap(const PlacedScene& placed, const NearPair& pair, std::vector<Finding>& findings) {
     const PlacedPiece& a = placed.pieces[static_cast<std::size_t>(pair.pieceA)];
     const PlacedPiece& b = placed.pieces[static_cast<std::size_t>(pair.pieceB)];
     const double extent = std::min(a.extent, b.extent);
     const double depth = -pair.separation;
     if (depth <= envelope::kStartOverlap * extent) { return; }
-    // A quarter of the extent a step is the fastest push out of an overlap.
-    const double speed = std::min(depth, extent / 4) / placed.scene->settings.dt;
+    const double fastest = isFast(placed) ? envelope::kFastPush : envelope::kPush;
+    const double speed = std::min(depth, fastest * extent) / placed.scene->settings.dt;
     findings.push_back({Severity::warning, "overlap", pointerOf(b),
                         bodyOf(placed, b).name + " starts " + metres(depth) + " inside " + bodyOf(placed, a).name +
                             " and is pushed out at up to " + roundedText(speed, 3) + " m/s",
                         "move one of them by " + metres(depth)});
 }
 
-void checkMasses(const PlacedScene& placed, const NearPair& pair, std::vector<Finding>& findings) {
+/// What lies on what.
+class Piles {
+public:
+    Piles(const PlacedScene& placed, const std::vector<NearPair>& pairs)
+        : placed_(placed), together_(placed.bodies.size()), bodies_(placed.bodies.size()), contacts_(bodies_) {
+        std::set<std::pair<int, int>> touching;
+        for (const NearPair& pair : pairs) {
+            if (!areTouching(pair)) { continue; }
+            const PlacedBody& a = bodyOf(placed, pieceAt(pair.pieceA));
+            const PlacedBody& b = bodyOf(placed, pieceAt(pair.pieceB));
+            if (a.isDynamic() && b.isDynamic()) { together_.join(a.index, b.index); }
+            touching.insert({a.index, b.index});
+        }
+        for (const PlacedBody& body : placed.bodies) { bodies_[rootOf(body)] += body.isDynamic() ? 1 : 0; }
+        for (const auto& [a, b] : touching) {
+            const PlacedBody& bodyA = placed.bodies[static_cast<std::size_t>(a)];
+            ++contacts_[rootOf(bodyA.isDynamic() ? bodyA : placed.bodies[static_cast<std::size_t>(b)])];
+        }
+    }
+
+    bool areTouching(const NearPair& pair) const {
+        return pair.separation <= kTouchRatio * std::min(pieceAt(pair.pieceA).extent, pieceAt(pair.pieceB).extent);
+    }
+    /// Contacts close no loop.
+    bool isTower(const PlacedBody& body) const { return contacts_[rootOf(body)] <= bodies_[rootOf(body)]; }
+
+private:
+    const PlacedPiece& pieceAt(int i) const { return placed_.pieces[static_cast<std::size_t>(i)]; }
+    std::size_t rootOf(const PlacedBody& body) const { return static_cast<std::size_t>(together_.rootOf(body.index)); }
+
+    const PlacedScene& placed_;
+    Assemblies together_;
+    std::vector<int> bodies_;  ///< by root, as are contacts
+    std::vector<int> contacts_;
+};
+
+void checkMasses(const PlacedScene& placed, const Piles& piles, const NearPair& pair, std::vector<Finding>& findings) {
     const PlacedPiece& a = placed.pieces[static_cast<std::size_t>(pair.pieceA)];
     const PlacedPiece& b = placed.pieces[static_cast<std::size_t>(pair.pieceB)];
     const PlacedBody& bodyA = bodyOf(placed, a);
     const PlacedBody& bodyB = bodyOf(placed, b);
-    if (bodyA.mass == 0 || bodyB.mass == 0 || pair.separation > kTouchRatio * std::min(a.extent, b.extent)) { return; }
+    if (bodyA.mass == 0 || bodyB.mass == 0 || !piles.areTouching(pair)) { return; }
     const PlacedBody& heavy = bodyA.mass > bodyB.mass ? bodyA : bodyB;
     const PlacedBody& light = bodyA.mass > bodyB.mass ? bodyB : bodyA;
     const double ratio = heavy.mass / light.mass;
     const DVec2 apart = heavy.center - light.center;
     const bool isOnTop = dot(apart, placed.scene->gravity) < 0;
-    if (ratio <= envelope::kContactMassRatio || !isOnTop) { return; }
+    const bool isDirect = solvesAtOnce(placed) && piles.isTower(light);
+    const double most = isDirect ? envelope::kDirectMassRatio : iteratedMassRatio(placed, light, light.extent);
+    if (ratio <= most || !isOnTop) { return; }
     findings.push_back({Severity::warning, "mass-ratio", pointerOf(heavy),
                         heavy.name + " (" + roundedText(heavy.mass, 3) + " kg) rests on " + light.name + " (" +
                             roundedText(light.mass, 3) + " kg), " + roundedText(ratio, 3) +
-                            " times lighter: it sinks in or crushes it",
-                        "densities within a factor of " + roundedText(envelope::kContactMassRatio) +
-                            ", or more /settings/subSteps (the error falls with their square)"});
+                            " times lighter: once it moves, it sinks in or crushes it",
+                        massRemedy(placed, most)});
 }
 
 /// A large piece of ground under something small: in f32 the small one is measured in coordinates of the large one.
@@ -73,9 +116,11 @@ void checkPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
     for (const PlacedPiece& piece : placed.pieces) {
         if (bodyOf(placed, piece).isDynamic()) { largest = std::max(largest, piece.extent); }
     }
-    for (const NearPair& pair : nearPairs(placed, kTouchRatio * largest)) {
+    const std::vector<NearPair> pairs = nearPairs(placed, kTouchRatio * largest);
+    const Piles piles(placed, pairs);
+    for (const NearPair& pair : pairs) {
         checkOverlap(placed, pair, findings);
-        checkMasses(placed, pair, findings);
+        checkMasses(placed, piles, pair, findings);
         checkGround(placed, pair, findings);
     }
 }

@@ -16,7 +16,7 @@ enum class Severity : std::uint8_t {
 /// One thing that a user should know before anything runs.
 struct Finding {
     Severity severity = Severity::note;
-    std::string kind;    ///< one of the words that tools/inspect/README.md explains: "mass-ratio", "far-away" …
+    std::string kind;    ///< one of the words that tools/README.md explains: "mass-ratio", "far-away" …
     std::string where;   ///< JSON pointer of the culprit
     std::string text;    ///< what was found, with its numbers
     std::string remedy;  ///< what would mend it; may be empty

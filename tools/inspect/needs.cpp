@@ -43,8 +43,11 @@ Need continuousNeed(const PlacedScene& placed) {
     }
     const bool needed = hasObstacles(placed) && worstRatio > envelope::kFastRatio;
     if (worst == nullptr) { return {"continuous collision", false, "nothing moves by itself"}; }
+    const std::string way = worstRatio < 1     ? roundedText(worstRatio, 2) + " of its width"
+                            : worstRatio < 1e6 ? std::to_string(std::lround(worstRatio)) + " times its width"
+                                               : "more than a million times its width";
     return {"continuous collision", needed,
-            worst->name + " may move " + roundedText(worstRatio, 2) + " of its width in a step (swept from " +
+            worst->name + " may move " + way + " in a step, by its start, motors and the fall alone (swept from " +
                 roundedText(envelope::kFastRatio) + " on)"};
 }
 
@@ -62,15 +65,10 @@ Need restitutionNeed(const PlacedScene& placed) {
 
 Need frictionNeed(const PlacedScene& placed) {
     // Pairs mix √(μ₁μ₂): one shape without friction makes none.
-    const auto rubs = [](const ShapeDescription& shape) { return !shape.sensor && shape.friction > 0; };
-    const PlacedBody* const body = firstBody(placed, [&](const PlacedBody& b) {
-        return b.isDynamic() && std::any_of(b.description->shapes.begin(), b.description->shapes.end(), rubs);
-    });
-    const PlacedBody* const other = firstBody(placed, [&](const PlacedBody& b) {
-        return &b != body && std::any_of(b.description->shapes.begin(), b.description->shapes.end(), rubs);
-    });
-    const bool needed = body != nullptr && other != nullptr;
-    return {"friction", needed, needed ? body->name + " rubs on " + other->name : "no two shapes rub"};
+    const RubbingBodies pair = firstRubbing(placed);
+    if (pair.a < 0) { return {"friction", false, "no two shapes that may touch have any"}; }
+    const auto nameOf = [&placed](int i) { return placed.bodies[static_cast<std::size_t>(i)].name; };
+    return {"friction", true, nameOf(pair.a) + " may rub on " + nameOf(pair.b)};
 }
 
 Need rotationNeed(const PlacedScene& placed) {

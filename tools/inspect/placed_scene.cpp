@@ -12,6 +12,8 @@
 #include <swept/shapes/distance.h>
 #include <swept/shapes/mass.h>
 
+#include "assemblies.h"
+
 namespace swept {
 namespace {
 
@@ -80,6 +82,42 @@ std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
     return pairs;
 }
 
+/// m/s
+double driveOf(const PlacedScene& placed, const JointDescription& joint) {
+    const auto reachOf = [&placed](const std::string& name) {
+        const PlacedBody& body = placed.bodies[static_cast<std::size_t>(bodyNamed(placed, name))];
+        return body.isDynamic() ? body.reach : 0;
+    };
+    if (const auto* const slider = std::get_if<PrismaticDescription>(&joint.joint)) {
+        return std::fabs(slider->motorSpeed.value_or(0));
+    }
+    double spin = 0;
+    if (const auto* const hinge = std::get_if<RevoluteDescription>(&joint.joint)) { spin = hinge->motorSpeed.value_or(0); }
+    if (const auto* const wheel = std::get_if<WheelDescription>(&joint.joint)) { spin = wheel->motorSpeed.value_or(0); }
+    return std::fabs(spin) * std::max(reachOf(joint.bodyA), reachOf(joint.bodyB));
+}
+
+/// What one motor drives may drive all that hangs on it.
+void findDrives(PlacedScene& placed) {
+    Assemblies assemblies(placed.bodies.size());
+    std::vector<double> drives(placed.bodies.size());
+    const auto isDynamic = [&placed](int i) { return placed.bodies[static_cast<std::size_t>(i)].isDynamic(); };
+    for (const JointDescription& joint : placed.scene->joints) {
+        const int a = bodyNamed(placed, joint.bodyA);
+        const int b = bodyNamed(placed, joint.bodyB);
+        if (isDynamic(a) && isDynamic(b)) { assemblies.join(a, b); }
+        double& drive = drives[static_cast<std::size_t>(isDynamic(a) ? a : b)];
+        drive = std::max(drive, driveOf(placed, joint));
+    }
+    for (const PlacedBody& body : placed.bodies) {
+        double& whole = placed.bodies[static_cast<std::size_t>(assemblies.rootOf(body.index))].drive;
+        whole = std::max(whole, drives[static_cast<std::size_t>(body.index)]);
+    }
+    for (PlacedBody& body : placed.bodies) {
+        body.drive = placed.bodies[static_cast<std::size_t>(assemblies.rootOf(body.index))].drive;
+    }
+}
+
 double separationOf(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
     const WorldTransform& poseA = placed.bodies[static_cast<std::size_t>(a.body)].pose;
     const WorldTransform& poseB = placed.bodies[static_cast<std::size_t>(b.body)].pose;
@@ -122,7 +160,24 @@ PlacedScene place(const SceneDescription& scene) {
         weigh(body, std::span<const PlacedPiece>(placed.pieces).subspan(first));
         placed.bodies.push_back(body);
     }
+    findDrives(placed);
     return placed;
+}
+
+RubbingBodies firstRubbing(const PlacedScene& placed) {
+    const std::set<std::pair<int, int>> jointed = jointedPairs(placed);
+    const auto rubs = [&placed](const PlacedPiece& piece) {
+        const PlacedBody& body = placed.bodies[static_cast<std::size_t>(piece.body)];
+        return body.description->shapes[static_cast<std::size_t>(piece.shape)].friction > 0;
+    };
+    for (const PlacedPiece& a : placed.pieces) {
+        if (!placed.bodies[static_cast<std::size_t>(a.body)].isDynamic() || !rubs(a)) { continue; }
+        for (const PlacedPiece& b : placed.pieces) {
+            const std::pair<int, int> bodies{std::min(a.body, b.body), std::max(a.body, b.body)};
+            if (rubs(b) && mayCollide(placed, a, b) && !jointed.contains(bodies)) { return {a.body, b.body}; }
+        }
+    }
+    return {};
 }
 
 std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin) {

@@ -30,6 +30,7 @@ struct PlacedBody {
     double extent = 0;   ///< of its smallest piece that is no sensor; 0 without one
     double reach = 0;    ///< farthest point from `center`, metres
     double speed = 0;    ///< largest of any of its points at the start, m/s
+    double drive = 0;    ///< fastest that motors of the joints it hangs together with turn or push anything, m/s
     Aabb bounds;         ///< world; of all pieces
     bool hasBounds = false;
 
@@ -54,6 +55,13 @@ struct NearPair {
     double separation = 0;  ///< signed, metres
 };
 std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin);
+
+/// Two bodies with shapes that may collide and have friction, the first one dynamic; −1: there are none.
+struct RubbingBodies {
+    int a = -1;
+    int b = -1;
+};
+RubbingBodies firstRubbing(const PlacedScene& placed);
 
 /// Whether two pieces may touch: of different bodies, one of them dynamic, no sensors, by their filters. What joints
 /// and chains keep apart is for others.
