@@ -68,7 +68,7 @@ struct Frame {
     double time = 0;  ///< step · dt
     std::vector<BodyFrame> bodies;
     std::vector<ContactFrame> contacts;
-    std::vector<ImpactFrame> impacts;
+    std::vector<ImpactFrame> impacts;  ///< by body, in the order of time
     // Only where `RunnerOptions::ways` asked for them:
     std::vector<WayFrame> ways;  ///< of all bodies that moved
     std::vector<HitFrame> hits;

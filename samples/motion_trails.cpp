@@ -15,10 +15,16 @@ constexpr double kNewestStrobe = 0.55;
 
 void MotionTrails::addPositions(const Frame& frame) {
     lines_.resize(std::max(lines_.size(), frame.bodies.size()));
-    for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
-        lines_[i].push_back(frame.bodies[i].position);
-        if (pointLimit_ > 0 && lines_[i].size() > pointLimit_) { lines_[i].pop_front(); }
+    for (const ImpactFrame& impact : frame.impacts) {
+        const auto body = static_cast<std::size_t>(impact.body);
+        if (impact.body >= 0 && body < frame.bodies.size()) { addPoint(lines_[body], impact.position); }
     }
+    for (std::size_t i = 0; i < frame.bodies.size(); ++i) { addPoint(lines_[i], frame.bodies[i].position); }
+}
+
+void MotionTrails::addPoint(std::deque<DVec2>& line, DVec2 point) const {
+    line.push_back(point);
+    if (pointLimit_ > 0 && line.size() > pointLimit_) { line.pop_front(); }
 }
 
 void MotionTrails::clear() {

@@ -18,7 +18,7 @@ public:
     /// Advances by the scene's dt.
     /// @return false when the engine refused the step: nothing has changed then, and the report has the reason
     virtual bool step() = 0;
-    /// Writes the present state; capacity is reused. Contacts and impacts are filled only when asked for.
+    /// Writes the present state; capacity is reused. Contacts are filled only when asked for.
     virtual void read(Frame& frame, bool withContacts) const = 0;
     /// Events of the last step, sorted by time, then ids; empty unless `collectEvents` was set.
     virtual const std::vector<SceneEvent>& events() const = 0;

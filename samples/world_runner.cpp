@@ -87,15 +87,15 @@ public:
             frame.bodies.push_back({world.position(id), world.angle(id), toDouble(world.velocity(id)),
                                     static_cast<double>(world.angularVelocity(id)), world.isAwake(id)});
         }
+        for (const ImpactPose& pose : world.impactPoses()) {
+            frame.impacts.push_back({static_cast<int>(world.userData(pose.body)), pose.position, pose.angle});
+        }
         if (options_.ways) { readWays(frame); }
         if (!withContacts) { return; }
         world.visitContacts([&frame](const ContactView& contact) {
             frame.contacts.push_back({contact.point, toDouble(contact.normal), static_cast<double>(contact.separation),
                                       static_cast<double>(contact.impulse)});
         });
-        for (const ImpactPose& pose : world.impactPoses()) {
-            frame.impacts.push_back({static_cast<int>(world.userData(pose.body)), pose.position, pose.angle});
-        }
     }
 
     const std::vector<SceneEvent>& events() const override { return events_; }

@@ -157,6 +157,24 @@ TEST(MotionTrails, LinesAndStrobesFollowTheBody) {
     EXPECT_TRUE(renderer->draw(moved(3)) == before);
 }
 
+/// What turned round within a step did so where it met something.
+TEST(MotionTrails, LinesGoByTheImpacts) {
+    const SceneDescription scene = oneBall();
+    RenderOptions options = bareOptions();
+    options.trails = true;
+    const std::unique_ptr<SceneRenderer> renderer = makeRenderer(scene, options);
+    Frame frame = initialFrame(scene);
+    frame.bodies[0].position = {-3, 0};
+    renderer->addTrail(frame);
+    frame.impacts = {{0, {2, 0}, 0}, {1, {2, 2}, 0}, {-1, {2, -2}, 0}};
+    frame.bodies[0].position = {-3, 1};
+    renderer->addTrail(frame);
+    const Image image = renderer->draw(frame);
+    EXPECT_NE(pixelAt(image, {1.5, 0}), style::kBackground);
+    EXPECT_EQ(pixelAt(image, {2.5, 0}), style::kBackground);
+    for (const double y : {2.0, -2.0}) { EXPECT_EQ(pixelAt(image, {1.5, y}), style::kBackground) << "of no body"; }
+}
+
 TEST(MotionTrails, KeepNoMorePointsThanAsked) {
     const SceneDescription scene = oneBall();
     RenderOptions options = bareOptions();
