@@ -32,8 +32,9 @@ struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};
     bool collideConnected = false;
-    std::optional<Real> breakForce{};   ///< N; the joint breaks when its mean reaction over a step is larger
-    std::optional<Real> breakTorque{};  ///< N·m
+    /// N, above 0; the joint breaks when its mean reaction over a step is larger.
+    std::optional<Real> breakForce{};
+    std::optional<Real> breakTorque{};  ///< N·m, above 0; likewise
     std::uint64_t userData = 0;
 };
 
@@ -117,6 +118,7 @@ struct WeldJointDef {
 };
 
 /// Where, or how fast, a motor joint drives B relative to A. A pose is approached so that the motor can stop there.
+/// Without any strength it drives nothing (the scene format refuses that).
 struct MotorDrive {
     std::optional<Vec2>
         linearOffset{};  ///< of B's origin in the frame of A, metres; empty: as it was when the joint was made
@@ -161,7 +163,8 @@ struct PulleyJointDef {
     Real ratio = 1;  ///< greater than 0
 };
 
-/// Keeps two bodies from colliding with each other, and does nothing else.
+/// Keeps two bodies from colliding with each other, and does nothing else: it ignores `collideConnected`, and bears no
+/// force, so that it never breaks (the scene format refuses these members of a filter).
 struct FilterJointDef {
     JointDef base{};
 };

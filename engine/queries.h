@@ -10,7 +10,7 @@ namespace swept {
 struct QueryFilter {
     std::uint32_t category = 1;
     std::uint32_t mask = 0xFFFFFFFFu;
-    bool sensors = false;
+    bool sensors = false;  ///< whether it sees sensors, too
 };
 
 }  // namespace swept
@@ -33,10 +33,10 @@ struct ContactView {
     ShapeId shapeB{};
     BodyId bodyA{};
     BodyId bodyB{};
-    DVec2 point{};
-    Vec2 normal{};  ///< from A to B
-    Real separation = 0;
-    Real impulse = 0;  ///< normal impulse of the last step, N·s
+    DVec2 point{};        ///< world, half way between the two surfaces
+    Vec2 normal{};        ///< unit, from A to B
+    Real separation = 0;  ///< metres along the normal; negative where they overlap
+    Real impulse = 0;     ///< normal impulse of the last step, N·s
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

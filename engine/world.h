@@ -41,32 +41,40 @@ public:
     World& operator=(const World& other);
 
     /// Replaces all settings. Another gravity wakes all that fell asleep, and so does it to forbid sleep.
-    /// Errors: `notFinite`, `outOfRange`, `negative`, `notPositive` with the name of the member.
+    /// Errors: `notFinite`, `outOfRange`, `negative`, `notPositive` with the name of the member; `outOfRange` with
+    /// "broadphase", too, when another one is asked for while the world has shapes.
     Status configure(const WorldSettings& settings);
     const WorldSettings& settings() const;
     /// Where parallel loops run; null: on the calling thread. Must outlive the world or its replacement.
     void setTaskSystem(TaskSystem* tasks);
 
-    /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`, `outOfRange`; `missingMass` when a dynamic
-    /// body has neither shapes with density nor a mass of its own (its `mass` is 0; `bodyWithoutMass`).
+    /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`; `outOfRange` when dt or 1/dt is above 2⁶³ (in
+    /// f64 2⁵¹¹); `missingMass` when a dynamic body has neither shapes with density nor a mass of its own (its `mass`
+    /// is 0; `bodyWithoutMass`).
     Status step(double dt);
 
+    // Errors of all calls below that return a `Status` or a `Result`: `staleId` of what is not there, `notFinite` of
+    // NaN and infinities, and `outOfRange` of numbers beyond ±2⁶³ (in f64 ±2⁵¹¹; of joints only points, axes and linear
+    // drives are held to that). Others are listed at each. What makes something may have `outOfMemory`, too.
+
     // --- bodies
+    /// Errors: `negative` (damping, mass, inertia); `wrongBodyType` with "velocity" where what is static would move or
+    /// turn; `outOfRange` with "angularVelocity" where rotation is fixed, and for enumerators that there are not.
     Result<BodyId> createBody(const BodyDef& def);
     /// Destroys its shapes and joints too, and wakes what touched it.
     Status destroyBody(BodyId id);
     bool isValid(BodyId id) const;
     BodyType type(BodyId id) const;
     DVec2 position(BodyId id) const;                ///< of the body origin, world
-    double angle(BodyId id) const;                  ///< unwrapped
+    double angle(BodyId id) const;                  ///< rad, counter-clockwise, unwrapped
     DVec2 centerOfMass(BodyId id) const;            ///< world
     WorldTransform transform(BodyId id) const;      ///< of the body frame: where its shapes are, to the bit
-    Vec2 velocity(BodyId id) const;                 ///< of the centre of mass
-    Vec2 velocityAt(BodyId id, DVec2 point) const;  ///< of the point of the body that is there now, world
-    Real angularVelocity(BodyId id) const;
-    bool isAwake(BodyId id) const;    ///< static bodies never are
-    double mass(BodyId id) const;     ///< kg; 0 unless dynamic
-    double inertia(BodyId id) const;  ///< kg·m² about the centre of mass; 0 unless dynamic
+    Vec2 velocity(BodyId id) const;                 ///< of the centre of mass, m/s
+    Vec2 velocityAt(BodyId id, DVec2 point) const;  ///< of the point of the body that is there now, world, m/s
+    Real angularVelocity(BodyId id) const;          ///< rad/s
+    bool isAwake(BodyId id) const;                  ///< static bodies never are
+    double mass(BodyId id) const;                   ///< kg; 0 unless dynamic
+    double inertia(BodyId id) const;                ///< kg·m² about the centre of mass; 0 unless dynamic
     std::uint64_t userData(BodyId id) const;
     /// As it was made or redefined; pose, velocities and `awake` as they are now.
     BodyDef definition(BodyId id) const;
@@ -74,16 +82,22 @@ public:
     /// not allow), and so do its shapes and joints. Wakes it. A new type ends its contacts. Errors: as of createBody;
     /// `wrongBodyType` with "type" where it has joints and would be of another type, or chains and would be dynamic.
     Status redefine(BodyId id, const BodyDef& def);
-    /// Teleports: contacts end, and begin anew where it is. Wakes the body and what it touched. What is to push others
-    /// on its way (a lift) is given a velocity instead. Joints pull the rest of a jointed group after it, at any speed.
+    /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
+    /// end, and begin anew where it is. Wakes the body and what it touched. What is to push others on its way (a lift)
+    /// is given a velocity instead. Joints pull the rest of a jointed group after it, at any speed.
     Status setPose(BodyId id, DVec2 position, double angle);
+    /// Of the centre of mass, m/s, and rad/s; wakes the body. Errors: `wrongBodyType` of static bodies; `outOfRange`
+    /// with "angularVelocity" where rotation is fixed.
     Status setVelocity(BodyId id, Vec2 velocity, Real angularVelocity);
-    /// For the next step only; wakes the body. Dynamic bodies only.
+    // The five calls below are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange` when the sum of
+    // the forces or the new velocity is beyond that range.
+    /// N at `point` (world), for the next step only, with what was applied before; wakes the body.
     Status applyForce(BodyId id, Vec2 force, DVec2 point);
-    Status applyTorque(BodyId id, Real torque);
-    /// At once; wakes the body. Dynamic bodies only.
+    Status applyTorque(BodyId id, Real torque);  ///< N·m, counter-clockwise; likewise
+    /// N·s at `point` (world), at once; wakes the body.
     Status applyImpulse(BodyId id, Vec2 impulse, DVec2 point);
-    Status applyAngularImpulse(BodyId id, Real impulse);  ///< N·m·s; likewise
+    Status applyAngularImpulse(BodyId id, Real impulse);  ///< N·m·s, counter-clockwise; likewise
+    /// Wakes it and all that fell asleep with it, or puts it alone to sleep: at rest, forces applied to it forgotten.
     Status setAwake(BodyId id, bool awake);
     std::uint32_t bodyCount() const;
     /// The first body that keeps `step` from going on (`missingMass`); the null id if there is none.
@@ -96,10 +110,13 @@ public:
     void visitJoints(BodyId id, FunctionRef<void(JointId)> visit) const;
 
     // --- shapes
+    /// Errors: as of `validate` (polygon.h); `negative` (density, friction); `outOfRange` with "restitution".
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
     /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside. What comes from the
     /// left passes: a level one is a platform to jump onto from below.
+    /// Errors: `wrongBodyType` of dynamic bodies; with "points" `tooFewVertices` (fewer than 2, of a loop 3) and
+    /// `degenerate` (two neighbours are equal); `negative` (radius); of `def` as of addShape.
     Result<ShapeId> addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {},
                              Real radius = 0);
     Status destroyShape(ShapeId id);
@@ -109,7 +126,7 @@ public:
     ShapeDef definition(ShapeId id) const;
     /// Another surface, density, filter, … of the same geometry. Wakes the body, unless `userData` alone is another,
     /// and, with another surface or filter, what it touches; with another filter, or as a sensor or none, its contacts
-    /// end, and those that it has then begin. Errors: as of addShape.
+    /// end, and those that it has then begin. Errors: of `def` as of addShape.
     Status redefine(ShapeId id, const ShapeDef& def);
     /// What it is made of, in the frame of its body: one polygon, or the segments of a chain; none of a stale id.
     void visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const;
@@ -117,6 +134,11 @@ public:
     Aabb bounds(ShapeId id) const;
 
     // --- joints
+    /// Errors: `sameBody` with "bodyB", and with "jointB" of a gear; `wrongBodyType` with "bodyB" where neither body is
+    /// dynamic, or B of a mouse joint is not; `wrongJointType` of what cannot be geared; `notPositive` (hertz, break
+    /// force and torque, the length of a rod or spring); `negative` (damping, strengths, shortest length, ratio of a
+    /// pulley); `degenerate` with "axis"; `outOfRange` where an upper limit is below the lower one, of a ratio of 0, or
+    /// one that makes the sum of lengths or coordinates too large, and where a drive has both offset and velocity.
     Result<JointId> createJoint(const RevoluteJointDef& def);
     Result<JointId> createJoint(const DistanceJointDef& def);
     Result<JointId> createJoint(const PrismaticJointDef& def);
@@ -167,8 +189,9 @@ public:
 
     // --- queries, at the present poses; nothing is found for what is no number, a translation of 0, a bad polygon
     CastHit castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
-    /// Calls `visit` for every shape on the ray, in no particular order; it returns the fraction to go on with (see
-    /// `Broadphase::ray`). Of a chain for each segment, from either side.
+    /// Calls `visit` for every shape on the ray, in no particular order. It returns the fraction of the ray to go on
+    /// with: 1 goes on, that of the hit shortens the ray to it, 0 ends the query. Of a chain for each segment, from
+    /// either side.
     void castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                     FunctionRef<Real(const CastHit&)> visit) const;
     /// First shape that a polygon meets when it is carried along `translation` without turning. It is stopped about
@@ -181,7 +204,7 @@ public:
                       FunctionRef<Real(const CastHit&)> visit) const;
     /// Shapes whose boxes overlap `box`; a visitor that returns false ends the query.
     void queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<bool(ShapeId)> visit) const;
-    /// Shapes that overlap or touch the polygon, exactly.
+    /// Shapes that overlap or touch the polygon, exactly; a visitor that returns false ends the query.
     void overlapShape(const Polygon& polygon, const WorldTransform& pose, const QueryFilter& filter,
                       FunctionRef<bool(ShapeId)> visit) const;
     /// All contact points there are now, also of what is near and does not touch: `separation` tells.

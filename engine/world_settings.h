@@ -35,9 +35,9 @@ struct WorldSettings {
     /// many, when it would lose more.
     double maxLostTime = std::numeric_limits<double>::infinity();
     Real toiTolerance = 0;  ///< metres; 0: a quarter of the target, which is 2⁻¹⁰ of the pair's extent
-    bool sleep = true;
+    bool sleep = true;      ///< islands at rest are left out of steps until something wakes them; false: never
     bool measureStageTimes = false;
-    BroadphaseKind broadphase = BroadphaseKind::automatic;  ///< may change only while the world is empty
+    BroadphaseKind broadphase = BroadphaseKind::automatic;  ///< may change only while the world has no shapes
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

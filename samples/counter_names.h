@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -53,8 +54,12 @@ inline constexpr auto kCounterNames = std::to_array<std::pair<const char*, std::
 });
 static_assert(sizeof(StepCounters) == kCounterNames.size() * sizeof(std::uint64_t), "a counter has no name");
 
+/// Of what is itself the most of something the larger number stays.
 inline void addCounters(StepCounters& sums, const StepCounters& step) {
-    for (const auto& [name, member] : kCounterNames) { sums.*member += step.*member; }
+    for (const auto& [name, member] : kCounterNames) {
+        const bool isMost = member == &StepCounters::mostSubSteps;
+        sums.*member = isMost ? std::max(sums.*member, step.*member) : sums.*member + step.*member;
+    }
 }
 
 inline std::vector<NamedNumber> namedCounters(const StepCounters& counters) {

@@ -48,17 +48,14 @@ public:
 
     bool read(const Json& value, const Place& place, DVec2& vector) {
         if (!value.is_array()) { return wrongType(value, place, "two numbers [x, y]"); }
-        if (value.size() != 2) {
-            return fail(place, "must be two numbers [x, y], has " + std::to_string(value.size()) + " elements");
-        }
+        if (value.size() != 2) { return fail(place, "must be two numbers [x, y], has " + elementCount(value)); }
         return read(value[0], place.at(0), vector.x) && read(value[1], place.at(1), vector.y);
     }
 
     bool read(const Json& value, const Place& place, std::array<DVec2, 2>& points) {
         if (!value.is_array()) { return wrongType(value, place, "two points [[x, y], [x, y]]"); }
         if (value.size() != 2) {
-            return fail(place,
-                        "must be two points [[x, y], [x, y]], has " + std::to_string(value.size()) + " elements");
+            return fail(place, "must be two points [[x, y], [x, y]], has " + elementCount(value));
         }
         return read(value[0], place.at(0), points[0]) && read(value[1], place.at(1), points[1]);
     }
@@ -134,6 +131,10 @@ public:
     }
 
 private:
+    static std::string elementCount(const Json& array) {
+        return std::to_string(array.size()) + (array.size() == 1 ? " element" : " elements");
+    }
+
     bool fail(const Place& place, std::string reason) {
         if (!error_) { error_ = SceneError{"", place.pointer(), std::move(reason)}; }
         return false;

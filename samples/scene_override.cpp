@@ -68,7 +68,7 @@ std::optional<SceneError> applyOverride(Json& document, const Override& change) 
     const std::string given = "--set " + pointer + "=" + text + ": ";
     const auto fail = [&](const std::string& reason) { return SceneError{"", pointer, given + reason}; };
     if (pointer.empty() || pointer[0] != '/') {
-        return SceneError{"", "/", given + "not a JSON pointer: it must start with / (as in /settings/dt)"};
+        return SceneError{"", "", given + "not a JSON pointer: it must start with / (as in /settings/dt)"};
     }
     JsonResult parsed = parseStrict(text);
     if (parsed.error) {

@@ -13,7 +13,6 @@ namespace {
 
 SceneResult failure(SceneError error, std::string_view file) {
     error.file = file;
-    if (error.pointer.empty()) { error.pointer = '/'; }
     return {std::nullopt, std::move(error)};
 }
 

@@ -13,8 +13,8 @@ namespace swept {
 /// Why a scene was refused. `text()` is what a user reads: "file.json: /bodies/1/mass: must be greater than 0".
 struct SceneError {
     std::string file;
-    /// JSON pointer (RFC 6901) of the culprit ("/" for the whole document), or "line 3, column 7" for a syntax error;
-    /// empty when the file cannot be read.
+    /// JSON pointer (RFC 6901) of the culprit, or "line 3, column 7" for a syntax error; empty, as the RFC has it, for
+    /// the whole document, and when the file cannot be read.
     std::string pointer;
     std::string reason;
     std::string text() const;

@@ -27,7 +27,8 @@ struct Polygon {
     constexpr int previous(int i) const { return i > 0 ? i - 1 : count - 1; }
 };
 
-/// Errors of all makers: `notFinite`, `negative` (radius), `degenerate` (no extent).
+/// Errors of all makers: `notFinite`, `negative` (radius, half extents), `degenerate` (no extent). Any finite lengths
+/// are taken here; those beyond 2⁶³ (in f64 2⁵¹¹) metres are refused when the shape is added to a world.
 
 /// @param radius  greater than 0 (a point without radius has no extent).
 Result<Polygon> makeCircle(Vec2 center, Real radius);
@@ -38,8 +39,8 @@ Result<Polygon> makeSegment(Vec2 p, Vec2 q, Real radius = 0);
 /// @param half    half extents, both greater than 0.
 /// @param angle   radians, about `center`.
 Result<Polygon> makeBox(Vec2 half, Vec2 center = {}, double angle = 0, Real radius = 0);
-/// Takes vertices that are already convex, strictly, and counter-clockwise (3 to 8); else `notConvex`. For an arbitrary
-/// cloud of points use `convexHull` (hull.h).
+/// Takes 3 to 8 vertices (else `tooFewVertices`, `tooManyVertices`) that are already convex, strictly, and
+/// counter-clockwise (else `notConvex`). For an arbitrary cloud of points use `convexHull` (hull.h).
 Result<Polygon> makePolygon(std::span<const Vec2> vertices, Real radius = 0);
 
 /// Outward unit normal of the edge from p to q of a counter-clockwise polygon (to the right of it); (0, 0) if p == q.

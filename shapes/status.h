@@ -27,10 +27,13 @@ enum class StatusCode : std::uint8_t {
     outOfMemory,      ///< an id space is used up
 };
 
-/// What went wrong, and with which argument.
+/// What went wrong, and with which argument. The name is that of the argument or member, with these exceptions: an id
+/// goes by what it names ("body", "shape", "joint"); motors, limits of length and break limits go by what the
+/// scene format calls them ("motorSpeed", "maxMotorTorque", "maxMotorForce", "minLength", "maxLength", "breakForce",
+/// "breakTorque"); the two end points of a segment are "points".
 struct [[nodiscard]] Status {
     StatusCode code = StatusCode::ok;
-    const char* field = "";  ///< name of the offending argument or member; a string literal, never null
+    const char* field = "";  ///< a string literal, never null
 
     constexpr bool ok() const { return code == StatusCode::ok; }
     constexpr explicit operator bool() const { return ok(); }

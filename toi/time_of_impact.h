@@ -74,8 +74,8 @@ struct Toi {
 };
 
 /// First fraction at which the separation of two moving polygons falls to the target. At every earlier fraction the
-/// separation is above target − tolerance, and at the reported one it lies within target ± tolerance. Shapes that start
-/// within the target are a hit at 0.
+/// separation is above target − tolerance, and at the reported one it lies within target ± tolerance. A pair that
+/// starts nearer than the target, also with its roundings overlapping, is a `hit` at 0 with the separation it has.
 /// Works on differences of the centres, so the cost and the error do not depend on the distance from the origin.
 /// @pre the polygons are valid, all numbers finite, settings in range (`validateToi` checks all of it).
 Toi timeOfImpact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,

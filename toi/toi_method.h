@@ -38,7 +38,7 @@ inline constexpr std::array<ToiMethodInfo, 8> kToiMethods{{
     {ToiMethod::separatingAxisRoot, "separatingAxisRoot",
      "roots along one axis after another; fast, misses what dips in and out"},
     {ToiMethod::speculative, "speculative", "approach-speed constraint at the start; stops at ghosts, misses turning"},
-    {ToiMethod::certified, "certified", "second-order advancement; proves its answer"},
+    {ToiMethod::certified, "certified", "third-order advancement; proves its answer"},
 }};
 
 std::string_view nameOf(ToiMethod method);

@@ -12,16 +12,16 @@ void appendMember(std::string& line, const char* key, double value) {
     line += ",\"";
     line += key;
     line += "\":";
-    appendJsonNumber(line, value);
+    appendJsonNumber(line, withoutMinusZero(value));
 }
 
 void appendMember(std::string& line, const char* key, DVec2 value) {
     line += ",\"";
     line += key;
     line += "\":[";
-    appendJsonNumber(line, value.x);
+    appendJsonNumber(line, withoutMinusZero(value.x));
     line += ',';
-    appendJsonNumber(line, value.y);
+    appendJsonNumber(line, withoutMinusZero(value.y));
     line += ']';
 }
 

@@ -33,4 +33,8 @@ std::string roundedText(double value, int digits) {
     return std::string(characters.data(), result.ptr);
 }
 
+std::string countText(std::int64_t count, const std::string& noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
 }  // namespace swept

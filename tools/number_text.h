@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace swept {
@@ -12,5 +13,11 @@ void appendJsonNumber(std::string& text, double value);
 
 /// A number for a human: at most `digits` significant digits.
 std::string roundedText(double value, int digits = 4);
+
+/// "1 step", "2 steps".
+std::string countText(std::int64_t count, const std::string& noun);
+
+/// The same number, but 0 for −0, whose sign tells a reader of results nothing.
+constexpr double withoutMinusZero(double value) { return value + 0.0; }
 
 }  // namespace swept

@@ -1,5 +1,6 @@
 #include "output_files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -56,6 +57,16 @@ bool OutputFiles::open(std::string& error) {
 }
 
 bool OutputFiles::refuseClashes(std::string& error) const {
+    // There it would be mixed with what the command tells.
+    const auto refuseStandardOutput = [&error](const Place& place) {
+        if (place.path != "-") { return false; }
+        error = place.flag + " -: nothing is written to standard output; name a place (\"./-\" to call it so)";
+        return true;
+    };
+    if (std::any_of(files_.begin(), files_.end(), refuseStandardOutput) ||
+        std::any_of(directories_.begin(), directories_.end(), refuseStandardOutput)) {
+        return false;
+    }
     for (std::size_t i = 0; i < files_.size(); ++i) {
         if (isDevice(files_[i].path)) { continue; }
         for (const std::string& input : protected_) {

@@ -18,9 +18,9 @@ public:
     /// A directory for many files; it and its missing parents are created.
     void addDirectory(const std::string& flag, const std::string& path);
     /// The first part of `open`, for files that are written later. @return false, and one line in `error`, when one of
-    /// them is protected, or two options name the same one.
+    /// them is protected, two options name the same one, or one is "-", as if standard output were a place.
     bool refuseClashes(std::string& error) const;
-    /// @return false, and one line in `error`, when some place cannot be written or two options name the same one.
+    /// @return false, and one line in `error`, when some place cannot be written, or of the reasons above.
     bool open(std::string& error);
     /// The open file of a path given to `addFile`; null for an empty path. Files written by others (pictures) are
     /// simply not asked for: they stay empty until the other overwrites them.

@@ -1,10 +1,15 @@
 #!/usr/bin/env bash
-# Draws the pictures of the pages anew, into samples/pictures/ and toi/pictures/ (there, all but the plots of
-# `swept bench toi --plots`).
+# Draws the pictures of the pages anew: all of samples/pictures/, tools/pictures/trade.png, and of toi/pictures/ all but
+# the plots of `swept bench toi --plots`.
 #   tools/pictures.sh [SWEPT]
 # SWEPT is the command to use, build/release/bin/swept if left out.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
+case "${1:-}" in
+    -h | --help) sed -n '2,5s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+    -*) fail "unknown argument $1 (see --help)" ;;
+esac
+[ $# -le 1 ] || fail "unknown argument $2 (see --help)"
 swept="${1:-$root/build/release/bin/swept}"
 [ -x "$swept" ] || fail "$swept is not there: build it with tools/demo.sh, or name another"
 pictures="$root/samples/pictures"

@@ -18,14 +18,14 @@ public:
 
     void add(const char* key, double number) {
         startMember(key);
-        appendJsonNumber(text_, number);
+        appendJsonNumber(text_, withoutMinusZero(number));
     }
     void add(const char* key, DVec2 vector) {
         startMember(key);
         text_ += '[';
-        appendJsonNumber(text_, vector.x);
+        appendJsonNumber(text_, withoutMinusZero(vector.x));
         text_ += ',';
-        appendJsonNumber(text_, vector.y);
+        appendJsonNumber(text_, withoutMinusZero(vector.y));
         text_ += ']';
     }
     void addPair(const char* key, double first, double second) { add(key, DVec2{first, second}); }

@@ -131,7 +131,7 @@ Error readOptional(const Json& json, const char* key, std::optional<double>& num
 std::optional<std::string> readQueryLine(std::string_view line, QueryLine& query) {
     query.id = idOf(line);
     const JsonResult parsed = parseStrict(line);
-    if (parsed.error) { return parsed.error->where + ": " + parsed.error->reason; }
+    if (parsed.error) { return (parsed.error->where.empty() ? "" : parsed.error->where + ": ") + parsed.error->reason; }
     const Json& json = parsed.value;
     if (!json.is_object()) { return "the line must be an object, is " + kindOf(json); }
     if (json.contains("id")) { query.id = json["id"]; }

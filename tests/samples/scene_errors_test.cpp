@@ -39,7 +39,8 @@ void expectErrors(const std::vector<Case>& cases) {
         EXPECT_FALSE(result.scene.has_value()) << c.text;
         EXPECT_EQ(result.error.pointer, c.pointer) << c.text << "\n  " << result.error.text();
         EXPECT_NE(result.error.reason.find(c.reason), std::string::npos) << c.text << "\n  " << result.error.text();
-        EXPECT_EQ(result.error.text(), "my.json: " + c.pointer + ": " + result.error.reason);
+        const std::string where = c.pointer.empty() ? "" : c.pointer + ": ";
+        EXPECT_EQ(result.error.text(), "my.json: " + where + result.error.reason);
     }
 }
 
@@ -76,7 +77,7 @@ TEST(SceneErrors, DuplicateKeysOverflowAndDepth) {
         {R"({"a/b~c": 1, "a/b~c": 1})", "/a~1b~0c", "twice"},
         {R"({"gravity": [0, -1e999], "bodies": []})", "/gravity/1", "-1e999 overflows"},
         {settings(R"("dt": 1e400)"), "/settings/dt", "1e400 overflows"},
-        {"1e999", "/", "overflows"},
+        {"1e999", "", "overflows"},
         {deep, deepPointer, "nested deeper than 64"},
     });
 }
@@ -105,14 +106,14 @@ TEST(SceneErrors, UnknownKeys) {
 
 TEST(SceneErrors, WrongTypesAndMissingMembers) {
     expectErrors({
-        {"[]", "/", "must be an object"},
-        {"3", "/", "must be an object {…}, not a number"},
+        {"[]", "", "must be an object"},
+        {"3", "", "must be an object {…}, not a number"},
         {"{}", "/bodies", "is missing"},
         {R"({"bodies": {}})", "/bodies", "must be an array, not an object"},
         {R"({"bodies": [7]})", "/bodies/0", "must be an object {…}, not a number"},
         {R"({"name": 3, "bodies": []})", "/name", "must be a string, not a number"},
         {R"({"gravity": -9.81, "bodies": []})", "/gravity", "two numbers [x, y], not a number"},
-        {R"({"gravity": [0], "bodies": []})", "/gravity", "has 1 elements"},
+        {R"({"gravity": [0], "bodies": []})", "/gravity", "has 1 element"},
         {R"({"gravity": [0, "down"], "bodies": []})", "/gravity/1", "must be a number, not a string"},
         {R"({"gravity": [0, null], "bodies": []})", "/gravity/1", "must be a number, not null"},
         {R"({"view": {"center": [0, 0]}, "bodies": []})", "/view/height", "is missing"},
@@ -350,6 +351,10 @@ TEST(SceneErrors, LargeNumbersAreAQuestionOfPrecision) {
     ASSERT_TRUE(validateScene(scene).has_value());
     EXPECT_EQ(validateScene(scene)->pointer, "/gravity/1");
     EXPECT_FALSE(validateScene(scene, std::numeric_limits<double>::max()).has_value());
+}
+
+TEST(SceneErrors, OfTheWholeDocument) {
+    EXPECT_EQ(readScene("[]", "bad.json").error.text(), "bad.json: a scene must be an object {…}, not an array");
 }
 
 TEST(SceneErrors, FilesThatCannotBeRead) {

@@ -36,7 +36,9 @@ TEST_F(CommandError, LengthsThatMakeNoSense) {
     expectRunRefused({scene_, "--duration", "nan"}, "--duration");
     expectRunRefused({scene_, "--duration", "1e300"}, "--duration");
     expectRunRefused({scene_, "--duration=-1"}, "--duration");
-    expectRunRefused({scene_, "--duration", "soon"}, "--duration");
+    expectRunRefused({scene_, "--duration", "soon"}, "swept: --duration: soon is not a number");
+    expectRunRefused({scene_, "--duration", "1s"}, "swept: --duration: 1s is not a number");
+    expectRunRefused({scene_, "--duration="}, "--duration");
 }
 
 TEST_F(CommandError, ScenesThatAreNotThere) {
@@ -54,6 +56,8 @@ TEST_F(CommandError, NamesFilePointerAndReason) {
     expectRunRefused({syntax}, syntax + ": line 1, column");
     const std::string unknown = in_.write("unknown.json", R"({"bodys": []})");
     expectRunRefused({unknown}, unknown + ": /bodys: ");
+    const std::string list = in_.write("list.json", "[]");
+    expectRunRefused({list}, list + ": a scene must be an object");
 }
 
 TEST_F(CommandError, OverridesThatDoNotFit) {
@@ -69,6 +73,11 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
     expectRunRefused({scene_, "--report", "/proc/no_report.json"}, "--report /proc/no_report.json");
     expectRunRefused({scene_, "--png", "/proc/no_pictures"}, "--png /proc/no_pictures");
     expectRunRefused({scene_, "--png", scene_ + "/below"}, "--png");
+    for (const char* const flag : {"--csv", "--events", "--report", "--png", "--webp"}) {
+        expectRunRefused({scene_, flag, "-"},
+                         "swept: " + std::string(flag) + " -: nothing is written to standard output");
+    }
+    expectRefused({"inspect", scene_, "--json", "-"}, "--json -: nothing is written to standard output");
     expectRunRefused({scene_, "--csv", scene_}, "would overwrite the input");
     EXPECT_EQ(in_.read("ball.json"), kBallScene);
     expectRefused({"modes", scene_, "--png", scene_}, "would overwrite the input");
@@ -90,9 +99,15 @@ TEST_F(CommandError, PicturesThatMakeNoSense) {
 TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRunRefused({scene_, "--precision", "f16"}, "--precision");
     expectRunRefused({scene_, "--threads", "0"}, "--threads");
-    expectRunRefused({scene_, "--unheard-of"}, "--unheard-of");
-    expectRunRefused({scene_, "second.json"}, "second.json");
-    expectRefused({}, "no command given");
+    expectRunRefused({scene_, "--unheard-of"}, "swept: --unheard-of: no such option");
+    expectRunRefused({scene_, "--unheard-of=3"}, "swept: --unheard-of: no such option");
+    expectRunRefused({"--unheard-of", "3", scene_}, "swept: --unheard-of: no such option");
+    expectRunRefused({scene_, "second.json"}, "swept: second.json: one argument too many");
+    expectRefused({"inspect", scene_, "--precision", "f64"}, "swept: --precision: no such option");
+    expectRefused({"--unheard-of"}, "swept: --unheard-of: no such option");
+    expectRefused({"run", "--unheard-of"}, "swept: --unheard-of: no such option");
+    expectRefused({}, "swept: no command given (\"swept --help\" lists them)");
+    expectRefused({"bench", "--unheard-of"}, "swept: --unheard-of: no such option");
     expectRefused({"fly"}, "fly: no such command");
     expectRefused({"bench", "world", "--size", "nan"}, "nan is not a number");
     expectRefused({"bench", "world", "--write", out_.path("scenes"), "--csv", out_.path("a.csv")}, "--write");
@@ -103,6 +118,7 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({"toi", "--method", "guess"}, "--method guess");
     expectRefused({"distance", "--precision", "f16"}, "--precision");
     expectRefused({"compare", scene_, "--scale", "0"}, "--scale");
+    expectRefused({"compare", scene_, "--scale", "big"}, "swept: --scale: big is not a number");
     expectRefused({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");
 }
 

@@ -47,6 +47,12 @@ TEST_F(CommandLimits, TellsOfStatesThatOverflowed) {
     EXPECT_EQ(runSwept({"run", scene_, "--steps", "64"}).err, "");
 }
 
+TEST_F(CommandLimits, TellsOfBudgetsInTheirUnits) {
+    const auto over = runSwept({"run", scene_, "--set", "/settings/maxPenetration=0", "/settings/continuous=\"off\""});
+    EXPECT_EQ(over.exitCode, 0);
+    EXPECT_NE(over.err.find(" m is above the scene's budget maxPenetration = 0 m\n"), std::string::npos) << over.err;
+}
+
 TEST_F(CommandLimits, TellsOfDurationsWithoutAStep) {
     const auto none = runSwept({"run", scene_, "--duration", "10", "--set", "/settings/dt=100"});
     EXPECT_EQ(none.exitCode, 0);
@@ -76,7 +82,7 @@ TEST_F(CommandLimits, PicturesThatNobodyAskedFor) {
 
 TEST_F(CommandLimits, CommandsBelowOthers) {
     expectRefused({"bench", "foo"}, "bench foo: no such command (\"swept bench --help\" lists them)");
-    expectRefused({"bench"}, "subcommand");
+    expectRefused({"bench"}, "swept: no command given (\"swept bench --help\" lists them)");
 }
 
 TEST_F(CommandLimits, OutputThatIsLost) {

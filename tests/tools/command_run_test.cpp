@@ -107,6 +107,16 @@ TEST(CommandRun, WritesAReport) {
     EXPECT_EQ(report.at("settings").at("dt"), 0.015625);
 }
 
+TEST(CommandRun, ReportsTheMostSubStepsOfAnyStep) {
+    const ScratchDirectory scratch;
+    ASSERT_EQ(runSwept({"run", "pyramid", "--steps", "8", "--report", scratch.path("out.json")}).exitCode, 0);
+    const auto report = nlohmann::json::parse(scratch.read("out.json"));
+    const double most = report.at("counters").at("mostSubSteps");
+    EXPECT_GE(most, 1);
+    EXPECT_LE(most, 64) << "not the sum of all steps";
+    EXPECT_GT(report.at("counters").at("awakeBodies").get<double>(), 64) << "which other counters are";
+}
+
 TEST(CommandRun, OverridesMembersBeforeTheyAreChecked) {
     const ScratchDirectory scratch;
     const std::string scene = scratch.write("ball.json", kBallScene);
@@ -148,6 +158,8 @@ TEST(CommandRun, SumsUpForAHuman) {
     EXPECT_NE(result.out.find("deepest penetration"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find(scratch.path("out.csv")), std::string::npos) << result.out;
     EXPECT_EQ(result.err, "") << "no progress where nobody watches";
+    const auto one = runSwept({"run", scene, "--steps", "1"});
+    EXPECT_NE(one.out.find(": 1 step of "), std::string::npos) << one.out;
 }
 
 TEST(CommandRun, AFileWinsOverABuiltinScene) {

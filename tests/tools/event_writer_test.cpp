@@ -37,6 +37,18 @@ TEST(EventWriter, WritesTheFormatByteForByte) {
               "\"shapeA\":0,\"shapeB\":2,\"point\":[0.5,-1],\"normal\":[0,1],\"approachSpeed\":3.5,\"impulse\":7}\n");
 }
 
+TEST(EventWriter, WritesNoMinusZero) {
+    std::ostringstream out;
+    EventWriter writer(out, {"floor", "ball"});
+    SceneEvent event = hitEvent();
+    event.point = {-0.0, 0};
+    event.normal = {-1, -0.0};
+    event.impulse = -0.0;
+    writer.write(std::vector<SceneEvent>{event});
+    EXPECT_NE(out.str().find("\"point\":[0,0],\"normal\":[-1,0],"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("\"impulse\":0}"), std::string::npos) << out.str();
+}
+
 TEST(EventWriter, WritesOneValidObjectALine) {
     std::ostringstream out;
     EventWriter writer(out, {"a \"quoted\"\nname", "b"});

@@ -71,5 +71,17 @@ TEST(NumberText, RoundsForHumans) {
     EXPECT_EQ(roundedText(0.000123456, 3), "0.000123");
 }
 
+TEST(NumberText, CountsForHumans) {
+    EXPECT_EQ(countText(0, "step"), "0 steps");
+    EXPECT_EQ(countText(1, "step"), "1 step");
+    EXPECT_EQ(countText(64, "step"), "64 steps");
+}
+
+TEST(NumberText, MinusZeroAloneLosesItsSign) {
+    EXPECT_EQ(textOf(withoutMinusZero(-0.0)), "0");
+    for (const double value : {0.0, -1.0, 0.1, -5e-324, 1e308}) { EXPECT_EQ(withoutMinusZero(value), value); }
+    EXPECT_TRUE(std::isnan(withoutMinusZero(std::numeric_limits<double>::quiet_NaN())));
+}
+
 }  // namespace
 }  // namespace swept

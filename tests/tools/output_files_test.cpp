@@ -77,6 +77,20 @@ TEST(OutputFiles, RefusesADirectoryThatIsAFile) {
     EXPECT_EQ(scratch.read("file"), "text");
 }
 
+TEST(OutputFiles, RefusesStandardOutput) {
+    const ScratchDirectory scratch;
+    for (const bool isFile : {true, false}) {
+        OutputFiles outputs;
+        outputs.addFile("--csv", scratch.path("a.csv"));
+        isFile ? outputs.addFile("--events", "-") : outputs.addDirectory("--png", "-");
+        std::string error;
+        EXPECT_FALSE(outputs.open(error));
+        EXPECT_NE(error.find(isFile ? "--events -: " : "--png -: "), std::string::npos) << error;
+        EXPECT_TRUE(scratch.isEmpty());
+        EXPECT_FALSE(std::filesystem::exists("-"));
+    }
+}
+
 TEST(OutputFiles, RefusesToOverwriteTheInputOrItself) {
     const ScratchDirectory scratch;
     const std::string input = scratch.write("scene.json", "{}");

@@ -145,6 +145,7 @@ TEST(QueryLines, NamesWhatIsWrong) {
     expectStartsWith(errorOf("[1]"), "the line must be an object");
     expectStartsWith(errorOf(R"({"id": 1, "id": 2})"), "/id: ");
     expectStartsWith(errorOf(R"({"id": 1, "tMax": 1e999})"), "/tMax: ");
+    expectStartsWith(errorOf("1e999"), "the number 1e999 overflows");
     expectStartsWith(errorOf(R"({"id": 1,})"), "line 1, column ");
     expectStartsWith(errorOf(example().dump() + " x"), "line 1, column ");
 }

@@ -29,10 +29,12 @@ struct Effort {
 constexpr std::array<Effort, 10> kEfforts{
     {{30, 8}, {30, 16}, {30, 32}, {60, 4}, {60, 8}, {60, 16}, {60, 32}, {60, 64}, {120, 16}, {240, 16}}};
 
+/// Of all and of a group the long ones only on request; a scene that is named is wanted.
 bool isWanted(const accuracy::Case& c, const AccuracyArguments& arguments) {
-    if (arguments.scenes.empty()) { return arguments.isLong || !c.isLong; }
+    const bool isUsual = arguments.isLong || !c.isLong;
+    if (arguments.scenes.empty()) { return isUsual; }
     return std::any_of(arguments.scenes.begin(), arguments.scenes.end(),
-                       [&](const std::string& name) { return name == c.name || name == c.group; });
+                       [&](const std::string& name) { return name == c.name || (name == c.group && isUsual); });
 }
 
 /// Every case that the arguments ask for, at every effort.
@@ -95,7 +97,8 @@ void addBenchAccuracy(Command bench) {
         .type("NAME,...")
         .separatedBy(',')
         .oneOf(knownNames());
-    command.flag("--long", arguments->isLong, "Also the scenes that take minutes (stacks of 200 to 1000)");
+    command.flag("--long", arguments->isLong,
+                 "Also the long scenes of all or of a group: stack-200, -500, -1000, pyramid-50, drop-97.0");
     command.flag("--trade", arguments->trade, "Error against cost, over steps and sub-steps, for seven scenes");
     command.option("--csv", arguments->places.csv, "Write a record for each number").type("FILE");
     command.option("--plots", arguments->places.plots, "Draw error against cost (with --trade), if gnuplot is there")

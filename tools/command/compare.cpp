@@ -142,7 +142,7 @@ void printFindings(const LoadedScene& loaded, const Comparison& found, const Run
     const double dt = loaded.scene.settings.dt;
     std::cout << "\nDeviation above " << roundedText(found.scale) << " m: ";
     if (found.firstBeyond < 0) {
-        std::cout << "never in " << found.steps << " steps\n";
+        std::cout << "never in " << countText(found.steps, "step") << '\n';
     } else {
         std::cout << "from step " << found.firstBeyond << " ("
                   << roundedText(static_cast<double>(found.firstBeyond) * dt) << " s) on\n";

@@ -66,7 +66,7 @@ bool runMode(const LoadedScene& loaded, SceneContinuous mode, ModeRun& run, std:
 }
 
 void printTable(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
-    std::cout << loaded.source << ": " << loaded.steps << " steps in each mode\n"
+    std::cout << loaded.source << ": " << countText(loaded.steps, "step") << " in each mode\n"
               << "mode         impacts   sweeps      TOI  lost (ms)  energy end/start  deepest (mm)  us a step\n";
     for (const ModeRun& run : runs) {
         const auto steps = static_cast<double>(std::max<std::int64_t>(loaded.steps, 1));

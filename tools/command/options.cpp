@@ -32,6 +32,14 @@ std::string faultOfWholeNumber(const std::string& text) {
     return "must be a whole number, written in digits, not " + text;
 }
 
+/// As the library reads it.
+std::string faultOfNumber(const std::string& text) {
+    char* end = nullptr;
+    (void)std::strtold(text.c_str(), &end);
+    if (!text.empty() && end == text.c_str() + text.size()) { return ""; }
+    return (text.empty() ? "\"\"" : text) + " is not a number";
+}
+
 std::string faultOfText(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
 
 template <class T>
@@ -43,20 +51,36 @@ struct ValueOf<std::optional<T>> {
     using Type = T;
 };
 
-/// "swept bench foo: no such command …" of the first word that should be a command and is none; empty: there is none.
-std::string unknownCommand(const CLI::App& program, const std::vector<std::string>& arguments) {
+/// "bench foo: no such command …" of the first word that should be a command and is none, or that there is no word
+/// where one should be; empty: neither.
+std::string faultOfCommand(const CLI::App& program, const std::vector<std::string>& arguments) {
     const CLI::App* app = &program;
     std::string path;
+    const auto listedBy = [&program](const std::string& above) {
+        return " (\"" + program.get_name() + above + " --help\" lists them)";
+    };
     for (const std::string& word : arguments) {
         if (app->get_require_subcommand_min() == 0 || word.starts_with('-')) { return ""; }
         const auto isNamed = [&](const CLI::App* command) { return command->get_name() == word; };
         const auto found = app->get_subcommands(isNamed);
-        const std::string above = program.get_name() + path;
+        const std::string above = path;
         path += ' ' + word;
-        if (found.empty()) { return path.substr(1) + ": no such command (\"" + above + " --help\" lists them)"; }
+        if (found.empty()) { return path.substr(1) + ": no such command" + listedBy(above); }
         app = found.front();
     }
-    return "";
+    return app->get_require_subcommand_min() == 0 ? "" : "no command given" + listedBy(path);
+}
+
+/// The first argument that nothing took; the library lists them all, from the back. Empty: there is none.
+std::string faultOfLeftOver(const CLI::App& program, const std::vector<std::string>& arguments) {
+    const std::vector<std::string> leftOver = program.remaining(true);
+    const auto isLeftOver = [&](const std::string& argument) {
+        return argument != "--" && std::find(leftOver.begin(), leftOver.end(), argument) != leftOver.end();
+    };
+    const auto first = std::find_if(arguments.begin(), arguments.end(), isLeftOver);
+    if (first == arguments.end()) { return ""; }
+    const bool isOption = first->size() > 1 && first->starts_with('-');
+    return isOption ? first->substr(0, first->find('=')) + ": no such option" : *first + ": one argument too many";
 }
 
 /// What was written to a pipe that nobody reads, or to a disk that is full, is lost: a success must not be claimed.
@@ -81,7 +105,7 @@ Option Option::withinReals(double least, double most) const {
     option_->check(CLI::Range(least, most));
     // "nan" is a number to the range, and neither below nor above it.
     option_->check([](const std::string& text) {
-        return std::isnan(std::strtod(text.c_str(), nullptr)) ? "Value " + text + " is not a number" : std::string();
+        return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : std::string();
     });
     return *this;
 }
@@ -132,6 +156,7 @@ Option Command::option(const std::string& name, T& value, const std::string& hel
     // In front of all other checks, which see a number where there may be none. No name: nothing in the help.
     using Value = typename ValueOf<T>::Type;
     if constexpr (std::is_integral_v<Value>) { option->check(faultOfWholeNumber<Value>, ""); }
+    if constexpr (std::is_floating_point_v<Value>) { option->check(faultOfNumber, ""); }
     if constexpr (std::is_same_v<T, std::string>) { option->check(faultOfText, ""); }
     return Option(option);
 }
@@ -155,7 +180,7 @@ void Command::runs(std::function<int()> action) const {
 }
 
 int runProgram(const ProgramTexts& texts, const std::function<void(Command)>& addCommands,
-               std::vector<std::string> arguments) {
+               const std::vector<std::string>& arguments) {
     CLI::App app(texts.description, texts.name);
     app.set_version_flag("--version", texts.version);
     app.footer(texts.footer);
@@ -163,14 +188,18 @@ int runProgram(const ProgramTexts& texts, const std::function<void(Command)>& ad
     const Command program(&app, &exitCode);
     program.needsCommand();
     addCommands(program);
-    if (arguments.empty()) { return refuse("no command given (\"" + texts.name + " --help\" lists them)"); }
-    if (const std::string fault = unknownCommand(app, arguments); !fault.empty()) { return refuse(fault); }
-    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    if (const std::string fault = faultOfCommand(app, arguments); !fault.empty()) { return refuse(fault); }
     try {
-        app.parse(arguments);
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them from the back
     } catch (const CLI::Success& helpOrVersion) {
         return withOutputWritten(app.exit(helpOrVersion));
-    } catch (const CLI::ParseError& mistake) { return refuse(firstLine(mistake.what())); }
+    } catch (const CLI::ParseError& mistake) {
+        const int kind = mistake.get_exit_code();
+        const bool isOfAll = kind == static_cast<int>(CLI::ExitCodes::ExtrasError) ||
+                             kind == static_cast<int>(CLI::ExitCodes::RequiredError);
+        const std::string leftOver = isOfAll ? faultOfLeftOver(app, arguments) : "";
+        return refuse(leftOver.empty() ? firstLine(mistake.what()) : leftOver);
+    }
     return withOutputWritten(exitCode);
 }
 

@@ -77,6 +77,6 @@ struct ProgramTexts {
 /// ask for.
 /// @return exit code; mistakes are told on standard error, in one line, and give kExitBadInput (commands.h).
 int runProgram(const ProgramTexts& texts, const std::function<void(Command)>& addCommands,
-               std::vector<std::string> arguments);
+               const std::vector<std::string>& arguments);
 
 }  // namespace swept

@@ -109,7 +109,7 @@ OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
 void printSummary(const LoadedScene& loaded, const RunOutcome& outcome, const RunReport& report) {
     const double time = static_cast<double>(outcome.steps) * loaded.scene.settings.dt;
     const std::string& name = loaded.scene.name.empty() ? loaded.source : loaded.scene.name;
-    std::cout << name << ": " << outcome.steps << " steps of " << roundedText(loaded.scene.settings.dt)
+    std::cout << name << ": " << countText(outcome.steps, "step") << " of " << roundedText(loaded.scene.settings.dt)
               << " s = " << roundedText(time) << " s, computed in " << roundedText(outcome.wallSeconds, 3) << " s ("
               << (loaded.precision == Precision::f64 ? "f64" : "f32") << ")\n";
     std::cout << "deepest penetration " << roundedText(report.deepestPenetration, 3) << " m";
@@ -126,10 +126,10 @@ void printPlace(const char* what, const std::string& path) {
     if (!path.empty()) { std::cout << what << path << '\n'; }
 }
 
-void warnOfBudget(const char* name, const std::optional<double>& limit, double value) {
+void warnOfBudget(const char* name, const std::optional<double>& limit, double value, const char* unit) {
     if (!limit || value <= *limit) { return; }
-    std::cerr << "swept: warning: " << roundedText(value, 3) << " is above the scene's budget " << name << " = "
-              << roundedText(*limit) << '\n';
+    std::cerr << "swept: warning: " << roundedText(value, 3) << ' ' << unit << " is above the scene's budget " << name
+              << " = " << roundedText(*limit) << ' ' << unit << '\n';
 }
 
 /// A run in which a state overflowed has left what was asked for, though all of it is finite.
@@ -157,11 +157,11 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPlace("events    ", arguments.events);
     printPlace("report    ", arguments.report);
     printPicturePlaces(arguments.pictures);
-    warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration);
-    warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError);
+    warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
+    warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError, "m");
     double longestLoss = 0;
     for (const LostTime& lost : report.lostTime) { longestLoss = std::max(longestLoss, lost.seconds); }
-    warnOfBudget("maxLostTime", loaded.scene.settings.maxLostTime, longestLoss);
+    warnOfBudget("maxLostTime", loaded.scene.settings.maxLostTime, longestLoss, "s");
     warnOfOverflow(report);
     if (!outcome.culprit) { return kExitDone; }
     std::cerr << "swept: " << loaded.source << ": the state of body \"" << *outcome.culprit

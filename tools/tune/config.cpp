@@ -29,7 +29,7 @@ const char* nameOf(Engine engine) {
         case Engine::box2d:
             return "Box2D 2.4.1";
         case Engine::box2d3:
-            return "Box2D 3";
+            return "Box2D 3 stiff";
     }
     return "";  // unreachable, but GCC cannot know
 }

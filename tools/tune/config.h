@@ -14,7 +14,7 @@ namespace swept::tune {
 /// Who runs the scene.
 enum class Engine : std::uint8_t { f32, f64, box2d, box2d3 };
 inline constexpr int kEngineCount = 4;
-const char* nameOf(Engine engine);  ///< "f32", "f64", "Box2D 2.4.1", "Box2D 3"
+const char* nameOf(Engine engine);  ///< "f32", "f64", "Box2D 2.4.1", "Box2D 3 stiff"
 inline bool isOurs(Engine engine) { return engine == Engine::f32 || engine == Engine::f64; }
 /// Whether this build has it: Box2D 3 only where CMake found one.
 bool isThere(Engine engine);

@@ -97,7 +97,7 @@ std::string plotRows(const std::string& directory, const Subject& subject, const
                               {"f32", "with points lc rgb '#d62728' pt 7 ps 1.1", {}},
                               {"f64", "with points lc rgb '#9467bd' pt 5 ps 1.1", {}},
                               {"Box2D 2.4.1", "with points lc rgb '#1f77b4' pt 9 ps 1.3", {}},
-                              {"Box2D 3", "with points lc rgb '#17becf' pt 11 ps 1.3", {}},
+                              {"Box2D 3 stiff", "with points lc rgb '#17becf' pt 11 ps 1.3", {}},
                               {"as the scene is now", "with points lc rgb '#000000' pt 4 ps 2 lw 2", {}},
                               {"recommended", "with points lc rgb '#2ca02c' pt 6 ps 3 lw 3", {}}};
     constexpr std::size_t kFront = 0;
