@@ -13,6 +13,7 @@ struct EnergyAccount {
     double gained = 0;        ///< of kinetic energy, since the start
     double work = 0;          ///< of gravity and forces
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
+    double drift = 0;         ///< kinetic, of how an island goes as a whole that joints alone hold together
     bool isDriven = false;
     bool isJointed = false;
     bool isTouching = false;             ///< something; noted only of what may have gained
@@ -32,6 +33,10 @@ struct EnergyEntry {
     double turningKinetic = 0;
     double turningGained = 0;
     double turningWork = 0;
+    // How the body moved before the solve, m/s and rad/s, and how far in it, metres.
+    Vec2 velocityBefore{};
+    Vec2 moved{};
+    Real spinBefore = 0;
 };
 
 /// An island that gained, as one rigid body.
@@ -42,6 +47,9 @@ struct IslandMotion {
     DVec2 velocity{};
     double inertia = 0;
     double spin = 0;
+    // What it keeps of that: nothing inside of an island moves or turns it as a whole.
+    DVec2 keptVelocity{};
+    double keptSpin = 0;
     double share = 1;  ///< what is left of the motion relative to it
 };
 

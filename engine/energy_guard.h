@@ -20,6 +20,7 @@ EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState
 /// Books the entries of all members (`SolveDesk::energyEntries`). Sums depend on their order: one after the other.
 void book(WorldState& world, SolveDesk& desk);
 /// Takes back what islands gained. @pre all members were booked, and have their new motions
-void settleAccounts(WorldState& world, const TiedGroup& group);
+/// @param time  that was solved for, s
+void settleAccounts(WorldState& world, const TiedGroup& group, Real time);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -215,7 +215,7 @@ void advance(Flight& flight, const Sweep& sweep, double fraction) {
     flight.motion = motionAt(sweep, fraction, body.localCenter);
     flight.motion.velocity = after.linear;
     flight.motion.angularVelocity = after.angular;
-    flight.elapsed = fraction >= 1 ? flight.dt : flight.elapsed + time;
+    flight.elapsed = fraction >= 1 ? flight.dt : std::min(flight.elapsed + time, flight.dt);  // but for rounding
 }
 
 FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {

@@ -94,10 +94,14 @@ void sumUpJoints(WorldState& world) {
         chain.plainJoints += tie.isPlain ? 1 : 0;
         chain.drivenJoints += tie.isDriven ? 1 : 0;
         chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;
+        chain.isPassive = chain.isPassive && tie.isPassive;
         for (const std::uint32_t slot : world.joints[i].allBodies()) {
             chain.isAnchored = chain.isAnchored || !world.bodies[slot].isDynamic();
         }
     }
+    chains.isAnyLoose = std::any_of(chains.list.begin(), chains.list.end(), [](const JointChain& chain) {
+        return chain.isPassive && !chain.isAnchored;
+    });
 }
 
 }  // namespace
@@ -109,6 +113,7 @@ void findJointChains(WorldState& world) {
     chains.members.clear();
     chains.areCurrent = true;
     chains.tieSleepers = false;
+    chains.isAnyLoose = false;
     if (world.joints.size() == 0) { return; }
     if (anyAsleep(world)) {
         chains.tieSleepers = tieSleepers(world);

@@ -20,6 +20,7 @@ struct JointChain {
     std::uint32_t drivenJoints = 0;
     bool holdsAngles = false;  ///< `JointTie::holdsAngle` of any
     bool isAnchored = false;   ///< a joint ties it to what is not dynamic
+    bool isPassive = true;     ///< `JointTie::isPassive` of all
 };
 
 /// All chains. They persist: as long as no joint is made, changed or removed, and nothing that one holds wakes or falls
@@ -31,6 +32,7 @@ struct JointChains {
     };
     bool areCurrent = false;            ///< those of all joints of what is awake, as they are now
     bool tieSleepers = false;           ///< a joint ties what is awake to what sleeps
+    bool isAnyLoose = false;            ///< some chain is passive, and not anchored
     std::vector<JointChain> list;       ///< in order of their lowest bodies
     std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
     IslandFinder finder;                ///< scratch

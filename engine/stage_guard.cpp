@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "joint_builder.h"
 #include "number_range.h"
@@ -18,11 +19,13 @@ bool isSound(const BodyMotion& motion) {
            isInRange(static_cast<double>(motion.angularVelocity));
 }
 
-/// Impulses to start from that belong to a state that is gone.
-void forgetImpulsesOf(WorldState& world, std::uint32_t slot) {
+/// Impulses to start from, and points, that belong to a state that is gone.
+void forgetContactsOf(WorldState& world, std::uint32_t slot) {
     for (Contact& contact : world.contacts) {
         if (contact.bodyA != slot && contact.bodyB != slot) { continue; }
         contact.normalImpulse = contact.tangentImpulse = contact.totalImpulse = {};
+        contact.manifold.count = 0;
+        contact.isKept = false;
     }
     for (const std::uint32_t index : world.bodies[slot].joints) { forgetImpulses(world.joints[index]); }
 }
@@ -56,17 +59,38 @@ void putBack(WorldState& world, std::uint32_t slot) {
     motion.velocity = {};
     motion.angularVelocity = 0;
     updatePose(world, slot);
-    forgetImpulsesOf(world, slot);
+    forgetContactsOf(world, slot);
     ++world.counters.putBack;
     world.bodiesPutBack.push_back(world.bodies.idOf(slot));
+}
+
+/// By slot: those whose state overflowed, and what joints tie to them. Of these some have a state that is a number and
+/// nothing else: which, no two instruction sets agree on. Nor would joints to what is put back hold them.
+std::vector<bool> findOverflown(const WorldState& world) {
+    std::vector<bool> isOverflown(world.bodies.slotCount());
+    for (const std::uint32_t slot : world.awake) { isOverflown[slot] = !isSound(world.motions[slot]); }
+    for (bool isSpreading = true; isSpreading;) {
+        isSpreading = false;
+        for (const std::uint32_t index : world.activeJoints) {
+            const std::span<const std::uint32_t> bodies = world.joints[index].allBodies();
+            const auto is = [&isOverflown](std::uint32_t slot) { return isOverflown[slot]; };
+            if (std::none_of(bodies.begin(), bodies.end(), is)) { continue; }
+            for (const std::uint32_t slot : bodies) {
+                if (isOverflown[slot] || !world.bodies[slot].isDynamic()) { continue; }
+                isOverflown[slot] = isSpreading = true;
+            }
+        }
+    }
+    return isOverflown;
 }
 
 }  // namespace
 
 void putBackOverflown(WorldState& world) {
     if (areSound(world)) { return; }
+    const std::vector<bool> isOverflown = findOverflown(world);
     for (const std::uint32_t slot : world.awake) {
-        if (!isSound(world.motions[slot])) { putBack(world, slot); }
+        if (isOverflown[slot]) { putBack(world, slot); }
     }
     std::erase_if(world.contactEvents, [](const ContactEvent& event) {
         return !isInRange(event.point) || !isInRange(event.normal) || !isInRange(event.fraction) ||

@@ -192,7 +192,7 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time) {
     desk.anyFlung = desk.anyFlung || anyFlung;
     if (!isWatched) { return; }
     book(world, desk);
-    settleAccounts(world, group);
+    settleAccounts(world, group, time);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

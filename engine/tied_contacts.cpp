@@ -308,7 +308,7 @@ void TiedContacts::noteHit(const Contact& contact, Vec2 normal, Real bounceAppro
     const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
     const double wait = std::min(gap / static_cast<double>(speed), part_.length);
     ContactEvent hit = hitBetween(world_, contact.shapeA, contact.shapeB);
-    hit.fraction = (part_.begin + wait) / part_.dt;
+    hit.fraction = std::min((part_.begin + wait) / part_.dt, 1.0);
     hit.point = apply(a.pose, contact.manifold.points[k].point);
     hit.normal = normal;
     hit.approachSpeed = speed;

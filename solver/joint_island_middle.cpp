@@ -201,13 +201,13 @@ double JointIsland::findMomenta() {
         const DVec2 lack = mass * (body.middle.velocity - body.velocity);
         change_[body.column] = {lack.x, lack.y, inertia * (body.middle.spin - body.spin)};
     }
-    const auto add = [this](IslandBody& body, const Block3& row, double impulse) {
+    const auto add = [this](IslandBody& body, const Block3& row, double impulse, bool isAngle) {
         if (body.column == kNoNode) { return; }
         Block3& change = change_[body.column];
         if (body.inverseMass > 0) {
             change[0] += row[0] * impulse;
             change[1] += row[1] * impulse;
-            body.given += body.inverseMass * std::fabs(impulse);
+            body.given += isAngle ? 0 : body.inverseMass * std::fabs(impulse);
         }
         if (body.inverseInertia > 0) {
             change[2] += row[2] * impulse;
@@ -215,9 +215,10 @@ double JointIsland::findMomenta() {
         }
     };
     for (const IslandHold& hold : holds_) {
+        const bool isAngle = hold.kind == IslandHold::Kind::angle;
         for (std::size_t i = 0; i < hold.count; ++i) {
-            add(bodies_[hold.a], hold.rows[i].ofA, hold.rows[i].impulse);
-            add(bodies_[hold.b], hold.rows[i].ofB, hold.rows[i].impulse);
+            add(bodies_[hold.a], hold.rows[i].ofA, hold.rows[i].impulse, isAngle);
+            add(bodies_[hold.b], hold.rows[i].ofB, hold.rows[i].impulse, isAngle);
         }
     }
     // What the rounding of a heavy body's speed pushes light ones with.

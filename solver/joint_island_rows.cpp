@@ -125,8 +125,10 @@ void JointIsland::push(const IslandHold& hold, const IslandHold::Row& row, doubl
     a.spin += a.inverseInertia * impulse * row.ofA[2];
     b.velocity += (b.inverseMass * impulse) * DVec2{row.ofB[0], row.ofB[1]};
     b.spin += b.inverseInertia * impulse * row.ofB[2];
-    a.given += a.inverseMass * std::fabs(impulse);
-    b.given += b.inverseMass * std::fabs(impulse);
+    if (hold.kind != IslandHold::Kind::angle) {  // whose impulse is none of forces
+        a.given += a.inverseMass * std::fabs(impulse);
+        b.given += b.inverseMass * std::fabs(impulse);
+    }
     a.turned += a.inverseInertia * std::fabs(impulse * row.ofA[2]);
     b.turned += b.inverseInertia * std::fabs(impulse * row.ofB[2]);
 }

@@ -5,6 +5,7 @@
 // after it
 #include <hwy/targets.h>
 
+#include "../support/random.h"
 #include "falling_heap.h"
 #include "world_digest.h"
 #include "world_support.h"
@@ -63,6 +64,67 @@ TEST_F(Batches, ChangeNothingInBuiltinScenes) {
 /// of ten such heaps differed.
 TEST_F(Batches, ChangeNothingInFallingHeaps) {
     for (int seed = 0; seed < 16; ++seed) { expectSameWithout(scenes::fallingHeap(seed), 30); }
+}
+
+/// A row of boxes on joints of all kinds, the first of which is so fast that squares overflow.
+World overflowing(std::uint64_t seed) {
+    Random random(seed);
+    WorldSettings settings = awakeSettings(0);
+    settings.profile = Profile::fast;
+    World world = makeWorld(settings);
+    const int count = random.integer(3, 6);
+    JointDef base;
+    for (int i = 0; i < count; ++i) {
+        base.bodyA = base.bodyB;
+        base.bodyB = addBody(world, dynamicAt({1.0 * i, 0}), box(0.2, 0.1));
+        if (i == 0) {
+            const double most = std::ldexp(1.0, std::numeric_limits<Real>::max_exponent / 2 - 4);
+            must(world.setVelocity(base.bodyB, vec(random.range(-most, most), random.range(-most, most)),
+                                   real(random.range(-most, most))));
+            continue;
+        }
+        const DVec2 middle{i - 0.5, 0};
+        switch (random.integer(0, 3)) {
+            case 0: {
+                DistanceJointDef rod{base, {i - 1.0, 0}, {1.0 * i, 0}};
+                rod.limits = LengthLimits{real(0.5), real(1.5)};
+                must(world.createJoint(rod));
+                break;
+            }
+            case 1:
+                must(world.createJoint(PrismaticJointDef{base, middle, {1, 0.3}}));
+                break;
+            case 2:
+                must(world.createJoint(WheelJointDef{base, middle, {0.2, 1}}));
+                break;
+            default:
+                must(world.createJoint(WeldJointDef{base, middle}));
+                break;
+        }
+    }
+    return world;
+}
+
+/// What overflowed is put back, with all that joints tie to it: whose numbers are still numbers then depends on who
+/// multiplies what by nothing. Nor is there a contact that is no number.
+TEST_F(Batches, ChangeNothingWhereStatesOverflow) {
+    std::size_t putBack = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        World with = overflowing(seed);
+        World without = with;
+        for (int step = 0; step < 3; ++step) {
+            must(with.step(kStep));
+            switchOff();
+            must(without.step(kStep));
+            switchOn();
+            ASSERT_EQ(with.stateHash(), without.stateHash()) << "seed " << seed << ", step " << step;
+            putBack += with.bodiesPutBack().size();
+            with.visitContacts([&](const ContactView& contact) {
+                EXPECT_TRUE(isFinite(contact.separation) && isFinite(contact.point)) << "seed " << seed;
+            });
+        }
+    }
+    EXPECT_GT(putBack, 100U) << "little overflowed";
 }
 
 }  // namespace

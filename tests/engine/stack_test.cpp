@@ -74,6 +74,34 @@ TEST(Stack, HeavyStandsOnLight) {
     }
 }
 
+/// A block that is dropped on two columns side by side, which is no tower. (1000 kg sank into boxes of 1 kg by 2.2 cm,
+/// 10 000 kg through them.)
+TEST(Stack, HeavyDroppedOnTwoLightColumnsStands) {
+    for (const int below : {1, 3, 6}) {
+        for (const double ratio : {30.0, 1000.0, 1e5}) {
+            for (const double drop : {0.01, 0.05, 0.3}) {
+                World world = makeWorld();
+                addStatic(world, box(20, 1), material(0.6), {0, -1});
+                for (int i = 0; i < below; ++i) {
+                    for (const double side : {-1.0, 1.0}) {
+                        addBody(world, dynamicAt({side, i + 0.5 + (i + 1) * drop}), box(0.5, 0.5), material(0.6));
+                    }
+                }
+                const double height = below + 0.5 + (below + 1) * drop;
+                const BodyId block = addBody(world, dynamicAt({0, height}), box(2, 0.5), material(0.6, 0, ratio / 4));
+                double lowest = height;
+                for (int i = 0; i < 180; ++i) {
+                    must(world.step(kStep));
+                    lowest = std::min(lowest, world.position(block).y);
+                }
+                const std::string what = std::to_string(below) + " boxes high, " + std::to_string(ratio) + " : 1";
+                expectAtMost(what + ", sinks in by", below + 0.5 - lowest, 5e-3);  // while it lands
+                expectAtMost(what + ", at the end", std::abs(below + 0.5 - world.position(block).y), 1e-5);
+            }
+        }
+    }
+}
+
 TEST(Stack, StackFarFromTheOriginStands) {
     World world = makeWorld();
     const DVec2 far{1e6, -1e6};

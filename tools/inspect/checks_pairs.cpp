@@ -58,8 +58,11 @@ public:
     bool areTouching(const NearPair& pair) const {
         return pair.separation <= kTouchRatio * std::min(pieceAt(pair.pieceA).extent, pieceAt(pair.pieceB).extent);
     }
-    /// Contacts close no loop.
-    bool isTower(const PlacedBody& body) const { return contacts_[rootOf(body)] <= bodies_[rootOf(body)]; }
+    /// Contacts close no loop, or few bodies are in it.
+    bool isTowerOrSmall(const PlacedBody& body) const {
+        const int bodies = bodies_[rootOf(body)];
+        return contacts_[rootOf(body)] <= bodies || bodies <= envelope::kMostPileBodies;
+    }
 
 private:
     const PlacedPiece& pieceAt(int i) const { return placed_.pieces[static_cast<std::size_t>(i)]; }
@@ -82,7 +85,7 @@ void checkMasses(const PlacedScene& placed, const Piles& piles, const NearPair& 
     const double ratio = heavy.mass / light.mass;
     const DVec2 apart = heavy.center - light.center;
     const bool isOnTop = dot(apart, placed.scene->gravity) < 0;
-    const bool isDirect = solvesAtOnce(placed) && piles.isTower(light);
+    const bool isDirect = solvesAtOnce(placed) && piles.isTowerOrSmall(light);
     const double most = isDirect ? envelope::kDirectMassRatio : iteratedMassRatio(placed, light, light.extent);
     if (ratio <= most || !isOnTop) { return; }
     findings.push_back({Severity::warning, "mass-ratio", pointerOf(heavy),

@@ -19,6 +19,8 @@ inline constexpr double kDirectMassRatio = 1e6;
 inline constexpr int kFewestSubSteps = 8;
 /// Nor, where its joints close loops, more bodies.
 inline constexpr int kMostLoopBodies = 64;
+/// Nor, where its contacts do and it moves. (Test Stack.HeavyDroppedOnTwoLightColumnsStands: 10⁵ : 1.)
+inline constexpr int kMostPileBodies = 16;
 /// Steps in the time √(size/|g|) that a body takes to fall half its own size. Map "stack" is all inside by now, as what
 /// rests is solved all at once: this limit is that of stacks that something keeps moving, which iteration carries.
 /// Measured when it carried all of them: six boxes with a top of √10 times the mass stood up to g·dt²/size = 1/8, which
