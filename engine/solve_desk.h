@@ -28,6 +28,7 @@ struct alignas(kCacheLine) SolveDesk {
     RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`
     std::vector<std::uint32_t> energyRoots;   ///< likewise
     std::vector<IslandMotion> islandMotions;  ///< likewise
+    std::vector<IslandMotion> motionsBefore;  ///< scratch: the same, before the solve
     std::uint64_t energySolve = 0;            ///< its number
     AdvancingIsland island;                   ///< that advances here
 

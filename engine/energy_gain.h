@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+
+#include "tied_group.h"
+
+/// What counts as a gain of energy (energy_guard.h).
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Rounding of velocities, as a part of the kinetic energy.
+inline constexpr double kGainRounding = 8 * static_cast<double>(kEpsilon);
+/// What rests trembles by its contacts' give: this part of the energy that it would gain in free fall is no gain.
+inline constexpr double kGainTremble = 1.0 / 1024;
+
+/// Of this part of its energy islands with joints may gain anything. And nets give way: one that sags swings back with
+/// what its gaps held, by four times as much in a step as it would gain in free fall. What takes turns with contacts is
+/// held closer: it bursts with up to hundreds of times that. What nothing holds falls as a whole, and sags nowhere.
+inline constexpr double kJointedGain = 1.0 / 64;
+inline constexpr double kMostFalls = 16;
+inline constexpr double kMostFallsInTouch = 1.0 / 4;
+
+/// Overlaps are pushed out without speed, which lifts at no cost. Joints pay for that as well: what hung on limits rose
+/// step by step, and was given what it fell again (five boxes by 11 m in 15 s, once the first one had a thousandth of
+/// its inertia).
+inline double excessOf(const EnergyAccount& account) {
+    return account.gained - (account.isJointed ? account.work : std::max(account.work, 0.0));
+}
+
+/// @param falls  that joints may give back
+inline bool hasGained(const EnergyAccount& account, double falls) {
+    if (account.isJointed) {
+        const double kinetic = account.isTouching ? account.kinetic : account.kinetic - account.drift;
+        return excessOf(account) > kJointedGain * kinetic + falls * account.fall;
+    }
+    return excessOf(account) > kGainRounding * account.kinetic + kGainTremble * account.fall;
+}
+inline bool hasGained(const EnergyAccount& account) {
+    const double hanging = account.isAnchored ? kMostFalls : 0;
+    return hasGained(account, account.isTouching ? kMostFallsInTouch : hanging);
+}
+
+inline double squared(double x) { return x * x; }
+inline double squared(DVec2 v) { return dot(v, v); }
+
+inline EnergyAccount& accountOf(WorldState& world, std::uint32_t slot) {
+    return world.energyAccounts[world.islands.find(slot)];
+}
+
+/// Of the members of the group, those whose island gained.
+template <class Visit>
+void forEachGainer(WorldState& world, const TiedGroup& group, const Visit& visit) {
+    for (const std::uint32_t slot : group.bodies) {
+        const Body& body = world.bodies[slot];
+        if (!body.isDynamic() || !isMember(body, group)) { continue; }
+        EnergyAccount& account = accountOf(world, slot);
+        if (account.solve == group.desk.energySolve && !account.isDriven && hasGained(account)) {
+            visit(slot, account);
+        }
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
