@@ -20,11 +20,12 @@ inline constexpr double kJointedGain = 1.0 / 64;
 inline constexpr double kMostFalls = 16;
 inline constexpr double kMostFallsInTouch = 1.0 / 4;
 
-/// Overlaps are pushed out without speed, which lifts at no cost. Joints pay for that as well: what hung on limits rose
-/// step by step, and was given what it fell again (five boxes by 11 m in 15 s, once the first one had a thousandth of
-/// its inertia).
+/// Overlaps are pushed out without speed, which lifts at no cost. Joints that touch nothing pay for that: what hung on
+/// limits rose step by step, and was given what it fell again (five boxes by 11 m in 15 s, once the first one had a
+/// thousandth of its inertia).
 inline double excessOf(const EnergyAccount& account) {
-    return account.gained - (account.isJointed ? account.work : std::max(account.work, 0.0));
+    const bool pays = account.isJointed && !account.isTouching;
+    return account.gained - (pays ? account.work : std::max(account.work, 0.0));
 }
 
 /// @param falls  that joints may give back
