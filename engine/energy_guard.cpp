@@ -193,7 +193,8 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time) {
     const double part = world.jointChains.isAnyLoose ? kGainRounding : kJointedGain;
     const auto hasGainedAnything = [&](std::uint32_t root) {  // not known yet whether by joints: in either case
         const EnergyAccount& account = world.energyAccounts[root];
-        return hasGained(account) || (hasJoints && account.gained - account.work > part * account.kinetic);
+        if (hasGained(account)) { return true; }
+        return hasJoints && account.gained - account.work > part * account.kinetic;
     };
     if (std::none_of(roots.begin(), roots.end(), hasGainedAnything)) { return; }
     if (hasJoints) { noteJointed(world, group); }

@@ -200,6 +200,8 @@ Real Flight::threshold() const { return bounceThreshold(*world, body(), static_c
 Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
     Flight flight{.world = &world, .slot = slot, .scratch = &scratch, .motion = world.motions[slot], .dt = dt};
     flight.stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
+    // What stopped there in an earlier step may be anywhere by now.
+    std::erase_if(scratch.met, [&](const MetGround& met) { return world.shapes[met.own].body == slot; });
     return flight;
 }
 

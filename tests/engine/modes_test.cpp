@@ -258,6 +258,22 @@ TEST(Speculative, FastPairsMeet) {
 }
 
 /// One wall, five bodies, each with a mode of its own; the world's is another one.
+/// What stopped at the top of a block, and is put beside it then, meets its side on a path that leads away from the top.
+/// (It remembered what it had met, and flew through.)
+TEST(Stop, MeetsAgainWhatItWasPutBeside) {
+    WorldSettings settings = awakeSettings(0);
+    settings.continuous = ContinuousMode::stop;
+    World world = makeWorld(settings);
+    addStatic(world, box(1, 1));
+    const BodyId shot = addBody(world, dynamicAt({0, 3}, vec(0, -200)), circle(0.1));
+    must(world.step(kStep));
+    EXPECT_NEAR(world.position(shot).y, 1.1, 0.01);
+    must(world.setPose(shot, {-3, -0.5}, 0));
+    must(world.setVelocity(shot, vec(300, 30), 0));
+    must(world.step(kStep));
+    EXPECT_NEAR(world.position(shot).x, -1.1, 0.01);
+}
+
 TEST(Modes, OfABodyGoesBeforeThatOfTheWorld) {
     for (const ContinuousMode ofWorld : kModes) {
         World world = makeWorld(settingsOf(ofWorld));
