@@ -190,13 +190,15 @@ void book(WorldState& world, SolveDesk& desk) {
 void settleAccounts(WorldState& world, const TiedGroup& group, Real time) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
     const bool hasJoints = !group.joints.empty();
+    const auto hasGainedAnything = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
     const double part = world.jointChains.isAnyLoose ? kGainRounding : kJointedGain;
-    const auto hasGainedAnything = [&](std::uint32_t root) {  // not known yet whether by joints: in either case
+    const auto hasGainedIfTied = [&](std::uint32_t root) {  // not known yet which ones are
         const EnergyAccount& account = world.energyAccounts[root];
-        if (hasGained(account)) { return true; }
-        return hasJoints && account.gained - account.work > part * account.kinetic;
+        return account.gained - account.work > part * account.kinetic;
     };
-    if (std::none_of(roots.begin(), roots.end(), hasGainedAnything)) { return; }
+    const bool any = std::any_of(roots.begin(), roots.end(), hasGainedAnything) ||
+                     (hasJoints && std::any_of(roots.begin(), roots.end(), hasGainedIfTied));
+    if (!any) { return; }
     if (hasJoints) { noteJointed(world, group); }
     const auto drifts = [&](std::uint32_t root) { return mayDrift(world.energyAccounts[root]); };
     if (std::any_of(roots.begin(), roots.end(), drifts)) { findDrifts(world, group.desk); }
