@@ -76,9 +76,10 @@ private:
         pairs_.clear();
     }
 
+    /// Not set before it is added: a step makes batches of all kinds, and fills few.
     struct Entry {
-        ContactProbe* probe = nullptr;
-        Contact* contact = nullptr;
+        ContactProbe* probe;
+        Contact* contact;
     };
 
     bool isOfChains() const { return pairs_.kind() == PairKind::chain; }
