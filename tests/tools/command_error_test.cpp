@@ -78,6 +78,9 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
                          "swept: " + std::string(flag) + " -: nothing is written to standard output");
     }
     expectRefused({"inspect", scene_, "--json", "-"}, "--json -: nothing is written to standard output");
+    expectRefused({"tune", scene_, "--max-error", "penetration=1", "--out", "-"},
+                  "--out -: nothing is written to standard output");
+    expectRefused({"envelope", "--coarse", "--out", "-"}, "--out -: nothing is written to standard output");
     expectRunRefused({scene_, "--csv", scene_}, "would overwrite the input");
     EXPECT_EQ(in_.read("ball.json"), kBallScene);
     expectRefused({"modes", scene_, "--png", scene_}, "would overwrite the input");

@@ -10,6 +10,7 @@
 
 #include "../envelope/map.h"
 #include "../envelope/survey.h"
+#include "../output_files.h"
 #include "../task_threads.h"
 #include "../tune/progress_bar.h"
 #include "commands.h"
@@ -34,6 +35,9 @@ bool readTask(const EnvelopeArguments& arguments, envelope::SurveyOptions& optio
     }
     options.threads =
         arguments.threads > 0 ? arguments.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    OutputFiles results;
+    results.addDirectory("--out", arguments.out);
+    if (!results.refuseClashes(error)) { return false; }
     return arguments.shard.empty() || tune::parseShard(arguments.shard, options.shard, error);
 }
 

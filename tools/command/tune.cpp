@@ -74,6 +74,7 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
     task.directory = directoryOf(arguments, *loaded);
     OutputFiles results;
     results.protect(loaded->file);
+    results.addDirectory("--out", arguments.out);
     for (const char* const name : {kTuned, kLean, kAblation}) { results.addFile("--out", task.directory + name); }
     if (!results.refuseClashes(error)) { return false; }
     task.options.subject = {loaded->scene, loaded->steps + loaded->steps % 2};
