@@ -52,6 +52,9 @@ struct alignas(64) Contact : ContactRow {
     bool dynamicA : 1 = false;  ///< the body is
     bool dynamicB : 1 = false;
     bool sensor : 1 = false;
+    bool ofChain : 1 = false;  ///< A is a chain segment, and no sensor; what follows is of such ones alone
+    bool passes : 1 = false;   ///< it comes through from the back (chain_passage.h)
+    bool wasSeen : 1 = false;  ///< by a step before
     BatchKind batch = BatchKind::none;
     bool touching = false;   ///< begin was reported, end was not
     bool pressed = false;    ///< carried an impulse in the last step
@@ -64,6 +67,13 @@ struct alignas(64) Contact : ContactRow {
     bool isSolid() const { return !sensor && manifold.count > 0; }
 };
 static_assert(sizeof(Contact) <= 48 * sizeof(Real), "a step reads most of some thousands");
+
+/// A shape that comes through a chain segment from its back (chain_passage.h); slots.
+struct ChainPasser {
+    std::uint32_t segment = 0;
+    std::uint32_t shape = 0;
+    bool operator==(const ChainPasser&) const = default;
+};
 
 /// What the stage of contacts found of one in this step.
 enum class ContactState : std::uint8_t {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "chain_passage.h"
 #include "contact_batch.h"
 #include "contact_manifold.h"
 #include "ghosts.h"
@@ -108,8 +109,9 @@ void collideHeld(WorldState& world, SolveDesk& desk, double time) {
     batches.finish();
     std::vector<std::uint32_t>& all = island.heldIndices;
     while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
-    dropGhosts(world, island.held, island.heldSlides, std::span(all).first(island.held.size()), island.members,
-               island.nextGroundContact);
+    const std::span<const std::uint32_t> renewed = std::span(all).first(island.held.size());
+    letThrough(world, island.held, renewed);
+    dropGhosts(world, island.held, island.heldSlides, renewed, island.members, island.nextGroundContact);
     desk.counters.manifolds += island.held.size();
 }
 

@@ -4,6 +4,7 @@
 
 #include "../shapes/distance.h"
 #include "beside.h"
+#include "chain_passage.h"
 #include "contact_batch.h"
 #include "contact_fetch.h"
 #include "contact_manifold.h"
@@ -371,9 +372,12 @@ void collideContacts(WorldState& world) {
 
 void noticeContacts(WorldState& world) {
     const bool haveContacts = hasContacts(world);
+    world.chainPassers.clear();
+    const bool anyPasses = haveContacts && letThrough(world, world.contacts, world.lists.ground);
+    if (anyPasses) { listPassing(world); }
     const bool anyGhost = haveContacts && dropGhosts(world, world.contacts, world.slides, world.lists.ground,
                                                      world.awake, world.nextGroundContact);
-    if (anyGhost) { distrustGhosts(world); }
+    if (anyGhost || anyPasses) { distrustGhosts(world); }
     const bool mayJointsWake = !world.jointChains.areCurrent || world.jointChains.tieSleepers;
     if (mayJointsWake && world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world, 0); }
     const std::size_t before = world.awake.size();

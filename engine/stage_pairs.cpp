@@ -77,6 +77,7 @@ Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t se
     contact.dynamicA = world.bodies[a.body].isDynamic();
     contact.dynamicB = world.bodies[b.body].isDynamic();
     contact.sensor = a.def.sensor;
+    contact.ofChain = a.isChainSegment && !contact.sensor;
     contact.batch = batchKindOf(a, b);
     return contact;
 }

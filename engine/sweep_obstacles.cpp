@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "../toi/toi_polygon.h"
+#include "chain_passage.h"
 #include "ghosts.h"
 #include "shape_manifold.h"
 #include "tolerances.h"
@@ -25,10 +26,7 @@ public:
     /// In the frame of the body of a chain.
     Vec2 placeIn(const WorldState& world, std::uint32_t body) {
         if (body != body_) {
-            Vec2 middle;
-            for (const Vec2 vertex : own_.polygon.points()) { middle += vertex; }
-            middle = (1 / static_cast<Real>(own_.polygon.count)) * middle;
-            place_ = applyInverse(world.motions[body].pose, apply(pose_, middle));
+            place_ = applyInverse(world.motions[body].pose, apply(pose_, middleOf(own_.polygon)));
             body_ = body;
         }
         return place_;
@@ -43,8 +41,7 @@ private:
 
 /// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
 bool isBehindChain(const WorldState& world, const Shape& other, StartOfCore& core) {
-    if (!other.isChainSegment) { return false; }
-    return dot(core.placeIn(world, other.body) - other.segment.p, other.polygon.normals[0]) < 0;
+    return other.isChainSegment && isBehind(other, core.placeIn(world, other.body));
 }
 
 /// What is sunk in deeper than the slack, and therefore swept however slow it is, may stir up to so many slacks: what
@@ -252,6 +249,7 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
         for (const std::uint32_t found : scratch.found) {
             const Shape& other = world.shapes[found];
             if (!isObstacle(world, own, other) || isBehindChain(world, other, core)) { continue; }
+            if (passesChain(world, slot, found)) { continue; }
             FlightObstacle obstacle{.own = slot, .other = found};
             obstacle.level = targetOf(world, obstacle);
             scratch.obstacles.push_back(obstacle);

@@ -114,7 +114,8 @@ public:
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
     /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside. What comes from the
-    /// left passes: a level one is a platform to jump onto from below.
+    /// left passes: a level one is a platform to jump onto from below. Whoever turns back half way falls through it
+    /// again: a shape that came through is held once all of it is on the right.
     /// Errors: `wrongBodyType` of dynamic bodies; with "points" `tooFewVertices` (fewer than 2, of a loop 3) and
     /// `degenerate` (two neighbours are equal); `negative` (radius); of `def` as of addShape.
     Result<ShapeId> addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {},
@@ -187,7 +188,8 @@ public:
     /// All joints, in the order of their slots.
     void visitJoints(FunctionRef<void(JointId)> visit) const;
 
-    // --- queries, at the present poses; nothing is found for what is no number, a translation of 0, a bad polygon
+    // --- queries, at the present poses; nothing is found for what is no number, a translation of 0, a bad polygon.
+    // Chains are met from either side.
     CastHit castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
     /// Calls `visit` for every shape on the ray, in no particular order. It returns the fraction of the ray to go on
     /// with: 1 goes on, that of the hit shortens the ray to it, 0 ends the query. Of a chain for each segment, from

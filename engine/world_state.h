@@ -200,6 +200,7 @@ struct WorldState : Workers {
     std::vector<ContactPair> droppedPairs;          ///< scratch: of these, some to be dropped together
     std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                             ///< likewise
+    std::vector<ChainPasser> chainPassers;          ///< of this step
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step
     RawVector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking

@@ -1,0 +1,110 @@
+#include "chain_passage.h"
+
+#include <algorithm>
+
+#include "ghosts.h"
+#include "tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Deeper than this part of the extent nothing stands on a chain: what comes to the front so deep came from the back.
+constexpr Real kPassedRatio = Real(1) / 32;
+
+WorldTransform poseNow(const WorldState& world, std::uint32_t body) { return world.motions[body].pose; }
+/// At the start of the last step. (Of what is not awake the present one: it did not move.)
+WorldTransform poseBefore(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    return body.awake ? poseOf(body.startCenter, body.startAngle, body.localCenter) : poseNow(world, slot);
+}
+
+bool isBehind(const WorldState& world, const Contact& contact, const WorldTransform& ofChain,
+              const WorldTransform& ofShape) {
+    const Vec2 middle = middleOf(world.shapes[contact.shapeB].polygon);
+    return isBehind(world.shapes[contact.shapeA], applyInverse(ofChain, apply(ofShape, middle)));
+}
+
+/// What a body does on the other segments of a chain.
+struct OnChain {
+    bool stands = false;
+    bool passes = false;
+};
+OnChain othersOf(const WorldState& world, const Contact& contact, std::span<const Contact> contacts,
+                 std::span<const std::uint32_t> renewed) {
+    const std::uint32_t head = world.shapes[contact.shapeA].head;
+    OnChain others;
+    for (const std::uint32_t i : renewed) {
+        const Contact& other = contacts[i];
+        if (!other.ofChain || other.bodyB != contact.bodyB || world.shapes[other.shapeA].head != head) { continue; }
+        others.stands = others.stands || other.touching;
+        others.passes = others.passes || other.passes;
+    }
+    return others;
+}
+
+/// @pre it has points
+bool comesThrough(const WorldState& world, const Contact& contact, std::span<const Contact> contacts,
+                  std::span<const std::uint32_t> renewed) {
+    if (contact.touching || !(deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent)) { return false; }
+    const OnChain others = othersOf(world, contact, contacts, renewed);
+    if (others.stands) { return false; }  // it goes over a corner
+    if (others.passes) { return true; }   // and gets to the next segment while it does
+    // A contact that is new was put there, and what was put into the ground comes out of it.
+    return contact.wasSeen &&
+           isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+}
+
+/// Of one that came through: whether it is neither out of the chain nor behind it again.
+bool isStillInside(const WorldState& world, const Contact& contact) {
+    const WorldTransform ofChain = poseNow(world, contact.bodyA);
+    const WorldTransform ofShape = poseNow(world, contact.bodyB);
+    const Shape& segment = world.shapes[contact.shapeA];
+    const Vec2 normal = rotate(ofChain.rotation, segment.polygon.normals[0]);
+    const Real clear = separationAlong(segment.polygon, ofChain, world.shapes[contact.shapeB].polygon, ofShape, normal);
+    return clear < -kTargetRatio * contact.extent && !isBehind(world, contact, ofChain, ofShape);
+}
+
+void takePoints(Contact& contact) {
+    contact.manifold = {};
+    contact.isKept = false;
+    contact.normalImpulse = contact.tangentImpulse = {};
+}
+
+}  // namespace
+
+Vec2 middleOf(const Polygon& core) {
+    Vec2 sum;
+    for (const Vec2 vertex : core.points()) { sum += vertex; }
+    return (1 / static_cast<Real>(core.count)) * sum;
+}
+
+bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed) {
+    bool any = false;
+    for (const std::uint32_t i : renewed) {
+        Contact& contact = contacts[i];
+        if (!contact.ofChain) { continue; }
+        if (contact.passes) {
+            contact.passes = isStillInside(world, contact);
+        } else if (contact.manifold.count > 0) {
+            contact.passes = comesThrough(world, contact, contacts, renewed);
+        }
+        contact.wasSeen = true;
+        if (contact.passes) { takePoints(contact); }
+        any = any || contact.passes;
+    }
+    return any;
+}
+
+void listPassing(WorldState& world) {
+    for (const std::uint32_t i : world.lists.ground) {
+        const Contact& contact = world.contacts[i];
+        if (contact.passes) { world.chainPassers.push_back({contact.shapeA, contact.shapeB}); }
+    }
+}
+
+bool passesChain(const WorldState& world, std::uint32_t shape, std::uint32_t segment) {
+    const ChainPasser asked{.segment = segment, .shape = shape};
+    return std::find(world.chainPassers.begin(), world.chainPassers.end(), asked) != world.chainPassers.end();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
