@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -11,17 +12,17 @@ namespace swept {
 struct BodyId {
     std::uint32_t index = 0xFFFFFFFFu;
     std::uint32_t generation = 0;
-    constexpr bool operator==(const BodyId&) const = default;
+    constexpr auto operator<=>(const BodyId&) const = default;  ///< an order for sorted containers, no more
 };
 struct ShapeId {
     std::uint32_t index = 0xFFFFFFFFu;
     std::uint32_t generation = 0;
-    constexpr bool operator==(const ShapeId&) const = default;
+    constexpr auto operator<=>(const ShapeId&) const = default;  ///< an order for sorted containers, no more
 };
 struct JointId {
     std::uint32_t index = 0xFFFFFFFFu;
     std::uint32_t generation = 0;
-    constexpr bool operator==(const JointId&) const = default;
+    constexpr auto operator<=>(const JointId&) const = default;  ///< an order for sorted containers, no more
 };
 
 /// What `std::hash` of ids does, for `std::unordered_map` and the like.

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "effort_budget.h"
 #include "joint_builder.h"
 #include "modes.h"
 #include "profile.h"
@@ -74,6 +75,12 @@ constexpr std::size_t kFetchedAhead = 12;
     __builtin_prefetch(&body.def.type);
     __builtin_prefetch(&body.def.linearDamping);
     fetchToWrite(world.motions[slot]);
+}
+
+/// As `jointSoftness` has it of iterated joints. A whole step has the sub-steps that it asks for.
+Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepPart& part) {
+    if (!(part.length < part.dt)) { return 0; }
+    return static_cast<Real>(part.dt) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
 }
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {
@@ -172,6 +179,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .bouncesInTurn = inTurn,
                                   .coarseImpacts = world.settings.profile == Profile::fast,
                                   .direct = scope,
+                                  .leastClosing = leastClosingOf(world, group, part),
                                   .patient = group.effort.isLarge,
                                   .takenBack = group.role == BodyRole::solved,
                                   .settled = group.effort.isSettled};

@@ -254,6 +254,27 @@ Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
     return Status::success();
 }
 
+Status World::driveTo(BodyId id, DVec2 position, double angle, double dt) {
+    const WorldState& world = *state_;
+    const Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (body->def.type != BodyType::kinematic) { return {StatusCode::wrongBodyType, "body"}; }
+    for (const Status& status :
+         {checkNumber(position, "position"), checkNumber(angle, "angle"), checkNumber(dt, "dt")}) {
+        if (!status.ok()) { return status; }
+    }
+    if (!(dt > 0)) { return {StatusCode::notPositive, "dt"}; }
+    const BodyMotion& motion = world.motions[id.index];
+    const DVec2 velocity = (1 / dt) * (position - motion.pose.position);  // which is its centre, too
+    const double spin = (angle - motion.angle) / dt;
+    if (!isInRange(velocity)) { return {StatusCode::outOfRange, "position"}; }
+    if (!isInRange(spin)) { return {StatusCode::outOfRange, "angle"}; }
+    return setVelocity(id, toReal(velocity), static_cast<Real>(spin));
+}
+
+Status World::applyForce(BodyId id, Vec2 force) { return applyForce(id, force, centerOfMass(id)); }
+Status World::applyImpulse(BodyId id, Vec2 impulse) { return applyImpulse(id, impulse, centerOfMass(id)); }
+
 Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
     WorldState& world = *state_;
     Body* body = world.bodies.find(id);

@@ -16,7 +16,11 @@ constexpr DVec2 operator+(DVec2 a, DVec2 b) { return {a.x + b.x, a.y + b.y}; }
 constexpr DVec2 operator-(DVec2 a, DVec2 b) { return {a.x - b.x, a.y - b.y}; }
 constexpr DVec2 operator-(DVec2 a) { return {-a.x, -a.y}; }
 constexpr DVec2 operator*(double s, DVec2 a) { return {s * a.x, s * a.y}; }
+constexpr DVec2 operator*(DVec2 a, double s) { return s * a; }
+constexpr DVec2 operator/(DVec2 a, double s) { return {a.x / s, a.y / s}; }
 constexpr DVec2& operator+=(DVec2& a, DVec2 b) { return a = a + b; }
+constexpr DVec2& operator-=(DVec2& a, DVec2 b) { return a = a - b; }
+constexpr DVec2& operator*=(DVec2& a, double s) { return a = s * a; }
 constexpr double dot(DVec2 a, DVec2 b) { return a.x * b.x + a.y * b.y; }
 constexpr double cross(DVec2 a, DVec2 b) { return a.x * b.y - a.y * b.x; }
 inline double length(DVec2 a) { return std::sqrt(dot(a, a)); }

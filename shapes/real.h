@@ -7,6 +7,11 @@
 
 #include <limits>
 
+// Set by the targets swept2d::f32 and swept2d::f64: of both, the one would silently be taken for the other.
+#if defined(SWEPT_LINKS_F32) && defined(SWEPT_LINKS_F64)
+#error "linked with swept2d::f32 and with swept2d::f64: look at what its other dependencies link"
+#endif
+
 #if defined(SWEPT_F64)
 #define SWEPT_PRECISION f64
 #else

@@ -19,8 +19,11 @@ constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 constexpr Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
 constexpr Vec2 operator*(Real s, Vec2 a) { return {s * a.x, s * a.y}; }
+constexpr Vec2 operator*(Vec2 a, Real s) { return s * a; }
+constexpr Vec2 operator/(Vec2 a, Real s) { return {a.x / s, a.y / s}; }
 constexpr Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
 constexpr Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
+constexpr Vec2& operator*=(Vec2& a, Real s) { return a = s * a; }
 
 constexpr Real dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 constexpr Real cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }

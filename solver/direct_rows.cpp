@@ -22,8 +22,8 @@ constexpr Real kMostBendingTurn = Real(0.5);
 /// Adds rows of one joint after another.
 class RowWriter {
 public:
-    RowWriter(SolverBatch& batch, Real h, bool useBias, std::vector<DirectRow>& rows)
-        : batch_(batch), h_(h), useBias_(useBias), rows_(rows) {}
+    RowWriter(SolverBatch& batch, Real h, Real closing, bool useBias, std::vector<DirectRow>& rows)
+        : batch_(batch), h_(h), closing_(closing), useBias_(useBias), rows_(rows) {}
 
     void operator()(RevoluteConstraint& joint) {
         begin(joint);
@@ -35,7 +35,7 @@ public:
         const UnitAndLength offset = normalized(anchorOffset(joint, *a_, *b_));
         if (offset.length > 0) { joint.axis = offset.unit; }
         const Real aside = cross(joint.axis, anchorMotion(armA_));
-        const Real turn = offset.length > 0 ? notableTurn(aside / offset.length) : Real(0);
+        const Real turn = offset.length > 0 ? bendingTurn(aside / offset.length) : Real(0);
         const Real bend = dot(joint.axis, bend_) + Real(0.5) * aside * turn;
         const Real error = offset.length - joint.length;
         add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse);
@@ -72,6 +72,7 @@ private:
         }
     }
     static Real notableTurn(Real turn) { return std::fabs(turn) < kLeastTurn ? Real(0) : turn; }
+    static Real bendingTurn(Real turn) { return std::fabs(turn) > kMostBendingTurn ? Real(0) : notableTurn(turn); }
     /// What a turn does to an arm beyond the first order.
     static Vec2 bendOf(Real turn, Vec2 arm) {
         const Real half = Real(0.5) * square(turn);
@@ -123,12 +124,13 @@ private:
     }
     /// Bodies that were put far apart come together no faster than they may turn.
     Real rate(double error, double small) const {
-        if (error <= small) { return 1 / h_; }
-        return std::min(joint_->softness.biasRate, static_cast<Real>(small / error) / h_);
+        if (error <= small) { return 1 / closing_; }
+        return std::min(joint_->softness.biasRate, static_cast<Real>(small / error) / closing_);
     }
 
     SolverBatch& batch_;
     Real h_;
+    Real closing_;  ///< s
     bool useBias_;
     std::vector<DirectRow>& rows_;
     const JointConstraint* joint_ = nullptr;
@@ -142,8 +144,8 @@ private:
 
 }  // namespace
 
-void addJointRows(SolverBatch& batch, Real h, bool useBias, std::vector<DirectRow>& rows) {
-    RowWriter writer(batch, h, useBias, rows);
+void addJointRows(SolverBatch& batch, Real h, Real closing, bool useBias, std::vector<DirectRow>& rows) {
+    RowWriter writer(batch, h, closing, useBias, rows);
     forEachHeldKind(batch, [&writer](auto& joints) {
         for (auto& joint : joints) { writer(joint); }
     });

@@ -19,9 +19,10 @@ struct DirectRow {
 
 /// Rows that joints hold rigidly, kind by kind: points, angles, rods. Springs, motors and limits are not among them,
 /// nor gears, pulleys and motor joints: those are left to iteration.
+/// @param closing  s, at least h: within which errors are closed
 /// @param useBias  towards zero errors at the end of the sub-step; false: rest
 /// @pre the batch keeps its arrays while the rows are in use
-void addJointRows(SolverBatch& batch, Real h, bool useBias, std::vector<DirectRow>& rows);
+void addJointRows(SolverBatch& batch, Real h, Real closing, bool useBias, std::vector<DirectRow>& rows);
 
 /// Calls `visit` with the array of each kind of joint that may have such rows.
 template <class Batch, class Visit>

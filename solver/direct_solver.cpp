@@ -187,7 +187,7 @@ double DirectSolver::excessOf(const SolverBatch& batch, const DirectRow& held) c
 
 void DirectSolver::gatherJoints(SolverBatch& batch, Real h, bool useBias, bool atRest) {
     jointRows_.clear();
-    addJointRows(batch, h, useBias, jointRows_);
+    addJointRows(batch, h, std::max(h, leastClosing_), useBias, jointRows_);
     joints_.clear();
     for (const DirectRow& held : jointRows_) {
         Row row = rowOf(batch, held);

@@ -42,6 +42,9 @@ public:
     /// @return false when there is nothing to do, or the system is too tangled to pay
     bool prepare(SolverBatch& batch, DirectScope scope, bool isPatient = false, bool isTakenBack = false);
 
+    /// Of sub-steps to come: errors of joints are closed within so long, s, or one of them, whichever is longer.
+    void setLeastClosing(Real seconds) { leastClosing_ = seconds; }
+
     /// Changes velocities and impulses. Contacts come with the impulses expected, not yet applied; joints with theirs
     /// applied.
     /// @param useBias  as in the kernels of the constraints
@@ -164,6 +167,7 @@ private:
     bool isPatient_ = false;
     bool isTakenBack_ = false;
     bool hasGivenUp_ = false;  ///< in this step
+    Real leastClosing_ = 0;    ///< s
     std::vector<std::uint32_t> nodeOf_;  ///< by slot
     std::vector<Node> nodes_;
     IslandFinder islands_;         ///< of nodes

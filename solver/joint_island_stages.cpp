@@ -42,9 +42,16 @@ void JointIsland::drive(double part) {
     }
 }
 
-/// Starts a stage from the forces of the sub-step before.
+/// Starts a stage from the forces of the sub-step before; in loops from none. Rows there may depend on each other, and
+/// forces that cancel each other would be kept from stage to stage, and grow (two pins on one face: to 10⁹ N).
 void JointIsland::pushForces(double time) {
     for (IslandBody& body : bodies_) { body.given = body.turned = 0; }
+    if (!isTree_) {
+        for (IslandHold& hold : holds_) {
+            for (IslandHold::Row& row : hold.rows) { row.impulse = 0; }
+        }
+        return;
+    }
     for (IslandHold& hold : holds_) {
         for (std::size_t i = 0; i < hold.count; ++i) {
             IslandHold::Row& row = hold.rows[i];

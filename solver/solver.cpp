@@ -318,6 +318,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     move_ = settings.wide ? motionKernel() : nullptr;
     if (move_ == nullptr) { move_ = moveBodies; }
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
+    direct_.setLeastClosing(settings.leastClosing);
     report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct, settings.patient, settings.takenBack);
     if (report.isDirect) {
         makeContactsRigid(batch, settings.direct);

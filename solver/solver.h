@@ -38,6 +38,9 @@ struct SolverSettings {
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
     /// then those of half a sub-step: one half before its motion and one after.
     DirectScope direct = DirectScope::none;
+    /// Joints that are solved so close their errors within so long, s, at least: what shorter sub-steps leave of that
+    /// speed would be energy. 0: within a sub-step.
+    Real leastClosing = 0;
     bool patient = false;    ///< of what is solved all at once: many bodies, more rounds
     bool takenBack = false;  ///< likewise: the step will be, if it is searched in vain
     /// All is at rest, with the right impulses: contacts hold what they have, without springs, in one sub-step.

@@ -30,6 +30,45 @@ TEST(Calls, VelocityOfAPoint) {
     EXPECT_EQ(world.velocityAt({}, {2, 5}), Vec2{});
 }
 
+/// A lift that is told each step where to be.
+TEST(Calls, KinematicBodiesAreDriven) {
+    World world = makeWorld();
+    const BodyId lift = addBody(world, bodyAt(BodyType::kinematic, {1000, 0}, 0.5), box(2, 0.25));
+    const BodyId rider = addBody(world, dynamicAt({1000, 1}), box(0.5, 0.5));
+    must(world.setPose(lift, {1000, 0}, 0));
+    for (int i = 1; i <= 120; ++i) {
+        const DVec2 place{1000 + std::sin(0.02 * i), 1 - std::cos(0.02 * i)};
+        must(world.driveTo(lift, place, 1e-3 * i, kStep));
+        must(world.step(kStep));
+        ASSERT_NEAR(world.position(lift).x, place.x, 1e-7) << i;
+        ASSERT_NEAR(world.position(lift).y, place.y, 1e-7) << i;
+        ASSERT_NEAR(world.angle(lift), 1e-3 * i, 1e-7) << i;
+    }
+    EXPECT_NEAR(world.position(rider).y - world.position(lift).y, 0.75, 0.1);
+    EXPECT_EQ(world.driveTo(rider, {}, 0, kStep).code, StatusCode::wrongBodyType);
+    EXPECT_EQ(world.driveTo({}, {}, 0, kStep).code, StatusCode::staleId);
+    EXPECT_EQ(world.driveTo(lift, {}, 0, 0).code, StatusCode::notPositive);
+    EXPECT_EQ(world.driveTo(lift, {0, std::nan("")}, 0, kStep).code, StatusCode::notFinite);
+    const double far = 0.75 * std::sqrt(static_cast<double>(std::numeric_limits<Real>::max()));
+    EXPECT_EQ(world.driveTo(lift, {far / 4, 0}, 0, 1e-3).code, StatusCode::outOfRange);
+    EXPECT_EQ(world.driveTo(lift, {1000, 0}, far / 4, 1e-3).code, StatusCode::outOfRange);
+}
+
+TEST(Calls, ForcesAndImpulsesAtTheCentre) {
+    World world = makeWorld(0);
+    const BodyId body = must(world.createBody(dynamicAt({3, 4})));
+    must(world.addShape(body, box(1, 1), material(0)));
+    must(world.addShape(body, must(makeCircle(vec(2, 0), 1)), material(0)));
+    must(world.applyImpulse(body, vec(world.mass(body), 0)));
+    EXPECT_NEAR(static_cast<double>(world.velocity(body).x), 1, 1e-6);
+    must(world.applyForce(body, vec(0, 60 * world.mass(body))));
+    must(world.step(kStep));
+    EXPECT_NEAR(static_cast<double>(world.velocity(body).y), 1, 1e-6);
+    EXPECT_EQ(world.angularVelocity(body), 0);
+    EXPECT_EQ(world.applyForce({}, vec(1, 0)).code, StatusCode::staleId);
+    EXPECT_EQ(world.applyImpulse(addStatic(world, box(1, 1)), vec(1, 0)).code, StatusCode::wrongBodyType);
+}
+
 TEST(Calls, AngularImpulse) {
     World world = makeWorld(0);
     const BodyId body = addBody(world, dynamicAt({}), box(1, 1));
