@@ -21,9 +21,13 @@ bool isOfSensor(const ContactEvent& e) {
     return e.type == ContactEventType::sensorBegin || e.type == ContactEventType::sensorEnd;
 }
 
-/// In the place of an event: the kind of a touch.
-constexpr std::uint32_t kOfSolid = 0;
-constexpr std::uint32_t kOfSensor = 1;
+/// In the place of an event: the kind of a touch. Of a sensor (A) which of the two it is: they may change parts.
+enum TouchKind : std::uint32_t { kOfSolid, kOfLowerSensor, kOfHigherSensor };
+
+TouchKind touchKind(bool isOfSensor, std::uint32_t shapeA, std::uint32_t shapeB) {
+    if (!isOfSensor) { return kOfSolid; }
+    return shapeA < shapeB ? kOfLowerSensor : kOfHigherSensor;
+}
 
 /// Slots of the shapes, the lower one first: with another type of a body either may be A.
 std::pair<std::uint32_t, std::uint32_t> slotsOf(const ContactEvent& e) {
@@ -83,7 +87,7 @@ void listChainTouches(WorldState& world, int bits) {
         const std::uint32_t a = headOf(contact.shapeA);
         const std::uint32_t b = headOf(contact.shapeB);
         if ((isNamed[a] & isNamed[b]) != 0) {
-            touches.push_back({keyOfShapes(a, b, bits), contact.sensor ? kOfSensor : kOfSolid});
+            touches.push_back({keyOfShapes(a, b, bits), touchKind(contact.sensor, a, b)});
         }
     }
     name(0);
@@ -94,10 +98,11 @@ void listChainTouches(WorldState& world, int bits) {
 std::ptrdiff_t touchesNow(const WorldState& world, const EventPlace& place, std::span<const EventPlace> touches) {
     const ContactEvent& e = world.contactEvents[place.index];
     if (!world.shapes.isValid(e.shapeA) || !world.shapes.isValid(e.shapeB)) { return 0; }
+    const TouchKind kind = touchKind(isOfSensor(e), e.shapeA.index, e.shapeB.index);
     std::ptrdiff_t count = 0;
     for (const EventPlace& touch : touches) {
         if (touch.key != place.key) { break; }
-        count += touch.index == (isOfSensor(e) ? kOfSensor : kOfSolid) ? 1 : 0;
+        count += touch.index == kind ? 1 : 0;
     }
     return count;
 }
