@@ -258,6 +258,22 @@ TEST(Inspect, FindsTunnellingWhereNothingIsSwept) {
     EXPECT_EQ(countOf(inspectScene(scene), "tunnelling", "/bodies/1"), 0);
 }
 
+TEST(Inspect, FindsChainsTheWrongWayRound) {
+    SceneDescription scene = soundScene();
+    scene.bodies[0].shapes = {build::chain({{-10, 0.5}, {0, 0.4}, {10, 0.5}})};
+    scene.bodies[1].position.y = 3;
+    expectOnly(scene, "chain-back", "/bodies/0/shapes/0");
+    scene.bodies[0].shapes = {build::chain({{10, 0.5}, {0, 0.4}, {-10, 0.5}})};
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    // A platform from whose back one falls onto the ground.
+    scene.bodies[0].shapes.push_back(build::chain({{-3, 1.5}, {3, 1.5}}));
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    scene.bodies[0].shapes.erase(scene.bodies[0].shapes.begin());
+    expectOnly(scene, "chain-back", "/bodies/0/shapes/0");
+    scene.bodies[1].position.x = 4;  // beside it
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+}
+
 TEST(Inspect, FindsEdgesThatSinglePrecisionLoses) {
     SceneDescription scene = soundScene();
     scene.bodies[1].shapes = {

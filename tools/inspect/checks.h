@@ -15,6 +15,8 @@ namespace swept {
 void checkBodies(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Bodies that touch or overlap at the start, and the ground under them.
 void checkPairs(const PlacedScene& placed, std::vector<Finding>& findings);
+/// Chains that are the wrong way round for what is above them.
+void checkChains(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Joints: masses, what they ask for at the start, what cannot be met.
 void checkJoints(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Which features the scene can reach.

@@ -11,6 +11,7 @@ Inspection inspectScene(const SceneDescription& scene) {
     Inspection inspection;
     checkBodies(placed, inspection.findings);
     checkPairs(placed, inspection.findings);
+    checkChains(placed, inspection.findings);
     checkJoints(placed, inspection.findings);
     std::stable_sort(inspection.findings.begin(), inspection.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
