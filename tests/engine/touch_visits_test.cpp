@@ -171,5 +171,30 @@ TEST(TouchVisits, OfWhatIsGoneOrNoSensorAreNone) {
     chamber.world.visitOverlaps(chamber.sensors[0], [](ShapeId) { FAIL(); });
 }
 
+/// Present touches in the new parts kept the touch in the old ones from ending.
+TEST(TouchVisits, ASensorAndAChainThatChangePartsEndTheOldTouch) {
+    for (const bool sensorFirst : {false, true}) {
+        World world = makeWorld(0);
+        ShapeDef sensor;
+        sensor.sensor = true;
+        const ShapeId first = must(world.addShape(must(world.createBody({})), box(1, 1), sensor));
+        const std::array points{vec(0.5, 0), vec(0, 0.1), vec(-0.5, 0)};
+        const ShapeId chain =
+            must(world.addChain(must(world.createBody(bodyAt(BodyType::kinematic, {}))), points, false, {}));
+        must(world.step(kStep));
+        ASSERT_EQ(world.contactEvents().size(), 1U);
+        must(world.redefine(sensorFirst ? first : chain, sensorFirst ? ShapeDef{} : sensor));
+        must(world.redefine(sensorFirst ? chain : first, sensorFirst ? sensor : ShapeDef{}));
+        must(world.step(kStep));
+        int ends = 0;
+        for (const ContactEvent& event : world.contactEvents()) {
+            const bool isOld = event.shapeA == first && event.shapeB == chain;
+            ends += isOld && event.type == ContactEventType::sensorEnd ? 1 : 0;
+            EXPECT_EQ(isOld, event.type == ContactEventType::sensorEnd);
+        }
+        EXPECT_EQ(ends, 1) << sensorFirst;
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
