@@ -93,15 +93,15 @@ public:
     /// (rad) in a step of `dt` seconds; they stay until others are given. Errors: `wrongBodyType` of others;
     /// `notPositive` dt; `outOfRange` with "position" or "angle" where that is farther than a body may be fast.
     Status driveTo(BodyId id, DVec2 position, double angle, double dt);
-    // The calls below, up to impulses, are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange` when the sum of
-    // the forces or the new velocity is beyond that range.
+    // The calls below, up to impulses, are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange`
+    // when the sum of the forces or the new velocity is beyond that range.
     /// N at `point` (world), for the next step only, with what was applied before; wakes the body.
     Status applyForce(BodyId id, Vec2 force, DVec2 point);
     Status applyForce(BodyId id, Vec2 force);    ///< likewise, at the centre of mass
     Status applyTorque(BodyId id, Real torque);  ///< N·m, counter-clockwise; likewise
     /// N·s at `point` (world), at once; wakes the body.
     Status applyImpulse(BodyId id, Vec2 impulse, DVec2 point);
-    Status applyImpulse(BodyId id, Vec2 impulse);               ///< likewise, at the centre of mass
+    Status applyImpulse(BodyId id, Vec2 impulse);         ///< likewise, at the centre of mass
     Status applyAngularImpulse(BodyId id, Real impulse);  ///< N·m·s, counter-clockwise; likewise
     /// Wakes it and all that fell asleep with it, or puts it alone to sleep: at rest, forces applied to it forgotten.
     Status setAwake(BodyId id, bool awake);
