@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "profile.h"
+#include "step_change.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -193,7 +194,7 @@ struct ConstraintFiller {
         constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
         constraint.centerOffset = centerOffset(world, joint);
         const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
-        constraint.softness = jointSoftness(world.settings, world.bodies[moving].effort, h, dt);
+        constraint.softness = jointSoftness(world, world.bodies[moving].effort, h, dt);
         (*this)(constraint, part.def);
     }
 };
@@ -292,10 +293,8 @@ void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt) {
     takeReaction(joint, constraint.total, dt);
 }
 
-/// In sub-steps shorter than the usual ones errors are mended no faster: what relaxation leaves of it would be energy.
-Softness jointSoftness(const WorldSettings& settings, Effort effort, Real h, Real dt) {
-    const Real usual = dt / static_cast<Real>(standardSubSteps(settings, effort));
-    return softnessOfSubStep(kJointCycles, kJointDampingRatio, std::max(h, usual));
+Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt) {
+    return softnessOfStep(world, effort, kJointCycles, kJointDampingRatio, h, dt);
 }
 
 void forgetImpulses(Joint& joint) {

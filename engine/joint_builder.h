@@ -13,7 +13,7 @@ RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source
 FreedomParts hingeParts(const Joint& joint, Real h);
 
 /// Of what joints hold. @param effort  of the bodies
-Softness jointSoftness(const WorldSettings& settings, Effort effort, Real h, Real dt);
+Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt);
 
 /// What a solve found. @param dt  that was solved
 void takeReaction(Joint& joint, const JointReaction& total, Real dt);

@@ -77,10 +77,11 @@ constexpr std::size_t kFetchedAhead = 12;
     fetchToWrite(world.motions[slot]);
 }
 
-/// As `jointSoftness` has it of iterated joints. A whole step has the sub-steps that it asks for.
+/// As `jointSoftness` has it of iterated joints. A whole step, after one as long, has the sub-steps that it asks for.
 Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepPart& part) {
-    if (!(part.length < part.dt)) { return 0; }
-    return static_cast<Real>(part.dt) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
+    const double closing = std::max(part.dt, world.closingTime);
+    if (!(part.length < closing)) { return 0; }
+    return static_cast<Real>(closing) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
 }
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {

@@ -10,15 +10,11 @@
 #include "hit_event.h"
 #include "modes.h"
 #include "profile.h"
+#include "step_change.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-Softness softnessFor(const WorldState& world, const TiedGroup& group, Real dt, Real h) {
-    const Real usual = dt / static_cast<Real>(standardSubSteps(world.settings, group.effort));
-    return softnessOfSubStep(kContactCycles, kContactDampingRatio, std::max(h, usual));
-}
 
 /// Contacts that are fetched from memory ahead of time: before a solve, and after it, which has displaced
 /// them.
@@ -62,8 +58,9 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       part_(part),
       scale_(scale),
       dt_(static_cast<Real>(part.dt)),
+      closingTime_(static_cast<Real>(std::max(part.dt, world.closingTime))),
       hitThreshold_(length(world.settings.gravity) * dt_),
-      softness_(softnessFor(world, group, dt_, h)) {}
+      softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
 
 /// Of all contacts with points of which the group moves a body, in their order, and whether they bounce.
 template <class Visit>
@@ -97,7 +94,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     ContactConstraint constraint =
         constraintOf(contact.manifold, world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
                      world_.motions[contact.bodyB], contact.friction, contact.restitution,
-                     pushRatioOf(world_.settings) * contact.extent / dt_);
+                     pushRatioOf(world_.settings) * contact.extent / closingTime_);
     constraint.slotA = link.slotA;
     constraint.slotB = link.slotB;
     constraint.softness = softness_;
@@ -151,7 +148,7 @@ void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links link
     const SolverBodies bodies{group_.desk.batch.states, group_.desk.batch.inertias};
     const ContactTerms terms{.scale = scale_,
                              .pushRatio = pushRatioOf(world_.settings),
-                             .dt = dt_,
+                             .closingTime = closingTime_,
                              .bounceSpeed = bounceSpeed_,
                              .softness = softness_,
                              .settled = group_.effort.isSettled};

@@ -32,7 +32,7 @@ TiedHinges::TiedHinges(WorldState& world, const TiedGroup& group, Real h, Real d
       h_(h),
       dt_(dt),
       length_(length),
-      softness_(jointSoftness(world.settings, group.effort, h, dt)) {}
+      softness_(jointSoftness(world, group.effort, h, dt)) {}
 
 void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
     SolverBatch& batch = desk_.batch;

@@ -10,6 +10,7 @@
 #include "number_range.h"
 #include "shared_step.h"
 #include "step.h"
+#include "step_change.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -91,15 +92,6 @@ void clearForces(WorldState& world) {
     }
 }
 
-/// What is held was in balance with the other step, and boxes that were made for a shorter one do not reach far enough.
-void changeStep(WorldState& world, double dt) {
-    releaseAllHeld(world);
-    const bool isLonger = dt > world.lastDt;  // the first of all is, too: no box knew it
-    world.lastDt = dt;
-    if (!isLonger) { return; }
-    for (const std::uint32_t slot : world.awake) { reachWithVelocity(world, slot); }
-}
-
 /// Of more than one slot in so many it is faster to go through all of them in order.
 constexpr std::size_t kFewShare = 64;
 
@@ -138,6 +130,7 @@ void advance(WorldState& world, double dt) {
     closeUpPairs(world);
     if (!world.unmeasured.empty()) { measureAnew(world); }
     if (dt != world.lastDt) { changeStep(world, dt); }
+    world.closingTime = closingTimeOf(world, dt);
     StageClock clock(world.settings.measureStageTimes);
     world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
     if (world.watched) {

@@ -251,6 +251,7 @@ struct WorldState : Workers {
     StageTimes stageTimes;
     bool forcesGiven = false;        ///< since the last step: some body has a force or a torque for the next one
     double lastDt = 0;               ///< of the last step, s; predicts how far boxes must reach
+    double closingTime = 0;          ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 

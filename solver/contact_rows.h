@@ -30,8 +30,8 @@ struct alignas(kBlockBytes) ContactSources {
 /// What all contacts of a solve have in common.
 struct ContactTerms {
     Real scale = 1;      ///< of the impulses that are kept
-    Real pushRatio = 0;  ///< overlap of this part of its extent is pushed out in `dt`, at most
-    Real dt = 0;         ///< s
+    Real pushRatio = 0;    ///< overlap of this part of its extent is pushed out in `closingTime`, at most
+    Real closingTime = 0;  ///< s
     Real bounceSpeed = std::numeric_limits<Real>::infinity();  ///< of those with more than `kLivelyRestitution`, m/s
     Softness softness{};
     bool settled = false;  ///< `SolverSettings::settled`

@@ -27,9 +27,14 @@ constexpr Softness softnessOf(Real angularFrequency, Real dampingRatio, Real h) 
 /// Stiffness that follows the sub-step rate: `cycles` oscillations a sub-step, at most a quarter, the stiffest spring
 /// that one sub-step still samples well. The error of resting scenes then falls with the square of the number of
 /// sub-steps.
-constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
+/// @param closing  s, at least h: the sub-step whose rate it follows
+/// @param h        of the sub-step in which it acts, s
+constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real closing, Real h) {
     constexpr Real kTwoPi = static_cast<Real>(6.283185307179586);
-    return softnessOf(kTwoPi * cycles / h, dampingRatio, h);
+    return softnessOf(kTwoPi * cycles / closing, dampingRatio, h);
+}
+constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
+    return softnessOfSubStep(cycles, dampingRatio, h, h);
 }
 
 /// How far such a spring gives way at rest, metres.

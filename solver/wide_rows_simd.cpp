@@ -155,7 +155,7 @@ HWY_INLINE void fillGroup(WideContact<kPoints>& block, std::size_t begin, Contac
     put(surface.z, block.radiusA, begin);
     put(surface.w, block.radiusB, begin);
     const Lanes furthest = hn::Mul(hn::Set(tag, terms.pushRatio), at(from.extent));
-    put(hn::Div(furthest, hn::Set(tag, terms.dt)), block.maxPushSpeed, begin);
+    put(hn::Div(furthest, hn::Set(tag, terms.closingTime)), block.maxPushSpeed, begin);
     const LaneMask isLively = hn::Gt(surface.y, hn::Set(tag, kLivelyRestitution));
     const Lanes never = hn::Set(tag, std::numeric_limits<Real>::infinity());
     put(hn::IfThenElse(isLively, hn::Set(tag, terms.bounceSpeed), never), block.bounceSpeed, begin);

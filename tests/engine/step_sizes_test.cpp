@@ -1,3 +1,4 @@
+#include "../support/random.h"
 #include "extreme_scenes.h"
 
 /// Steps from 1 Hz to 10 kHz, and steps that vary: all stays finite and in its place, and no energy is made.
@@ -83,6 +84,67 @@ TEST(StepSizes, StacksRestInStepsOfSeconds) {
         const std::string name = "steps of " + std::to_string(dt) + " s, ";
         expectAtMost(name + "sag", tower.sag(1), 1e-5);
         expectAtMost(name + "drift", tower.drift(), 1e-5);
+    }
+}
+
+/// Boxes of many sizes that were dropped between two walls, each of those that are hinged to the one beside it, and lie.
+struct Heap {
+    World world = makeWorld();
+    std::vector<BodyId> boxes;
+
+    Heap(Profile profile, bool hinged, std::uint64_t seed) {
+        WorldSettings settings = world.settings();
+        settings.profile = profile;
+        settings.sleep = false;
+        must(world.configure(settings));
+        BodyId before = addStatic(world, box(20, 0.5));
+        for (const double side : {-3.5, 3.5}) { addStatic(world, box(0.5, 20), {}, {side, 20}); }
+        Random random(seed);
+        for (int i = 0; i < 25; ++i) {
+            const bool isFirst = i % 5 == 0;
+            const double x = 1.2 * (i % 5) - 2.4;
+            const double y = 1.2 * std::floor(i / 5) + 1.2;
+            BodyDef def = dynamicAt({x + random.range(-0.05, 0.05), y});
+            def.angle = random.range(-0.3, 0.3);
+            const BodyId next =
+                addBody(world, def, box(random.range(0.3, 0.5), random.range(0.3, 0.5)), material(0.6));
+            if (hinged && !isFirst) {
+                RevoluteJointDef hinge;
+                hinge.base.bodyA = before;
+                hinge.base.bodyB = next;
+                hinge.anchor = {x - 0.6, y};
+                must(world.createJoint(hinge));
+            }
+            boxes.push_back(before = next);
+        }
+        for (int i = 0; i < 300; ++i) { must(world.step(kStep)); }
+    }
+    double energy() const { return energyOf(world, boxes, kGravity); }
+};
+
+/// Overlaps that are held by steps of one length are not pushed out within a few that are shorter, or now and then are.
+/// What remains is their slow way to the smaller ones of shorter steps: wedged by hinges, heaps rise by it.
+TEST(StepSizes, ShorterThanTheOnesBefore) {
+    Random random(20261125);
+    std::vector<double> mixed;
+    for (int i = 0; i < 97; ++i) { mixed.push_back(std::exp(random.range(std::log(1e-5), std::log(1.0 / 30)))); }
+    const std::vector<std::vector<double>> rows = {{1e-3}, {1e-4}, {1e-5}, {kStep, 1e-4}, mixed};
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const bool hinged : {false, true}) {
+            for (std::size_t row = 0; row < rows.size(); ++row) {
+                const std::uint64_t seed = row + 1;
+                Heap heap(profile, hinged, seed);
+                const double start = heap.energy();
+                double most = 0;
+                for (std::size_t i = 0; i < 400; ++i) {
+                    must(heap.world.step(rows[row][i % rows[row].size()]));
+                    most = std::max(most, heap.energy() / start - 1);
+                }
+                expectAtMost("steps " + std::to_string(row) + (hinged ? ", hinged" : "") + " seed " +
+                                 std::to_string(seed) + ", energy gained",
+                             most, 0.01);
+            }
+        }
     }
 }
 

@@ -38,7 +38,7 @@ struct FilledBlock {
         }
         terms = {.scale = seed % 3 == 0 ? Real(0.75) : Real(1),
                  .pushRatio = Real(1) / 16,
-                 .dt = number(0.01, 0.02),
+                 .closingTime = number(0.01, 0.02),
                  .bounceSpeed = number(0.1, 1),
                  .softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, Real(0.004)),
                  .settled = seed % 4 == 0};
@@ -96,7 +96,7 @@ struct FilledBlock {
         contact.normal = rotate(rotation, row.manifold.normal);
         contact.friction = row.friction;
         contact.restitution = row.restitution;
-        contact.maxPushSpeed = terms.pushRatio * row.extent / terms.dt;
+        contact.maxPushSpeed = terms.pushRatio * row.extent / terms.closingTime;
         contact.radiusA = row.radiusA;
         contact.radiusB = row.radiusB;
         if (row.restitution > kLivelyRestitution) { contact.bounceSpeed = terms.bounceSpeed; }
