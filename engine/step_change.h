@@ -6,7 +6,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// As a step of another length than the last one begins: what is held takes part again, boxes reach as far as the step
-/// asks, and impulses become those of its sub-steps.
+/// asks, and impulses of contacts become those of its sub-steps.
 void changeStep(WorldState& world, double dt);
 
 /// Of a step: errors go on being closed at nearly the pace of longer ones before it.

@@ -29,7 +29,7 @@ struct alignas(kBlockBytes) ContactSources {
 
 /// What all contacts of a solve have in common.
 struct ContactTerms {
-    Real scale = 1;      ///< of the impulses that are kept
+    Real scale = 1;        ///< of the impulses that are kept
     Real pushRatio = 0;    ///< overlap of this part of its extent is pushed out in `closingTime`, at most
     Real closingTime = 0;  ///< s
     Real bounceSpeed = std::numeric_limits<Real>::infinity();  ///< of those with more than `kLivelyRestitution`, m/s

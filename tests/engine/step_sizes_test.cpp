@@ -87,7 +87,8 @@ TEST(StepSizes, StacksRestInStepsOfSeconds) {
     }
 }
 
-/// Boxes of many sizes that were dropped between two walls, each of those that are hinged to the one beside it, and lie.
+/// Boxes of many sizes that were dropped between two walls, each of those that are hinged to the one beside it, and
+/// lie.
 struct Heap {
     World world = makeWorld();
     std::vector<BodyId> boxes;
@@ -106,8 +107,7 @@ struct Heap {
             const double y = 1.2 * std::floor(i / 5) + 1.2;
             BodyDef def = dynamicAt({x + random.range(-0.05, 0.05), y});
             def.angle = random.range(-0.3, 0.3);
-            const BodyId next =
-                addBody(world, def, box(random.range(0.3, 0.5), random.range(0.3, 0.5)), material(0.6));
+            const BodyId next = addBody(world, def, box(random.range(0.3, 0.5), random.range(0.3, 0.5)), material(0.6));
             if (hinged && !isFirst) {
                 RevoluteJointDef hinge;
                 hinge.base.bodyA = before;
