@@ -1,6 +1,7 @@
 #include "chain_passage.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "ghosts.h"
 #include "tolerances.h"
@@ -42,16 +43,18 @@ OnChain othersOf(const WorldState& world, const Contact& contact, std::span<cons
     return others;
 }
 
+/// @param anyPasses  whether one of the renewed does; if not, the others need not be asked
 /// @pre it has points
 bool comesThrough(const WorldState& world, const Contact& contact, std::span<const Contact> contacts,
-                  std::span<const std::uint32_t> renewed) {
+                  std::span<const std::uint32_t> renewed, FunctionRef<bool()> anyPasses) {
     if (contact.touching || !(deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent)) { return false; }
+    // A contact that is new was put there, and what was put into the ground comes out of it.
+    const bool wasBehind =
+        contact.wasSeen && isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+    if (!wasBehind && !anyPasses()) { return false; }
     const OnChain others = othersOf(world, contact, contacts, renewed);
     if (others.stands) { return false; }  // it goes over a corner
-    if (others.passes) { return true; }   // and gets to the next segment while it does
-    // A contact that is new was put there, and what was put into the ground comes out of it.
-    return contact.wasSeen &&
-           isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+    return wasBehind || others.passes;    // or gets to the next segment while it passes
 }
 
 /// Of one that came through: whether it is neither out of the chain nor behind it again.
@@ -80,13 +83,21 @@ Vec2 middleOf(const Polygon& core) {
 
 bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed) {
     bool any = false;
+    std::optional<bool> passed;  // any in the last step: as good as never asked
+    const auto anyPasses = [&] {
+        if (!passed) {
+            passed =
+                std::any_of(renewed.begin(), renewed.end(), [contacts](std::uint32_t i) { return contacts[i].passes; });
+        }
+        return any || *passed;
+    };
     for (const std::uint32_t i : renewed) {
         Contact& contact = contacts[i];
         if (!contact.ofChain) { continue; }
         if (contact.passes) {
             contact.passes = isStillInside(world, contact);
         } else if (contact.manifold.count > 0) {
-            contact.passes = comesThrough(world, contact, contacts, renewed);
+            contact.passes = comesThrough(world, contact, contacts, renewed, anyPasses);
         }
         contact.wasSeen = true;
         if (contact.passes) { takePoints(contact); }
