@@ -118,16 +118,25 @@ void dropPairs(WorldState& world, std::span<const ContactPair> pairs) {
 
 namespace {
 
-/// Room per shape, as much as heaps of boxes need: contacts are not moved as a heap thickens, which takes as long as
-/// ten steps where pages are dear to get. (What is not used of it takes addresses alone.)
+/// Room per shape that moves, as much as heaps of boxes need: contacts are not moved as a heap thickens, which takes as
+/// long as ten steps where pages are dear to get. (What is not used of it takes addresses alone.)
 constexpr std::size_t kContactsPerShape = 12;
+
+/// Those of bodies that forces move.
+std::size_t countMovingShapes(const WorldState& world) {
+    std::size_t count = 0;
+    for (std::uint32_t slot = 0; slot < world.shapes.slotCount(); ++slot) {
+        count += world.shapes.isAlive(slot) && world.bodies[world.shapes[slot].body].isDynamic() ? 1 : 0;
+    }
+    return count;
+}
 
 /// Makes room for contacts, which come last. @return place of the first of their probes
 std::size_t makeRoomForContacts(WorldState& world, std::size_t count) {
     const std::size_t first = world.probes.size();
     const std::size_t needed = world.contacts.size() + count;
     if (needed > world.contacts.capacity()) {
-        const std::size_t room = std::max(2 * needed, kContactsPerShape * world.shapes.size());
+        const std::size_t room = std::max(2 * needed, kContactsPerShape * countMovingShapes(world));
         world.contacts.reserve(room);
         world.probes.reserve(room);
     }
