@@ -28,8 +28,8 @@ bool limitSpeed(Vec2& velocity, Real maxSpeed) {
 /// who bounces together takes as long as all else, and what of it is left undone is lost. (Of 400 elastic disks that
 /// jostle each other 18 % of their energy was left after a second that way, and is 67 % in turn.)
 constexpr std::size_t kMostReflected = 256;
-/// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner), and in
-/// crowds a quarter of theirs.
+/// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner), and
+/// in crowds a quarter of theirs.
 constexpr std::size_t kMostReflectedOfCrowd = 24;
 /// Of no more that bounce together each is a constraint on its own, and all others take the short way into blocks: one
 /// bouncy ball in a pile took everybody off it before. More of them are solved in blocks themselves.
@@ -79,9 +79,8 @@ constexpr std::size_t kFetchedAhead = 12;
 
 /// As `jointSoftness` has it of iterated joints. A whole step, after one as long, has the sub-steps that it asks for.
 Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepPart& part) {
-    const double closing = std::max(part.dt, world.closingTime);
-    if (!(part.length < closing)) { return 0; }
-    return static_cast<Real>(closing) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
+    if (!(part.length < world.closingTime)) { return 0; }
+    return static_cast<Real>(world.closingTime) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
 }
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {

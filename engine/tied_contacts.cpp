@@ -58,7 +58,7 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       part_(part),
       scale_(scale),
       dt_(static_cast<Real>(part.dt)),
-      closingTime_(static_cast<Real>(std::max(part.dt, world.closingTime))),
+      closingTime_(static_cast<Real>(world.closingTime)),
       hitThreshold_(length(world.settings.gravity) * dt_),
       softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
 

@@ -59,7 +59,7 @@ private:
     ShortLock hitting_;  ///< held by who adds to `SolveDesk::events`
     Real scale_;
     Real dt_;
-    Real closingTime_;                                          ///< s, no less: within it overlaps are pushed out
+    Real closingTime_;                                          ///< s, that or more: within it overlaps are pushed out
     Real hitThreshold_;                                         ///< approach speed of what only rests, m/s
     Real bounceSpeed_ = std::numeric_limits<Real>::infinity();  ///< of links with restitution, m/s
     Softness softness_;

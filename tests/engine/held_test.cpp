@@ -176,12 +176,9 @@ TEST(Held, StaysWhenTheStepChanges) {
             EXPECT_TRUE(pile.isHeld()) << share;
             EXPECT_EQ(pile.moveSince(before), 0) << share;
             double carried = 0;
-            double weight = 0;
-            for (const BodyId id : pile.boxes) { weight += kGravity * static_cast<double>(pile.world.mass(id)); }
-            pile.world.visitContacts(pile.ground, [&carried](const ContactView& contact) {
-                carried += static_cast<double>(contact.impulse);
-            });
-            EXPECT_NEAR(carried / (share * kStep * weight), 1, 0.01) << share;
+            pile.world.visitContacts(pile.ground,
+                                     [&](const ContactView& c) { carried += static_cast<double>(c.impulse); });
+            EXPECT_NEAR(carried / (share * kStep * 10 * kGravity), 1, 0.01) << share;  // ten boxes of 1 kg
         }
     }
 }
