@@ -35,6 +35,25 @@ std::uint32_t leftOver(std::uint32_t contacts) { return contacts % kLanes < kFew
 std::size_t pointsInBlock(const ContactLink& link) { return link.pointsInBlock(); }
 std::size_t pointsInBlock(const ContactConstraint& contact) { return static_cast<std::size_t>(contact.count); }
 
+/// Of contacts of a colour, with as many points: the blocks that they make.
+std::uint32_t blocksFor(std::uint32_t contacts) {
+    return contacts / kLanes + (contacts % kLanes < kFewestLanes ? 0 : 1);
+}
+
+/// Where there are not enough blocks, room is made for this many times as many. What is not used takes addresses alone.
+constexpr std::size_t kRoomRatio = 4;
+
+/// Nothing in the blocks is needed any more: they do not grow one by one, which would carry it along each time.
+template <class Block>
+void makeRoom(std::vector<Block>& blocks, std::size_t needed) {
+    if (needed <= blocks.size()) { return; }
+    if (needed > blocks.capacity()) {
+        blocks.clear();
+        blocks.reserve(kRoomRatio * needed);
+    }
+    blocks.resize(needed);
+}
+
 /// Visits each contact of blocks in the batch with its block and lane.
 /// @param places  of the lanes of the blocks
 template <class Block, class Contacts, class Visit>
@@ -48,13 +67,12 @@ void forEachLane(std::span<Block> blocks, std::span<const std::uint32_t> places,
 
 }  // namespace
 
-/// Empty blocks for contacts of one colour, all but the one that may be left over.
+/// Empty blocks for contacts of one colour, all but the one that may be left over. @pre there are as many
 template <std::size_t kPoints>
 ColourRange ContactBlocks::reserve(std::uint32_t contacts, Blocks<kPoints>& blocks) {
     const std::uint32_t begin = blocks.count;
     while (contacts >= kFewestLanes) {
         const std::uint32_t lanes = std::min(contacts, kLanes);
-        if (blocks.count == blocks.blocks.size()) { blocks.blocks.emplace_back(); }
         emptyBlock(blocks.blocks[blocks.count++], lanes);
         contacts -= lanes;
     }
@@ -62,6 +80,14 @@ ColourRange ContactBlocks::reserve(std::uint32_t contacts, Blocks<kPoints>& bloc
 }
 
 void ContactBlocks::layOut(const ConstraintGraph& graph) {
+    KindCounts blocks{};
+    for (const int active : graph.activeColours()) {
+        if (!mayHaveBlocks(active)) { continue; }
+        const KindCounts& contacts = graph.pointCounts()[static_cast<std::size_t>(active)];
+        for (const Kind kind : {kOnePoint, kTwoPoints}) { blocks[kind] += blocksFor(contacts[kind]); }
+    }
+    makeRoom(one_.blocks, blocks[kOnePoint]);
+    makeRoom(two_.blocks, blocks[kTwoPoints]);
     one_.count = two_.count = 0;
     std::uint32_t rest = 0;
     for (const int active : graph.activeColours()) {
