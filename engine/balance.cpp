@@ -45,8 +45,8 @@ constexpr RestLimits kLargeDirectLimits{.speed = kDirectLimits.speed,
                                         .overlap = Real(1) / (1 << 12)};
 
 /// Impulses that were sought, instead of having come about, are no balance where the contact would push its bodies out:
-/// where it is so many times as deep as it gives way under them. (A box that was made 0.5 m deep in the ground, at rest,
-/// stayed there for ever.)
+/// where it is so many times as deep as it gives way under them. (A box that was made 0.5 m deep in the ground, at
+/// rest, stayed there for ever.)
 constexpr Real kMostGive = 4;
 
 bool isSlow(const Body& body, const BodyMotion& motion, Real speed) {
@@ -154,7 +154,7 @@ void weighContacts(WorldState& world, Real dt) {
         if (rest.isRestless) { continue; }
         const bool onKinematic =
             !pair.areDynamic() && world.bodies[pair.dynamicA ? pair.bodyB : pair.bodyA].def.type == BodyType::kinematic;
-        rest.isRestless = onKinematic;
+        rest.isRestless = onKinematic || pair.isBelt;
         rest.isOff = rest.isOff || !weighContact(world, pair, rest, subSteps, dt);
     }
 }

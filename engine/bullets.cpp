@@ -208,9 +208,8 @@ void collideBodies(WorldState& world, BulletPair& pair, double time) {
     const Manifold manifold =
         obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, reachOf(world, pair.shapes));
     if (manifold.count == 0) { return; }
-    ContactConstraint constraint =
-        constraintOf(manifold, first.motion, first.body().localCenter, second.motion, mixedFriction(own.def, other.def),
-                     mixedRestitution(own.def, other.def), 0);
+    ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
+                                                mixedSurface(own.def, other.def), 0);
     constraint.slotA = kFirstSlot;
     constraint.slotB = kSecondSlot;
     FlightScratch& scratch = *second.scratch;

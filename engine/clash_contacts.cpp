@@ -71,7 +71,7 @@ void listMet(Clash& clash, bool isStart) {
         if (manifold.count == 0) { continue; }
         const Contact& contact = clash.world.contacts[pair.contact];
         ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
-                                                    contact.friction, contact.restitution, 0);
+                                                    surfaceOf(clash.world, contact), 0);
         pair.isMet = true;
         pair.normal = constraint.normal;
         pair.deepest = deepestSeparation(manifold);

@@ -2,11 +2,12 @@
 
 namespace swept::inline SWEPT_PRECISION {
 ContactConstraint constraintOf(const Manifold& manifold, const BodyMotion& a, Vec2 localCenterA, const BodyMotion& b,
-                               Real friction, Real restitution, Real maxPushSpeed) {
+                               const MixedSurface& surface, Real maxPushSpeed) {
     ContactConstraint constraint;
     constraint.normal = rotate(a.pose.rotation, manifold.normal);
-    constraint.friction = friction;
-    constraint.restitution = restitution;
+    constraint.friction = surface.friction;
+    constraint.restitution = surface.restitution;
+    constraint.surfaceSpeed = surface.speed;
     constraint.maxPushSpeed = maxPushSpeed;
     constraint.count = manifold.count;
     const Vec2 fromAToB = toReal(b.center - a.center);

@@ -16,6 +16,6 @@ inline ContactConstraintPoint constraintPointOf(const ManifoldPoint& point, cons
 /// zero.
 /// @param maxPushSpeed  m/s
 ContactConstraint constraintOf(const Manifold& manifold, const BodyMotion& a, Vec2 localCenterA, const BodyMotion& b,
-                               Real friction, Real restitution, Real maxPushSpeed);
+                               const MixedSurface& surface, Real maxPushSpeed);
 
 }  // namespace swept::inline SWEPT_PRECISION

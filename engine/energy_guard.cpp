@@ -13,6 +13,7 @@ void noteContact(WorldState& world, const Contact& contact) {
     const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
     EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
     account.isTouching = true;
+    account.isDriven = account.isDriven || contact.isBelt;
     if (contact.dynamicA == contact.dynamicB) { return; }
     account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
     account.isGrounded = account.isGrounded || contact.pressed;

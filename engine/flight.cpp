@@ -68,8 +68,7 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
     const Manifold manifold = obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, margin);
     if (manifold.count == 0) { return; }
     ContactConstraint constraint =
-        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion, mixedFriction(own.def, other.def),
-                     mixedRestitution(own.def, other.def), 0);
+        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion, mixedSurface(own.def, other.def), 0);
     constraint.source = source;
     constraint.slotB = kFlyerSlot;
     if (otherBody.def.type == BodyType::kinematic) {

@@ -37,5 +37,17 @@ inline Real mixedFriction(const ShapeDef& a, const ShapeDef& b) {
     return std::sqrt(a.friction) * std::sqrt(b.friction);
 }
 inline Real mixedRestitution(const ShapeDef& a, const ShapeDef& b) { return std::max(a.restitution, b.restitution); }
+/// Both run clockwise, and so apart from each other where they touch, like two gears.
+inline Real mixedSpeed(const ShapeDef& a, const ShapeDef& b) { return a.surfaceSpeed + b.surfaceSpeed; }
+
+/// Of a contact.
+struct MixedSurface {
+    Real friction = 0;
+    Real restitution = 0;
+    Real speed = 0;  ///< of the surfaces, of that of A less that of B, along `rightPerp` of the normal, m/s
+};
+inline MixedSurface mixedSurface(const ShapeDef& a, const ShapeDef& b) {
+    return {mixedFriction(a, b), mixedRestitution(a, b), mixedSpeed(a, b)};
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

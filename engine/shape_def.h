@@ -24,12 +24,16 @@ constexpr bool shouldCollide(const Filter& a, const Filter& b) {
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Surface and bulk of a shape. A pair mixes √(μ₁μ₂) and max(e₁, e₂).
+/// Surface and bulk of a shape. A pair mixes √(μ₁μ₂), max(e₁, e₂) and the sum of both surface speeds.
 struct ShapeDef {
     Real density = 1;           ///< kg/m², at least 0
     Real friction = Real(0.6);  ///< at least 0
     Real restitution = 0;       ///< 0 … 1
-    bool sensor = false;        ///< reports overlaps with what is no sensor (of fixed bodies: if it can move), never collides
+    /// Of the surface along the outline, as of an endless belt, m/s. Where y is up, it runs to the right on top if
+    /// above 0, and on round clockwise; on a chain against its direction. Friction carries along what touches it, and
+    /// keeps that awake; the body stays where it is.
+    Real surfaceSpeed = 0;
+    bool sensor = false;  ///< reports overlaps with what is no sensor (of fixed bodies: if it can move), never collides
     Filter filter{};
     std::uint64_t userData = 0;
 };

@@ -237,6 +237,7 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
                              .dynamicA = contact.dynamicA,
                              .dynamicB = contact.dynamicB,
                              .bounces = contact.restitution > 0,
+                             .isBelt = contact.isBelt,
                              .isOpen = isOpen(contact),
                              .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
     return {traits, place, contact.bodyA, contact.bodyB};

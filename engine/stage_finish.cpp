@@ -72,12 +72,15 @@ bool movesKinematically(const WorldState& world, std::uint32_t slot) {
            (motion.velocity != Vec2{} || motion.angularVelocity != 0);
 }
 
-/// Marks the islands that a moving kinematic body keeps awake.
-void keepAwakeByKinematic(WorldState& world) {
+/// Marks the islands that a moving kinematic body or a belt keeps awake.
+void keepAwakeByDrives(WorldState& world) {
     for (const ContactProbe& probe : world.probes) {
-        if (probe.isPlain) { continue; }
+        if (probe.isPlain && !probe.isBelt) { continue; }
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
+        if (contact.isBelt) {
+            world.islandRestless[world.islands.find(contact.dynamicA ? contact.bodyA : contact.bodyB)] = 1;
+        }
         if (movesKinematically(world, contact.bodyA)) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
         if (movesKinematically(world, contact.bodyB)) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
     }
@@ -180,7 +183,7 @@ void putToSleep(WorldState& world, double dt) {
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
         if (tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
     }
-    keepAwakeByKinematic(world);
+    keepAwakeByDrives(world);
     for (const std::uint32_t slot : world.awake) {
         const bool rests = world.bodies[slot].isDynamic() && world.islandRestless[world.islands.find(slot)] == 0;
         if (rests) { fallAsleep(world, slot); }

@@ -55,6 +55,12 @@ void mixSurfaces(const WorldState& world, Contact& contact) {
     const ShapeDef& b = world.shapes[contact.shapeB].def;
     contact.friction = mixedFriction(a, b);
     contact.restitution = mixedRestitution(a, b);
+    contact.isBelt = mixedSpeed(a, b) != 0;
+}
+
+MixedSurface surfaceOf(const WorldState& world, const Contact& contact) {
+    if (!contact.isBelt) { return {contact.friction, contact.restitution, 0}; }
+    return mixedSurface(world.shapes[contact.shapeA].def, world.shapes[contact.shapeB].def);
 }
 
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second) {
@@ -155,6 +161,7 @@ void fillContact(WorldState& world, ContactProbe& probe, std::size_t place, std:
     probe.isPlain = contact.dynamicA && contact.dynamicB && !contact.sensor;
     probe.isUnseen = contact.sensor;
     probe.bounces = contact.restitution > 0;
+    probe.isBelt = contact.isBelt;
     probe.dynamicA = contact.dynamicA;
     probe.dynamicB = contact.dynamicB;
 }

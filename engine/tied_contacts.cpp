@@ -62,21 +62,22 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       hitThreshold_(length(world.settings.gravity) * dt_),
       softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
 
-/// Of all contacts with points of which the group moves a body, in their order, and whether they bounce.
+/// Of all contacts with points of which the group moves a body, in their order, with what is told about them.
 template <class Visit>
 void TiedContacts::forEachLink(Visit&& visit) const {
     const std::span<const BodyInertia> inertias = group_.desk.batch.inertias;
     const bool allMovable = world_.kinematicBodies == 0;  // that have slots
-    const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, bool bounces) {
+    const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB,
+                                 const TouchTraits& traits) {
         link.slotA = world_.solverSlots[bodyA];
         link.slotB = world_.solverSlots[bodyB];
         const bool isTied = allMovable ? (link.slotA | link.slotB) != kFixedSlot
                                        : isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB]);
-        if (isTied) { visit(link, bounces); }
+        if (isTied) { visit(link, traits); }
     };
     if (group_.role == BodyRole::solved) {
         for (const TouchingPair& pair : world_.touching) {
-            visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB, pair.bounces);
+            visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB, pair);
         }
         return;
     }
@@ -84,7 +85,7 @@ void TiedContacts::forEachLink(Visit&& visit) const {
         const Contact& contact = group_.contacts[i];
         if (contact.isSolid()) {
             visitIfTied({.source = i, .points = static_cast<std::uint8_t>(contact.manifold.count)}, contact.bodyA,
-                        contact.bodyB, contact.restitution > 0);
+                        contact.bodyB, {.bounces = contact.restitution > 0, .isBelt = contact.isBelt});
         }
     }
 }
@@ -93,7 +94,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     Contact& contact = group_.contacts[link.source];
     ContactConstraint constraint =
         constraintOf(contact.manifold, world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
-                     world_.motions[contact.bodyB], contact.friction, contact.restitution,
+                     world_.motions[contact.bodyB], surfaceOf(world_, contact),
                      pushRatioOf(world_.settings) * contact.extent / closingTime_);
     constraint.slotA = link.slotA;
     constraint.slotB = link.slotB;
@@ -181,15 +182,16 @@ Real TiedContacts::bounceSpeedOf(const Contact& contact) const {
 
 std::size_t TiedContacts::countBouncing() const {
     std::size_t count = 0;
-    forEachLink([&count](const ContactLink&, bool bounces) { count += bounces ? 1 : 0; });
+    forEachLink([&count](const ContactLink&, const TouchTraits& traits) { count += traits.bounces ? 1 : 0; });
     return count;
 }
 
 void TiedContacts::link(bool inTurn) {
     SolverBatch& batch = group_.desk.batch;
     if (inTurn) { bounceSpeed_ = hitThreshold_; }
-    forEachLink([&batch, inTurn](ContactLink link, bool bounces) {
-        link.isAlone = bounces && !inTurn;  // who bounces together is found contact by contact
+    forEachLink([&batch, inTurn](ContactLink link, const TouchTraits& traits) {
+        // Who bounces together is found contact by contact; blocks know no belts.
+        link.isAlone = (traits.bounces && !inTurn) || traits.isBelt;
         batch.links.push_back(link);
     });
     batch.store = this;
@@ -197,7 +199,7 @@ void TiedContacts::link(bool inTurn) {
 
 void TiedContacts::addConstraints() {
     SolverBatch& batch = group_.desk.batch;
-    forEachLink([&](const ContactLink& link, bool) { batch.contacts.push_back(constraintFor(link)); });
+    forEachLink([&](const ContactLink& link, const TouchTraits&) { batch.contacts.push_back(constraintFor(link)); });
     if (world_.watched) { anchorAhead(); }
 }
 

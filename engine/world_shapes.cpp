@@ -12,7 +12,8 @@ namespace {
 
 Status check(const ShapeDef& def) {
     for (const Status& status : {checkNumber(static_cast<double>(def.density), "density"),
-                                 checkNumber(static_cast<double>(def.friction), "friction")}) {
+                                 checkNumber(static_cast<double>(def.friction), "friction"),
+                                 checkNumber(static_cast<double>(def.surfaceSpeed), "surfaceSpeed")}) {
         if (!status.ok()) { return status; }
     }
     if (def.density < 0) { return {StatusCode::negative, "density"}; }
@@ -132,6 +133,7 @@ void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
         Contact& contact = world.contacts[probe->contact];
         mixSurfaces(world, contact);
         probe->bounces = contact.restitution > 0;
+        probe->isBelt = contact.isBelt;
         for (std::size_t i = 0; i < contact.tangentImpulse.size(); ++i) {  // or what slides now would be in balance
             const Real most = contact.friction * std::max(contact.normalImpulse[i], Real(0));
             contact.tangentImpulse[i] = std::clamp(contact.tangentImpulse[i], -most, most);
@@ -241,7 +243,8 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     std::vector<std::uint32_t> slots;
     listSlots(world, id.index, slots);
     const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter);
-    const bool isOtherSurface = def.friction != before.friction || def.restitution != before.restitution;
+    const bool isOtherSurface = def.friction != before.friction || def.restitution != before.restitution ||
+                                def.surfaceSpeed != before.surfaceSpeed;
     if (meetsOthers || isOtherSurface) {
         const std::span<const std::uint32_t> places = pairsOfShape(world, body, slots);
         wakeAcross(world, body, places);

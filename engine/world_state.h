@@ -249,9 +249,9 @@ struct WorldState : Workers {
     std::vector<ImpactPose> impactPoses;
     StepCounters counters;
     StageTimes stageTimes;
-    bool forcesGiven = false;        ///< since the last step: some body has a force or a torque for the next one
-    double lastDt = 0;               ///< of the last step, s; predicts how far boxes must reach
-    double closingTime = 0;          ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
+    bool forcesGiven = false;  ///< since the last step: some body has a force or a torque for the next one
+    double lastDt = 0;         ///< of the last step, s; predicts how far boxes must reach
+    double closingTime = 0;    ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 
@@ -261,6 +261,8 @@ struct WorldState : Workers {
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
 /// Friction and restitution of a contact, by its shapes.
 void mixSurfaces(const WorldState& world, Contact& contact);
+/// The same with the speed of belts, which contacts do not keep.
+MixedSurface surfaceOf(const WorldState& world, const Contact& contact);
 /// Moves contacts together when there are many gaps between them. Before anything refers to their places.
 void closeGaps(WorldState& world);
 /// Removes the contacts whose boxes came apart (`ContactState`).

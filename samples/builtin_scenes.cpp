@@ -5,7 +5,7 @@
 namespace swept {
 namespace {
 
-constexpr std::array<BuiltinScene, 21> kScenes{{
+constexpr std::array<BuiltinScene, 22> kScenes{{
     {"falling-shapes", "boxes, balls, capsules and polygons fall into a tray and come to rest", scenes::fallingShapes, 8},
     {"pyramid", "210 boxes stand still on each other, then a heavy ball arrives", scenes::pyramid, 10},
     {"tall-stack", "20 boxes stand; so do a ladder of planks and boxes that get heavier upwards", scenes::tallStack,
@@ -20,6 +20,8 @@ constexpr std::array<BuiltinScene, 21> kScenes{{
     {"hanging-chain", "a chain swings a heavy ball; a plank bridge carries boxes", scenes::hangingChain, 12},
     {"machine-room", "gears and a rack, a pulley, a lift, a springboard: all joints but wheels at work",
      scenes::machineRoom, 8},
+    {"conveyors", "belts carry what falls from a hopper to and fro; a crawler climbs steps on its own track",
+     scenes::conveyors, 12},
     {"car", "a car with sprung wheels drives over bumps and jumps a gap", scenes::car, 7},
     {"terrain", "balls, capsules and boxes roll over one chain without catching on its vertices", scenes::terrain, 12},
     {"paddle-drum", "a kinematic paddle stirs a drum; a sensor watches who passes", scenes::paddleDrum, 12},

@@ -33,6 +33,7 @@ SceneDescription newtonsCradle();
 SceneDescription ragdolls();
 SceneDescription hangingChain();
 SceneDescription machineRoom();
+SceneDescription conveyors();
 SceneDescription car();
 SceneDescription terrain();
 SceneDescription paddleDrum();

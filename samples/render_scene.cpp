@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "render_belt.h"
 #include "render_chain.h"
 #include "scene_reader.h"
 #include "stroke_font.h"
@@ -46,7 +47,8 @@ SceneDrawing::SceneDrawing(const SceneDescription& scene) {
 }
 
 SceneDrawing::ShapeDrawing SceneDrawing::shapeDrawing(const ShapeDescription& shape) {
-    ShapeDrawing drawing{shapeCore(shape.geometry, shape.radius), Kind::convex, false, shape.sensor};
+    ShapeDrawing drawing{shapeCore(shape.geometry, shape.radius), Kind::convex, false, shape.sensor,
+                         shape.surfaceSpeed};
     if (const auto* chain = std::get_if<ChainGeometry>(&shape.geometry)) {
         drawing.kind = Kind::chain;
         drawing.loop = chain->loop;
@@ -91,6 +93,7 @@ void SceneDrawing::drawBodies(Paint& paint, const PixelView& view, const Frame& 
                       } else {
                           drawConvex(paint, pose, shape, look);
                       }
+                      if (shape.surfaceSpeed != 0) { drawBelt(paint, pose, shape, look, frame.time); }
                   });
     }
 }
@@ -123,6 +126,17 @@ void SceneDrawing::drawChain(Paint& paint, const PixelPose& pose, const ShapeDra
     const double edge = style::kEdgeWidth * pose.pen();
     paint.polyline(core.points, shape.loop, thickness, look.edge);
     if (thickness > 3 * edge) { paint.polyline(core.points, shape.loop, thickness - 2 * edge, look.fill); }
+}
+
+/// @param time  since the start, s
+void SceneDrawing::drawBelt(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape,
+                            const style::BodyStyle& look, double time) const {
+    const bool isChain = shape.kind == Kind::chain;
+    const ShapeCore core = coreInPixels(pose, shape.core);
+    // Clockwise, and so against the points.
+    const double way = -shape.surfaceSpeed * pose.scale() * time;
+    markBelt(paint, isChain ? core.points : roundedOutline(core, paint.box()), !isChain || shape.loop, way,
+             shape.surfaceSpeed < 0, look.edge, pose.pen());
 }
 
 void SceneDrawing::drawSensor(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape) const {

@@ -47,6 +47,7 @@ private:
         Kind kind = Kind::convex;
         bool loop = false;
         bool sensor = false;
+        double surfaceSpeed = 0;  // m/s, clockwise
     };
     struct BodyDrawing {
         std::string name;
@@ -59,6 +60,8 @@ private:
     static ShapeDrawing shapeDrawing(const ShapeDescription& shape);
     void drawConvex(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, const style::BodyStyle& look) const;
     void drawChain(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, const style::BodyStyle& look) const;
+    void drawBelt(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, const style::BodyStyle& look,
+                  double time) const;
     void drawSensor(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape) const;
     void drawOutline(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape, Color color) const;
 

@@ -135,6 +135,7 @@ inline constexpr auto kFields<ShapeDescription> =
                     field("density", &ShapeDescription::density, units::kDensity, bounds::kNotNegative),
                     field("friction", &ShapeDescription::friction, units::kNumber, bounds::kNotNegative),
                     field("restitution", &ShapeDescription::restitution, units::kNumber, bounds::kZeroToOne),
+                    field("surfaceSpeed", &ShapeDescription::surfaceSpeed, units::kSpeed),
                     field("sensor", &ShapeDescription::sensor), field("filter", &ShapeDescription::filter));
 
 template <>

@@ -99,9 +99,7 @@ void ConstraintGraph::colourContactLinks(const std::vector<ContactLink>& links) 
 }
 
 void ConstraintGraph::countPoints(const std::vector<ContactConstraint>& contacts) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        ++pointCounts_[colours_[i]][static_cast<std::size_t>(contacts[i].count)];
-    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) { ++pointCounts_[colours_[i]][pointsInBlock(contacts[i])]; }
 }
 
 template <class Constraint>

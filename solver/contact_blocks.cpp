@@ -33,7 +33,6 @@ std::size_t lengthOf(std::span<const ColourRange> ranges) {
 std::uint32_t leftOver(std::uint32_t contacts) { return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0; }
 
 std::size_t pointsInBlock(const ContactLink& link) { return link.pointsInBlock(); }
-std::size_t pointsInBlock(const ContactConstraint& contact) { return static_cast<std::size_t>(contact.count); }
 
 /// Of contacts of a colour, with as many points: the blocks that they make.
 std::uint32_t blocksFor(std::uint32_t contacts) {

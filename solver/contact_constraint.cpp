@@ -22,9 +22,6 @@ PairMotion motionOf(Vec2 normal, const BodyState& a, const BodyState& b) {
 Real closingAt(const ContactConstraintPoint& point, const PairMotion& motion) {
     return -(motion.along + (motion.spinB * point.normalArmB - motion.spinA * point.normalArmA));
 }
-Real slipAt(const ContactConstraintPoint& point, const PairMotion& motion) {
-    return motion.across + (motion.spinB * point.tangentArmB - motion.spinA * point.tangentArmA);
-}
 
 /// Of each point.
 template <std::size_t kPoints>
@@ -52,6 +49,11 @@ public:
           motion_(motionOf(contact.normal, bodies.states[contact.slotA], bodies.states[contact.slotB])) {}
 
     const PairMotion& motion() const { return motion_; }
+    /// Of the surfaces on each other, m/s.
+    Real slipAt(const ContactConstraintPoint& point) const {
+        const Real speed = motion_.across + (motion_.spinB * point.tangentArmB - motion_.spinA * point.tangentArmA);
+        return speed - contact_.surfaceSpeed;
+    }
     void turn(Real twistA, Real twistB) {
         motion_.spinA -= inertiaA_.inverseInertia * twistA;
         motion_.spinB += inertiaB_.inverseInertia * twistB;
@@ -237,7 +239,7 @@ void bounce(ContactConstraint& contact, const SolverBodies& bodies, const Contac
         ContactConstraintPoint& point = contact.points[i];
         point.totalNormalImpulse += impulses[i];
         const Real limit = contact.friction * impulses[i];
-        frictions[i] = std::clamp(-(point.tangentMass * slipAt(point, pair.motion())), -limit, limit);
+        frictions[i] = std::clamp(-(point.tangentMass * pair.slipAt(point)), -limit, limit);
         pair.slow(point, frictions[i]);
     }
     pair.push(impulses, frictions);
@@ -266,7 +268,7 @@ void solve(ContactConstraint& contact, const SolverBodies& bodies, const Contact
     for (std::size_t i = 0; i < kPoints; ++i) {
         ContactConstraintPoint& point = contact.points[i];
         const Real limit = contact.friction * totals[i];
-        const Real slip = slipAt(point, pair.motion());
+        const Real slip = pair.slipAt(point);
         const Real total = std::clamp(point.tangentImpulse - point.tangentMass * slip, -limit, limit);
         tangents[i] = total - point.tangentImpulse;
         pair.slow(point, tangents[i]);

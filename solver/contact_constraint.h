@@ -41,6 +41,7 @@ struct ContactConstraint {
     Vec2 normal{};  ///< unit, world, from A to B, held for the whole step
     Real friction = 0;
     Real restitution = 0;
+    Real surfaceSpeed = 0;  ///< friction works towards this speed of B beside A, along the tangent, m/s
     bool isHeld = false;    ///< a direct solve takes care of overlaps and gaps: what presses just does not move
     Real maxPushSpeed = 0;  ///< fastest push out of an overlap, m/s
     /// Of the rounded parts that touch, metres: those have no points that turn away from the contact as the body turns.
@@ -83,6 +84,11 @@ struct ContactPass {
     Real bounceSpeed = 0;       ///< faster approaches bounce, m/s
     Real leastRestitution = 0;  ///< of contacts with more than that
 };
+
+/// As many as its block has; 0: it stands in none, for blocks know no surface speed.
+inline std::size_t pointsInBlock(const ContactConstraint& contact) {
+    return contact.surfaceSpeed != 0 ? 0 : static_cast<std::size_t>(contact.count);
+}
 
 /// Kernels over contacts that share no movable body (one colour) or are solved one after the other. The wide ones
 /// (wide_contacts.h) do the same to the bit.

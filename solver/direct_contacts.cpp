@@ -44,8 +44,8 @@ DirectRow normalOf(const ContactConstraint& contact, const ContactConstraintPoin
     return {rowAlong(contact.normal, point.anchorA, point.anchorB), contact.slotA, contact.slotB, bias, nullptr};
 }
 DirectRow tangentOf(const ContactConstraint& contact, const ContactConstraintPoint& point) {
-    return {rowAlong(rightPerp(contact.normal), point.anchorA, point.anchorB), contact.slotA, contact.slotB, 0,
-            nullptr};
+    return {rowAlong(rightPerp(contact.normal), point.anchorA, point.anchorB), contact.slotA, contact.slotB,
+            -contact.surfaceSpeed, nullptr};
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Vec2 solvePoint(const ImpactProblem& problem, int i, Real change) {
     const Real kTangent = 1 / problem.point(i).tangentMass;
     const Real coupling = problem.coupling(i, tangent);
     const Real kSlip = std::max(kTangent - coupling * coupling * normalMass, kSingularRatio * kTangent);
-    const Real slip = dot(problem.relativeVelocity(i), tangent) + coupling * change * normalMass;
+    const Real slip = problem.slip(i) + coupling * change * normalMass;
     // A side of the cone that the line of impulses never meets does not limit friction.
     const Real above = kNormal + friction * coupling;
     const Real below = kNormal - friction * coupling;
@@ -72,8 +72,7 @@ Impulses solveTwoPoints(ImpactProblem problem, const Scalars& change) {
     for (int i = 0; i < 2; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const Real limit = problem.contact.friction * normalImpulse[k];
-        const Real slip = dot(problem.relativeVelocity(i), tangent);
-        const Vec2 friction = std::clamp(-problem.point(i).tangentMass * slip, -limit, limit) * tangent;
+        const Vec2 friction = std::clamp(-problem.point(i).tangentMass * problem.slip(i), -limit, limit) * tangent;
         problem.apply(i, friction);
         impulses[k] += friction;
     }
@@ -93,14 +92,15 @@ Impulses impulsesFor(const ImpactProblem& problem, const Scalars& restitution) {
     return {Vec2{}, solvePoint(problem, 1, change[1])};
 }
 
-/// Work done on the relative motion: impulse times mean relative velocity, summed over the points (exact, as velocities
-/// depend linearly on impulses).
+/// Work done on the relative motion of the surfaces: impulse times mean relative velocity, summed over the points
+/// (exact, as velocities depend linearly on impulses).
 Real workOf(const ImpactProblem& before, const Impulses& impulses) {
     ImpactProblem after = before;
     for (int i = 0; i < before.contact.count; ++i) { after.apply(i, impulses[static_cast<std::size_t>(i)]); }
+    const Vec2 belt = before.contact.surfaceSpeed * rightPerp(before.contact.normal);
     Real work = 0;
     for (int i = 0; i < before.contact.count; ++i) {
-        const Vec2 mean = Real(0.5) * (before.relativeVelocity(i) + after.relativeVelocity(i));
+        const Vec2 mean = Real(0.5) * (before.relativeVelocity(i) + after.relativeVelocity(i)) - belt;
         work += dot(impulses[static_cast<std::size_t>(i)], mean);
     }
     return work;

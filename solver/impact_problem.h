@@ -25,6 +25,8 @@ struct ImpactProblem {
     const ContactConstraintPoint& point(int i) const { return contact.points[static_cast<std::size_t>(i)]; }
 
     Vec2 relativeVelocity(int i) const { return velocityAt(b, point(i).anchorB) - velocityAt(a, point(i).anchorA); }
+    /// Of the surfaces on each other, along the tangent.
+    Real slip(int i) const { return dot(relativeVelocity(i), rightPerp(contact.normal)) - contact.surfaceSpeed; }
     /// What rounding of the relative velocity is measured against: sum of the speeds it is made of. Those of moving and
     /// turning are taken apart, since they cancel where a body rolls, and their rounding does not.
     Real speedScale(int i) const {

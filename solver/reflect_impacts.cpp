@@ -176,7 +176,7 @@ void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScrat
             ContactConstraintPoint& point = contact.points[k];
             const Real impulse = factor * scratch.impulses[c][k];
             const Real limit = contact.friction * impulse;
-            const Real slip = dot(pair.relativeVelocity(point), tangent);
+            const Real slip = dot(pair.relativeVelocity(point), tangent) - contact.surfaceSpeed;
             pair.apply(point, std::clamp(-point.tangentMass * slip, -limit, limit) * tangent);
             point.totalNormalImpulse += impulse;
             point.bounceApproach = std::max(point.bounceApproach, scratch.speeds[c][k]);

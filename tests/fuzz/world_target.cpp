@@ -113,7 +113,7 @@ private:
                                                            polygon.count < kMaxPolygonVertices ? polygon.count : 8)),
                                                        polygon.radius)
                                          : box();
-        ShapeDef def{.density = real(), .friction = real(), .restitution = real()};
+        ShapeDef def{.density = real(), .friction = real(), .restitution = real(), .surfaceSpeed = real()};
         def.sensor = input_.flag();
         return keep(world_.addShape(body, made.ok() ? made.value() : polygon, def), known_.shapes);
     }

@@ -94,6 +94,7 @@ private:
         if (often()) { s.density = positive(); }
         if (often()) { s.friction = positive(); }
         if (often()) { s.restitution = random_.uniform(); }
+        if (random_.chance(0.3)) { s.surfaceSpeed = number(); }
         s.sensor = random_.chance(0.2);
         if (often()) { s.filter.category = static_cast<std::uint32_t>(random_.bits()); }
         if (often()) { s.filter.mask = static_cast<std::uint32_t>(random_.bits()); }

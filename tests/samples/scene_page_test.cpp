@@ -159,6 +159,7 @@ TEST(ScenePage, StatesTheDefaults) {
     expectDefault("### Shape", "density", number(shape.density));
     expectDefault("### Shape", "friction", number(shape.friction));
     expectDefault("### Shape", "restitution", number(shape.restitution));
+    expectDefault("### Shape", "surfaceSpeed", number(shape.surfaceSpeed));
     expectDefault("### Settings", "dt", "1/" + number(1 / scene.settings.dt));
     expectDefault("### Settings", "maxImpacts", std::to_string(scene.settings.maxImpacts));
     expectDefault("### Settings", "sleep", scene.settings.sleep ? "true" : "false");

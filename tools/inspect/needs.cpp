@@ -71,6 +71,12 @@ Need frictionNeed(const PlacedScene& placed) {
     return {"friction", true, nameOf(pair.a) + " may rub on " + nameOf(pair.b)};
 }
 
+Need beltNeed(const PlacedScene& placed) {
+    const PlacedBody* const body =
+        bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor && shape.surfaceSpeed != 0; });
+    return {"surface speed", body != nullptr, body != nullptr ? body->name + " is a belt" : "no shape is a belt"};
+}
+
 Need rotationNeed(const PlacedScene& placed) {
     const PlacedBody* const body =
         firstBody(placed, [](const PlacedBody& b) { return b.isDynamic() && !b.description->fixedRotation; });
@@ -122,9 +128,9 @@ Need precisionNeed(const PlacedScene& placed) {
 }  // namespace
 
 std::vector<Need> needsOf(const PlacedScene& placed) {
-    return {continuousNeed(placed), bulletNeed(placed),   restitutionNeed(placed),
-            frictionNeed(placed),   rotationNeed(placed), jointNeed(placed),
-            sensorNeed(placed),     sleepNeed(placed),    precisionNeed(placed)};
+    return {continuousNeed(placed), bulletNeed(placed),   restitutionNeed(placed), frictionNeed(placed),
+            beltNeed(placed),       rotationNeed(placed), jointNeed(placed),       sensorNeed(placed),
+            sleepNeed(placed),      precisionNeed(placed)};
 }
 
 }  // namespace swept

@@ -178,6 +178,7 @@ b2ShapeDef definitionOf(const ShapeDescription& shape) {
     definition.density = static_cast<float>(shape.density);
     definition.material.friction = static_cast<float>(shape.friction);
     definition.material.restitution = static_cast<float>(shape.restitution);
+    definition.material.tangentSpeed = static_cast<float>(shape.surfaceSpeed);
     definition.isSensor = shape.sensor;
     definition.filter = {shape.filter.category, shape.filter.mask, shape.filter.group};
     return definition;

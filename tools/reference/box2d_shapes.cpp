@@ -112,6 +112,11 @@ void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFi
     std::visit(FixtureMaker(body, shape, notes), shape.geometry);
 }
 
+void Box2dBelts::PreSolve(b2Contact* contact, const b2Manifold*) {
+    const auto speedOf = [](const b2Fixture& fixture) { return noteOf(fixture).shape->surfaceSpeed; };
+    contact->SetTangentSpeed(static_cast<float>(speedOf(*contact->GetFixtureA()) + speedOf(*contact->GetFixtureB())));
+}
+
 bool Box2dFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     const FilterDescription& a = noteOf(*fixtureA).shape->filter;
     const FilterDescription& b = noteOf(*fixtureB).shape->filter;

@@ -22,7 +22,9 @@ std::string lackOfShape(PeerEngine engine, const ShapeDescription& shape) {
     if (engine == PeerEngine::box2d3 && polygon != nullptr && polygon->points.size() > kBox2d3Corners) {
         return "polygons of more than eight corners";
     }
-    return engine == PeerEngine::chipmunk && shape.filter.group > 0 ? "groups that always collide" : "";
+    if (engine != PeerEngine::chipmunk) { return ""; }
+    if (shape.filter.group > 0) { return "groups that always collide"; }
+    return shape.surfaceSpeed != 0 ? "surfaces that run along an outline" : "";
 }
 
 std::string lackOfBody(PeerEngine engine, const BodyDescription& body) {

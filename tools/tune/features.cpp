@@ -29,7 +29,7 @@ void eachShape(SceneDescription& scene, const Change& change) {
 /// What profile `fast` stands for.
 constexpr int kFastSubSteps = 4;
 
-constexpr std::array<Feature, 10> kFeatures{{
+constexpr std::array<Feature, 11> kFeatures{{
     {"continuous collision", false,
      [](const SceneDescription& scene, const Config& config) {
          return config.continuous != SceneContinuous::off ||
@@ -65,6 +65,13 @@ constexpr std::array<Feature, 10> kFeatures{{
          return anyShape(scene, [](const ShapeDescription& shape) { return !shape.sensor && shape.friction > 0; });
      },
      [](SceneDescription& scene, Config&) { eachShape(scene, [](ShapeDescription& shape) { shape.friction = 0; }); }},
+    {"surface speed", true,
+     [](const SceneDescription& scene, const Config&) {
+         return anyShape(scene, [](const ShapeDescription& shape) { return !shape.sensor && shape.surfaceSpeed != 0; });
+     },
+     [](SceneDescription& scene, Config&) {
+         eachShape(scene, [](ShapeDescription& shape) { shape.surfaceSpeed = 0; });
+     }},
     {"rotation", true,
      [](const SceneDescription& scene, const Config&) {
          return anyDynamicBody(scene, [](const BodyDescription& body) { return !body.fixedRotation; });
