@@ -46,12 +46,11 @@ launcher_arguments() {
     if command -v ccache >/dev/null; then echo "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"; fi
 }
 
-# Arguments for cmake that use the faster linker of binutils where it is (two hundred programs are linked), and the
-# preset is for this machine.
+# Arguments for cmake that use the faster linker of binutils where it is: two hundred programs are linked. Not with
+# sanitizers, of whose symbols it complains, nor for other machines.
 linker_arguments() {
     case "$1" in
-        wasm | emscripten | aarch64) ;;
-        *) if command -v ld.gold >/dev/null; then echo "-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold"; fi ;;
+        release | debug) if command -v ld.gold >/dev/null; then echo "-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold"; fi ;;
     esac
 }
 

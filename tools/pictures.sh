@@ -34,6 +34,7 @@ picture newtons-cradle 120 --trails
 picture terrain 120 --trails
 picture machine-room 150
 picture car 250 --trails
+picture conveyors 570
 
 say "continuous-modes.png"
 quietly picture-modes "$swept" modes continuous-off --steps 1 --png "$pictures/continuous-modes.png" ||

@@ -186,23 +186,26 @@ TEST(Belts, SlipUnderWhatIsHeld) {
     }
 }
 
+/// What lay still, asleep or held in balance, is carried off.
 TEST(Belts, StartAndStop) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile, true);
-        const BodyId ground = must(world.createBody(bodyAt(BodyType::fixed, {0, -1})));
-        const ShapeId shape = must(world.addShape(ground, box(50, 1), belt(2)));
-        const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
-        runFor(world, 3);
-        EXPECT_TRUE(world.isAwake(body));
-        must(world.redefine(shape, belt(0)));
-        runFor(world, 3);
-        EXPECT_FALSE(world.isAwake(body));
-        expectAtMost(nameOf(profile, 0) + "speed", length(velocityOf(world, body)), 0);
-        must(world.redefine(shape, belt(-1)));
-        EXPECT_TRUE(world.isAwake(body)) << "a belt that starts wakes what lies on it";
-        EXPECT_EQ(world.definition(shape).surfaceSpeed, Real(-1));
-        runFor(world, 1);
-        expectAtMost(nameOf(profile, -1) + "speed", std::abs(velocityOf(world, body).x / -1 - 1), 1e-3);
+        for (const bool sleeps : {true, false}) {
+            World world = worldOf(profile, sleeps);
+            const BodyId ground = must(world.createBody(bodyAt(BodyType::fixed, {0, -1})));
+            const ShapeId shape = must(world.addShape(ground, box(50, 1), belt(2)));
+            const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
+            runFor(world, 3);
+            EXPECT_TRUE(world.isAwake(body));
+            must(world.redefine(shape, belt(0)));
+            runFor(world, 3);
+            EXPECT_EQ(world.isAwake(body), !sleeps);
+            expectAtMost(nameOf(profile, 0) + "speed", length(velocityOf(world, body)), 0);
+            must(world.redefine(shape, belt(-1)));
+            EXPECT_TRUE(world.isAwake(body)) << "a belt that starts wakes what lies on it";
+            EXPECT_EQ(world.definition(shape).surfaceSpeed, Real(-1));
+            runFor(world, 1);
+            expectAtMost(nameOf(profile, -1) + "speed", std::abs(velocityOf(world, body).x / -1 - 1), 1e-3);
+        }
     }
 }
 

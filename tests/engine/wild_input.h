@@ -77,9 +77,9 @@ public:
         if (random_.chance(0.2)) { def.density = realPositive(); }
         if (random_.chance(0.2)) { def.friction = realPositive(); }
         if (random_.chance(0.2)) { def.restitution = realPositive(); }
-        if (random_.chance(0.1)) { def.surfaceSpeed = realPositive(); }
         def.sensor = random_.chance(0.1);
         def.filter.group = random_.chance(0.1) ? random_.integer(-2, 2) : 0;
+        if (random_.chance(0.1)) { def.surfaceSpeed = realPositive(); }
         return def;
     }
     WorldSettings settings() {

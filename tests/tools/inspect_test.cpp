@@ -55,12 +55,19 @@ TEST(Inspect, SoundSceneHasNoFindings) {
     }
     EXPECT_FALSE(needs(inspection, "continuous collision"));
     EXPECT_FALSE(needs(inspection, "restitution"));
+    EXPECT_FALSE(needs(inspection, "surface speed"));
     EXPECT_FALSE(needs(inspection, "joints"));
     EXPECT_FALSE(needs(inspection, "sensors"));
     EXPECT_FALSE(needs(inspection, "bullets"));
     EXPECT_FALSE(needs(inspection, "f64"));
     EXPECT_TRUE(needs(inspection, "friction"));
     EXPECT_TRUE(needs(inspection, "rotation"));
+}
+
+TEST(Inspect, FindsBelts) {
+    SceneDescription scene = soundScene();
+    scene.bodies[0].shapes[0].surfaceSpeed = -1;
+    EXPECT_TRUE(needs(inspectScene(scene), "surface speed"));
 }
 
 TEST(Inspect, BuiltinScenesAreInsideTheEnvelopeOrSayWhy) {

@@ -281,6 +281,7 @@ TEST(TuneAblation, FeaturesAreGoneWhenTheyAreTakenAway) {
         SceneDescription scene = slidingCrate().scene;
         build::hinge(scene, "crate", "ball", {10, 1});
         scene.bodies[1].bullet = true;
+        scene.bodies[0].shapes[0].surfaceSpeed = 1;
         Config config = ownConfig(scene);
         EXPECT_TRUE(feature.isPresent(scene, config)) << feature.name;
         feature.remove(scene, config);
