@@ -55,7 +55,7 @@ struct alignas(64) Contact : ContactRow {
     bool ofChain : 1 = false;  ///< A is a chain segment, and no sensor; what follows is of such ones alone
     bool passes : 1 = false;   ///< it comes through from the back (chain_passage.h)
     bool wasSeen : 1 = false;  ///< by a step before
-    bool isBelt : 1 = false;   ///< of any contact: a surface runs, as the shapes tell
+    bool isBelt : 1 = false;   ///< of any contact: friction drags along a surface, as the shapes tell
     BatchKind batch = BatchKind::none;
     bool touching = false;   ///< begin was reported, end was not
     bool pressed = false;    ///< carried an impulse in the last step

@@ -90,7 +90,7 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
     const bool hasJoints = !group.joints.empty();
     if (group.role == BodyRole::solved) {
         for (const TouchingPair& pair : world.touching) {
-            if (!pair.areDynamic() || hasJoints) { noteContact(world, world.contacts[pair.contact]); }
+            if (!pair.areDynamic() || hasJoints || pair.isBelt) { noteContact(world, world.contacts[pair.contact]); }
         }
     } else {
         for (const Contact& contact : group.contacts) { noteContact(world, contact); }

@@ -10,7 +10,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// the work that gravity and forces did, and what is beyond that is taken from the motion of its members relative to
 /// each other, or to the ground that they press on, along which they slide on as they did. So it is with joints that
 /// have neither motor nor spring, beyond what their gaps may give back. Islands with other joints and what touches
-/// kinematic bodies are left alone: those may do work.
+/// kinematic bodies or belts are left alone: those may do work.
 
 /// Begins a solve. @return whether it is watched at all: what is settled is not
 bool openAccounts(WorldState& world, const TiedGroup& group);

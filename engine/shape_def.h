@@ -31,7 +31,7 @@ struct ShapeDef {
     Real restitution = 0;       ///< 0 … 1
     /// Of the surface along the outline, as of an endless belt, m/s. Where y is up, it runs to the right on top if
     /// above 0, and on round clockwise; on a chain against its direction. Friction carries along what touches it, and
-    /// keeps that awake; the body stays where it is.
+    /// keeps that awake (what sleeps it does not wake); the body stays where it is.
     Real surfaceSpeed = 0;
     bool sensor = false;  ///< reports overlaps with what is no sensor (of fixed bodies: if it can move), never collides
     Filter filter{};

@@ -55,7 +55,7 @@ void mixSurfaces(const WorldState& world, Contact& contact) {
     const ShapeDef& b = world.shapes[contact.shapeB].def;
     contact.friction = mixedFriction(a, b);
     contact.restitution = mixedRestitution(a, b);
-    contact.isBelt = mixedSpeed(a, b) != 0;
+    contact.isBelt = contact.friction > 0 && mixedSpeed(a, b) != 0;
 }
 
 MixedSurface surfaceOf(const WorldState& world, const Contact& contact) {

@@ -10,7 +10,7 @@ struct TouchTraits {
     bool dynamicA : 1 = false;  ///< the body is
     bool dynamicB : 1 = false;
     bool bounces : 1 = false;  ///< has restitution
-    bool isBelt : 1 = false;   ///< a surface runs (`ShapeDef::surfaceSpeed`)
+    bool isBelt : 1 = false;   ///< friction drags (`ShapeDef::surfaceSpeed`)
     bool isOpen : 1 = false;   ///< its points are farther apart than those of touching shapes (`kEndRatio`)
     bool isDeep : 1 = false;   ///< of what does not yield: overlaps too far to be swept out of it (`kShallowRatio`)
 

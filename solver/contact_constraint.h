@@ -97,8 +97,8 @@ void warmStartContacts(std::span<ContactConstraint> contacts, std::span<const st
                        const SolverBodies& bodies);
 /// Newton's impact law, once and in turn: a contact of which points meet within the sub-step faster than the
 /// `bounceSpeed` of the pass leaves with its restitution, both points at once, and friction within the cone of these
-/// impulses. None of that makes energy, whatever the order. What still approaches when all had their turn is plastic:
-/// the pass with bias stops it.
+/// impulses. None of that makes energy but what belts give, whatever the order. What still approaches when all had
+/// their turn is plastic: the pass with bias stops it.
 void bounceContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,
                     const SolverBodies& bodies, const ContactPass& pass);
 void solveContacts(std::span<ContactConstraint> contacts, std::span<const std::uint32_t> places,

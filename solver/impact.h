@@ -24,7 +24,8 @@ struct ImpactRule {
 /// with restitution times its approach speed, friction included. Two points: their normal velocities are reflected
 /// together (a 2×2 block), then friction acts within the cone of the normal impulses (and may leave one approaching:
 /// the next round's). Where that would make kinetic energy (Newton's rule with friction can), the impulses are blended
-/// towards those of restitution 0 until it does not: the pair's kinetic energy relative to each other never grows.
+/// towards those of restitution 0 until it does not: the pair's kinetic energy relative to each other never grows (of
+/// belts: as seen from where their surfaces stand still).
 /// Records impulse and approach speed in the points. @return whether anything was applied.
 bool resolveImpact(ContactConstraint& contact, const SolverBodies& bodies, const ImpactRule& rule);
 

@@ -114,6 +114,41 @@ TEST(Belts, DriveTheirOwnBody) {
     }
 }
 
+/// What drives on a body that can move pushes that back: on ice both part with the speed of the track, and no momentum;
+/// on rough ground a heavy one stays. (Taken for what contacts must not give, it was taken back.)
+TEST(Belts, DriveOnWhatCanMove) {
+    for (const Profile profile : kProfiles) {
+        for (const bool isIce : {true, false}) {
+            World world = worldOf(profile);
+            addStatic(world, box(100, 1), material(isIce ? 0 : 1), {0, -1});
+            const BodyId cart = addBody(world, dynamicAt({0, 0.5}), box(8, 0.5), material(0.5, 0, isIce ? 0.25 : 4));
+            const BodyId tank = addBody(world, dynamicAt({-4, 1.3}), box(0.6, 0.3), belt(1));
+            runFor(world, 2);
+            const double slip = velocityOf(world, tank).x - velocityOf(world, cart).x;
+            const double momentum =
+                world.mass(tank) * velocityOf(world, tank).x + world.mass(cart) * velocityOf(world, cart).x;
+            const std::string name = nameOf(profile, 1) + (isIce ? "ice, " : "rough, ");
+            expectAtMost(name + "speed", std::abs(slip - 1), 1e-3);
+            if (isIce) {
+                // The ice pushes along the face that touches, the cart's or its own; the cart leans by a trace.
+                expectAtMost(name + "momentum", std::abs(momentum) / world.mass(tank), 2e-3);
+            } else {
+                expectAtMost(name + "cart", std::abs(velocityOf(world, cart).x), 1e-4);
+            }
+        }
+    }
+}
+
+/// A belt without friction is none: what lies on it sleeps.
+TEST(Belts, DoNothingWithoutFriction) {
+    World world = worldOf(Profile::fast, true);
+    addStatic(world, box(50, 1), belt(2, 0), {0, -1});
+    const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
+    runFor(world, 3);
+    EXPECT_FALSE(world.isAwake(body));
+    EXPECT_EQ(world.position(body).x, 0);
+}
+
 /// Round the whole outline: under a ceiling it is carried to the left; ground of a chain runs against its direction.
 TEST(Belts, RunRoundTheOutline) {
     World world = makeWorld(-kGravity);

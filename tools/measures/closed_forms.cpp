@@ -95,7 +95,8 @@ std::optional<ClosedForm> bouncingBall(const SceneDescription& scene, const Plac
     const BodyDescription& ground = scene.bodies[static_cast<std::size_t>(1 - ball)];
     const auto* const circle = std::get_if<CircleGeometry>(&body.shapes[0].geometry);
     const auto* const box = std::get_if<BoxGeometry>(&ground.shapes[0].geometry);
-    const bool isBall = circle != nullptr && circle->center == DVec2{} && body.angularVelocity == 0 &&
+    const bool isDragged = body.shapes[0].surfaceSpeed + ground.shapes[0].surfaceSpeed != 0;
+    const bool isBall = circle != nullptr && !isDragged && circle->center == DVec2{} && body.angularVelocity == 0 &&
                         body.linearDamping == 0 && body.velocity.x == 0;
     const bool isLevel = box != nullptr && ground.angle == 0 && box->angle == 0 && scene.gravity.x == 0;
     const double gravity = -scene.gravity.y * body.gravityScale;

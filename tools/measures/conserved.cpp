@@ -30,9 +30,15 @@ bool isActive(const JointDescription& joint) {
         joint.joint);
 }
 
+bool isBelt(const ShapeDescription& shape) { return !shape.sensor && shape.surfaceSpeed != 0; }
+
 bool isEnergyBroughtIn(const SceneDescription& scene, const PlacedScene& placed) {
     return std::any_of(scene.joints.begin(), scene.joints.end(), isActive) ||
-           anyBody(placed, [](const PlacedBody& body) { return body.description->type == SceneBodyType::kinematic; });
+           anyBody(placed, [](const PlacedBody& body) {
+               const std::vector<ShapeDescription>& shapes = body.description->shapes;
+               return body.description->type == SceneBodyType::kinematic ||
+                      std::any_of(shapes.begin(), shapes.end(), isBelt);
+           });
 }
 
 const ShapeDescription& shapeOf(const PlacedScene& placed, const PlacedPiece& piece) {

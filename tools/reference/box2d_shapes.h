@@ -22,13 +22,13 @@ inline DVec2 fromBox2d(b2Vec2 v) { return {static_cast<double>(v.x), static_cast
 /// @param notes  gets one element for each fixture; a deque, as fixtures hold addresses of its elements.
 void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFixtureNote>& notes);
 
-/// The filter of the scene format in all its 32 bits, where Box2D itself has 16.
 /// Surface speeds: Box2D wants them told anew before each solve.
 class Box2dBelts : public b2ContactListener {
 public:
     void PreSolve(b2Contact* contact, const b2Manifold* before) override;
 };
 
+/// The filter of the scene format in all its 32 bits, where Box2D itself has 16.
 class Box2dFilter : public b2ContactFilter {
 public:
     bool ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) override;
