@@ -7,17 +7,27 @@
 namespace swept::test {
 namespace {
 
-/// Way that a box slides on level ground until it rests, m.
-double slidInBox2d(double speed, double friction) {
-    b2World world(b2Vec2(0, static_cast<float>(-kGravity)));
-    b2BodyDef groundDef;
-    groundDef.position.Set(0, -1);
+b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+/// Ground through the origin that rises by the angle.
+void addGround(b2World& world, double angle, double friction) {
+    b2BodyDef def;
+    def.position = toBox2d(turned({0, -1}, angle));
+    def.angle = static_cast<float>(angle);
     b2PolygonShape shape;
     shape.SetAsBox(100, 1);
     b2FixtureDef fixture;
     fixture.shape = &shape;
     fixture.friction = static_cast<float>(friction);
-    world.CreateBody(&groundDef)->CreateFixture(&fixture);
+    world.CreateBody(&def)->CreateFixture(&fixture);
+}
+
+/// Way that a box slides on level ground until it rests, m.
+double slidInBox2d(double speed, double friction) {
+    b2World world(b2Vec2(0, static_cast<float>(-kGravity)));
+    addGround(world, 0, friction);
+    b2FixtureDef fixture;
+    fixture.friction = static_cast<float>(friction);
     b2BodyDef def;
     def.type = b2_dynamicBody;
     def.position.Set(0, 0.5F);
@@ -78,25 +88,18 @@ Carried carriedInBox2d(double speed, double friction) {
     Belt belt(speed);
     b2World world(b2Vec2(0, static_cast<float>(-kGravity)));
     world.SetContactListener(&belt);
-    b2BodyDef groundDef;
-    const DVec2 ground = turned({0, -1}, kSlope);
-    groundDef.position.Set(static_cast<float>(ground.x), static_cast<float>(ground.y));
-    groundDef.angle = static_cast<float>(kSlope);
-    b2PolygonShape square;
-    square.SetAsBox(100, 1);
+    addGround(world, kSlope, friction);
     b2FixtureDef fixture;
-    fixture.shape = &square;
     fixture.friction = static_cast<float>(friction);
-    world.CreateBody(&groundDef)->CreateFixture(&fixture);
+    b2PolygonShape square;
     square.SetAsBox(0.5F, 0.5F);
     b2CircleShape circle;
     circle.m_radius = 0.5F;
     fixture.density = 1;
     const auto drop = [&](double x, const b2Shape& shape) {
         b2BodyDef def;
-        const DVec2 place = turned({x, 0.5}, kSlope);
         def.type = b2_dynamicBody;
-        def.position.Set(static_cast<float>(place.x), static_cast<float>(place.y));
+        def.position = toBox2d(turned({x, 0.5}, kSlope));
         def.angle = static_cast<float>(kSlope);
         def.allowSleep = false;
         b2Body* const body = world.CreateBody(&def);
