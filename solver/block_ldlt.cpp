@@ -48,9 +48,6 @@ void subtractProduct(Block33& target, const Block33& a, const Block33& b) {
     }
 }
 
-/// A target on the diagonal, told from the others by this bit.
-constexpr std::uint32_t kDiagonalBit = std::uint32_t{1} << 31;
-
 void addUnique(std::vector<std::uint32_t>& sorted, std::uint32_t value) {
     const auto place = std::lower_bound(sorted.begin(), sorted.end(), value);
     if (place == sorted.end() || *place != value) { sorted.insert(place, value); }
@@ -148,27 +145,41 @@ void BlockLdlt::clear() {
     std::fill(blocks_.begin(), blocks_.end(), Block33{});
 }
 
-void BlockLdlt::factorise() {
-    const auto columns = static_cast<std::uint32_t>(diagonal_.size());
-    std::size_t target = 0;
-    for (std::uint32_t c = 0; c < columns; ++c) {
-        factoriseBlock(diagonal_[c]);
-        const std::uint32_t begin = begins_[c];
-        const std::uint32_t end = begins_[c + 1];
-        unscaled_.assign(blocks_.data() + begin, blocks_.data() + end);
-        for (std::uint32_t i = begin; i < end; ++i) {
-            // Rows of the block times D⁻¹, which is symmetric.
-            Block33& block = blocks_[i];
-            for (std::size_t r = 0; r < 3; ++r) {
-                const Block3 row = solveBlock(diagonal_[c], {block[3 * r], block[3 * r + 1], block[3 * r + 2]});
-                std::copy(row.begin(), row.end(), block.begin() + static_cast<std::ptrdiff_t>(3 * r));
-            }
-            for (std::uint32_t k = begin; k <= i; ++k, ++target) {
-                const std::uint32_t t = targets_[target];
-                Block33& into = (t & kDiagonalBit) != 0 ? diagonal_[t & ~kDiagonalBit] : blocks_[t];
-                subtractProduct(into, block, unscaled_[k - begin]);
-            }
+void eliminateColumn(const BlockColumn& column, std::span<SpreadBlock> scratch) {
+    const std::span<Block33> blocks = column.blocks;
+    for (std::size_t i = 0; i < blocks.size(); ++i) { scratch[i].block = blocks[i]; }
+    const std::uint32_t* target = column.targets;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        // Rows of the block times D⁻¹, which is symmetric.
+        Block33& block = blocks[i];
+        for (std::size_t r = 0; r < 3; ++r) {
+            const Block3 row = solveBlock(column.diagonal, {block[3 * r], block[3 * r + 1], block[3 * r + 2]});
+            std::copy(row.begin(), row.end(), block.begin() + static_cast<std::ptrdiff_t>(3 * r));
         }
+        for (std::size_t k = 0; k <= i; ++k, ++target) {
+            const bool isDiagonal = (*target & kDiagonalBit) != 0;
+            Block33& into = isDiagonal ? column.diagonals[*target & ~kDiagonalBit] : column.all[*target];
+            subtractProduct(into, block, scratch[k].block);
+        }
+    }
+}
+
+#ifndef SWEPT_SIMD
+EliminateColumn columnKernel() { return nullptr; }
+#endif
+
+void BlockLdlt::factorise() {
+    const EliminateColumn kernel = columnKernel();
+    const EliminateColumn take = kernel != nullptr ? kernel : eliminateColumn;
+    const std::uint32_t* targets = targets_.data();
+    for (std::size_t c = 0; c < diagonal_.size(); ++c) {
+        factoriseBlock(diagonal_[c]);
+        const std::size_t count = begins_[c + 1] - begins_[c];
+        if (count == 0) { continue; }
+        if (spread_.size() < count) { spread_.resize(count); }
+        const std::span<Block33> blocks(blocks_.data() + begins_[c], count);
+        take({diagonal_[c], blocks, targets, diagonal_.data(), blocks_.data()}, spread_);
+        targets += count * (count + 1) / 2;
     }
 }
 

@@ -1,21 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "../shapes/real.h"
+#include "block33.h"
+#include "wide_columns.h"
 
 namespace swept::inline SWEPT_PRECISION {
-
-/// The three coordinates in which a body moves: x, y, angle. Always double: stiff rows between masses of 1 : 10⁶ need
-/// it.
-using Block3 = std::array<double, 3>;
-/// Row by row.
-using Block33 = std::array<double, 9>;
 
 /// Two nodes that are coupled.
 struct BlockEdge {
@@ -68,7 +62,7 @@ private:
     std::vector<std::uint32_t> targets_;  ///< block that each pair of blocks of a column is subtracted from, in order
     std::vector<Block33> diagonal_;       ///< by position; factorised: L·D·Lᵀ of the block itself
     std::vector<Block33> blocks_;
-    std::vector<Block33> unscaled_;        ///< scratch: blocks of one column before they were divided by D
+    std::vector<SpreadBlock> spread_;      ///< scratch: blocks of one column before they were divided by D
     mutable std::vector<Block3> scratch_;  ///< right-hand side in the order of elimination
 };
 
