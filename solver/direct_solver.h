@@ -113,6 +113,7 @@ private:
         Hold tangentHold = Hold::free;
         double limit = 0;         ///< of friction
         bool isExpected = false;  ///< to press
+        int partings = 0;         ///< of a point without a known limit, in this solve
         Real half = 0;            ///< expected normal impulse of half a sub-step
         Real tangentHalf = 0;
         Real first = 0;  ///< impulses of the first half

@@ -1,3 +1,4 @@
+#include "../support/random.h"
 #include "world_support.h"
 
 /// Piles of a thousand boxes and more at rest: all of their contacts are solved at once, and held afterwards.
@@ -72,6 +73,26 @@ TEST(LargePiles, WallOfAThousandBricks) {
     }
     runAndCountHeld(pile, 60);
     expectAtMost("wall-1025 move, m", pile.worstMove(), 1e-4);
+}
+
+/// Stones of 0.6 to 1.4 m by 0.5 in rows of one length, 4 mm between them: no two lie on each other alike.
+void expectStonesStand(double length, int rows, std::uint64_t seed) {
+    SCOPED_TRACE(testing::Message() << rows << " rows, seed " << seed);
+    Random random(seed);
+    Pile pile;
+    for (int row = 0; row < rows; ++row) {
+        for (double left = length; left > 0;) {
+            const double half = left > 2 ? random.range(0.3, 0.7) : left > 1.4 ? 0.25 * left : 0.5 * left;
+            pile.add({left - half, 0.5 * row + 0.25}, half - 0.002, 0.25);
+            left -= 2 * half;
+        }
+    }
+    const int held = runAndCountHeld(pile, 60);
+    expectAtMost("stones move, m", pile.worstMove(), 1e-4);
+    expectAtMost("stones' steps that are solved anew, part", 1 - held / 60.0, 0.5);
+}
+TEST(LargePiles, WallsOfRandomStones) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) { expectStonesStand(24, 24, seed); }
 }
 
 }  // namespace
