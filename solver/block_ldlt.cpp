@@ -123,6 +123,12 @@ void BlockLdlt::place() {
     for (std::uint32_t& row : rows_) { row = position_[row]; }
     for (std::uint32_t c = 0; c < columns; ++c) { std::sort(rows_.data() + begins_[c], rows_.data() + begins_[c + 1]); }
     targets_.clear();
+    std::size_t pairs = 0;
+    for (std::uint32_t c = 0; c < columns; ++c) {
+        const std::size_t count = begins_[c + 1] - begins_[c];
+        pairs += count * (count + 1) / 2;
+    }
+    if (targets_.capacity() < pairs) { targets_.reserve(std::max(pairs, 2 * targets_.capacity())); }
     for (std::uint32_t c = 0; c < columns; ++c) {
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
             for (std::uint32_t k = begins_[c]; k < i; ++k) { targets_.push_back(blockAt(rows_[i], rows_[k])); }

@@ -56,6 +56,10 @@ DirectRow tangentOf(const ContactConstraint& contact, const ContactConstraintPoi
 }  // namespace
 
 void DirectSolver::listContacts(SolverBatch& batch) {
+    // They are large: room is made at once, not in steps of which each is copied and given back.
+    std::size_t points = 0;
+    for (const ContactConstraint& contact : batch.contacts) { points += static_cast<std::size_t>(contact.count); }
+    if (contacts_.capacity() < points) { contacts_.reserve(std::max(points, 2 * contacts_.capacity())); }
     for (ContactConstraint& contact : batch.contacts) {
         const std::uint32_t a = nodeOf_[contact.slotA];
         const std::uint32_t b = nodeOf_[contact.slotB];
