@@ -1,3 +1,6 @@
+#include <chrono>
+#include <string>
+
 #include "../support/random.h"
 #include "world_support.h"
 
@@ -93,6 +96,64 @@ void expectStonesStand(double length, int rows, std::uint64_t seed) {
 }
 TEST(LargePiles, WallsOfRandomStones) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) { expectStonesStand(24, 24, seed); }
+}
+
+/// Fifty rows of unit boxes, each set down up to 0.1 mm too high or too low.
+void addUnevenPyramid(Pile& pile, double spacing) {
+    Random random(3);
+    for (int row = 0; row < 50; ++row) {
+        for (int i = 0; i < 50 - row; ++i) {
+            pile.add({spacing * (i - 0.5 * (50 - row)), row + 0.5 + (row > 0 ? random.range(-1e-4, 1e-4) : 0)}, 0.5, 0.5);
+        }
+    }
+}
+/// Stones as above in rows whose right ends are ragged: some of them fall off there.
+void addRaggedWall(Pile& pile, double length, int rows) {
+    Random random(3);
+    for (int row = 0; row < rows; ++row) {
+        for (double x = 0; x < length;) {
+            const double half = random.range(0.3, 0.7);
+            pile.add({x + half, 0.5 * row + 0.25}, half, 0.25);
+            x += 2 * half + 0.004;
+        }
+    }
+}
+/// As many bricks in each of so many rows, every other row half a brick farther right.
+void addOverhangingWall(Pile& pile, int rows) {
+    for (int row = 0; row < rows; ++row) {
+        for (int i = 0; i < rows; ++i) { pile.add({i + (row % 2 != 0 ? 0.5 : 0), 0.5 * row + 0.25}, 0.495, 0.25); }
+    }
+}
+
+/// Piles that begin out of balance, or in one that is not found without a search: what that costs is kept for
+/// `--gtest_output=json:FILE` (solver/README.md), that it finds something is checked.
+TEST(LargePiles, AreFoundInTheirFirstSteps) {
+    const auto start = [](const std::string& name, const auto& add) {
+        SCOPED_TRACE(name);
+        Pile pile;
+        add(pile);
+        std::string took = testing::PrintToString(pile.bodies.size()) + " bodies, ms (factorisations):";
+        for (int i = 0; i < 4; ++i) {
+            const auto begin = std::chrono::steady_clock::now();
+            must(pile.world.step(kStep));
+            const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+            const StepCounters& counters = pile.world.counters();
+            if (i == 0) {
+                EXPECT_EQ(counters.directBodies, pile.bodies.size());
+                EXPECT_EQ(counters.directGivenUp, 0U);
+            }
+            took += ' ' + testing::PrintToString(time.count()) + " (" +
+                    testing::PrintToString(counters.factorisations) + ')';
+        }
+        testing::Test::RecordProperty(name, took);
+    };
+    start("pyramid, apart", [](Pile& pile) { addUnevenPyramid(pile, 1.02); });
+    start("pyramid, side by side", [](Pile& pile) { addUnevenPyramid(pile, 1); });
+    start("24 rows of stones", [](Pile& pile) { addRaggedWall(pile, 24, 24); });
+    start("44 rows of stones", [](Pile& pile) { addRaggedWall(pile, 45, 44); });
+    start("60 rows of stones", [](Pile& pile) { addRaggedWall(pile, 33, 60); });
+    start("30 rows that overhang", [](Pile& pile) { addOverhangingWall(pile, 30); });
+    start("44 rows that overhang", [](Pile& pile) { addOverhangingWall(pile, 44); });
 }
 
 }  // namespace

@@ -187,7 +187,8 @@ TEST(Webs, SettledForAMinute) {
     EXPECT_EQ(s.world.counters().settledBodies, s.bodies.size());
 }
 
-/// A large pile that is searched in vain is iterated in the same step, and nobody else moves in it again.
+/// A large pile that is searched in vain is iterated in the same step, and nobody else moves in it again. (With equal masses
+/// it was in vain, too, until points without a known limit of friction no longer sent the search to and fro.)
 TEST(Webs, WhatIsSearchedInVainHoldsUpNobody) {
     std::uint64_t inVain = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -198,7 +199,9 @@ TEST(Webs, WhatIsSearchedInVainHoldsUpNobody) {
         for (int i = 0; i < 400; ++i) {
             const int row = i / 20;
             const double shift = row % 2 == 0 ? 0 : random.range(0, 0.5);
-            addBody(world, dynamicAt({i % 20 + shift, 1.5 + row}), box(0.5, 0.5), material(random.range(0, 1)));
+            BodyDef def = dynamicAt({i % 20 + shift, 1.5 + row});
+            def.mass = static_cast<Real>(std::pow(10.0, random.range(0, 3)));
+            addBody(world, def, box(0.5, 0.5), material(random.range(0, 1)));
         }
         for (int i = 1; i <= 6; ++i) {
             must(world.step(kStep));
