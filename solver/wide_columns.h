@@ -17,11 +17,11 @@ struct SpreadBlock {
 
 /// One column in the course of a factorisation.
 struct BlockColumn {
-    const Block33& diagonal;      ///< its own, factorised
-    std::span<Block33> blocks;    ///< below it: those of A before, of L afterwards
-    const std::uint32_t* targets; ///< of each pair of them, see `BlockLdlt`
-    Block33* diagonals;           ///< of all columns
-    Block33* all;                 ///< blocks of all columns
+    const Block33& diagonal;       ///< its own, factorised
+    std::span<Block33> blocks;     ///< below it: those of A before, of L afterwards
+    const std::uint32_t* targets;  ///< of each pair of them, see `BlockLdlt`
+    Block33* diagonals;            ///< of all columns
+    Block33* all;                  ///< blocks of all columns
 };
 
 /// A target on the diagonal, told from the others by this bit.
