@@ -18,6 +18,13 @@ function(swept_warnings target)
     endif()
 endfunction()
 
+# Off for programs, which say things: GCC 12 warns wrongly about `"literal" + std::to_string(i)` (its bug 105651).
+function(swept_no_false_alarms target)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
+    endif()
+endfunction()
+
 # For what takes longer to compile with full optimisation than it ever runs: tools, the reader of scenes. What is measured,
 # or works hard in a test, is not among it. `None` is what the presets with sanitizers are built as, with -O1.
 function(swept_optimise_little target)
@@ -25,13 +32,11 @@ function(swept_optimise_little target)
     swept_unite(${target})
 endfunction()
 
-# Common to every library target of ours.
-function(swept_configure_library target export_name)
+# What every library target of ours is compiled with; the options that users take over are public.
+function(swept_layer_options target)
     swept_warnings(${target})
-    swept_precompile(${target})
-    swept_unite(${target})
     target_compile_features(${target} PUBLIC cxx_std_20)
-    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF EXPORT_NAME ${export_name})
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
     if(NOT SWEPT_WASM)  # where it goes through tables for nothing
         set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endif()
@@ -51,6 +56,31 @@ function(swept_configure_library target export_name)
     if(SWEPT_WASM)
         target_compile_options(${target} PUBLIC -fno-slp-vectorize)
     endif()
+endfunction()
+
+# What they share of precompiled headers; with sanitizers (`None`) some are not optimised, see below.
+if(SWEPT_PRECOMPILE)
+    swept_add_prelude(swept_layer_prelude ${SWEPT_STANDARD_HEADERS})
+    swept_layer_options(swept_layer_prelude)
+    if(CMAKE_BUILD_TYPE STREQUAL None)
+        swept_add_prelude(swept_plain_layer_prelude ${SWEPT_STANDARD_HEADERS})
+        swept_layer_options(swept_plain_layer_prelude)
+        target_compile_options(swept_plain_layer_prelude PRIVATE -O0)
+    endif()
+endif()
+
+# swept_configure_library(TARGET EXPORT-NAME [PLAIN]): common to every library target of ours. PLAIN: not optimised with
+# sanitizers.
+function(swept_configure_library target export_name)
+    swept_layer_options(${target})
+    if("PLAIN" IN_LIST ARGN AND CMAKE_BUILD_TYPE STREQUAL None)
+        target_compile_options(${target} PRIVATE -O0)
+        swept_share_prelude(${target} swept_plain_layer_prelude)
+    else()
+        swept_share_prelude(${target} swept_layer_prelude)
+    endif()
+    swept_unite(${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name})
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${SWEPT_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
     if(NOT PROJECT_IS_TOP_LEVEL AND NOT SWEPT_INSTALL)
         set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)  # of both precisions a game links one
@@ -66,13 +96,13 @@ function(swept_add_layer name)
     foreach(precision f32 f64)
         set(target swept_${name}_${precision})
         add_library(${target} STATIC ${LAYER_SOURCES})
-        swept_configure_library(${target} ${name}_${precision})
+        set(options "")
+        if(precision STREQUAL f64 AND NOT name STREQUAL shapes)  # which works for all of toi/
+            set(options PLAIN)  # they run little with sanitizers, but for the long run: compiled in half the time
+        endif()
+        swept_configure_library(${target} ${name}_${precision} ${options})
         if(precision STREQUAL f64)
             target_compile_definitions(${target} PUBLIC SWEPT_F64)
-            if(NOT name STREQUAL shapes)  # which works for all of toi/
-                # With sanitizers these run little, but for the long run: compiled in half the time.
-                target_compile_options(${target} PRIVATE $<$<CONFIG:None>:-O0>)
-            endif()
         endif()
         foreach(needed IN LISTS LAYER_NEEDS)
             target_link_libraries(${target} PUBLIC swept_${needed}_${precision})

@@ -11,28 +11,22 @@ endforeach()
 # compile. OPTIONS as of swept_configure_test.
 function(swept_add_test_prelude name)
     cmake_parse_arguments(PRELUDE "" "" "OPTIONS" ${ARGN})
-    set(nothing ${CMAKE_CURRENT_BINARY_DIR}/prelude.cpp)
-    file(CONFIGURE OUTPUT ${nothing} CONTENT "// Compiled for its precompiled header only.\n")
-    add_library(${name} OBJECT ${nothing})
+    swept_add_prelude(${name} <gtest/gtest.h> <algorithm> <array> <cmath> <limits> <map> <random> <set> <sstream> <string>
+                      <vector> ${PRELUDE_UNPARSED_ARGUMENTS})
     swept_configure_test(${name} ${PRELUDE_OPTIONS})
-    target_compile_features(${name} PUBLIC cxx_std_20)
     target_compile_options(${name} PRIVATE -ffp-contract=off)
     target_link_libraries(${name} PRIVATE GTest::gtest)
-    target_precompile_headers(${name} PRIVATE <gtest/gtest.h> <algorithm> <array> <cmath> <limits> <map> <random> <set>
-                                              <sstream> <string> <vector> ${PRELUDE_UNPARSED_ARGUMENTS})
 endfunction()
 
 # swept_configure_test(TARGET [HAS_ORACLE]): what all test executables are compiled with.
 function(swept_configure_test target)
     swept_warnings(${target})
-    # What is tested is optimised fully; the tests themselves take longer to compile so than to run, and with sanitizers
-    # (the presets with the configuration None) even unoptimised, but for oracles that work hard.
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-    if(NOT "HAS_ORACLE" IN_LIST ARGN)
-        target_compile_options(${target} PRIVATE $<$<CONFIG:None>:-O0>)
-    endif()
-    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-        target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+    # What is tested is optimised fully; the tests themselves take longer to be optimised than to run, but for oracles that
+    # work hard, and where an emulator runs them. (`None`, the configuration of the presets with sanitizers, has -O1.)
+    if("HAS_ORACLE" IN_LIST ARGN OR CMAKE_CROSSCOMPILING)
+        target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    else()
+        target_compile_options(${target} PRIVATE $<$<CONFIG:Release,None>:-O0>)
     endif()
 endfunction()
 
@@ -46,14 +40,13 @@ function(swept_add_test name)
     set(prelude swept_test_prelude)
     if(TEST_READS_JSON)
         set(prelude swept_test_json_prelude)
-        set(options HAS_ORACLE)  # as the one for all of these has it
         target_link_libraries(${name} PRIVATE nlohmann_json::nlohmann_json)
-    elseif(TEST_HAS_ORACLE AND CMAKE_BUILD_TYPE STREQUAL None)
+    elseif(TEST_HAS_ORACLE AND TARGET swept_test_oracle_prelude)
         set(prelude swept_test_oracle_prelude)
         set(options HAS_ORACLE)
     endif()
     swept_configure_test(${name} ${options})
-    target_precompile_headers(${name} REUSE_FROM ${prelude})
+    swept_share_prelude(${name} ${prelude})
     swept_unite(${name})
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main)
     foreach(label IN LISTS TEST_LABELS)
