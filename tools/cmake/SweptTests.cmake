@@ -7,7 +7,7 @@ foreach(label quick quick_long parallel parallel_long)
 endforeach()
 
 # Reading gtest is half of what a small suite takes to compile, so it is read once for all of them, and once more for those
-# that read JSON, or, with sanitizers, work hard. The targets have the suites' compiler options and nothing of their own to
+# that read JSON, or work hard. The targets have the suites' compiler options and nothing of their own to
 # compile. OPTIONS as of swept_configure_test.
 function(swept_add_test_prelude name)
     cmake_parse_arguments(PRELUDE "" "" "OPTIONS" ${ARGN})
