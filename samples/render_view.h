@@ -29,7 +29,7 @@ public:
     DVec2 origin() const { return middle_ + scale_ * offset_; }
     double scale() const { return scale_; }
     double pen() const { return pen_; }
-    bool finite() const { return isFinite(origin()) && isFinite({cosine_, sine_}); }
+    bool finite() const { return isFinite(origin()) && isFinite(DVec2{cosine_, sine_}); }
 
 private:
     DVec2 offset_;  // from the centre of the view, metres

@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kWarmUp = 50;  ///< steps, so that boxes are those of something that has long been at rest
 
-struct Meeting {
+struct Approach {
     World world = makeWorld(0);
     BodyId mover;
 
-    explicit Meeting(double gap) {
+    explicit Approach(double gap) {
         addStatic(world, box(0.5, 2), material(0.6), {0.5, 0});
         mover = addBody(world, dynamicAt({-0.5 - gap, 0}, {}), box(0.5, 0.5), material(0.6));
     }
@@ -33,21 +33,21 @@ constexpr double kWay = 0.24;
 /// Within the margin of its boxes, and beyond.
 constexpr double kGaps[] = {0.03, 0.1, 0.15, 0.2, 0.23};
 
-void expectStops(const std::string& name, double gap, const std::function<void(Meeting&)>& give) {
-    Meeting meeting(gap);
-    meeting.rest(kStep);
-    give(meeting);
-    expectAtMost(name + ", gap " + std::to_string(gap), meeting.depthAfter(kStep), 0x1p-10);
+void expectStops(const std::string& name, double gap, const std::function<void(Approach&)>& give) {
+    Approach approach(gap);
+    approach.rest(kStep);
+    give(approach);
+    expectAtMost(name + ", gap " + std::to_string(gap), approach.depthAfter(kStep), 0x1p-10);
 }
 
 TEST(Reach, OfAVelocityThatWasGiven) {
     constexpr double kSpeed = kWay / kStep;
     for (const double gap : kGaps) {
-        expectStops("velocity", gap, [](Meeting& m) { must(m.world.setVelocity(m.mover, vec(kSpeed, 0), 0)); });
-        expectStops("impulse", gap, [](Meeting& m) {
+        expectStops("velocity", gap, [](Approach& m) { must(m.world.setVelocity(m.mover, vec(kSpeed, 0), 0)); });
+        expectStops("impulse", gap, [](Approach& m) {
             must(m.world.applyImpulse(m.mover, vec(kSpeed * m.world.mass(m.mover), 0), m.world.position(m.mover)));
         });
-        expectStops("velocity of a sleeper", gap, [](Meeting& m) {
+        expectStops("velocity of a sleeper", gap, [](Approach& m) {
             must(m.world.setAwake(m.mover, false));
             must(m.world.setVelocity(m.mover, vec(kSpeed, 0), 0));
         });
@@ -56,10 +56,10 @@ TEST(Reach, OfAVelocityThatWasGiven) {
 
 TEST(Reach, OfAStepThatIsLonger) {
     for (const double gap : kGaps) {
-        Meeting meeting(gap);
-        meeting.rest(kStep / 64);
-        must(meeting.world.setVelocity(meeting.mover, vec(kWay / kStep, 0), 0));
-        expectAtMost("longer step, gap " + std::to_string(gap), meeting.depthAfter(kStep), 0x1p-10);
+        Approach approach(gap);
+        approach.rest(kStep / 64);
+        must(approach.world.setVelocity(approach.mover, vec(kWay / kStep, 0), 0));
+        expectAtMost("longer step, gap " + std::to_string(gap), approach.depthAfter(kStep), 0x1p-10);
     }
 }
 

@@ -6,6 +6,7 @@
 #   SWEPT_SIMD                where it is built from sources, with all else that makes that fast
 #   PAGE                      a markdown file: each of its C++ blocks is a program, which must print what its comments
 #                             `// prints: ...` say, if it has any
+#   PRECOMPILED               a header that each program of the page includes, read once for all
 #   MISMATCH                  the link must fail, for want of names of the other precision
 file(REMOVE_RECURSE ${WORK_DIR})
 
@@ -40,6 +41,9 @@ if(PAGE)
             set(name consumer_${count})
         endif()
         file(WRITE ${WORK_DIR}/${name}.cpp "${program}")
+        if(PRECOMPILED AND NOT program MATCHES "#include ${PRECOMPILED}\n")
+            message(FATAL_ERROR "a program of ${PAGE} does not include ${PRECOMPILED}:\n${program}")
+        endif()
         list(APPEND MAIN ${WORK_DIR}/${name}.cpp)
         list(APPEND programs ${name})
         set(prints_${name} "")
@@ -61,13 +65,14 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR} -G ${GE
                         -DSWEPT_ROOT=${SWEPT_ROOT} -DCONSUME=${CONSUME} -DPRECISION=${PRECISION}
                         -DONLY_LAYERS=${ONLY_LAYERS} -DMISMATCH=${MISMATCH} "-DMAIN=${MAIN}"
                         -DCOMPONENTS=${COMPONENTS} -DSWEPT_SIMD=${SWEPT_SIMD}
-                        -DSWEPT_SIMD_FEW=ON -DSWEPT_UNITY=ON
+                        -DSWEPT_SIMD_FEW=ON -DSWEPT_UNITY=ON -DSWEPT_PRECOMPILE=ON
+                        "-DPRECOMPILED=${PRECOMPILED}"
                 OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "configuring the project failed:\n${output}")
 endif()
 
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR} --target consumer
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR} --target programs
                 OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
 if(MISMATCH)
     if(result EQUAL 0)

@@ -6,6 +6,9 @@
 
 namespace swept::house {
 
+/// Whether a name or a number may have it in it.
+bool isWordChar(char c);
+
 /// The same text, line for line, with everything that is not code made blank: comments, the contents of string and
 /// character literals, and preprocessor lines.
 std::string codeOnly(std::string_view text);

@@ -13,7 +13,7 @@
 namespace swept::test {
 namespace {
 
-constexpr std::uint64_t kCases = 100;
+constexpr std::uint64_t kObserved = 100;
 
 class Diary final : public ToiObserver {
 public:
@@ -26,7 +26,7 @@ class ToiObserved : public ::testing::TestWithParam<ToiMethod> {};
 TEST_P(ToiObserved, StepsLeadToTheSameAnswer) {
     int watched = 0;
     for (const Family family : kFamilies) {
-        for (std::uint64_t seed = 0; seed < kCases; ++seed) {
+        for (std::uint64_t seed = 0; seed < kObserved; ++seed) {
             Query q = randomQuery(family, seed);
             SCOPED_TRACE(::testing::Message() << nameOf(family) << " seed " << seed << q);
             const auto by = [&q] { return timeOfImpactBy(GetParam(), q.a, q.sweepA, q.b, q.sweepB, q.settings); };
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, ToiObserved,
 TEST(ToiBound, LiesBelowTheSeparation) {
     int bounded = 0;
     for (const Family family : kFamilies) {
-        for (std::uint64_t seed = 0; seed < kCases / 2; ++seed) {
+        for (std::uint64_t seed = 0; seed < kObserved / 2; ++seed) {
             const Query q = randomQuery(family, seed);
             SCOPED_TRACE(::testing::Message() << nameOf(family) << " seed " << seed << q);
             const double start = separationAt(q.a, q.sweepA, q.b, q.sweepB, 0).separation;

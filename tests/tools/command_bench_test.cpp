@@ -11,6 +11,7 @@
 #include <swept/toi/toi_method.h>
 #include <swept/tools/toi_families.h>
 
+#include "csv_records.h"
 #include "run_program.h"
 
 namespace swept {
@@ -18,15 +19,8 @@ namespace {
 
 using Record = std::map<std::string, std::string>;
 
-std::vector<std::string> fieldsOf(const std::string& line) {
-    std::vector<std::string> fields;
-    std::istringstream in(line);
-    for (std::string field; std::getline(in, field, ',');) { fields.push_back(field); }
-    return fields;
-}
-
 /// None of the names has a comma.
-std::vector<Record> recordsOf(const std::string& csv) {
+std::vector<Record> namedRecordsOf(const std::string& csv) {
     std::istringstream in(csv);
     std::string line;
     std::getline(in, line);
@@ -71,7 +65,7 @@ TEST(CommandBench, HasARecordForEveryMethodAndFamily) {
     EXPECT_NE(result.out.find(" build\n"), std::string::npos) << "the machine and the build are named";
     std::set<std::pair<std::string, std::string>> found;
     int tunnelled = 0;
-    for (const Record& record : recordsOf(scratch.read("bench.csv"))) {
+    for (const Record& record : namedRecordsOf(scratch.read("bench.csv"))) {
         found.insert({record.at("family"), record.at("method")});
         EXPECT_EQ(record.at("seed"), "3");
         const int queries = std::stoi(record.at("queries"));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "csv_records.h"
 #include "run_program.h"
 #include "small_scenes.h"
 
@@ -17,13 +18,6 @@ std::vector<std::string> linesOf(const std::string& text) {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) { lines.push_back(line); }
     return lines;
-}
-
-std::vector<std::string> fieldsOf(const std::string& line) {
-    std::vector<std::string> fields;
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) { fields.push_back(field); }
-    return fields;
 }
 
 TEST(CommandRun, WritesTheStateOfEveryBodyAfterEveryStep) {

@@ -7,15 +7,19 @@
 
 namespace swept {
 
+/// Of a record without quoted fields.
+inline std::vector<std::string> fieldsOf(const std::string& record) {
+    std::vector<std::string> fields;
+    std::istringstream in(record);
+    for (std::string field; std::getline(in, field, ',');) { fields.push_back(field); }
+    return fields;
+}
+
 /// Records of a CSV file without quoted fields.
 inline std::vector<std::vector<std::string>> recordsOf(const std::string& csv) {
     std::vector<std::vector<std::string>> records;
     std::istringstream lines(csv);
-    for (std::string line; std::getline(lines, line);) {
-        std::vector<std::string>& record = records.emplace_back();
-        std::istringstream fields(line);
-        for (std::string field; std::getline(fields, field, ',');) { record.push_back(field); }
-    }
+    for (std::string line; std::getline(lines, line);) { records.push_back(fieldsOf(line)); }
     return records;
 }
 

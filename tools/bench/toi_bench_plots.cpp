@@ -15,7 +15,7 @@ namespace {
 /// Where "none at all" stands on a logarithmic axis of percents.
 constexpr double kNone = 1e-3;
 
-double percent(int some, int all) { return some == 0 || all == 0 ? kNone : 100.0 * some / all; }
+double inPercent(int some, int all) { return some == 0 || all == 0 ? kNone : 100.0 * some / all; }
 
 const char* const kStyle =
     "set terminal pngcairo size 960,600 font 'sans,12'\n"
@@ -41,8 +41,8 @@ void writeCostData(std::ostream& out, std::span<const ToiBenchRow> rows) {
     out << "# method, ns a query (geometric mean over the families), % missed or late, % wrong in any way\n";
     for (const ToiBenchTotal& total : totalsOf(rows)) {
         out << '"' << total.method << "\" " << roundedText(total.nanoseconds, 6) << ' '
-            << roundedText(percent(total.tally.deep(), total.tally.queries), 6) << ' '
-            << roundedText(percent(total.tally.wrong(), total.tally.queries), 6) << '\n';
+            << roundedText(inPercent(total.tally.deep(), total.tally.queries), 6) << ' '
+            << roundedText(inPercent(total.tally.wrong(), total.tally.queries), 6) << '\n';
     }
 }
 
@@ -132,7 +132,7 @@ void writeTurnsData(std::ostream& out, std::span<const TurnPoint> turns, const s
         for (const TurnPoint& point : turns) {
             if (point.method == method && point.tally.queries > 0) {
                 out << roundedText(point.turn) << ' '
-                    << roundedText(percent(point.tally.deep(), point.tally.queries), 6) << '\n';
+                    << roundedText(inPercent(point.tally.deep(), point.tally.queries), 6) << '\n';
             }
         }
         out << "\n\n";

@@ -47,7 +47,7 @@ std::vector<std::uint32_t> countsOf(const BroadphaseArguments& arguments) {
     return counts;
 }
 
-std::vector<std::string> sceneNames() {
+std::vector<std::string> boxSceneNames() {
     std::vector<std::string> names;
     for (const bench::BoxScene scene : bench::kBoxScenes) { names.emplace_back(bench::nameOf(scene)); }
     for (const bench::PeerScene scene : bench::kPeerScenes) { names.emplace_back(bench::nameOf(scene)); }
@@ -150,7 +150,7 @@ void addBroadphaseOptions(Command app, BroadphaseArguments& arguments) {
     app.option("--scenes", arguments.settings.scenes, "Only these scenes; `margins` is one too")
         .type("NAME,...")
         .separatedBy(',')
-        .oneOf(sceneNames());
+        .oneOf(boxSceneNames());
     app.option("--seed", arguments.settings.seed, "The same seed gives the same boxes [1]")
         .type("S")
         .within(std::int64_t{0}, kMostSeed);
