@@ -2,12 +2,12 @@
 
 #include <box2d/box2d.h>
 
+#include "box2d3_vector.h"
+
 namespace swept::bench {
 namespace {
 
 constexpr int kSubSteps = 4;
-
-b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
 class Box2d3Crowd final : public CrowdEngine {
 public:
@@ -31,7 +31,7 @@ public:
         shape.material.restitution = static_cast<float>(crowd.restitution);
         const b2BodyDef fixedDef = b2DefaultBodyDef();
         for (const CrowdWall& wall : crowd.walls) {
-            const b2Segment segment{toBox2d(wall.p), toBox2d(wall.q)};
+            const b2Segment segment{vectorOf(wall.p), vectorOf(wall.q)};
             b2CreateSegmentShape(b2CreateBody(world_, &fixedDef), &shape, &segment);
         }
         const b2Circle disk{{0, 0}, static_cast<float>(kCrowdRadius)};
@@ -40,9 +40,9 @@ public:
         for (const CrowdBody& body : crowd.bodies) {
             b2BodyDef def = b2DefaultBodyDef();
             def.type = b2_dynamicBody;
-            def.position = toBox2d(body.place);
+            def.position = vectorOf(body.place);
             def.rotation = b2MakeRot(static_cast<float>(body.angle));
-            def.linearVelocity = toBox2d(body.velocity);
+            def.linearVelocity = vectorOf(body.velocity);
             def.angularVelocity = static_cast<float>(body.spin);
             bodies_.push_back(b2CreateBody(world_, &def));
             if (body.isDisk) {

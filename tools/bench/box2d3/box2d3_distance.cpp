@@ -5,19 +5,18 @@
 #include <vector>
 
 #include "../kernels/distance_contestant.h"
+#include "box2d3_vector.h"
 
 namespace swept::bench {
 namespace {
 
-b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
 b2Transform toBox2d(const CorePose& pose) {
-    return {toBox2d(pose.translation), {static_cast<float>(pose.c), static_cast<float>(pose.s)}};
+    return {vectorOf(pose.translation), {static_cast<float>(pose.c), static_cast<float>(pose.s)}};
 }
 
 b2ShapeProxy toBox2d(const CoreShape& shape) {
     b2Vec2 points[8];
-    std::transform(shape.vertices.begin(), shape.vertices.end(), points, [](DVec2 v) { return toBox2d(v); });
+    std::transform(shape.vertices.begin(), shape.vertices.end(), points, [](DVec2 v) { return vectorOf(v); });
     return b2MakeProxy(points, shape.count, static_cast<float>(shape.radius));
 }
 

@@ -8,6 +8,8 @@
 #ifdef SWEPT_BENCH_TBB
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
+
+#include "box2d3_vector.h"
 #endif
 
 namespace swept::bench {
@@ -16,8 +18,6 @@ namespace {
 constexpr int kSubSteps = 4;
 constexpr float kStep = 1.0F / 60;
 
-b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
 void addShape(b2BodyId body, const ShapeDescription& shape) {
     b2ShapeDef def = b2DefaultShapeDef();
     def.density = static_cast<float>(shape.density);
@@ -25,13 +25,13 @@ void addShape(b2BodyId body, const ShapeDescription& shape) {
     def.material.restitution = static_cast<float>(shape.restitution);
     if (const auto* box = std::get_if<BoxGeometry>(&shape.geometry)) {
         const b2Polygon polygon = b2MakeOffsetBox(static_cast<float>(box->half.x), static_cast<float>(box->half.y),
-                                                  toBox2d(box->center), b2MakeRot(static_cast<float>(box->angle)));
+                                                  vectorOf(box->center), b2MakeRot(static_cast<float>(box->angle)));
         b2CreatePolygonShape(body, &def, &polygon);
     } else if (const auto* circle = std::get_if<CircleGeometry>(&shape.geometry)) {
-        const b2Circle disk{toBox2d(circle->center), static_cast<float>(circle->radius)};
+        const b2Circle disk{vectorOf(circle->center), static_cast<float>(circle->radius)};
         b2CreateCircleShape(body, &def, &disk);
     } else if (const auto* capsule = std::get_if<CapsuleGeometry>(&shape.geometry)) {
-        const b2Capsule pill{toBox2d(capsule->points[0]), toBox2d(capsule->points[1]),
+        const b2Capsule pill{vectorOf(capsule->points[0]), vectorOf(capsule->points[1]),
                              static_cast<float>(capsule->radius)};
         b2CreateCapsuleShape(body, &def, &pill);
     }
@@ -61,7 +61,7 @@ class Box2d3World final : public TimedWorld {
 public:
     Box2d3World(const SceneDescription& scene, [[maybe_unused]] int threads) {
         b2WorldDef def = b2DefaultWorldDef();
-        def.gravity = toBox2d(scene.gravity);
+        def.gravity = vectorOf(scene.gravity);
         def.enableSleep = scene.settings.sleep;
 #ifdef SWEPT_BENCH_TBB
         if (threads > 1) {
@@ -76,8 +76,8 @@ public:
         for (const BodyDescription& body : scene.bodies) {
             b2BodyDef bodyDef = b2DefaultBodyDef();
             bodyDef.type = body.type == SceneBodyType::dynamic ? b2_dynamicBody : b2_staticBody;
-            bodyDef.position = toBox2d(body.position);
-            bodyDef.linearVelocity = toBox2d(body.velocity);
+            bodyDef.position = vectorOf(body.position);
+            bodyDef.linearVelocity = vectorOf(body.velocity);
             const b2BodyId id = b2CreateBody(world_, &bodyDef);
             for (const ShapeDescription& shape : body.shapes) { addShape(id, shape); }
         }

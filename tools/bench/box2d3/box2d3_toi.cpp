@@ -7,24 +7,23 @@
 #include <cmath>
 
 #include "../engine_query.h"
+#include "box2d3_vector.h"
 
 namespace swept::bench {
 namespace {
 
 constexpr double kMostTurn = 3.14;  // half a turn has no shorter way round
 
-b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
 b2Rot rotationOf(double angle) { return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}; }
 
 b2Sweep toBox2d(const Sweep& sweep) {
-    return {toBox2d(sweep.localCenter), toBox2d(sweep.c0), toBox2d(sweep.c1), rotationOf(sweep.a0),
+    return {vectorOf(sweep.localCenter), vectorOf(sweep.c0), vectorOf(sweep.c1), rotationOf(sweep.a0),
             rotationOf(sweep.a1)};
 }
 
 b2ShapeProxy toBox2d(const ToiPolygon& polygon) {
     b2Vec2 points[8];
-    std::transform(polygon.vertices.begin(), polygon.vertices.end(), points, [](DVec2 v) { return toBox2d(v); });
+    std::transform(polygon.vertices.begin(), polygon.vertices.end(), points, [](DVec2 v) { return vectorOf(v); });
     return b2MakeProxy(points, polygon.count, static_cast<float>(polygon.radius));
 }
 
