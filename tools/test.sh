@@ -82,7 +82,8 @@ fuzz() {
 
 say "default compiler: configuring and building everything (build/release)"
 if [ "$long" = yes ]; then long_tests=ON; else long_tests=OFF; fi
-configure release -DSWEPT_BUILD_TESTS=ON -DSWEPT_LONG_TESTS="$long_tests" -DSWEPT_WERROR="$werror"
+configure release -DSWEPT_BUILD_TESTS=ON -DSWEPT_LONG_TESTS="$long_tests" -DSWEPT_TESTS_APART="$long_tests" \
+    -DSWEPT_WERROR="$werror"
 build release all
 run_tests release "default compiler, release, f32 and f64"
 
