@@ -8,9 +8,9 @@
 #ifdef SWEPT_BENCH_TBB
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
+#endif
 
 #include "box2d3_vector.h"
-#endif
 
 namespace swept::bench {
 namespace {
