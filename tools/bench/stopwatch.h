@@ -13,10 +13,15 @@ class Stopwatch {
 public:
     Stopwatch() : processor_(processorSeconds()), wall_(Clock::now()) {}
 
-    double seconds() const {
+    struct Times {
+        double own = 0;   ///< of this thread, seconds
+        double wall = 0;  ///< by the wall clock alone, seconds
+    };
+    Times times() const {
         const double wall = std::chrono::duration<double>(Clock::now() - wall_).count();
-        return std::min(wall, processorSeconds() - processor_);
+        return {std::min(wall, processorSeconds() - processor_), wall};
     }
+    double seconds() const { return times().own; }
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "box2d3_tasks.h"
 #include "joint_ends.h"
 
 // The names of this engine's functions are those of C, and so apart from those of Box2D 2.4.1 in the same program.
@@ -189,6 +190,7 @@ public:
     Box2d3World(const SceneDescription& scene, const PeerSettings& settings)
         : PeerWorld(scene),
           settings_(settings),
+          tasks_(settings.threads),
           bodies_(scene.bodies.size(), b2_nullBodyId),
           angles_(scene.bodies.size()),
           ends_(jointEndsOf(scene)) {
@@ -197,6 +199,7 @@ public:
         definition.enableSleep = scene.settings.sleep;
         definition.enableContinuous = scene.settings.continuous != SceneContinuous::off;
         definition.contactHertz = settings.isStiff != 0 ? kStiffHertz : definition.contactHertz;
+        tasks_.addTo(definition);
         world_ = b2CreateWorld(&definition);
         for (std::size_t i = 0; i < bodies_.size(); ++i) { addBody(i); }
         for (std::size_t i = 0; i < ends_.size(); ++i) { addJoint(i); }
@@ -297,6 +300,7 @@ private:
     }
 
     PeerSettings settings_;
+    Box2d3Tasks tasks_;
     b2WorldId world_{};
     std::vector<b2BodyId> bodies_;
     std::vector<double> angles_;

@@ -19,6 +19,7 @@ struct PeerSettings {
     Box2dIterations iterations;      ///< of Box2D 2.4.1
     std::int32_t subSteps = 4;       ///< of Box2D 3; its own advice
     std::int32_t isStiff = 0;        ///< Box2D 3: 1 for contacts and joints as stiff as its sub-steps allow
+    std::int32_t threads = 1;        ///< of Box2D 3, on oneTBB; without that it stays on the calling one
     std::int32_t solverPasses = 10;  ///< of Chipmunk; its default
 };
 

@@ -36,8 +36,8 @@ public:
     void step() {
         const bench::Stopwatch watch;
         advance();
-        lastSeconds_ = watch.seconds();
-        seconds_ += lastSeconds_;
+        last_ = watch.times();
+        seconds_ += last_.own;
         ++steps_;
         afterStep();
     }
@@ -64,7 +64,9 @@ public:
     virtual void add(std::span<const std::uint32_t> bodies) = 0;
     virtual void setVelocity(std::uint32_t body, DVec2 velocity) = 0;
     /// Processor time of the last step, seconds.
-    double lastStepSeconds() const { return lastSeconds_; }
+    double lastStepSeconds() const { return last_.own; }
+    /// The same by the wall clock: for steps on several threads.
+    double lastStepWallSeconds() const { return last_.wall; }
     virtual PeerStages stages() const { return {}; }
 
 protected:
@@ -84,7 +86,7 @@ private:
     const SceneDescription& scene_;
     std::int64_t steps_ = 0;
     double seconds_ = 0;
-    double lastSeconds_ = 0;
+    bench::Stopwatch::Times last_;
 };
 
 /// @param scene  accepted by `validateScene`, and nothing in it that `peerLacks` names; outlives the world.

@@ -66,9 +66,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<PeerWorld> makeSweptPeer(const SceneDescription& scene, std::string& error) {
+std::unique_ptr<PeerWorld> makeSweptPeer(const SceneDescription& scene, TaskSystem* tasks, std::string& error) {
     SceneWorld built;
     if (!buildWorld(scene, built, error)) { return nullptr; }
+    built.world.setTaskSystem(tasks);
     WorldSettings settings = built.world.settings();
     settings.measureStageTimes = true;
     (void)built.world.configure(settings);

@@ -2,98 +2,59 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
+#include <memory>
+#include <span>
 
-#include <swept/samples/runner.h>
-#include <swept/samples/scene_builder.h>
 #include <swept/samples/scene_names.h>
 
+#include "../bench/hand_over.h"
+#include "../bench/text_table.h"
+#include "../reference/peer_limits.h"
 #include "../task_threads.h"
-#include "hand_over.h"
-#include "text_table.h"
-#ifdef SWEPT_BENCH_BOX2D3
-#include "box2d3/box2d3_threads.h"
-#endif
+#include "scripted_world.h"
+#include "world_bench.h"
 
-namespace swept::bench {
+namespace swept::worlds {
 namespace {
 
-using namespace build;
-
-constexpr int kRows = 10;  ///< of a pyramid: 55 boxes
-constexpr int kWarmSteps = 20;
+constexpr const char* kOwn = "Swept2D f32";
 constexpr std::array kSizes{10, 30, 100, 200, 500, 1000, 2000, 5000, 10'000, 20'000, 50'000};
 
-SceneDescription emptyScene(const char* name) {
-    SceneDescription scene = build::scene(name, {0, 5}, 20);
-    scene.settings.sleep = false;
-    return scene;
-}
-
-SceneDescription pyramids(int bodies) {
-    SceneDescription scene = emptyScene("pyramids");
-    addFixed(scene, "ground", {0, -0.5}, {box({2.0 * bodies + 20, 0.5})});
-    int made = 0;
-    for (int pyramid = 0; made < bodies; ++pyramid) {
-        for (int row = 0; row < kRows && made < bodies; ++row) {
-            for (int i = 0; i < kRows - row && made < bodies; ++i, ++made) {
-                addDynamic(scene, "", {12.0 * pyramid + i + 0.5 * row, 0.5 + row}, {box({0.5, 0.5})});
-            }
-        }
-    }
-    return scene;
-}
-
-SceneDescription heap(int bodies) {
-    SceneDescription scene = emptyScene("heap");
-    const int columns = static_cast<int>(std::sqrt(2.0 * bodies)) + 1;
-    const double width = 1.2 * columns;
-    addFixed(scene, "bowl", {0, 0},
-             {box({width, 0.5}, {0, -0.5}), box({0.5, width}, {-0.6 * width - 1, width}),
-              box({0.5, width}, {0.6 * width + 1, width})});
-    for (int i = 0; i < bodies; ++i) {
-        const int row = i / columns;
-        const DVec2 place{1.2 * (i % columns) - 0.6 * width + 0.1 * (row % 2), 1 + 1.2 * row};
-        const std::array<ShapeDescription, 3> shapes{box({0.5, 0.4}), circle(0.5), capsule({-0.3, 0}, {0.3, 0}, 0.2)};
-        addDynamic(scene, "", place, {shapes[static_cast<std::size_t>(i) % shapes.size()]});
-    }
-    return scene;
-}
-
-SceneDescription swarm(int bodies) {
-    SceneDescription scene = emptyScene("swarm");
-    scene.gravity = {0, 0};
-    const double half = 2 * std::sqrt(static_cast<double>(bodies)) + 2;
-    const auto wall = [](DVec2 halfSize, DVec2 center) { return withRestitution(box(halfSize, center), 1); };
-    addFixed(scene, "walls", {0, 0},
-             {wall({half, 1}, {0, -half}), wall({half, 1}, {0, half}), wall({1, half}, {-half, 0}),
-              wall({1, half}, {half, 0})});
-    Dice dice(7);
-    for (int i = 0; i < bodies; ++i) {
-        const DVec2 place{dice.range(2 - half, half - 2), dice.range(2 - half, half - 2)};
-        addDynamic(scene, "", place, {withRestitution(circle(0.3), 1)}).velocity = {dice.range(-60, 60),
-                                                                                    dice.range(-60, 60)};
-    }
-    return scene;
-}
-
-class SweptWorld final : public TimedWorld {
-public:
-    SweptWorld(const SceneDescription& scene, TaskSystem* tasks) {
-        std::string error;
-        runner_ = makeRunner(scene, {.tasks = tasks}, error);
-    }
-    void step() override { runner_->step(); }
-
-private:
-    std::unique_ptr<Runner> runner_;
+/// What is measured with each engine.
+struct Task {
+    std::string scene;
+    bool isPublished = false;
+    std::size_t bodies = 0;
+    std::function<BenchScene()> make;
 };
 
-double secondsOf(TimedWorld& world) {
-    const auto start = std::chrono::steady_clock::now();
+bool isNamed(const char* scene, const ThreadsBenchSettings& settings, bool otherwise) {
+    const auto& names = settings.scenes;
+    return names.empty() ? otherwise : std::find(names.begin(), names.end(), scene) != names.end();
+}
+
+std::vector<Task> tasksOf(const ThreadsBenchSettings& settings) {
+    std::vector<Task> tasks;
+    for (const GrowingScene& scene : growingScenes()) {
+        if (!isNamed(scene.name, settings, true)) { continue; }
+        for (const int bodies : kSizes) {
+            if (bodies < settings.fewestBodies || bodies > settings.mostBodies) { continue; }
+            tasks.push_back({scene.name, false, static_cast<std::size_t>(bodies),
+                             [make = scene.make, bodies] { return make(bodies); }});
+        }
+    }
+    for (const SceneEntry& scene : allScenes()) {
+        if (!isNamed(scene.name, settings, scene.isPublished)) { continue; }
+        const auto make = [make = scene.make, size = settings.size] { return make(size); };
+        tasks.push_back({scene.name, scene.isPublished, make().scene.bodies.size(), make});
+    }
+    return tasks;
+}
+
+double secondsOf(ScriptedWorld& world) {
     world.step();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return world.world().lastStepWallSeconds();
 }
 
 double medianOf(std::vector<double>& values) {
@@ -102,10 +63,10 @@ double medianOf(std::vector<double>& values) {
 }
 
 /// Step by step in turns, so that whatever else the machine does meets both.
-void measure(TimedWorld& one, TimedWorld& several, int steps, ThreadsBenchRow& row) {
+void measure(ScriptedWorld& one, ScriptedWorld& several, int steps, ThreadsBenchRow& row) {
     std::vector<double> ones;
     std::vector<double> severals;
-    for (int step = -kWarmSteps; step < steps; ++step) {
+    for (int step = -one.bench().warmSteps; step < steps; ++step) {
         const bool oneFirst = step % 2 == 0;
         const double first = secondsOf(oneFirst ? one : several);
         const double second = secondsOf(oneFirst ? several : one);
@@ -119,75 +80,81 @@ void measure(TimedWorld& one, TimedWorld& several, int steps, ThreadsBenchRow& r
     row.quickestSeveral = severals.front();
 }
 
-bool isMeant(int bodies, const ThreadsBenchSettings& settings) {
-    return settings.fewestBodies <= bodies && bodies <= settings.mostBodies;
-}
-
-bool isMeant(const ThreadsScene& scene, const ThreadsBenchSettings& settings) {
-    const auto& names = settings.scenes;
-    return names.empty() || std::find(names.begin(), names.end(), scene.name) != names.end();
+/// Geometric mean of what `several` threads gain in the published scenes; 0 without any.
+double meanGain(std::span<const ThreadsBenchRow> rows, const std::string& engine) {
+    double sum = 0;
+    int count = 0;
+    for (const ThreadsBenchRow& row : rows) {
+        if (row.engine != engine || !row.isPublished) { continue; }
+        sum += std::log(row.oneSeconds / row.severalSeconds);
+        ++count;
+    }
+    return count == 0 ? 0 : std::exp(sum / count);
 }
 
 }  // namespace
 
-const std::vector<ThreadsScene>& threadsScenes() {
-    static const std::vector<ThreadsScene> scenes{{"pyramids", pyramids}, {"heap", heap}, {"swarm", swarm}};
-    return scenes;
-}
-
 std::size_t threadsRowCount(const ThreadsBenchSettings& settings) {
-    const auto sizes = std::count_if(kSizes.begin(), kSizes.end(), [&](int size) { return isMeant(size, settings); });
-    const auto scenes = std::count_if(threadsScenes().begin(), threadsScenes().end(),
-                                      [&](const ThreadsScene& scene) { return isMeant(scene, settings); });
-    return (settings.ownAlone ? 1 : 2) * static_cast<std::size_t>(scenes * sizes);
+    return (settings.ownAlone ? 1 : 2) * tasksOf(settings).size();
 }
 
 std::vector<ThreadsBenchRow> benchThreads(const ThreadsBenchSettings& settings,
                                           const std::function<void(const ThreadsBenchRow&)>& watch) {
     const std::unique_ptr<TaskSystem> tasks = makeTaskSystem(settings.threads);
     const ThreadSpread spread;  // of both engines: their tasks run on the same threads
+    EngineChoice own;
+    own.isOurs = 1;
+    own.profile = settings.profile;
+    EngineChoice rival;
+    rival.peer.engine = PeerEngine::box2d3;
+    EngineChoice rivalOnSeveral = rival;
+    rivalOnSeveral.peer.threads = settings.threads;
+
     std::vector<ThreadsBenchRow> rows;
-    const auto add = [&](ThreadsBenchRow row, TimedWorld& one, TimedWorld& several) {
-        const std::optional<double> before = handOverSeconds(*tasks);
-        measure(one, several, settings.steps, row);
-        const std::optional<double> after = handOverSeconds(*tasks);
-        if (before && after) { row.handOver = std::max(*before, *after); }
-        watch(row);
-        rows.push_back(std::move(row));
-    };
-    for (const ThreadsScene& scene : threadsScenes()) {
-        if (!isMeant(scene, settings)) { continue; }
-        for (const int bodies : kSizes) {
-            if (!isMeant(bodies, settings)) { continue; }
-            SceneDescription description = scene.make(bodies);
-            description.settings.profile = settings.profile;
-            SweptWorld one(description, nullptr);
-            SweptWorld several(description, tasks.get());
-            add({.scene = scene.name, .engine = "Swept2D f32", .isOwn = true, .bodies = bodies}, one, several);
-#ifdef SWEPT_BENCH_BOX2D3
-            if (settings.ownAlone) { continue; }
-            const auto box2dOne = makeBox2d3Threads(description, 1);
-            const auto box2dSeveral = makeBox2d3Threads(description, settings.threads);
-            if (box2dOne != nullptr && box2dSeveral != nullptr) {
-                add({.scene = scene.name, .engine = "Box2D 3", .bodies = bodies}, *box2dOne, *box2dSeveral);
-            }
-#endif
+    for (const Task& task : tasksOf(settings)) {
+        const auto add = [&](const char* engine, bool isOwn, ScriptedWorld& one, ScriptedWorld& several) {
+            ThreadsBenchRow row{task.scene, engine, isOwn, task.isPublished, task.bodies};
+            const std::optional<double> before = bench::handOverSeconds(*tasks);
+            measure(one, several, settings.steps, row);
+            const std::optional<double> after = bench::handOverSeconds(*tasks);
+            if (before && after) { row.handOver = std::max(*before, *after); }
+            watch(row);
+            rows.push_back(std::move(row));
+        };
+        const BenchScene bench = task.make();
+        {
+            ScriptedWorld one(bench, own, nullptr);
+            ScriptedWorld several(bench, own, tasks.get());
+            add(kOwn, true, one, several);
         }
+        if (settings.ownAlone || !hasPeer(PeerEngine::box2d3) || !peerLacks(PeerEngine::box2d3, bench.scene).empty()) {
+            continue;
+        }
+        ScriptedWorld one(bench, rival, nullptr);
+        ScriptedWorld several(bench, rivalOnSeveral, nullptr);
+        add(kRival, false, one, several);
     }
     return rows;
 }
 
 void writeThreadsTable(std::ostream& out, const std::vector<ThreadsBenchRow>& rows) {
-    TextTable table({"scene", "engine", "bodies", "one, us", "several, us", "ratio", "quickest one, us", "several, us",
-                     "ratio", "hand-over, ns"});
+    using bench::threeDigits;
+    constexpr double kMicro = 1e6;
+    bench::TextTable table({"scene", "engine", "bodies", "one, us", "several, us", "ratio", "quickest one, us",
+                            "several, us", "ratio", "hand-over, ns"});
     for (const ThreadsBenchRow& row : rows) {
-        table.add({row.scene, row.engine, std::to_string(row.bodies), threeDigits(1e6 * row.oneSeconds),
-                   threeDigits(1e6 * row.severalSeconds), threeDigits(row.oneSeconds / row.severalSeconds),
-                   threeDigits(1e6 * row.quickestOne), threeDigits(1e6 * row.quickestSeveral),
+        table.add({row.scene, row.engine, std::to_string(row.bodies), threeDigits(kMicro * row.oneSeconds),
+                   threeDigits(kMicro * row.severalSeconds), threeDigits(row.oneSeconds / row.severalSeconds),
+                   threeDigits(kMicro * row.quickestOne), threeDigits(kMicro * row.quickestSeveral),
                    threeDigits(row.quickestOne / row.quickestSeveral),
                    row.handOver ? threeDigits(1e9 * *row.handOver) : "-"});
     }
     table.write(out);
+    for (const char* const engine : {kOwn, kRival}) {
+        if (const double gain = meanGain(rows, engine); gain > 0) {
+            out << "published scenes, geometric mean of the ratios: " << engine << ' ' << threeDigits(gain) << '\n';
+        }
+    }
     out << "hand-over: what a cache line takes from one thread to another, the longer of before and after the row;\n"
            "where it grows, cores moved apart, and rows from before and after cannot be compared\n";
 }
@@ -205,4 +172,4 @@ void writeThreadsCsv(std::ostream& csv, const std::vector<ThreadsBenchRow>& rows
     }
 }
 
-}  // namespace swept::bench
+}  // namespace swept::worlds

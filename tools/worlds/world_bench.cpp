@@ -17,15 +17,15 @@ constexpr double kTurnSeconds = 2;
 
 Contestant ours(const char* name, Precision precision, SceneProfile profile) {
     Contestant contestant{name, {}};
-    contestant.request.isOurs = 1;
-    contestant.request.precision = precision;
-    contestant.request.profile = profile;
+    contestant.request.engine.isOurs = 1;
+    contestant.request.engine.precision = precision;
+    contestant.request.engine.profile = profile;
     return contestant;
 }
 
 Contestant peer(const char* name, PeerEngine engine) {
     Contestant contestant{name, {}};
-    contestant.request.peer.engine = engine;
+    contestant.request.engine.peer.engine = engine;
     return contestant;
 }
 

@@ -1,13 +1,12 @@
 #include "world_child.h"
 
 #include <fstream>
-#include <memory>
 #include <optional>
+#include <utility>
 
 #include "../reference/child_pipe.h"
 #include "../reference/peer_limits.h"
 #include "quality_gauge.h"
-#include "swept_world.h"
 
 namespace swept::worlds {
 namespace {
@@ -41,83 +40,47 @@ double peakMemory() {
     return 0;
 }
 
-/// A scene that runs in some engine with its script.
-class ScriptedRun {
+/// The scene that the child was asked for, timed and measured.
+class MeasuredRun {
 public:
-    ScriptedRun(BenchScene bench, const WorldRequest& request) : bench_(std::move(bench)) {
-        bench_.scene.settings.profile = request.profile;
-        memoryBefore_ = peakMemory();
-        world_ = makeWorld(request);
-        isPresent_.assign(bench_.scene.bodies.size(), true);
-        if (world_ != nullptr && !bench_.absent.empty()) {
-            // Backwards: what is made next takes the places in order again.
-            const std::vector<std::uint32_t> absent(bench_.absent.rbegin(), bench_.absent.rend());
-            take(absent);
-        }
-    }
+    MeasuredRun(BenchScene bench, const EngineChoice& engine)
+        : memoryBefore_(peakMemory()), scripted_(std::move(bench), engine, nullptr) {}
 
-    bool isThere() const { return world_ != nullptr; }
+    bool isThere() const { return scripted_.isThere(); }
     double memory() const { return peakMemory() - memoryBefore_; }
 
     void run(int steps, std::vector<double>& numbers) {
         for (int i = 0; i < steps; ++i) {
-            change();
-            world_->step();
-            ++steps_;
-            const PeerStages stages = world_->stages();
-            numbers.insert(numbers.end(), {world_->lastStepSeconds(), stages.pairs, stages.collide, stages.islands,
-                                           stages.solve, stages.continuous, stages.finish});
+            scripted_.step();
+            const PeerStages stages = scripted_.world().stages();
+            numbers.insert(numbers.end(), {scripted_.world().lastStepSeconds(), stages.pairs, stages.collide,
+                                           stages.islands, stages.solve, stages.continuous, stages.finish});
         }
     }
 
-    void weigh(std::vector<double>& numbers) const { numbers = {0, 0, 0, world_->sample().energy}; }
+    void weigh(std::vector<double>& numbers) const { numbers = {0, 0, 0, scripted_.world().sample().energy}; }
 
     void measure(std::vector<double>& numbers) {
-        if (!gauge_) { gauge_.emplace(bench_); }
-        gauge_->add(world_->sample(), isPresent_);
+        if (!gauge_) { gauge_.emplace(scripted_.bench()); }
+        gauge_->add(scripted_.world().sample(), scripted_.isPresent());
         const Quality quality = gauge_->result();
         numbers = {quality.deepest, quality.mean, quality.jointError, quality.energy};
     }
 
 private:
-    std::unique_ptr<PeerWorld> makeWorld(const WorldRequest& request) const {
-        std::string error;
-        return request.isOurs != 0 ? makeSweptWorld(bench_.scene, request.precision, error)
-                                   : makePeerWorld(bench_.scene, request.peer);
-    }
-
-    void take(const std::vector<std::uint32_t>& bodies) {
-        world_->remove(bodies);
-        for (const std::uint32_t body : bodies) { isPresent_[body] = false; }
-    }
-
-    void change() {
-        if (!bench_.script) { return; }
-        const SceneChange change = bench_.script(steps_);
-        if (!change.removed.empty()) { take(change.removed); }
-        if (!change.added.empty()) {
-            world_->add(change.added);
-            for (const std::uint32_t body : change.added) { isPresent_[body] = true; }
-        }
-        for (const SceneChange::Push& push : change.pushed) { world_->setVelocity(push.body, push.velocity); }
-    }
-
-    BenchScene bench_;
-    std::unique_ptr<PeerWorld> world_;
-    std::vector<bool> isPresent_;
+    double memoryBefore_;
+    ScriptedWorld scripted_;
     std::optional<QualityGauge> gauge_;
-    std::int64_t steps_ = 0;
-    double memoryBefore_ = 0;
 };
 
 }  // namespace
 
 bool WorldChild::start(const WorldRequest& request, const std::string& executable, std::string& error) {
-    if (request.isOurs == 0) {
+    if (request.engine.isOurs == 0) {
         const SceneEntry* const entry = sceneNamed(request.scene.data());
-        const std::string lack = peerLacks(request.peer.engine, entry->make(request.size).scene);
+        const std::string lack = peerLacks(request.engine.peer.engine, entry->make(request.size).scene);
         if (!lack.empty()) {
-            error = std::string(peerName(request.peer.engine)) + " has no " + lack;
+            error = std::string(peerName(request.engine.peer.engine)) + " has no " + lack;
             return false;
         }
     }
@@ -168,7 +131,7 @@ int runWorldChild() {
     if (!readAll(&request, sizeof request)) { return 2; }
     const SceneEntry* const entry = sceneNamed(request.scene.data());
     if (entry == nullptr) { return 2; }
-    ScriptedRun run(entry->make(request.size), request);
+    MeasuredRun run(entry->make(request.size), request.engine);
     const char isThere = 1;
     if (!run.isThere() || !writeAll(&isThere, 1)) { return 2; }
     std::vector<double> numbers;

@@ -5,11 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <swept/samples/runner.h>
-
 #include "../reference/child_process.h"
-#include "../reference/peer_world.h"
 #include "quality.h"
+#include "scripted_world.h"
 
 namespace swept::worlds {
 
@@ -21,10 +19,7 @@ struct WorldRequest {
     static constexpr std::size_t kNameSize = 32;
     std::array<char, kNameSize> scene{};  ///< name, ended by a zero
     double size = 1;
-    std::int32_t isOurs = 0;
-    Precision precision = Precision::f32;           ///< of ours
-    SceneProfile profile = SceneProfile::accurate;  ///< of ours
-    PeerSettings peer;                              ///< of another engine
+    EngineChoice engine;
 };
 
 /// One step of a run.
