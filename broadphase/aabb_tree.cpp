@@ -32,6 +32,11 @@ void AabbTree::erase(NodeIndex leaf) {
     release(leaf);
 }
 
+void AabbTree::clear() {
+    nodes_.clear();
+    root_ = firstFree_ = kNoNode;
+}
+
 void AabbTree::move(NodeIndex leaf, const Aabb& box) {
     TreeNode& node = nodes_[leaf];
     const NodeIndex parent = node.parent;

@@ -44,6 +44,8 @@ public:
     /// @param moved  whether the leaf starts marked as moved.
     NodeIndex insert(const Aabb& box, std::uint32_t slot, bool moved);
     void erase(NodeIndex leaf);
+    /// Keeps its capacity.
+    void clear();
     /// Replaces the box of a leaf and marks it as moved.
     void move(NodeIndex leaf, const Aabb& box);
     /// Takes the mark from a leaf, and from all above that have no marked leaf left if this is called for every one.

@@ -3,36 +3,58 @@
 #include <cstdint>
 #include <vector>
 
+#include "../broadphase/aabb_tree.h"
 #include "flight.h"
+#include "shape.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 /// A bullet, or a dynamic body that one may meet in this step.
 struct BulletPartner {
-    Flight flight;          ///< while it flies
-    Sweep path;             ///< from `pathFrom` to the end of the step
-    double pathFrom = 0;    ///< seconds
-    double nextImpact = 0;  ///< with something static or kinematic, seconds; infinity: none
+    Flight flight;        ///< while it flies
+    Sweep path;           ///< from `pathFrom` to the end of the step
+    double pathFrom = 0;  ///< seconds
     int impacts = 0;
     bool isBullet = false;
     bool flies = false;  ///< else it is on its way by the solver, or rests
     bool tied = false;   ///< to other bodies: it stays on its way, whatever hits it; only its velocity changes
     bool moved = false;  ///< here: what the solver made of its pose is out of date
+
+    NodeIndex leaf = kNoNode;               ///< of its path in the tree
+    std::uint32_t changes = 0;              ///< of its path so far
+    std::uint32_t firstCarrier = kNoIndex;  ///< place in `BulletWork::carriers`, of those to bodies of higher slots
 };
 
-/// Two of them, of which one is a bullet.
-struct BulletPair {
-    std::uint32_t first = 0;  ///< indices of partners
-    std::uint32_t second = 0;
-    double time = 0;        ///< of the next impact, seconds; infinity: none
-    FlightObstacle shapes;  ///< that meet then: `own` of the second, `other` of the first
-    Vec2 carrier{};         ///< normal of a contact that did not bounce: they may sag along it; zero: none
+/// What two bodies do that met and did not bounce: they may sag along the normal.
+struct BulletCarrier {
+    std::uint32_t other = 0;  ///< slot of the second body
+    Vec2 normal{};            ///< from first to second; zero: it bounced since
+    std::uint32_t next = 0;   ///< of the same first body
+};
+
+/// What happens next, unless the path of one of both changes before.
+struct BulletMeeting {
+    double time = 0;           ///< seconds
+    std::uint32_t first = 0;   ///< slots of bodies; the lower one of a pair
+    std::uint32_t second = 0;  ///< `kNoIndex`: the first one meets something static or kinematic
+    std::uint32_t firstChanges = 0;
+    std::uint32_t secondChanges = 0;
+    FlightObstacle shapes;  ///< that meet: `own` of the second, `other` of the first
+
+    bool isPair() const { return second != kNoIndex; }
+    /// In order of time; what happens at one moment in one that follows from the slots alone.
+    bool isAfter(const BulletMeeting& other) const;
 };
 
 struct BulletWork {
-    std::vector<std::uint32_t> candidates;
     std::vector<BulletPartner> partners;
-    std::vector<BulletPair> pairs;
+    std::vector<std::uint32_t> places;    ///< by body: index of its partner; `kNoIndex` for all others
+    std::vector<BulletMeeting> meetings;  ///< a heap: the next one is the first
+    std::vector<BulletCarrier> carriers;
+    AabbTree tree;                     ///< of the boxes of the paths
+    std::vector<std::uint32_t> found;  ///< scratch: slots
+    Real drift = 0;                    ///< no body that is none of the early partners leaves its box farther, metres
+    double dt = 0;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

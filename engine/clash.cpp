@@ -6,6 +6,7 @@
 #include "clash_contacts.h"
 #include "flight_state.h"
 #include "modes.h"
+#include "sweep_circles.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -95,19 +96,11 @@ bool staysApart(const WorldState& world, const ClashScratch& work, const ClashPa
     return slowest >= turns;
 }
 
-/// Whether the circles of both shapes miss each other. The distance of the centres is least near where it is least on
-/// the chord of their relative path; the path is within a quarter of its bend of that.
+/// Whether the circles of both shapes miss each other.
 bool passesBy(const WorldState& world, const ClashScratch& work, const ClashPair& pair) {
-    const Sweep& first = work.paths[pair.first];
-    const Sweep& second = work.paths[pair.second];
-    const DVec2 start = second.c0 - first.c0;
-    const DVec2 way = (second.c1 - second.c0) - (first.c1 - first.c0);
-    const double square = dot(way, way);
-    const double nearest = square > 0 ? std::clamp(-dot(start, way) / square, 0.0, 1.0) : 0;
-    const double bend = 0.25 * length(second.k - first.k);
     const double circles = static_cast<double>(world.shapes[pair.shapes.own].radius) +
                            static_cast<double>(world.shapes[pair.shapes.other].radius);
-    return length(start + nearest * way) - bend > circles + 2 * targetOf(world, pair.shapes);
+    return stayBeyond(work.paths[pair.first], work.paths[pair.second], circles + 2 * targetOf(world, pair.shapes));
 }
 
 /// The separation at which a pair meets next: its target; one below what there is where it meets now; and where it

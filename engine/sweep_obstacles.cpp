@@ -220,7 +220,10 @@ double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impa
 }
 
 Aabb boxOfPath(const Shape& own, const Sweep& sweep) {
-    const auto reach = static_cast<double>(own.radius + kTargetRatio * own.extent);
+    return boxOfPath(sweep, static_cast<double>(own.radius + kTargetRatio * own.extent));
+}
+
+Aabb boxOfPath(const Sweep& sweep, double reach) {
     const DVec2 control = sweep.c0 + 0.5 * ((sweep.c1 - sweep.c0) - sweep.k);
     // Two by two, without a branch: nobody can predict which way a body flies.
     const DVec2 lower{std::min(std::min(sweep.c0.x, sweep.c1.x), control.x),

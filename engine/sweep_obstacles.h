@@ -50,6 +50,8 @@ inline double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
 
 /// Box of all places of a shape on the path of its body, however that turns.
 Aabb boxOfPath(const Shape& own, const Sweep& sweep);
+/// Likewise of all that is no farther from the centre than that, metres.
+Aabb boxOfPath(const Sweep& sweep, double reach);
 /// Static and kinematic shapes in the way of a sweep of the body, in order of their slots.
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch);
 

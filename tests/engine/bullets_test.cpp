@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "../support/random.h"
 #include "thrown_crowd.h"
@@ -288,6 +289,39 @@ TEST(Bullets, WhoIsNoBulletPaysNothing) {
     run(world, 10);
     EXPECT_EQ(world.counters().sweeps, 0U);
     EXPECT_EQ(world.counters().toiCalls, 0U);
+}
+
+/// Cost grows with what their paths come near, not with the pairs that there are.
+TEST(Bullets, LookAtNothingFarFromTheirPaths) {
+    for (const double speed : {0.5, 30.0, 300.0}) {
+        World world = makeWorld(0);
+        Random random(11);
+        constexpr int kSide = 16;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const DVec2 place{6.0 * (i % kSide), 6.0 * (i / kSide)};
+            const double angle = random.range(-3, 3);
+            addBody(world, bulletAt(place, vec(speed * std::cos(angle), speed * std::sin(angle))), circle(0.1));
+            addBody(world, dynamicAt(place + DVec2{3, 3}), box(0.2, 0.2));
+        }
+        std::uint64_t calls = 0;
+        for (int step = 0; step < 10; ++step) {
+            run(world, 1);
+            calls += world.counters().toiCalls;
+        }
+        EXPECT_LT(calls, 10U * kSide * kSide) << speed << " m/s: less than one search for a bullet and step";
+        if (speed < 1) { EXPECT_EQ(calls, 0U); }
+    }
+}
+
+/// What becomes a partner late has to be found as well: the bullet comes to it by way of a wall.
+TEST(Bullets, MeetWhatABounceSendsThemTo) {
+    World world = makeWorld(0);
+    addStatic(world, box(0.1, 5), material(0, 1), {2, 0});
+    const BodyId far = addBody(world, dynamicAt({-2, 0}), box(0.01, 1), material(0, 1));
+    const BodyId bullet = addBody(world, bulletAt({1, 0}, vec(300, 0)), circle(0.1), material(0, 1));
+    run(world, 1);  // 5 m: 0.8 to the wall, 2.8 to the plank, and on
+    EXPECT_GT(world.position(bullet).x, world.position(far).x);
+    EXPECT_LT(velocityOf(world, far).x, -1);
 }
 
 /// What was fast, is put elsewhere and to sleep there begins anew where it is, though no step looked at it since.
