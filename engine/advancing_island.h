@@ -35,6 +35,7 @@ struct AdvancingIsland {
     std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
     std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
+    std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -30,29 +30,66 @@ struct OnChain {
     bool stands = false;
     bool passes = false;
 };
-OnChain othersOf(const WorldState& world, const Contact& contact, std::span<const Contact> contacts,
-                 std::span<const std::uint32_t> renewed) {
+
+/// The contacts with chains among others: sorted by their bodies when one is asked for the first time, since mostly
+/// none is.
+class ChainContacts {
+public:
+    /// @param renewed  indices
+    ChainContacts(std::span<const Contact> all, std::span<const std::uint32_t> renewed,
+                  std::vector<std::uint64_t>& byBody)
+        : all_(all), renewed_(renewed), byBody_(byBody) {}
+
+    /// Calls `visit(contact)` for each of a body that is no chain.
+    template <class Visit>
+    void visitThoseOf(std::uint32_t body, const Visit& visit) {
+        if (!areSorted_) { sort(); }
+        const std::uint64_t first = std::uint64_t{body} << kBodyShift;
+        for (auto i = std::lower_bound(byBody_.begin(), byBody_.end(), first);
+             i != byBody_.end() && *i >> kBodyShift == body; ++i) {
+            visit(all_[static_cast<std::uint32_t>(*i)]);
+        }
+    }
+
+private:
+    static constexpr int kBodyShift = 32;  ///< above the index of the contact
+
+    void sort() {
+        areSorted_ = true;
+        byBody_.clear();
+        for (const std::uint32_t i : renewed_) {
+            if (all_[i].ofChain) { byBody_.push_back(std::uint64_t{all_[i].bodyB} << kBodyShift | i); }
+        }
+        std::sort(byBody_.begin(), byBody_.end());
+    }
+
+    std::span<const Contact> all_;
+    std::span<const std::uint32_t> renewed_;
+    std::vector<std::uint64_t>& byBody_;
+    bool areSorted_ = false;
+};
+
+OnChain othersOf(const WorldState& world, const Contact& contact, ChainContacts& contacts) {
     const std::uint32_t head = world.shapes[contact.shapeA].head;
     OnChain others;
-    for (const std::uint32_t i : renewed) {
-        const Contact& other = contacts[i];
-        if (!other.ofChain || other.bodyB != contact.bodyB || world.shapes[other.shapeA].head != head) { continue; }
+    contacts.visitThoseOf(contact.bodyB, [&](const Contact& other) {
+        if (world.shapes[other.shapeA].head != head) { return; }
         others.stands = others.stands || other.touching;
         others.passes = others.passes || other.passes;
-    }
+    });
     return others;
 }
 
 /// @param anyPasses  whether one of the renewed does; if not, the others need not be asked
 /// @pre it has points
-bool comesThrough(const WorldState& world, const Contact& contact, std::span<const Contact> contacts,
-                  std::span<const std::uint32_t> renewed, FunctionRef<bool()> anyPasses) {
+bool comesThrough(const WorldState& world, const Contact& contact, ChainContacts& contacts,
+                  FunctionRef<bool()> anyPasses) {
     if (contact.touching || !(deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent)) { return false; }
     // A contact that is new was put there, and what was put into the ground comes out of it.
     const bool wasBehind =
         contact.wasSeen && isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
     if (!wasBehind && !anyPasses()) { return false; }
-    const OnChain others = othersOf(world, contact, contacts, renewed);
+    const OnChain others = othersOf(world, contact, contacts);
     if (others.stands) { return false; }  // it goes over a corner
     return wasBehind || others.passes;    // or gets to the next segment while it passes
 }
@@ -81,7 +118,9 @@ Vec2 middleOf(const Polygon& core) {
     return (1 / static_cast<Real>(core.count)) * sum;
 }
 
-bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed) {
+bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                std::vector<std::uint64_t>& byBody) {
+    ChainContacts ofChains(contacts, renewed, byBody);
     bool any = false;
     std::optional<bool> passed;  // any in the last step: as good as never asked
     const auto anyPasses = [&] {
@@ -97,7 +136,7 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
         if (contact.passes) {
             contact.passes = isStillInside(world, contact);
         } else if (contact.manifold.count > 0) {
-            contact.passes = comesThrough(world, contact, contacts, renewed, anyPasses);
+            contact.passes = comesThrough(world, contact, ofChains, anyPasses);
         }
         contact.wasSeen = true;
         if (contact.passes) { takePoints(contact); }
@@ -106,16 +145,19 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
     return any;
 }
 
-void listPassing(WorldState& world) {
+void letThrough(WorldState& world) {
+    world.chainPassers.clear();
+    if (!letThrough(world, world.contacts, world.lists.ground, world.chainContacts)) { return; }
     for (const std::uint32_t i : world.lists.ground) {
         const Contact& contact = world.contacts[i];
         if (contact.passes) { world.chainPassers.push_back({contact.shapeA, contact.shapeB}); }
     }
+    std::sort(world.chainPassers.begin(), world.chainPassers.end());
 }
 
 bool passesChain(const WorldState& world, std::uint32_t shape, std::uint32_t segment) {
     const ChainPasser asked{.segment = segment, .shape = shape};
-    return std::find(world.chainPassers.begin(), world.chainPassers.end(), asked) != world.chainPassers.end();
+    return std::binary_search(world.chainPassers.begin(), world.chainPassers.end(), asked);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

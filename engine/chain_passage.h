@@ -19,11 +19,14 @@ inline bool isBehind(const Shape& segment, Vec2 place) {
 }
 
 /// Takes the points of contacts that pass a chain.
+/// @pre `startCenter` and `startAngle` of bodies tell where they were before
 /// @param renewed  indices of the contacts whose manifold is new, in their order
+/// @param byBody  scratch: those with chains
 /// @return whether there were any
-bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed);
-/// Lists those for the sweeps of this step. @pre `letThrough`
-void listPassing(WorldState& world);
+bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                std::vector<std::uint64_t>& byBody);
+/// Those of the world, which are listed for the sweeps of this step.
+void letThrough(WorldState& world);
 /// Whether a shape passes a chain segment (slots) in this step.
 bool passesChain(const WorldState& world, std::uint32_t shape, std::uint32_t segment);
 

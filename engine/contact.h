@@ -73,7 +73,7 @@ static_assert(sizeof(Contact) <= 48 * sizeof(Real), "a step reads most of some t
 struct ChainPasser {
     std::uint32_t segment = 0;
     std::uint32_t shape = 0;
-    bool operator==(const ChainPasser&) const = default;
+    auto operator<=>(const ChainPasser&) const = default;
 };
 
 /// What the stage of contacts found of one in this step.

@@ -8,6 +8,9 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Two normals that are both so near to a third one are the same by `kSameNormal`: half of its angle, rounded down.
+constexpr Real kNearNormal = 1 - Real(1) / 4000;
+
 bool isGroundContact(const Contact& contact) { return contact.dynamicA != contact.dynamicB && contact.isSolid(); }
 
 GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
@@ -47,17 +50,35 @@ bool isGhost(const WorldState& world, const GroundContacts& contacts, std::uint3
     return false;
 }
 
+/// What the contacts of a body are like.
+struct GhostRanks {
+    std::uint32_t bits = 0;    ///< by rank: whether some contact has it
+    bool areOneNormal = true;  ///< all normals are one
+    bool has(int rank) const { return (bits >> rank & 1U) != 0; }
+    /// Faces hide corners whatever their normals, and others of their kind only along another normal.
+    bool mayHide() const { return !areOneNormal || ((has(0) || has(1)) && (has(2) || has(3))); }
+};
+GhostRanks ranksOf(const WorldState& world, const GroundContacts& contacts) {
+    GhostRanks ranks;
+    Vec2 normal{};
+    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
+        if (!contacts.all[i].isSolid()) { continue; }
+        const GroundContact contact = groundContactOf(world, contacts.all[i]);
+        if (ranks.bits == 0) { normal = contact.normal; }
+        ranks.areOneNormal = ranks.areOneNormal && dot(contact.normal, normal) > kNearNormal;
+        ranks.bits |= 1U << ghostRank(contact);
+    }
+    return ranks;
+}
+
 /// @return whether there were any
 bool dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
+    const GhostRanks ranks = ranksOf(world, contacts);
+    if (!ranks.mayHide()) { return false; }
     bool anyGhost = false;
-    // Mostly all of a body are of one rank, or of two: the others need not be asked.
-    std::uint32_t ranks = 0;
-    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
-        if (contacts.all[i].isSolid()) { ranks |= 1U << ghostRank(groundContactOf(world, contacts.all[i])); }
-    }
     // What was dropped hides nothing, so one of each pair stays.
     for (int rank = 0; rank < kGhostRanks; ++rank) {
-        if ((ranks >> rank & 1U) == 0) { continue; }
+        if (!ranks.has(rank)) { continue; }  // mostly all of a body are of one rank, or of two
         for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
             Contact& contact = contacts.all[i];
             if (!contact.isSolid()) { continue; }

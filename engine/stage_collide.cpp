@@ -359,6 +359,7 @@ void collideContacts(WorldState& world) {
     world.touching.clear();
     if (!hasContacts(world)) {
         world.lists.clear();
+        world.chainPassers.clear();
         return;
     }
     promoteCandidates(world);
@@ -369,16 +370,14 @@ void collideContacts(WorldState& world) {
         updateContacts<false>(world, world.lists.near, NearestPoints::unlessPassing);
     }
     world.counters.manifolds += world.lists.near.size();
+    letThrough(world);  // here, since others forget where the last step began while contacts are noticed
 }
 
 void noticeContacts(WorldState& world) {
     const bool haveContacts = hasContacts(world);
-    world.chainPassers.clear();
-    const bool anyPasses = haveContacts && letThrough(world, world.contacts, world.lists.ground);
-    if (anyPasses) { listPassing(world); }
     const bool anyGhost = haveContacts && dropGhosts(world, world.contacts, world.slides, world.lists.ground,
                                                      world.awake, world.nextGroundContact);
-    if (anyGhost || anyPasses) { distrustGhosts(world); }
+    if (anyGhost || !world.chainPassers.empty()) { distrustGhosts(world); }
     const bool mayJointsWake = !world.jointChains.areCurrent || world.jointChains.tieSleepers;
     if (mayJointsWake && world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world, 0); }
     const std::size_t before = world.awake.size();

@@ -200,7 +200,8 @@ struct WorldState : Workers {
     std::vector<ContactPair> droppedPairs;          ///< scratch: of these, some to be dropped together
     std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                             ///< likewise
-    std::vector<ChainPasser> chainPassers;          ///< of this step
+    std::vector<ChainPasser> chainPassers;          ///< of this step, in order
+    std::vector<std::uint64_t> chainContacts;       ///< scratch of `letThrough`
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step
     RawVector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
