@@ -24,7 +24,7 @@ inline constexpr double kMostFallsInTouch = 1.0 / 4;
 /// limits rose step by step, and was given what it fell again (five boxes by 11 m in 15 s, once the first one had a
 /// thousandth of its inertia).
 inline double excessOf(const EnergyAccount& account) {
-    const bool pays = account.isJointed && !account.isTouching;
+    const bool pays = account.isJointed && !account.isTouching && !account.isYanked;
     return account.gained - (pays ? account.work : std::max(account.work, 0.0));
 }
 

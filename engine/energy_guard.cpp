@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "driven_joints.h"
 #include "energy_gain.h"
 #include "energy_shares.h"
 
@@ -201,6 +202,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time) {
                      (hasJoints && std::any_of(roots.begin(), roots.end(), hasGainedIfTied));
     if (!any) { return; }
     if (hasJoints) { noteJointed(world, group); }
+    noteDriven(world, group);
     const auto drifts = [&](std::uint32_t root) { return mayDrift(world.energyAccounts[root]); };
     if (std::any_of(roots.begin(), roots.end(), drifts)) { findDrifts(world, group.desk); }
     const bool mayTouch = group.role == BodyRole::solved ? !world.touching.empty() : !group.contacts.empty();

@@ -19,7 +19,8 @@ namespace {
 constexpr BodySlot kFlyerSlot = 1;
 
 /// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
-/// between two impacts of a sliding body is undone by it.
+/// between two impacts of a sliding body is undone by it. What something kinematic holds deeper than that is squeezed,
+/// and stays in it: behind it may be a wall.
 void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, const FlightObstacle& obstacle) {
     const auto target = static_cast<Real>(targetOf(*flight.world, obstacle));
     const auto tolerance = static_cast<Real>(toleranceOf(*flight.world, obstacle));
@@ -28,6 +29,9 @@ void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, const Flight
         deepest = std::min(deepest, manifold.points[i].separation);
     }
     if (deepest >= target - tolerance - roundingOf(*flight.world, obstacle)) { return; }
+    const Body& other = flight.world->bodies[flight.world->shapes[obstacle.other].body];
+    const bool isSqueezed = static_cast<double>(target - deepest) > slackOf(*flight.world, obstacle);
+    if (isSqueezed && other.def.type == BodyType::kinematic) { return; }
     flight.motion.center += toDouble((target - deepest) * normal);
     flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
 }

@@ -26,6 +26,13 @@ struct FilterPart {
     FilterJointDef def;
 };
 
+/// A joint that a call moved, see driven_joints.h.
+struct DrivenJoint {
+    JointId joint{};
+    int stepsLeft = 0;
+    bool isYank = false;
+};
+
 /// Impulses with which a hinge begins the next step: those of the last sub-step, N·s and N·m·s.
 struct HingeMemory {
     Vec2 point{};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "driven_joints.h"
 #include "profile.h"
 #include "step_change.h"
 
@@ -143,7 +144,8 @@ struct ConstraintFiller {
     void operator()(MouseConstraint& constraint, const MouseJointDef& def) const {
         constraint.slotA = kFixedSlot;
         constraint.anchorA = {};
-        constraint.centerOffset = toReal(world.motions[joint.bodyB].center - def.target);
+        constraint.centerOffset = toReal(world.motions[joint.bodyB].center - (def.target - toDouble(constraint.toGo)));
+        constraint.gone = {};
         constraint.hasSpring = def.spring.has_value();
         if (def.spring) { constraint.spring = gainsOf(*def.spring); }
         constraint.approachRate = kApproachRatio / dt;
@@ -236,7 +238,9 @@ struct ErrorReader {
 
 RevoluteConstraint& append(SolverBatch& batch, const RevoluteConstraint& c) { return batch.revolutes.emplace_back(c); }
 DistanceConstraint& append(SolverBatch& batch, const DistanceConstraint& c) { return batch.distances.emplace_back(c); }
-PrismaticConstraint& append(SolverBatch& batch, const PrismaticConstraint& c) { return batch.prismatics.emplace_back(c); }
+PrismaticConstraint& append(SolverBatch& batch, const PrismaticConstraint& c) {
+    return batch.prismatics.emplace_back(c);
+}
 WheelConstraint& append(SolverBatch& batch, const WheelConstraint& c) { return batch.wheels.emplace_back(c); }
 WeldConstraint& append(SolverBatch& batch, const WeldConstraint& c) { return batch.welds.emplace_back(c); }
 MotorConstraint& append(SolverBatch& batch, const MotorConstraint& c) { return batch.motors.emplace_back(c); }
@@ -263,6 +267,7 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
         // Where it stays: a copy of what was just written in parts has to wait for all of them.
         auto& constraint = append(batch, rememberedOf(joint, part));
         filler.fill(constraint, part);
+        constraint.isWound = isWound(world, source);
         constraint.source = source;
     });
 }

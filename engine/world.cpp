@@ -6,6 +6,7 @@
 
 #include "beside.h"
 #include "body_measures.h"
+#include "driven_joints.h"
 #include "modes.h"
 #include "number_range.h"
 #include "shared_step.h"
@@ -138,6 +139,7 @@ void advance(WorldState& world, double dt) {
         reachAhead(world);
     }
     if (world.kinematicBodies > 0) { reachWithKinematicBodies(world); }
+    if (!world.drivenJoints.empty()) { beginDriven(world, dt); }
     findPairs(world);
     clock.stop(world.stageTimes.pairs);
     collideContacts(world);
@@ -163,6 +165,7 @@ void advance(WorldState& world, double dt) {
     clock.stop(world.stageTimes.continuous);
     if (world.forcesGiven) { clearForces(world); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
+    if (!world.drivenJoints.empty()) { endDriven(world); }
     moveProxiesAndSortEvents(world);
     world.stepped = world.awake;
     if (world.settings.sleep) { putToSleep(world, dt); }

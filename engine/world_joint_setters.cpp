@@ -1,3 +1,10 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "driven_joints.h"
 #include "joint_checks.h"
 #include "number_range.h"
 #include "world_state.h"
@@ -37,6 +44,15 @@ void setTie(WorldState& world, JointId id, const Joint& joint) {
     world.jointChains.areCurrent = false;
 }
 
+/// Of its bodies, metres.
+Real widestRadius(const WorldState& world, JointId id) {
+    Real widest = 0;
+    for (const std::uint32_t slot : world.joints.find(id)->allBodies()) {
+        widest = std::max(widest, world.bodies[slot].radius);
+    }
+    return widest;
+}
+
 /// Changes a joint and wakes its bodies. @param change  takes a part, returns whether that kind of joint has what it
 /// sets
 template <class Change>
@@ -50,10 +66,30 @@ Status change(WorldState& world, JointId id, const Status& value, Change&& chang
     return Status::success();
 }
 
+std::array<Real, 2> boundsOf(const AngleLimits& limits) { return {limits.lower, limits.upper}; }
+std::array<Real, 2> boundsOf(const TranslationLimits& limits) { return {limits.lower, limits.upper}; }
+std::array<Real, 2> boundsOf(const LengthLimits& limits) { return {limits.min, limits.max}; }
+
+/// How far a bound moves; infinitely where limits come or go.
 template <class Limits>
-auto toLimits(const std::optional<Limits>& limits) {
-    return [limits](auto& part) {
+Real distanceBetween(const std::optional<Limits>& before, const std::optional<Limits>& after) {
+    if (before.has_value() != after.has_value()) { return std::numeric_limits<Real>::infinity(); }
+    if (!before) { return 0; }
+    Real farthest = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Real from = boundsOf(*before)[i];
+        const Real to = boundsOf(*after)[i];
+        if (from != to) { farthest = std::max(farthest, std::fabs(to - from)); }  // both may be infinite
+    }
+    return farthest;
+}
+
+/// @param moved  becomes how far
+template <class Limits>
+auto toLimits(const std::optional<Limits>& limits, Real& moved) {
+    return [limits, &moved](auto& part) {
         if constexpr (HasLimits<decltype(part), std::optional<Limits>>) {
+            moved = distanceBetween(part.def.limits, limits);
             part.def.limits = limits;
             return true;
         }
@@ -75,10 +111,16 @@ auto toMotor(const std::optional<Motor>& motor) {
 }  // namespace
 
 Status World::setAngleLimits(JointId id, std::optional<AngleLimits> limits) {
-    return change(*state_, id, checkLimits(limits), toLimits(limits));
+    Real turned = 0;
+    const Status status = change(*state_, id, checkLimits(limits), toLimits(limits, turned));
+    if (status.ok()) { noteDriven(*state_, id, turned * widestRadius(*state_, id)); }
+    return status;
 }
 Status World::setTranslationLimits(JointId id, std::optional<TranslationLimits> limits) {
-    return change(*state_, id, checkLimits(limits), toLimits(limits));
+    Real moved = 0;
+    const Status status = change(*state_, id, checkLimits(limits), toLimits(limits, moved));
+    if (status.ok()) { noteDriven(*state_, id, moved); }
+    return status;
 }
 Status World::setAngularMotor(JointId id, std::optional<AngularMotor> motor) {
     return change(*state_, id, checkMotor(motor), toMotor(motor));
@@ -112,7 +154,10 @@ Status World::setLengthLimits(JointId id, std::optional<LengthLimits> limits) {
     const Joint* joint = state_->joints.find(id);
     const bool isDistance = joint != nullptr && joint->type() == JointType::distance;
     const Real length = isDistance ? joint->length : Real(1);  // of others `change` tells
-    return change(*state_, id, checkLength(length, limits), toLimits(limits));
+    Real moved = 0;
+    const Status status = change(*state_, id, checkLength(length, limits), toLimits(limits, moved));
+    if (status.ok()) { noteDriven(*state_, id, moved); }
+    return status;
 }
 
 Status World::setLength(JointId id, Real length) {
@@ -123,22 +168,32 @@ Status World::setLength(JointId id, Real length) {
             limits = part->def.limits;
         }
     }
-    return change(*state_, id, checkLength(length, limits),
-                  Overloaded{[&](JointPart<DistanceJointDef, DistanceConstraint>& part) {
-                                 part.def.length = joint->length = length;
-                                 return true;
-                             },
-                             [](auto&) { return false; }});
+    const Real before = joint != nullptr ? joint->length : length;
+    const Status status = change(*state_, id, checkLength(length, limits),
+                                 Overloaded{[&](JointPart<DistanceJointDef, DistanceConstraint>& part) {
+                                                part.def.length = joint->length = length;
+                                                return true;
+                                            },
+                                            [](auto&) { return false; }});
+    if (status.ok()) { noteDriven(*state_, id, std::fabs(length - before)); }
+    return status;
 }
 
 Status World::setTarget(JointId id, DVec2 target) {
-    return change(*state_, id, checkNumber(target, "target"),
-                  Overloaded{[&](JointPart<MouseJointDef, MouseConstraint>& part) {
-                                 if (!part.def.anchor) { part.def.anchor = part.def.target; }  // as it was made
-                                 part.def.target = target;
-                                 return true;
-                             },
-                             [](auto&) { return false; }});
+    DVec2 way;
+    const Status status = change(*state_, id, checkNumber(target, "target"),
+                                 Overloaded{[&](JointPart<MouseJointDef, MouseConstraint>& part) {
+                                                if (!part.def.anchor) {
+                                                    part.def.anchor = part.def.target;
+                                                }  // as it was made
+                                                way = target - part.def.target;
+                                                part.memory.toGo += toReal(way);
+                                                part.def.target = target;
+                                                return true;
+                                            },
+                                            [](auto&) { return false; }});
+    if (status.ok()) { noteDriven(*state_, id, static_cast<Real>(length(way))); }
+    return status;
 }
 
 Status World::setDrive(JointId id, const MotorDrive& drive) {

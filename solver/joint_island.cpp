@@ -58,6 +58,7 @@ double kineticEnergy(const std::vector<IslandBody>& bodies) {
 void JointIsland::clear() {
     bodies_.clear();
     holds_.clear();
+    doesWork_ = false;
 }
 
 void JointIsland::prepare() {
@@ -130,7 +131,7 @@ void JointIsland::dropTotals() {
 
 /// Whether energy tells if a step went wrong: nothing damps the bodies, and nothing drives them but constant forces.
 bool JointIsland::hasAccount() const {
-    return std::none_of(start_.begin(), start_.end(), [](const IslandBody& body) {
+    return !doesWork_ && std::none_of(start_.begin(), start_.end(), [](const IslandBody& body) {
         const bool isCarried = body.column == kNoNode && (body.spin != 0 || dot(body.velocity, body.velocity) > 0);
         return isCarried || isDamped(body);
     });

@@ -118,6 +118,8 @@ public:
     std::vector<IslandBody>& bodies() { return bodies_; }
     std::vector<IslandHold>& holds() { return holds_; }
 
+    /// Some hold does work in this step, so energy does not tell whether it went wrong.
+    void allowWork() { doesWork_ = true; }
     /// @pre bodies and holds are filled in, forces with those of the step before
     void prepare();
     /// @param h  of a sub-step that drives were made for
@@ -220,6 +222,7 @@ private:
     bool isTree_ = false;
     bool keepsOpen_ = false;  ///< whether the gaps that a step began with stay as wide as they were
     bool isSoft_ = false;
+    bool doesWork_ = false;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

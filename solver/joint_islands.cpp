@@ -72,6 +72,7 @@ private:
         const auto place = static_cast<std::uint32_t>(island.holds().size());
         islands_.sources_.push_back({number, place, {&impulse, nullptr}, &joint.total});
         joint.total = {};
+        if (joint.isWound) { island.allowWork(); }
         island.holds().push_back(hold);
         return island.holds().back();
     }

@@ -72,11 +72,12 @@ constexpr HeldRows heldPoint(const JointPair& pair, Vec2 armA, Vec2 armB) {
 
 /// Softly towards zero errors; the change of the accumulated impulses.
 /// @pre  not both `useBias` and held by a direct solve, see `JointConstraint::isHeld`
+/// @param pace  of what it is held to, m/s
 constexpr Vec2 heldChange(const HeldRows& held, const JointPair& pair, Vec2 error, Vec2 accumulated,
-                          const Softness& softness, bool useBias) {
+                          const Softness& softness, bool useBias, Vec2 pace = {}) {
     const Softness used = useBias ? softness : kRigid;
     const Vec2 bias = useBias ? used.biasRate * error : Vec2{};
-    return -used.massScale * solve(held.matrix, speedsOf(held, pair) + bias) - used.impulseScale * accumulated;
+    return -used.massScale * solve(held.matrix, (speedsOf(held, pair) - pace) + bias) - used.impulseScale * accumulated;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

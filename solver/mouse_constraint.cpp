@@ -14,15 +14,19 @@ HeldRows gripOf(const MouseConstraint& joint, const JointPair& pair) {
     return heldPoint(pair, {}, rotate(pair.b.deltaRotation, joint.anchorB));
 }
 
+Vec2 awayFromTarget(const MouseConstraint& joint, const JointPair& pair) {
+    return anchorOffset(joint, pair.a, pair.b) - joint.gone;
+}
+
 /// The push of the spring takes the place of its old impulse.
 void pushSpring(MouseConstraint& joint, const JointPair& pair, const HeldRows& grip) {
-    joint.springImpulse = -joint.spring.push * solve(grip.matrix, anchorOffset(joint, pair.a, pair.b));
+    joint.springImpulse = -joint.spring.push * solve(grip.matrix, awayFromTarget(joint, pair));
     joint.linearImpulse = limited(joint.springImpulse, joint.maxImpulse);
 }
 
 /// The speed that the target is approached with, once per sub-step: it is real, and stays in relaxation.
 void aim(MouseConstraint& joint, const JointPair& pair, const HeldRows& grip, Real h) {
-    const UnitAndLength away = normalized(anchorOffset(joint, pair.a, pair.b));
+    const UnitAndLength away = normalized(awayFromTarget(joint, pair));
     const Real acceleration = joint.maxImpulse / h * dot(product(grip.matrix, away.unit), away.unit);
     joint.velocity = -approachSpeed(away.length, joint.approachRate, acceleration) * away.unit;
 }
@@ -37,13 +41,17 @@ void solveOne(MouseConstraint& joint, const JointPair& pair, Real h, bool useBia
         total = joint.springImpulse - joint.spring.drag * speed;
     } else if (joint.maxImpulse < std::numeric_limits<Real>::infinity()) {
         if (useBias) { aim(joint, pair, grip, h); }
-        total -= solve(grip.matrix, speedsOf(grip, pair) - joint.velocity);
+        total -= solve(grip.matrix, speedsOf(grip, pair) - joint.pace - joint.velocity);
     } else {
-        total += heldChange(grip, pair, anchorOffset(joint, pair.a, pair.b), total, joint.softness, useBias);
+        total += heldChange(grip, pair, awayFromTarget(joint, pair), total, joint.softness, useBias, joint.pace);
     }
     total = limited(total, joint.maxImpulse);
     apply(grip, pair, total - joint.linearImpulse);
     joint.linearImpulse = total;
+    if (!useBias) { return; }
+    // With the bodies: these move next.
+    joint.gone += h * joint.pace;
+    joint.toGo -= h * joint.pace;
 }
 
 }  // namespace

@@ -124,9 +124,39 @@ TEST(JointKinds, MousePullsCritically) {
         must(world.setTarget(joint, {1 + i * kStep, 2}));
         must(world.step(kStep));
     }
-    // The target stands still within a step: on average it is half a step behind where it was last put.
     const double lag = 1 + 300 * kStep - world.position(ball).x;
-    expectAtMost("lag", std::abs(lag / (2 / w) - 1), 0.07);
+    expectAtMost("lag", std::abs(lag / (2 / w) - 1), 0.02);
+    expectAtMost("speed", std::abs(velocityOf(world, ball).x - 1), 1e-3);
+}
+
+/// Whoever is let go flies on.
+TEST(JointKinds, WhatTheMouseDragsHasItsSpeed) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        for (const double speed : {0.5, 6.0, 30.0}) {
+            for (const int kind : {0, 1, 2}) {
+                WorldSettings settings = awakeSettings(0);
+                settings.profile = profile;
+                World world = makeWorld(settings);
+                const BodyId crate = addBody(world, dynamicAt({0, 0}), box(0.3, 0.3));
+                MouseJointDef def;
+                def.base = between(anchorOf(world), crate);
+                if (kind == 1) { def.spring = Spring{30, 1}; }
+                if (kind == 2) { def.maxForce = static_cast<Real>(1000 * world.mass(crate)); }
+                const JointId joint = must(world.createJoint(def));
+                double x = 0;
+                for (int i = 0; i < 60; ++i) {
+                    x += speed * kStep;
+                    must(world.setTarget(joint, {x, 0}));
+                    must(world.step(kStep));
+                }
+                const std::string what = std::to_string(speed) + " m/s, kind " + std::to_string(kind);
+                expectAtMost(what + ", speed", std::abs(velocityOf(world, crate).x / speed - 1), 0.01);
+                expectAtMost(what + ", lag", std::abs(world.position(crate).x - x), 0.02 * speed);
+                must(world.step(kStep));  // the target stands
+                if (kind == 0) { expectAtMost(what + ", then", std::abs(velocityOf(world, crate).x), 1e-3 * speed); }
+            }
+        }
+    }
 }
 
 TEST(JointKinds, MouseForceIsLimitedAndCarriesWeight) {

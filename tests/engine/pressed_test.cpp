@@ -97,6 +97,50 @@ TEST(Pressed, WhileItShakes) {
     }
 }
 
+/// A rod between a box and the wall of a wedge, both bullets, and something kinematic that comes after them: it is
+/// deep in the rod, and must not set it out on the other side of the wall.
+TEST(Pressed, BulletsIntoTheWallOfAWedge) {
+    const std::array<Vec2, 3> wedge{vec(5, 1.32241369), vec(5, -1.32241369), vec(-5, 0)};
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const bool isChain : {true, false}) {
+            WorldSettings settings;
+            settings.profile = profile;
+            World world = makeWorld(settings);
+            const BodyId walls = must(world.createBody({}));
+            if (isChain) { must(world.addChain(walls, wedge, true)); }
+            for (std::size_t i = 0; i < 3 && !isChain; ++i) {
+                must(world.addShape(walls, must(makeSegment(wedge[i], wedge[(i + 1) % 3]))));
+            }
+            BodyDef thin = dynamicAt({4.5910026707065539, -0.18146804141025452});
+            thin.angle = 5.9769211183306865;
+            thin.bullet = true;
+            const Vec2 end = vec(0.266023219, -0.163694546);
+            const BodyId rod =
+                addBody(world, thin, must(makeCapsule(-end, end, real(0.00624705572))), material(0.265865266));
+            BodyDef thick = dynamicAt({3.8414477515539955, -0.18826673213512368});
+            thick.angle = 3.1747451030095855;
+            thick.bullet = true;
+            const std::array<Vec2, 4> corners{vec(0.423305839, -0.427226871), vec(0.308287054, 0.516400754),
+                                              vec(-0.423305839, 0.427226871), vec(-0.308287054, -0.516400754)};
+            const std::array<Vec2, 4> handle{vec(-0.051622171, 0.0298513938), vec(-0.512510836, 0.295026094),
+                                             vec(-0.528000176, 0.268104732), vec(-0.067111522, 0.00293003116)};
+            const BodyId crate = addBody(world, thick, must(makePolygon(corners)), material(0.942205071, 0.0592946969));
+            must(world.addShape(crate, must(makePolygon(handle)), material(0.942205071, 0.0592946969)));
+            BodyDef pusher = bodyAt(BodyType::kinematic, {2.4296058980158923, -0.20993957674218366}, 2.376680016979158);
+            pusher.velocity = vec(5.00283337, 0.0321088731);
+            pusher.angularVelocity = real(3.67047715);
+            const std::array<Vec2, 4> square{vec(0.732707739, -0.0163122136), vec(0.0227534212, 0.732536018),
+                                             vec(-0.732849717, -0.00761638395), vec(0.0105173998, -0.732813835)};
+            addBody(world, pusher, must(makePolygon(square, real(0.0732889324))), material(0.6));
+            for (int step = 0; step < 90; ++step) {
+                run(world, 1);
+                ASSERT_LT(world.position(rod).x, 5) << "step " << step << (isChain ? ", chain" : ", segments");
+                ASSERT_LT(world.position(crate).x, 5) << "step " << step;
+            }
+        }
+    }
+}
+
 /// Rods that are put between bodies in flight, and jam between them and the walls.
 TEST(Pressed, ByRodsInAClosedChamber) {
     constexpr double kHalf = 10;
