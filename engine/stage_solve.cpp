@@ -79,8 +79,9 @@ constexpr std::size_t kFetchedAhead = 12;
 
 /// As `jointSoftness` has it of iterated joints. A whole step, after one as long, has the sub-steps that it asks for.
 Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepPart& part) {
-    if (!(part.length < world.closingTime)) { return 0; }
-    return static_cast<Real>(world.closingTime) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
+    const double closing = world.closingTime * world.closingStretch;
+    if (!(part.length < closing)) { return 0; }
+    return static_cast<Real>(closing) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
 }
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {

@@ -60,8 +60,20 @@ void changeStep(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) { reachWithVelocity(world, slot); }
 }
 
+void changeSubSteps(WorldState& world, int before, int after) {
+    if (before == after || !(world.lastDt > 0)) { return; }
+    const double ratio = static_cast<double>(after) / before;
+    unparkContacts(world);
+    scaleContacts(world, static_cast<Real>(1 / ratio));
+    world.closingStretch = std::max(1.0, world.closingStretch * ratio);
+}
+
 double closingTimeOf(const WorldState& world, double dt) {
     return std::max(dt, std::min(world.closingTime, kLongestClosing) - kClosingPace * dt);
+}
+
+double closingStretchOf(const WorldState& world, double dt) {
+    return std::max(1.0, world.closingStretch - kClosingPace * dt / world.closingTime);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -9,9 +9,14 @@ namespace swept::inline SWEPT_PRECISION {
 /// asks, and impulses of contacts become those of its sub-steps.
 void changeStep(WorldState& world, double dt);
 
+/// The same of settings with other sub-steps, between two steps. @pre what is held was released
+void changeSubSteps(WorldState& world, int before, int after);
+
 /// Of a step: errors go on being closed at nearly the pace of longer ones before it.
 /// @return  s, dt or more
 double closingTimeOf(const WorldState& world, double dt);
+/// Likewise after steps of fewer sub-steps. @param dt  of the step. @return  how many times that time, at least once
+double closingStretchOf(const WorldState& world, double dt);
 
 /// Of contacts and joints: a spring as stiff as sub-steps can sample. Beside a part of a step, or after steps that were
 /// longer, it is that of the whole step, or of those: a stiffer one would push what it finds out within a few short
@@ -22,7 +27,7 @@ inline Softness softnessOfStep(const WorldState& world, Effort effort, Real cycl
                                Real dt) {
     const auto subSteps = static_cast<Real>(standardSubSteps(world.settings, effort));
     const Real sampled = std::max(h, dt / subSteps);
-    const Real closing = std::max(sampled, static_cast<Real>(world.closingTime) / subSteps);
+    const Real closing = std::max(sampled, static_cast<Real>(world.closingTime * world.closingStretch) / subSteps);
     return softnessOfSubStep(cycles, dampingRatio, closing, sampled);
 }
 

@@ -9,6 +9,7 @@
 #include "driven_joints.h"
 #include "modes.h"
 #include "number_range.h"
+#include "profile.h"
 #include "shared_step.h"
 #include "step.h"
 #include "step_change.h"
@@ -132,6 +133,7 @@ void advance(WorldState& world, double dt) {
     if (!world.unmeasured.empty()) { measureAnew(world); }
     if (dt != world.lastDt) { changeStep(world, dt); }
     world.closingTime = closingTimeOf(world, dt);
+    if (world.closingStretch > 1) { world.closingStretch = closingStretchOf(world, dt); }
     StageClock clock(world.settings.measureStageTimes);
     world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
     if (world.watched) {
@@ -202,6 +204,7 @@ Status World::configure(const WorldSettings& settings) {
     const bool isForbidden = world.settings.sleep && !settings.sleep;
     if (settings.gravity != world.settings.gravity || isForbidden) { wakeAll(world); }
     if (settings.sleep && !world.settings.sleep) { restAnew(world); }
+    changeSubSteps(world, subStepsOf(world.settings), subStepsOf(settings));
     world.settings = settings;
     return Status::success();
 }

@@ -233,9 +233,9 @@ struct WorldState : Workers {
     RawVector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     std::vector<DrivenJoint> drivenJoints;
-    bool watched = false;       ///< this step: some body has such a mode (modes.h)
-    bool anyFast = false;       ///< this step: some awake body is, or is a flyer or a bullet
-    bool anyFlung = false;      ///< the solver may have moved some body as far as only a fast one moves
+    bool watched = false;   ///< this step: some body has such a mode (modes.h)
+    bool anyFast = false;   ///< this step: some awake body is, or is a flyer or a bullet
+    bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
     BulletWork bulletWork;
     std::vector<FlightScratch> flightScratch;  ///< one per worker
     std::vector<ClashScratch> clashScratch;    ///< likewise
@@ -251,9 +251,10 @@ struct WorldState : Workers {
     std::vector<ImpactPose> impactPoses;
     StepCounters counters;
     StageTimes stageTimes;
-    bool forcesGiven = false;  ///< since the last step: some body has a force or a torque for the next one
-    double lastDt = 0;         ///< of the last step, s; predicts how far boxes must reach
-    double closingTime = 0;    ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
+    bool forcesGiven = false;   ///< since the last step: some body has a force or a torque for the next one
+    double lastDt = 0;          ///< of the last step, s; predicts how far boxes must reach
+    double closingTime = 0;     ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
+    double closingStretch = 1;  ///< so many times that, after steps of fewer sub-steps
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 

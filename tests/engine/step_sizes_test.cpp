@@ -148,5 +148,31 @@ TEST(StepSizes, ShorterThanTheOnesBefore) {
     }
 }
 
+/// Nor are they when the settings ask for more sub-steps: a tower, shaken a little so that nothing of it is held.
+TEST(StepSizes, MoreSubStepsThanBefore) {
+    for (const auto& [before, after] : {std::pair{4, 256}, {4, 16}, {16, 256}}) {
+        WorldSettings settings = awakeSettings();
+        settings.profile = Profile::fast;
+        settings.subSteps = before;
+        World world = makeWorld(settings);
+        addStatic(world, box(50, 0.5), {}, {0, -0.5});
+        std::vector<BodyId> boxes;
+        for (int i = 0; i < 20; ++i) { boxes.push_back(addBody(world, dynamicAt({0, i + 0.5}), box(0.5, 0.5))); }
+        double fastest = 0;
+        for (int step = 0; step < 420; ++step) {
+            if (step == 300) {
+                settings.subSteps = after;
+                must(world.configure(settings));
+            }
+            must(world.applyForce(boxes[3], vec(step % 2 == 0 ? 0.01 : -0.01, 0)));
+            must(world.step(kStep));
+            for (const BodyId body : boxes) {
+                if (step >= 300) { fastest = std::max(fastest, length(velocityOf(world, body))); }
+            }
+        }
+        expectAtMost(std::to_string(before) + " to " + std::to_string(after) + ", speed", fastest, 0.02);
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
