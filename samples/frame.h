@@ -92,6 +92,7 @@ struct SceneEvent {
     DVec2 normal;  ///< from a to b
     double approachSpeed = 0;
     double impulse = 0;
+    int joint = -1;  ///< of a jointBreak: index of the joint in the scene
 };
 
 /// A named count, in the order in which the backend reports it.

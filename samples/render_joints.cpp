@@ -52,15 +52,20 @@ std::size_t bodyIndex(const SceneDescription& scene, const std::string& name) {
     return i;
 }
 
-/// Anchor of a joint that can be geared, in world coordinates.
-std::optional<DVec2> gearedAnchor(const SceneDescription& scene, const std::string& name) {
+/// A joint that can be geared.
+struct GearedJoint {
+    int index = 0;
+    DVec2 anchor;  ///< world
+};
+
+std::optional<GearedJoint> gearedJoint(const SceneDescription& scene, const std::string& name) {
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         if (jointName(scene, i) != name) { continue; }
         if (const auto* revolute = std::get_if<RevoluteDescription>(&scene.joints[i].joint)) {
-            return revolute->anchor;
+            return GearedJoint{static_cast<int>(i), revolute->anchor};
         }
         if (const auto* prismatic = std::get_if<PrismaticDescription>(&scene.joints[i].joint)) {
-            return prismatic->anchor;
+            return GearedJoint{static_cast<int>(i), prismatic->anchor};
         }
     }
     return std::nullopt;
@@ -109,9 +114,11 @@ struct DrawingMaker {
         drawing.worldA = joint.target;
     }
     void operator()(const GearDescription& joint) const {
-        const std::optional<DVec2> first = gearedAnchor(scene, joint.jointA);
-        const std::optional<DVec2> second = gearedAnchor(scene, joint.jointB);
-        if (first && second) { anchors(JointMark::mesh, *first, *second); }
+        const std::optional<GearedJoint> first = gearedJoint(scene, joint.jointA);
+        const std::optional<GearedJoint> second = gearedJoint(scene, joint.jointB);
+        if (!first || !second) { return; }
+        anchors(JointMark::mesh, first->anchor, second->anchor);
+        drawing.geared = {first->index, second->index};
     }
     void operator()(const PulleyDescription& joint) const {
         anchors(JointMark::pulley, joint.anchorA, joint.anchorB);
@@ -187,13 +194,15 @@ void drawPulley(Paint& paint, const PixelView& view, const JointDrawing& joint, 
 
 }  // namespace
 
-std::optional<JointDrawing> jointDrawing(const SceneDescription& scene, const JointDescription& joint) {
+std::optional<JointDrawing> jointDrawing(const SceneDescription& scene, std::size_t index) {
+    const JointDescription& joint = scene.joints[index];
     const std::size_t a = bodyIndex(scene, joint.bodyA);
     const std::size_t b = bodyIndex(scene, joint.bodyB);
     if (std::max(a, b) >= scene.bodies.size()) { return std::nullopt; }
     JointDrawing drawing;
     drawing.bodyA = static_cast<int>(a);
     drawing.bodyB = static_cast<int>(b);
+    drawing.joint = static_cast<int>(index);
     std::visit(DrawingMaker{scene, scene.bodies[a], scene.bodies[b], drawing}, joint.joint);
     return drawing.mark == JointMark::none ? std::nullopt : std::optional(drawing);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -23,10 +25,12 @@ struct JointDrawing {
     DVec2 worldA;     ///< wheels of a pulley; target of a mouse joint
     DVec2 worldB;
     bool sprung = false;
+    int joint = 0;                      ///< index in the scene
+    std::array<int, 2> geared{-1, -1};  ///< of the joints of a gear, which goes with either of them; −1: it is no gear
 };
 
 /// Empty when its bodies (or the joints of a gear) do not exist, or there is nothing to see of it.
-std::optional<JointDrawing> jointDrawing(const SceneDescription& scene, const JointDescription& joint);
+std::optional<JointDrawing> jointDrawing(const SceneDescription& scene, std::size_t index);
 
 /// A joint where its bodies are.
 struct PlacedJoint {

@@ -41,8 +41,8 @@ SceneDrawing::SceneDrawing(const SceneDescription& scene) {
         for (const ShapeDescription& shape : body.shapes) { drawing.shapes.push_back(shapeDrawing(shape)); }
         bodies_.push_back(std::move(drawing));
     }
-    for (const JointDescription& joint : scene.joints) {
-        if (const auto drawing = jointDrawing(scene, joint)) { joints_.push_back(*drawing); }
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        if (const auto drawing = jointDrawing(scene, i)) { joints_.push_back(*drawing); }
     }
 }
 
@@ -65,9 +65,9 @@ style::BodyStyle SceneDrawing::styleOf(std::size_t body, bool awake) const {
     return style::bodyStyle(drawing.type, drawing.bullet, awake, drawing.paletteIndex);
 }
 
-void SceneDrawing::removeJoints(int bodyA, int bodyB) {
-    std::erase_if(joints_, [bodyA, bodyB](const JointDrawing& j) {
-        return (j.bodyA == bodyA && j.bodyB == bodyB) || (j.bodyA == bodyB && j.bodyB == bodyA);
+void SceneDrawing::removeJoint(int joint) {
+    std::erase_if(joints_, [joint](const JointDrawing& j) {
+        return j.joint == joint || j.geared[0] == joint || j.geared[1] == joint;
     });
 }
 

@@ -34,8 +34,8 @@ public:
     void drawJoints(Paint& paint, const PixelView& view, const Frame& frame) const;
     void drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const;
 
-    /// From now on, no joints between these bodies are drawn.
-    void removeJoints(int bodyA, int bodyB);
+    /// From now on, this joint of the scene is not drawn, nor a gear on it.
+    void removeJoint(int joint);
     std::size_t bodyCount() const { return bodies_.size(); }
     bool moves(std::size_t body) const { return bodies_[body].type != SceneBodyType::fixed; }
     style::BodyStyle styleOf(std::size_t body, bool awake) const;

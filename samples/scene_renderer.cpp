@@ -48,6 +48,12 @@ Image SceneRenderer::draw(const Frame& frame, const Reference& reference) {
     return drawFrame(frame, reference.frame != nullptr ? &reference : nullptr);
 }
 
+void SceneRenderer::removeBrokenJoints(std::span<const SceneEvent> events) {
+    for (const SceneEvent& event : events) {
+        if (event.type == SceneEventType::jointBreak) { drawing_.removeJoint(event.joint); }
+    }
+}
+
 Image SceneRenderer::drawFrame(const Frame& frame, const Reference* reference) {
     paint_.clear();
     if (options_.grid) { drawGrid(paint_, view_); }

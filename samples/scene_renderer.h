@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "frame.h"
@@ -41,8 +42,8 @@ public:
     void addStrobe(const Frame& frame) { trails_.addStrobe(frame); }
     void clearTrails() { trails_.clear(); }
 
-    /// Frames do not say which joints broke; after an event of type `jointBreak`, call this with its bodies.
-    void removeJoints(int bodyA, int bodyB) { drawing_.removeJoints(bodyA, bodyB); }
+    /// Frames do not say which joints broke. From now on, those of the events of type `jointBreak` are not drawn.
+    void removeBrokenJoints(std::span<const SceneEvent> events);
 
     const PixelView& view() const { return view_; }
 

@@ -206,6 +206,7 @@ private:
             broken.a = static_cast<int>(world.userData(event.bodyA));
             broken.b = static_cast<int>(world.userData(event.bodyB));
             broken.point = event.point;
+            broken.joint = static_cast<int>(event.userData);
             events_.push_back(broken);
         }
     }

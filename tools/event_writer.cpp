@@ -69,6 +69,7 @@ void EventWriter::write(std::span<const SceneEvent> events) {
         appendMember(lines_, "normal", event.normal);
         appendMember(lines_, "approachSpeed", event.approachSpeed);
         appendMember(lines_, "impulse", event.impulse);
+        if (event.joint >= 0) { lines_ += ",\"joint\":" + std::to_string(event.joint); }
         lines_ += "}\n";
     }
     out_ << lines_;

@@ -257,7 +257,10 @@ TEST(RenderBodies, JointsShowUntilTheyAreRemoved) {
     const Frame frame = initialFrame(scene);
     EXPECT_LT(pixelAt(renderer->draw(frame), {0, 0}).red, 200) << "the arm from the body to its pin";
     EXPECT_LT(pixelAt(renderer->draw(frame), {-1.022, 0}).red, 120) << "the pin";
-    renderer->removeJoints(1, 0);
+    SceneEvent broken;
+    broken.type = SceneEventType::jointBreak;
+    broken.joint = 0;
+    renderer->removeBrokenJoints(std::span(&broken, 1));
     EXPECT_EQ(pixelAt(renderer->draw(frame), {0, 0}), style::kBackground);
 }
 

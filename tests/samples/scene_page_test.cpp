@@ -254,7 +254,8 @@ std::vector<std::string> membersOf(const nlohmann::ordered_json& object) {
 TEST(ScenePage, NamesTheMembersAndTypesOfEvents) {
     std::ostringstream written;
     EventWriter writer(written, {"body0"});
-    const SceneEvent event;
+    SceneEvent event;
+    event.joint = 0;  // as of a joint that broke: then there is one member more
     writer.write(std::span(&event, 1));
     expectNamed("### Events", membersOf(nlohmann::ordered_json::parse(written.str())));
     std::vector<std::string> types;

@@ -37,6 +37,16 @@ TEST(EventWriter, WritesTheFormatByteForByte) {
               "\"shapeA\":0,\"shapeB\":2,\"point\":[0.5,-1],\"normal\":[0,1],\"approachSpeed\":3.5,\"impulse\":7}\n");
 }
 
+TEST(EventWriter, NamesTheJointThatBroke) {
+    std::ostringstream out;
+    EventWriter writer(out, {"floor", "ball"});
+    SceneEvent event = hitEvent();
+    event.type = SceneEventType::jointBreak;
+    event.joint = 3;
+    writer.write(std::vector<SceneEvent>{event});
+    EXPECT_NE(out.str().find("\"impulse\":7,\"joint\":3}"), std::string::npos) << out.str();
+}
+
 TEST(EventWriter, WritesNoMinusZero) {
     std::ostringstream out;
     EventWriter writer(out, {"floor", "ball"});

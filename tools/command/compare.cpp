@@ -106,8 +106,9 @@ private:
     std::vector<std::string> fields_;
 };
 
+/// @param renderer  learns which of our joints break; null: nothing is drawn
 void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, std::ofstream* csvFile,
-                 Comparison& found) {
+                 SceneRenderer* renderer, Comparison& found) {
     const std::vector<std::string> names = bodyNames(loaded.scene);
     std::optional<DeviationCsv> csv;
     if (csvFile != nullptr) { csv.emplace(*csvFile, names); }
@@ -129,6 +130,7 @@ void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, s
         if (isLast) { return; }
         ours.step();
         theirs.step();
+        if (renderer != nullptr) { renderer->removeBrokenJoints(ours.events()); }
         progress.update(step + 1);
     }
 }
@@ -181,7 +183,7 @@ int compareScene(const CompareArguments& arguments) {
     if (arguments.scale && !(*arguments.scale > 0)) { return refuse("--scale: must be greater than 0"); }
     const auto renderer = makeOverlayRenderer(*loaded, arguments, error);
     if (!error.empty()) { return refuse(error); }
-    const auto ours = makeRunner(loaded->scene, {loaded->precision, false, true}, error);
+    const auto ours = makeRunner(loaded->scene, {loaded->precision, renderer != nullptr, true}, error);
     if (!ours) { return refuse(loaded->source + ": " + error); }
     const auto theirs = makeBox2dRunner(loaded->scene, error);
     if (!theirs) { return refuse(error); }
@@ -192,7 +194,7 @@ int compareScene(const CompareArguments& arguments) {
     found.scale = arguments.scale.value_or(visibleDeviation(loaded->scene));
     ours->read(found.ours, true);
     theirs->read(found.theirs, true);
-    compareRuns(*loaded, *ours, *theirs, outputs.stream(arguments.csv), found);
+    compareRuns(*loaded, *ours, *theirs, outputs.stream(arguments.csv), renderer.get(), found);
     if (!outputs.close(error)) { return refuse(error); }
     if (renderer && !writeOverlay(*renderer, found, arguments.png, error)) { return refuse(error); }
     printFindings(*loaded, found, *ours, *theirs);

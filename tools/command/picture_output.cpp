@@ -89,9 +89,7 @@ private:
 
     void noteStep(SceneRenderer& renderer, const Frame& frame, std::span<const SceneEvent> events) const {
         if (arguments_.trails) { renderer.addTrail(frame); }
-        for (const SceneEvent& event : events) {
-            if (event.type == SceneEventType::jointBreak) { renderer.removeJoints(event.a, event.b); }
-        }
+        renderer.removeBrokenJoints(events);
     }
 
     bool drawFrame(const Frame& frame, std::string& error) {
