@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -119,6 +120,19 @@ TEST(CommandBench, WithoutGnuplotItLeavesTheScriptsAndSaysSo) {
         EXPECT_TRUE(scratch.has(file + ".gp")) << name;
         EXPECT_FALSE(scratch.has(file + ".png")) << name;
     }
+}
+
+TEST(CommandBench, APlotThatIsNotWrittenIsNoSuccess) {
+    if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "this system has no /dev/full"; }
+    const ScratchDirectory scratch;
+    const std::string plots = scratch.path("plots");
+    std::filesystem::create_directory(plots);
+    std::filesystem::create_symlink("/dev/full", plots + "/toi-iterations.png");
+    const auto result = runSwept({"bench", "toi", "--count", "1", "--plots", plots});
+    if (result.out.find("gnuplot is not installed") != std::string::npos) { GTEST_SKIP() << result.out; }
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_EQ(result.err, "swept: --plots " + plots + "/toi-iterations.png: could not be written to the end\n");
+    EXPECT_GT(std::filesystem::file_size(plots + "/toi-cost.png"), 1000U);
 }
 
 TEST(CommandBench, RefusesWhatItCannotDo) {

@@ -1,8 +1,11 @@
 #include "plot_files.h"
 
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "gnuplot.h"
+#include "picture_check.h"
 
 namespace swept::bench {
 namespace {
@@ -13,6 +16,31 @@ bool writeFile(const std::string& path, const std::function<void(std::ostream&)>
     file.close();
     if (!file) { error = path + ": cannot be written"; }
     return error.empty();
+}
+
+std::vector<std::string> picturesOf(const std::string& directory, const PlotFiles& plot) {
+    std::vector<std::string> pictures{directory + '/' + plot.name + ".png"};
+    for (const std::string& other : plot.others) { pictures.push_back(directory + '/' + other); }
+    return pictures;
+}
+
+/// A complete one of an earlier run would be taken for one of this run.
+void removeOldPictures(const std::string& directory, const PlotFiles& plot) {
+    std::error_code ignored;
+    for (const std::string& picture : picturesOf(directory, plot)) {
+        if (std::filesystem::is_regular_file(std::filesystem::symlink_status(picture, ignored))) {
+            std::filesystem::remove(picture, ignored);
+        }
+    }
+}
+
+bool areDrawn(const std::string& directory, const PlotFiles& plot, std::string& error) {
+    for (const std::string& picture : picturesOf(directory, plot)) {
+        if (isCompletePicture(picture)) { continue; }
+        error = picture + ": could not be written to the end";
+        return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -35,14 +63,16 @@ std::string drawPlots(const std::string& directory, const std::vector<PlotFiles>
     }
     std::string drawn;
     for (const PlotFiles& plot : plots) {
+        removeOldPictures(directory, plot);
         switch (runGnuplot(directory, plot.name + ".gp")) {
             case GnuplotState::drawn:
+                if (!areDrawn(directory, plot, error)) { return ""; }
                 drawn += (drawn.empty() ? "" : ", ") + directory + '/' + plot.name + ".png";
                 break;
             case GnuplotState::notInstalled:
                 return "gnuplot is not installed: data and scripts are in " + directory + ", no plots were drawn";
             case GnuplotState::refused:
-                error = "gnuplot could not draw " + directory + '/' + plot.name + ".gp";
+                error = directory + '/' + plot.name + ".gp: gnuplot could not draw it";
                 return "";
         }
     }

@@ -15,10 +15,11 @@ struct PlotFiles {
     std::string name;
     std::function<void(std::ostream&)> data;
     std::function<void(std::ostream&)> script;
+    std::vector<std::string> others{};  ///< further pictures that the script draws, "tune.svg"
 };
 
-/// Writes and, with gnuplot, draws. @return what was drawn, or why not; `error` when a file could not be written or
-/// drawn
+/// Writes and, with gnuplot, draws. @return what was drawn, or why not; `error`, which begins with the path, when a
+/// file could not be written or drawn
 std::string drawPlots(const std::string& directory, const std::vector<PlotFiles>& plots, std::string& error);
 
 }  // namespace swept::bench

@@ -1,12 +1,11 @@
 #include "toi_bench_plots.h"
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <ostream>
 
 #include "../number_text.h"
-#include "gnuplot.h"
+#include "plot_files.h"
 #include "toi_bench_table.h"
 
 namespace swept::bench {
@@ -151,55 +150,24 @@ void writeTurnsScript(std::ostream& out, std::span<const ToiBenchRow> rows) {
         << "] 'toi-turns.dat' index i using 1:2 with linespoints ls (i+1) lw 2 ps 1.3 title columnheader(1)\n";
 }
 
-struct Plot {
-    std::string name;
-    std::function<void(std::ostream&)> data;
-    void (*script)(std::ostream&, std::span<const ToiBenchRow>);
-};
-
-bool writeFile(const std::string& path, const std::function<void(std::ostream&)>& write, std::string& error) {
-    std::ofstream file(path, std::ios::binary);
-    write(file);
-    file.close();
-    if (!file) {
-        error = path + ": cannot be written";
-        return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 std::string plotToiBench(const std::string& directory, std::span<const ToiBenchRow> rows,
                          std::span<const TurnPoint> turns, std::string& error) {
     const std::vector<std::string> methods = methodsOf(rows);
-    const Plot plots[] = {
-        {"toi-cost", [&](std::ostream& out) { writeCostData(out, rows); }, writeCostScript},
-        {"toi-iterations", [&](std::ostream& out) { writeIterationsData(out, rows); }, writeIterationsScript},
-        {"toi-turns", [&](std::ostream& out) { writeTurnsData(out, turns, methods); }, writeTurnsScript},
+    const auto plot = [&](const char* name, const std::function<void(std::ostream&)>& data,
+                          void (*script)(std::ostream&, std::span<const ToiBenchRow>)) {
+        return PlotFiles{name, data, [rows, script](std::ostream& out) { script(out, rows); }};
     };
-    std::string drawn;
-    for (const Plot& plot : plots) {
-        const std::string start = directory + '/' + plot.name;
-        if (!writeFile(start + ".dat", plot.data, error) ||
-            !writeFile(
-                start + ".gp", [&](std::ostream& out) { plot.script(out, rows); }, error)) {
-            return "";
-        }
-    }
-    for (const Plot& plot : plots) {
-        switch (runGnuplot(directory, plot.name + ".gp")) {
-            case GnuplotState::drawn:
-                drawn += (drawn.empty() ? "" : ", ") + directory + '/' + plot.name + ".png";
-                break;
-            case GnuplotState::notInstalled:
-                return "gnuplot is not installed: data and scripts are in " + directory + ", no plots were drawn";
-            case GnuplotState::refused:
-                error = "gnuplot could not draw " + directory + '/' + plot.name + ".gp";
-                return "";
-        }
-    }
-    return "drawn: " + drawn;
+    return drawPlots(
+        directory,
+        {plot(
+             "toi-cost", [&](std::ostream& out) { writeCostData(out, rows); }, writeCostScript),
+         plot(
+             "toi-iterations", [&](std::ostream& out) { writeIterationsData(out, rows); }, writeIterationsScript),
+         plot(
+             "toi-turns", [&](std::ostream& out) { writeTurnsData(out, turns, methods); }, writeTurnsScript)},
+        error);
 }
 
 }  // namespace swept::bench

@@ -26,7 +26,7 @@ int runBench(const BenchPlaces& places, const BenchRun& run) {
     if (!files.close(error)) { return refuse(error); }
     if (places.plots.empty()) { return kExitDone; }
     const std::string told = run.plot(places.plots, error);
-    if (!error.empty()) { return refuse(error); }
+    if (!error.empty()) { return refuse("--plots " + error); }
     std::cout << told << '\n';
     return kExitDone;
 }

@@ -80,7 +80,7 @@ int mapEnvelope(const EnvelopeArguments& arguments) {
             limits += envelope::limitLines(slice, rows, options.engines);
             drawn += envelope::drawMap(arguments.out, slice, rows, options.engines, error) + '\n';
         }
-        if (!error.empty()) { return refuse(error); }
+        if (!error.empty()) { return refuse("--out " + error); }
     }
     if (!options.shard.isWhole()) {
         std::cout << "shard " << arguments.shard << " is done; when all are, the same command without --shard\n";
@@ -89,7 +89,7 @@ int mapEnvelope(const EnvelopeArguments& arguments) {
     const std::filesystem::path directory = arguments.out;
     if (!writeFile(directory / "summary.txt", summary.str(), error) ||
         !writeFile(directory / "limits.csv", "slice,engine,y,inside\n" + limits, error)) {
-        return refuse(error);
+        return refuse("--out " + error);
     }
     std::cout << summary.str() << '\n' << drawn;
     return kExitDone;

@@ -177,7 +177,7 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
     std::filesystem::create_directories(task.directory, failure);
     if (!writeFile(task.directory + kAblation, csv.str(), error) ||
         !writeFile(task.directory + kLean, writeScene(tune::leanScene(subject, ablation)), error)) {
-        return refuse(error);
+        return refuse("--out " + error);
     }
     std::cout << "\nLeanest profile: ";
     for (std::size_t i = 0; i < ablation.lean.features.size(); ++i) {
@@ -235,14 +235,14 @@ int tuneScene(const TuneArguments& arguments) {
                [&bar](std::size_t done, std::size_t all) { bar.show("runs", done, all); });
     bar.clear();
     if (!isFirst) { return kExitDone; }
-    if (!store.good()) { return refuse(store.path() + ": could not be written to the end"); }
+    if (!store.good()) { return refuse("--out " + store.path() + ": could not be written to the end"); }
     if (!task.options.shard.isWhole()) {
         std::cout << "shard " << arguments.shard << " is done: " << known.rows.size() << " rows in " << store.path()
                   << "; when all are, the same command with --gather instead of --shard\n";
         return kExitDone;
     }
     const int code = printAdvice(task, known, error);
-    return error.empty() ? code : refuse(error);
+    return error.empty() ? code : refuse("--out " + error);
 }
 
 }  // namespace

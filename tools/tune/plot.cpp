@@ -121,7 +121,7 @@ std::string plotRows(const std::string& directory, const Subject& subject, const
         for (const Block& block : blocks) { writeBlock(out, block.name, block.rows, axis); }
     };
     const auto script = [&](std::ostream& out) { writeScript(out, subject, axis, blocks); };
-    return bench::drawPlots(directory, {{"tune", data, script}}, error);
+    return bench::drawPlots(directory, {{"tune", data, script, {"tune.svg"}}}, error);
 }
 
 }  // namespace swept::tune
