@@ -1,18 +1,11 @@
 #include "run_config.h"
 
-#include <algorithm>
-
-#include "../bench/stopwatch.h"
+#include "../bench/run_time.h"
 #include "../measures/measure_run.h"
 #include "../reference/peer_runner.h"
 
 namespace swept::tune {
 namespace {
-
-/// Runs that are timed, of which the fastest counts: an interruption only makes one slower.
-constexpr int kTimedRuns = 3;
-/// Seconds after which no further run is timed.
-constexpr double kTimedSeconds = 4;
 
 std::unique_ptr<Runner> makeRunnerOf(const SceneDescription& given, const Config& config, bool measure,
                                      std::string& error) {
@@ -25,25 +18,12 @@ std::unique_ptr<Runner> makeRunnerOf(const SceneDescription& given, const Config
 }
 
 /// Processor time of all steps, s.
-double timeOf(Runner& runner, std::int64_t steps) {
-    const bench::Stopwatch watch;
-    for (std::int64_t i = 0; i < steps; ++i) { runner.step(); }
-    return watch.seconds();
-}
-
-/// Of runs that measure nothing else.
 double secondsOf(const SceneDescription& scene, const Config& config, std::int64_t steps) {
-    double best = 0;
-    double spent = 0;
-    for (int i = 0; i < kTimedRuns && spent < kTimedSeconds; ++i) {
-        std::string error;
-        const auto runner = makeRunnerOf(scene, config, false, error);
-        if (!runner) { return 0; }
-        const double seconds = timeOf(*runner, steps);
-        best = i == 0 ? seconds : std::min(best, seconds);
-        spent += seconds;
-    }
-    return best;
+    const auto make = [&] {
+        std::string ignored;  // the run that measured was not refused
+        return makeRunnerOf(scene, config, false, ignored);
+    };
+    return bench::fastestRun(make, steps);
 }
 
 /// A child measures outside its steps, so that its one run tells its cost as well.
@@ -81,8 +61,7 @@ Run runScene(const SceneDescription& scene, const Subject& subject, const Config
     Run run;
     Row& row = run.row;
     row.config = config;
-    std::string refusal;
-    const auto runner = makeRunnerOf(scene, config, true, refusal);
+    const auto runner = makeRunnerOf(scene, config, true, run.refusal);
     if (!runner) {
         row.verdict = "refused";
         return run;

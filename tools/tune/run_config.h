@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "../measures/reference.h"
 #include "row.h"
 
@@ -8,6 +10,7 @@ namespace swept::tune {
 struct Run {
     Row row;
     measures::Recording recording;
+    std::string refusal;  ///< why the engine does not take the scene; empty: it does
 };
 
 /// Runs a scene with these settings, once to measure errors and a few times more for its cost.
