@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "begun_file.h"
+
 namespace swept {
 
 bool writeImageFile(const std::uint8_t* bytes, std::size_t size, const std::string& path, std::string& error) {
@@ -17,7 +19,7 @@ bool writeImageFile(const std::uint8_t* bytes, std::size_t size, const std::stri
     const bool closed = std::fclose(file) == 0;
     if (written && closed) { return true; }
     error = path + ": " + std::strerror(written ? errno : writeError);
-    std::remove(path.c_str());
+    removeBegunFile(path);
     return false;
 }
 

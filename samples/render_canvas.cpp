@@ -11,7 +11,6 @@ namespace swept {
 
 namespace {
 
-constexpr int kLargestPicture = 8192;
 constexpr int kLargestFramebuffer = 16384;  // what Mesa's software rasterisers take in one direction
 
 struct ContextDeleter {

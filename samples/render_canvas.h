@@ -9,6 +9,9 @@
 
 namespace swept {
 
+/// Most pixels of a picture in each direction.
+inline constexpr int kLargestPicture = 8192;
+
 /// An off-screen OpenGL framebuffer (OSMesa, in software: no display, no graphics card). Smooth edges come from drawing
 /// several times larger and averaging, which gives the same pixels on every run.
 class RenderCanvas {

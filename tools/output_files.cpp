@@ -4,6 +4,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
+
+#include <swept/samples/begun_file.h>
 
 namespace swept {
 namespace {
@@ -31,11 +34,12 @@ void OutputFiles::protect(const std::string& path) {
 }
 
 void OutputFiles::addFile(const std::string& flag, const std::string& path) {
-    if (!path.empty()) { files_.push_back({flag, path, {}}); }
+    if (!path.empty()) { files_.push_back({flag, path, {}, {}}); }
 }
 
-void OutputFiles::addDirectory(const std::string& flag, const std::string& path) {
-    if (!path.empty()) { directories_.push_back({flag, path, {}}); }
+void OutputFiles::addDirectory(const std::string& flag, const std::string& path,
+                               std::function<bool(const std::string& name)> writes) {
+    if (!path.empty()) { directories_.push_back({flag, path, {}, std::move(writes)}); }
 }
 
 bool OutputFiles::open(std::string& error) {
@@ -47,6 +51,7 @@ bool OutputFiles::open(std::string& error) {
         return false;
     }
     // Only now that all can be written is anything of an earlier run cut off.
+    isBegun_ = true;
     for (Place& place : files_) {
         if (isDevice(place.path)) { continue; }  // whoever reads a pipe would take it for its end
         place.stream.close();
@@ -67,6 +72,12 @@ bool OutputFiles::refuseClashes(std::string& error) const {
         std::any_of(directories_.begin(), directories_.end(), refuseStandardOutput)) {
         return false;
     }
+    for (const std::string& input : protected_) {
+        if (const Place* const place = directoryWriting(input)) {
+            error = place->flag + ' ' + place->path + ": would overwrite the input " + input;
+            return false;
+        }
+    }
     for (std::size_t i = 0; i < files_.size(); ++i) {
         if (isDevice(files_[i].path)) { continue; }
         for (const std::string& input : protected_) {
@@ -79,8 +90,23 @@ bool OutputFiles::refuseClashes(std::string& error) const {
             error = files_[i].flag + ' ' + files_[i].path + ": is already the file of " + files_[j].flag;
             return false;
         }
+        if (const Place* const place = directoryWriting(files_[i].path)) {
+            error = files_[i].flag + ' ' + files_[i].path + ": is already a file of " + place->flag + ' ' + place->path;
+            return false;
+        }
     }
     return true;
+}
+
+/// The directory into which a file of this path is written anyway; null: there is none.
+const OutputFiles::Place* OutputFiles::directoryWriting(const std::string& file) const {
+    std::error_code ignored;
+    const std::string name = fs::weakly_canonical(fs::absolute(file, ignored), ignored).filename().string();
+    const auto isWriting = [&](const Place& place) {
+        return place.writes && place.writes(name) && samePlace((fs::path(place.path) / name).string(), file);
+    };
+    const auto found = std::find_if(directories_.begin(), directories_.end(), isWriting);
+    return found == directories_.end() ? nullptr : &*found;
 }
 
 bool OutputFiles::openDirectory(const Place& place, std::string& error) {
@@ -136,13 +162,17 @@ bool OutputFiles::close(std::string& error) {
         place.stream.close();
         if (place.stream) { continue; }
         error = place.flag + ' ' + place.path + ": could not be written to the end";
+        discard();
         return false;
     }
     return true;
 }
 
 void OutputFiles::discard() {
-    for (Place& place : files_) { place.stream.close(); }
+    for (Place& place : files_) {
+        place.stream.close();
+        if (isBegun_ && !isDevice(place.path)) { removeBegunFile(place.path); }
+    }
     std::error_code ignored;
     for (; !created_.empty(); created_.pop_back()) { fs::remove(created_.back(), ignored); }
 }

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ public:
     /// @param flag  the option that named it, for errors. An empty path is no output and is left out.
     void addFile(const std::string& flag, const std::string& path);
     /// A directory for many files; it and its missing parents are created.
-    void addDirectory(const std::string& flag, const std::string& path);
+    /// @param writes  whether the command writes a file of this name there: then nothing else may be that file.
+    void addDirectory(const std::string& flag, const std::string& path,
+                      std::function<bool(const std::string& name)> writes = {});
     /// The first part of `open`, for files that are written later. @return false, and one line in `error`, when one of
     /// them is protected, two options name the same one, or one is "-", as if standard output were a place.
     bool refuseClashes(std::string& error) const;
@@ -26,9 +29,11 @@ public:
     /// simply not asked for: they stay empty until the other overwrites them.
     std::ofstream* stream(const std::string& path);
     /// Closes all files.
-    /// @return false, and one line in `error`, when something could not be written (a full disk).
+    /// @return false, and one line in `error`, when something could not be written (a full disk): then all is
+    /// discarded.
     bool close(std::string& error);
-    /// Closes and takes away what `open` created.
+    /// Closes and takes away all files, as none of them is complete, and those directories that `open` created and that
+    /// are empty. What an earlier run left in a file is gone since `open` succeeded; where it did not, that stays.
     void discard();
 
 private:
@@ -36,7 +41,9 @@ private:
         std::string flag;
         std::string path;
         std::ofstream stream;
+        std::function<bool(const std::string& name)> writes{};  ///< of a directory
     };
+    const Place* directoryWriting(const std::string& file) const;
     bool openDirectory(const Place& place, std::string& error);
     bool openFile(Place& place, std::string& error);
 
@@ -44,6 +51,7 @@ private:
     std::vector<Place> directories_;
     std::deque<Place> files_;  // a deque, as streams are handed out by address
     std::vector<std::string> created_;
+    bool isBegun_ = false;  ///< files are cut off
 };
 
 }  // namespace swept

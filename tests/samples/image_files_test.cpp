@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <png.h>
+#include <sys/stat.h>
 #include <webp/demux.h>
 
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <swept/samples/begun_file.h>
 #include <swept/samples/contact_sheet.h>
 #include <swept/samples/image_png.h>
 #include <swept/samples/image_webp.h>
@@ -138,6 +140,26 @@ TEST(ImageFiles, AFullDiskIsReported) {
     EXPECT_FALSE(writePng(noise(300, 300, 1), path, error));
     EXPECT_EQ(error, path + ": No space left on device");
     EXPECT_FALSE(std::filesystem::is_symlink(path));
+}
+
+TEST(ImageFiles, OnlyRegularFilesAreTakenAwayAsBegun) {
+    const std::string path = scratchFile("begun");
+    const std::string link = scratchFile("link");
+    std::filesystem::remove(path);
+    std::filesystem::remove(link);
+    std::ofstream(path) << "half";
+    std::filesystem::create_symlink(path, link);
+    removeBegunFile(link);
+    EXPECT_FALSE(std::filesystem::exists(path)) << "what is half written lies behind the link";
+    EXPECT_FALSE(std::filesystem::is_symlink(link));
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    removeBegunFile(path);
+    EXPECT_TRUE(std::filesystem::is_fifo(path));
+    std::filesystem::remove(path);
+    std::filesystem::create_directory(path);
+    removeBegunFile(path);
+    EXPECT_TRUE(std::filesystem::is_directory(path));
+    std::filesystem::remove(path);
 }
 
 TEST(Images, DownsamplingRoundsTheMean) {

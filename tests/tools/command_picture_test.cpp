@@ -64,6 +64,64 @@ TEST(CommandPictures, DrawsASheetAndAnAnimation) {
     EXPECT_NE(webp.find("ANIM"), std::string::npos);
 }
 
+/// A rope from above the picture to a ball that falls below it: all there is to see of the scene is what is drawn of
+/// the joint.
+std::string sceneWithRope(const std::string& joint) {
+    return R"({"view": {"center": [0, 0], "height": 2}, "settings": {"dt": 0.015625}, "bodies": [
+      {"name": "hook", "position": [0, 9], "shapes": [{"circle": {"radius": 0.1}}]},
+      {"name": "ball", "type": "dynamic", "position": [0, -9], "shapes": [{"circle": {"radius": 0.1}}]}],
+     "joints": [{"type": "filter", "bodyA": "hook", "bodyB": "ball"},
+                {"bodyA": "hook", "bodyB": "ball", )" +
+           joint + "}]}";
+}
+
+TEST(CommandPictures, ShowNoJointThatBroke) {
+    const ScratchDirectory scratch;
+    const std::string rope = R"("type": "distance", "anchorA": [0, 9], "anchorB": [0, -9])";
+    const std::string whole = scratch.write("whole.json", sceneWithRope(rope));
+    const std::string broken = scratch.write("broken.json", sceneWithRope(rope + R"(, "breakForce": 1e-3)"));
+    const std::string none = scratch.write("none.json", sceneWithRope(R"("type": "filter")"));
+    const auto pictureOf = [&](const std::string& command, const std::string& scene) {
+        std::vector<std::string> arguments{command, scene, "--steps", "4", "--size", "90x90"};
+        const bool isRun = command == "run";
+        arguments.insert(arguments.end(), {"--png", scratch.path(isRun ? "frames" : "picture.png")});
+        if (isRun) { arguments.insert(arguments.end(), {"--events", scratch.path("events.jsonl")}); }
+        const auto result = runSwept(arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return scratch.read(isRun ? "frames/frame_000004.png" : "picture.png");
+    };
+    for (const char* const command : {"compare", "modes", "run"}) {
+        const std::string empty = pictureOf(command, none);
+        EXPECT_NE(pictureOf(command, whole), empty) << command << " draws joints";
+        EXPECT_EQ(pictureOf(command, broken), empty) << command;
+    }
+    EXPECT_NE(scratch.read("events.jsonl").find(R"("type":"jointBreak","a":"hook","b":"ball")"), std::string::npos);
+    EXPECT_NE(scratch.read("events.jsonl").find(R"("joint":1})"), std::string::npos) << "the filter is joint 0";
+}
+
+TEST(CommandPictures, ThatCannotBeWrittenNameTheirOptionAndLeaveDevicesAlone) {
+    if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "this system has no /dev/full"; }
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    for (const char* const command : {"modes", "compare"}) {
+        const auto result = runSwept({command, scene, "--steps", "1", "--size", "90x90", "--png", "/dev/full"});
+        EXPECT_EQ(result.exitCode, 2) << command;
+        EXPECT_EQ(result.err, "swept: --png /dev/full: No space left on device\n") << command;
+    }
+    const std::vector<std::string> run{"run", scene, "--steps", "1", "--size", "90x90", "--csv", scratch.path("a.csv")};
+    std::vector<std::string> animated = run;
+    animated.insert(animated.end(), {"--webp", "/dev/full"});
+    EXPECT_EQ(runSwept(animated).err, "swept: --webp /dev/full: No space left on device\n");
+    EXPECT_FALSE(scratch.has("a.csv"));
+    std::filesystem::create_directory(scratch.path("frames"));
+    std::filesystem::create_symlink("/dev/full", scratch.path("frames/frame_000001.png"));
+    std::vector<std::string> drawn = run;
+    drawn.insert(drawn.end(), {"--png", scratch.path("frames")});
+    EXPECT_EQ(runSwept(drawn).err,
+              "swept: --png " + scratch.path("frames/frame_000001.png") + ": No space left on device\n");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
 TEST(CommandPictures, DrawNothingUnlessAskedTo) {
     const ScratchDirectory scratch;
     const std::string scene = scratch.write("ball.json", kBallScene);

@@ -58,6 +58,19 @@ TEST(CommandQueries, DrawsTheAnatomyOfAQuery) {
     EXPECT_EQ(nlohmann::json::parse(drawn.out).at("state"), "hit");
 }
 
+TEST(CommandQueries, APictureThatDoesNotArriveIsNoSuccess) {
+    if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "this system has no /dev/full"; }
+    const ScratchDirectory scratch;
+    const auto full = runSwept({"toi", "--anatomy", "/dev/full"}, kBallFallsOnEdge);
+    if (full.err.find("not installed") != std::string::npos) { GTEST_SKIP() << full.err; }
+    EXPECT_EQ(full.exitCode, 2);
+    EXPECT_EQ(full.err, "swept: --anatomy /dev/full: could not be written to the end\n");
+    EXPECT_EQ(full.out, "");
+    expectRefused({"toi", "--anatomy", scratch.path("a.jpg")}, "--anatomy " + scratch.path("a.jpg") + ": writes PNG",
+                  kBallFallsOnEdge);
+    EXPECT_TRUE(scratch.isEmpty());
+}
+
 TEST(CommandQueries, GeneratesQueriesThatItCanAnswer) {
     const std::vector<std::string> generate = {"toi", "--generate", "ca_worst", "--count", "20", "--seed", "7"};
     const auto queries = runSwept(generate);

@@ -110,6 +110,49 @@ TEST(OutputFiles, RefusesToOverwriteTheInputOrItself) {
     EXPECT_FALSE(scratch.has("out"));
 }
 
+TEST(OutputFiles, WhatCouldNotBeWrittenLeavesNothingHalfDone) {
+    if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "this system has no /dev/full"; }
+    const ScratchDirectory scratch;
+    OutputFiles outputs;
+    outputs.addFile("--csv", scratch.path("new.csv"));
+    outputs.addFile("--report", scratch.write("old.json", "of an earlier run"));
+    outputs.addFile("--events", "/dev/full");
+    std::string error;
+    ASSERT_TRUE(outputs.open(error)) << error;
+    for (const std::string& path : {scratch.path("new.csv"), scratch.path("old.json"), std::string("/dev/full")}) {
+        *outputs.stream(path) << "half of a text";
+    }
+    EXPECT_FALSE(outputs.close(error));
+    EXPECT_EQ(error, "--events /dev/full: could not be written to the end");
+    EXPECT_TRUE(scratch.isEmpty());
+    EXPECT_TRUE(std::filesystem::exists("/dev/full")) << "a device is not ours to remove";
+}
+
+TEST(OutputFiles, RefusesAFileThatADirectoryOfOutputsHolds) {
+    const ScratchDirectory scratch;
+    const auto isPicture = [](const std::string& name) { return name == "picture.png"; };
+    std::string error;
+    for (const char* const path : {"pictures/picture.png", "pictures/../pictures/./picture.png"}) {
+        OutputFiles outputs;
+        outputs.addDirectory("--png", scratch.path("pictures"), isPicture);
+        outputs.addFile("--csv", scratch.path(path));
+        EXPECT_FALSE(outputs.open(error));
+        EXPECT_EQ(error, "--csv " + scratch.path(path) + ": is already a file of --png " + scratch.path("pictures"));
+        EXPECT_TRUE(scratch.isEmpty());
+    }
+    OutputFiles overInput;
+    std::filesystem::create_directory(scratch.path("pictures"));
+    overInput.protect(scratch.write("pictures/picture.png", "a scene"));
+    overInput.addDirectory("--png", scratch.path("pictures"), isPicture);
+    EXPECT_FALSE(overInput.open(error));
+    EXPECT_NE(error.find("would overwrite the input"), std::string::npos) << error;
+    EXPECT_EQ(scratch.read("pictures/picture.png"), "a scene");
+    OutputFiles beside;
+    beside.addDirectory("--png", scratch.path("pictures"), isPicture);
+    beside.addFile("--csv", scratch.path("pictures/states.csv"));
+    EXPECT_TRUE(beside.open(error)) << error;
+}
+
 /// Whoever reads it would take a pipe that is closed and opened again for ended.
 TEST(OutputFiles, PipesAreOpenedOnce) {
     const ScratchDirectory scratch;

@@ -3,10 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "../bench/gnuplot.h"
+#include "../bench/picture_check.h"
 #include "../output_files.h"
 #include "../toi_anatomy.h"
+#include "picture_output.h"
 
 namespace swept {
 namespace {
@@ -31,26 +34,36 @@ private:
     std::string path_;
 };
 
-bool runScript(const std::string& script, std::string& error) {
+/// The picture is drawn beside its place: whether all of it arrives there is then for us to see.
+constexpr const char* kDrawn = "anatomy.png";
+
+/// @return the bytes of the picture; empty, and the reason in `error`, when it was not drawn
+std::string drawnBy(const std::string& script, std::string& error) {
     const Scratch scratch;
     std::ofstream file(scratch.path() + "/anatomy.gp", std::ios::binary);
     file << script;
     file.close();
     if (!file) {
         error = "the temporary directory cannot be written";
-        return false;
+        return "";
     }
     switch (bench::runGnuplot(scratch.path(), "anatomy.gp")) {
         case bench::GnuplotState::drawn:
-            return true;
+            break;
         case bench::GnuplotState::notInstalled:
             error = "gnuplot, which draws the picture, is not installed";
-            return false;
+            return "";
         case bench::GnuplotState::refused:
             error = "gnuplot could not draw the picture";
-            return false;
+            return "";
     }
-    return false;  // unreachable, but GCC cannot know
+    const std::string picture = scratch.path() + '/' + kDrawn;
+    if (!bench::isCompletePicture(picture)) {
+        error = "gnuplot could not write the picture into the temporary directory";
+        return "";
+    }
+    std::ifstream bytes(picture, std::ios::binary);
+    return {std::istreambuf_iterator<char>(bytes), {}};
 }
 
 }  // namespace
@@ -59,11 +72,15 @@ bool drawAnatomy(const ToiQuery& query, const std::string& file, const std::stri
     OutputFiles files;
     files.protect(input);
     files.addFile("--anatomy", file);
-    if (!files.open(error)) { return false; }
-    if (!runScript(anatomyScript(dissectToi(query), std::filesystem::absolute(file).string()), error)) {
+    if (files.refuseClashes(error)) { error = endingFault("--anatomy", file, "PNG"); }
+    if (!error.empty() || !files.open(error)) { return false; }
+    const std::string picture = drawnBy(anatomyScript(dissectToi(query), kDrawn), error);
+    if (picture.empty()) {
+        error = "--anatomy " + file + ": " + error;
         files.discard();
         return false;
     }
+    *files.stream(file) << picture;
     return files.close(error);
 }
 

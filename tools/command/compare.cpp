@@ -24,11 +24,12 @@ namespace swept {
 namespace {
 
 constexpr std::int64_t kTableRows = 20;
+constexpr const char* kOverlaySize = "1280x720";
 
 struct CompareArguments {
     SceneArguments scene;
     std::string png;
-    std::string size = "1280x720";
+    std::string size;  ///< kOverlaySize where none is given
     std::string csv;
     std::optional<double> scale;  ///< metres
 };
@@ -137,7 +138,9 @@ void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, s
 
 /// The last state that both engines reached: ours filled, Box2D's as outlines.
 bool writeOverlay(SceneRenderer& renderer, const Comparison& found, const std::string& path, std::string& error) {
-    return writePng(renderer.draw(found.ours, {&found.theirs, "Swept2D", "Box2D 2.4.1"}), path, error);
+    if (writePng(renderer.draw(found.ours, {&found.theirs, "Swept2D", "Box2D 2.4.1"}), path, error)) { return true; }
+    error = "--png " + error;
+    return false;
 }
 
 void printFindings(const LoadedScene& loaded, const Comparison& found, const Runner& ours, const Box2dRunner& theirs) {
@@ -159,7 +162,9 @@ void printFindings(const LoadedScene& loaded, const Comparison& found, const Run
 std::unique_ptr<SceneRenderer> makeOverlayRenderer(const LoadedScene& loaded, const CompareArguments& arguments,
                                                    std::string& error) {
     PictureSize size;
-    if (!parseSize(arguments.size, size, error) || arguments.png.empty()) { return nullptr; }
+    if (arguments.png.empty() && !arguments.size.empty()) { error = "--size needs --png"; }
+    if (!error.empty() || arguments.png.empty()) { return nullptr; }
+    if (!parseSize(arguments.size.empty() ? kOverlaySize : arguments.size, size, error)) { return nullptr; }
     RenderOptions options;
     options.width = size.width;
     options.height = size.height;
@@ -173,7 +178,8 @@ bool openOutputs(OutputFiles& outputs, const CompareArguments& arguments, const 
     outputs.protect(loaded.file);
     outputs.addFile("--csv", arguments.csv);
     outputs.addFile("--png", arguments.png);
-    return outputs.open(error);
+    if (outputs.refuseClashes(error)) { error = endingFault("--png", arguments.png, "PNG"); }
+    return error.empty() && outputs.open(error);
 }
 
 int compareScene(const CompareArguments& arguments) {
@@ -196,7 +202,10 @@ int compareScene(const CompareArguments& arguments) {
     theirs->read(found.theirs, true);
     compareRuns(*loaded, *ours, *theirs, outputs.stream(arguments.csv), renderer.get(), found);
     if (!outputs.close(error)) { return refuse(error); }
-    if (renderer && !writeOverlay(*renderer, found, arguments.png, error)) { return refuse(error); }
+    if (renderer && !writeOverlay(*renderer, found, arguments.png, error)) {
+        outputs.discard();
+        return refuse(error);
+    }
     printFindings(*loaded, found, *ours, *theirs);
     if (!arguments.csv.empty()) { std::cout << "\ndeviations  " << arguments.csv << '\n'; }
     if (renderer) { std::cout << "overlay     " << arguments.png << '\n'; }

@@ -25,10 +25,12 @@ namespace {
 constexpr SceneContinuous kModes[] = {SceneContinuous::off, SceneContinuous::speedLimit, SceneContinuous::speculative,
                                       SceneContinuous::stop, SceneContinuous::subStep};
 
+constexpr const char* kPanelSize = "420x440";  // of each
+
 struct ModesArguments {
     SceneArguments scene;
     std::string png;
-    std::string size = "420x440";
+    std::string size;  ///< kPanelSize where none is given
 };
 
 /// One mode's run of the scene.
@@ -120,7 +122,10 @@ bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const std
         captions.push_back(captionOf(run));
     }
     const auto sheet = contactSheet(tiles, captions, static_cast<int>(tiles.size()), error);
-    return sheet && writePng(*sheet, file, error);
+    if (!sheet) { error = file + ": " + error; }
+    if (sheet && writePng(*sheet, file, error)) { return true; }
+    error = "--png " + error;
+    return false;
 }
 
 int compareModes(const ModesArguments& arguments) {
@@ -128,11 +133,13 @@ int compareModes(const ModesArguments& arguments) {
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded) { return refuse(error); }
     PictureSize size;
-    if (!parseSize(arguments.size, size, error)) { return refuse(error); }
+    if (!parseSize(arguments.size.empty() ? kPanelSize : arguments.size, size, error)) { return refuse(error); }
+    if (arguments.png.empty() && !arguments.size.empty()) { return refuse("--size needs --png"); }
     OutputFiles outputs;
     outputs.protect(loaded->file);
     outputs.addFile("--png", arguments.png);
-    if (!outputs.open(error)) { return refuse(error); }
+    if (outputs.refuseClashes(error)) { error = endingFault("--png", arguments.png, "PNG"); }
+    if (!error.empty() || !outputs.open(error)) { return refuse(error); }
     std::vector<ModeRun> runs;
     for (const SceneContinuous mode : kModes) {
         if (!runMode(*loaded, mode, runs.emplace_back(), error)) {

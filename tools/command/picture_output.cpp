@@ -1,6 +1,7 @@
 #include "picture_output.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include <swept/samples/contact_sheet.h>
 #include <swept/samples/image_png.h>
 #include <swept/samples/image_webp.h>
+#include <swept/samples/render_canvas.h>
 #include <swept/samples/render_overlay.h>
 #include <swept/samples/scene_renderer.h>
 
@@ -19,13 +21,31 @@ namespace swept {
 namespace {
 
 constexpr const char* kDefaultSize = "1280x720";
-constexpr int kSmallestSide = 16;    // pixels
-constexpr int kLargestSide = 16383;  // the most that WebP can hold
-constexpr int kSmallestTile = 240;   // pixels; below that nothing is recognised
+constexpr int kSmallestSide = 16;   // pixels
+constexpr int kSmallestTile = 240;  // pixels; below that nothing is recognised
 constexpr int kMostTiles = 400;
 constexpr int kSheetMargin = 2;  // the sheet is about so many pictures wide
 
-std::string sheetPath(const PictureArguments& arguments) { return arguments.directory + "/sheet.png"; }
+constexpr const char* kSheetName = "sheet.png";
+
+std::string sheetPath(const PictureArguments& arguments) { return arguments.directory + '/' + kSheetName; }
+
+/// "frame_000120.png", as `picturePath` calls it.
+std::string pictureName(std::int64_t step) {
+    std::string number = std::to_string(step);
+    constexpr std::size_t kDigits = 6;
+    if (number.size() < kDigits) { number.insert(0, kDigits - number.size(), '0'); }
+    return "frame_" + number + ".png";
+}
+
+/// The step whose picture has this name; nothing for another name.
+std::optional<std::int64_t> stepOfPicture(const std::string& name) {
+    const std::size_t digits = name.find_first_of("0123456789");
+    std::int64_t step = 0;
+    if (digits == std::string::npos) { return std::nullopt; }
+    (void)std::from_chars(name.data() + digits, name.data() + name.size(), step);
+    return pictureName(step) == name ? std::optional(step) : std::nullopt;
+}
 
 /// A sheet of N pictures in full size would be huge: tiles shrink with their number.
 PictureSize tileSize(PictureSize size, int count) {
@@ -78,13 +98,19 @@ public:
 
     bool finish(std::string& error) override {
         const int pause = std::max(1, static_cast<int>(std::lround(1000 * dt_ * static_cast<double>(everyStep()))));
-        if (webp_ && !webp_->finish(arguments_.webp, lastMs_ + pause, error)) { return false; }
+        if (webp_ && !webp_->finish(arguments_.webp, lastMs_ + pause, error)) { return failOf("--webp ", error); }
         if (tiles_.empty()) { return true; }
         const std::optional<Image> sheet = contactSheet(tiles_, captions_, 0, error);
-        return sheet && writePng(*sheet, sheetPath(arguments_), error);
+        return (sheet && writePng(*sheet, sheetPath(arguments_), error)) || failOf("--sheet: ", error);
     }
 
 private:
+    /// The error of a picture says which option asked for it. @return false
+    static bool failOf(const char* flag, std::string& error) {
+        error = flag + error;
+        return false;
+    }
+
     std::int64_t everyStep() const { return arguments_.every.value_or(1); }
 
     void noteStep(SceneRenderer& renderer, const Frame& frame, std::span<const SceneEvent> events) const {
@@ -96,7 +122,9 @@ private:
         const bool wantsPng = !arguments_.directory.empty();
         if (!wantsPng && !webp_) { return true; }
         const Image image = renderer_->draw(frame);
-        if (wantsPng && !writePng(image, picturePath(arguments_.directory, frame.step), error)) { return false; }
+        if (wantsPng && !writePng(image, picturePath(arguments_.directory, frame.step), error)) {
+            return failOf("--png ", error);
+        }
         if (!webp_) { return true; }
         // Times rise strictly even where steps are shorter than a millisecond: then the animation is in slow motion.
         lastMs_ = std::max(lastMs_ + 1, static_cast<int>(std::lround(1000 * frame.time)));
@@ -118,16 +146,10 @@ private:
 /// What is wrong with the arguments themselves; empty when nothing is.
 std::string faultOf(const PictureArguments& arguments, double duration) {
     if (arguments.every.value_or(1) < 1) { return "--every: must be at least 1"; }
-    if (arguments.sheet < 0 || arguments.sheet > kMostTiles) {
-        return "--sheet: must be between 0 and " + std::to_string(kMostTiles);
-    }
     if (arguments.sheet > 0 && arguments.directory.empty()) {
         return "--sheet: needs --png DIR, into which it writes sheet.png";
     }
-    const std::string ending = std::filesystem::path(arguments.webp).extension().string();
-    if (!ending.empty() && ending != ".webp") {
-        return "--webp " + arguments.webp + ": writes WebP, a name that ends in .webp or has no ending";
-    }
+    if (const std::string fault = endingFault("--webp", arguments.webp, "WebP"); !fault.empty()) { return fault; }
     const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
     if (!draws &&
         (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts || arguments.sweeps)) {
@@ -148,13 +170,25 @@ void addPictureArguments(Command command, PictureArguments& arguments) {
     command.option("--size", arguments.size, "Size of the pictures in pixels [1280x720]").type("WxH");
     command.option("--webp", arguments.webp, "Animation of the pictures, in real time").type("FILE");
     command.option("--sheet", arguments.sheet, "N moments of the run in one picture, sheet.png in the --png directory")
-        .type("N");
+        .type("N")
+        .within(1, kMostTiles);
     command.flag("--trails", arguments.trails, "Draw where the bodies have been");
     command.flag("--contacts", arguments.contacts, "Draw contact points and normals");
     command.flag("--velocities", arguments.velocities, "Draw velocity vectors");
     command.flag("--sweeps", arguments.sweeps,
                  "Draw the last step: what moved, its impacts and their normals, lost time, what it cost");
     command.flag("--ghosts", arguments.ghosts, "Draw the bodies where they met something within the step");
+}
+
+std::string endingFault(const std::string& flag, const std::string& path, const std::string& format) {
+    const auto lower = [](std::string text) {
+        for (char& c : text) { c = static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+        return text;
+    };
+    const std::string wanted = '.' + lower(format);
+    const std::string ending = std::filesystem::path(path).extension().string();
+    if (ending.empty() || lower(ending) == wanted) { return ""; }
+    return flag + ' ' + path + ": writes " + format + ", a name that ends in " + wanted + " or has no ending";
 }
 
 bool parseSize(const std::string& text, PictureSize& size, std::string& error) {
@@ -166,19 +200,14 @@ bool parseSize(const std::string& text, PictureSize& size, std::string& error) {
         error = "--size " + text + ": expected WIDTHxHEIGHT in pixels, as 1280x720";
         return false;
     }
-    const auto isInRange = [](int side) { return side >= kSmallestSide && side <= kLargestSide; };
+    const auto isInRange = [](int side) { return side >= kSmallestSide && side <= kLargestPicture; };
     if (isInRange(size.width) && isInRange(size.height)) { return true; }
     error = "--size " + text + ": sides must be between " + std::to_string(kSmallestSide) + " and " +
-            std::to_string(kLargestSide);
+            std::to_string(kLargestPicture);
     return false;
 }
 
-std::string picturePath(const std::string& directory, std::int64_t step) {
-    std::string number = std::to_string(step);
-    constexpr std::size_t kDigits = 6;
-    if (number.size() < kDigits) { number.insert(0, kDigits - number.size(), '0'); }
-    return directory + "/frame_" + number + ".png";
-}
+std::string picturePath(const std::string& directory, std::int64_t step) { return directory + '/' + pictureName(step); }
 
 std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count) {
     std::vector<std::int64_t> chosen;
@@ -190,8 +219,13 @@ std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count) {
     return chosen;
 }
 
-void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments) {
-    outputs.addDirectory("--png", arguments.directory);
+void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, std::int64_t steps) {
+    const auto isPicture = [=](const std::string& name) {
+        if (name == kSheetName) { return arguments.sheet > 0; }
+        const std::optional<std::int64_t> step = stepOfPicture(name);
+        return step && *step <= steps && *step % arguments.every.value_or(1) == 0;
+    };
+    outputs.addDirectory("--png", arguments.directory, isPicture);
     outputs.addFile("--webp", arguments.webp);
 }
 

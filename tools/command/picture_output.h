@@ -37,6 +37,10 @@ struct PictureSize {
 
 void addPictureArguments(Command command, PictureArguments& arguments);
 
+/// What is wrong with the name of a picture of this format ("PNG"): it ends as those of another one do. A name without
+/// an ending is none. Empty: nothing is wrong.
+std::string endingFault(const std::string& flag, const std::string& path, const std::string& format);
+
 /// "1280x720" as numbers. @return false, and one line in `error`, when it is none or out of range.
 bool parseSize(const std::string& text, PictureSize& size, std::string& error);
 
@@ -46,7 +50,8 @@ std::string picturePath(const std::string& directory, std::int64_t step);
 /// Steps shown on a contact sheet of `count` moments: equally spaced, the first and the last step among them.
 std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count);
 
-void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments);
+/// @param steps  length of the run: later pictures are not written
+void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, std::int64_t steps);
 void printPicturePlaces(const PictureArguments& arguments);
 
 /// Draws the states it is shown, where and as often as the arguments say.

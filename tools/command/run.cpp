@@ -102,7 +102,7 @@ OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
     outputs.addFile("--csv", arguments.csv);
     outputs.addFile("--events", arguments.events);
     outputs.addFile("--report", arguments.report);
-    addPicturePlaces(outputs, arguments.pictures);
+    addPicturePlaces(outputs, arguments.pictures, loaded.steps);
     return outputs;
 }
 
