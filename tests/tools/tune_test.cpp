@@ -3,11 +3,13 @@
 #include <atomic>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include <swept/samples/scene_builder.h>
 #include <swept/samples/scene_reader.h>
 #include <swept/tools/measures/measure_run.h>
 #include <swept/tools/tune/ablation.h>
+#include <swept/tools/tune/plot.h>
 #include <swept/tools/tune/run_config.h>
 #include <swept/tools/tune/search.h>
 #include <swept/tools/tune/store.h>
@@ -281,6 +283,7 @@ TEST(TuneAblation, FeaturesAreGoneWhenTheyAreTakenAway) {
         SceneDescription scene = slidingCrate().scene;
         build::hinge(scene, "crate", "ball", {10, 1});
         scene.bodies[1].bullet = true;
+        scene.bodies[2].angularVelocity = 3;  // which a body of fixed rotation may not have
         scene.bodies[0].shapes[0].surfaceSpeed = 1;
         Config config = ownConfig(scene);
         EXPECT_TRUE(feature.isPresent(scene, config)) << feature.name;
@@ -321,6 +324,59 @@ TEST(TuneAblation, SensorsThatTellSomethingAreNeeded) {
         ablate(subject, {{Measure::penetration, 0.05, false}}, reference, 2, [](std::size_t, std::size_t) {});
     EXPECT_TRUE(without(ablation, "sensors").isNeeded);
     EXPECT_EQ(without(ablation, "sensors").change, 0);
+}
+
+/// A report of one feature.
+std::string reportOf(const Ablated& one) {
+    Ablation ablation;
+    ablation.whole.cost = 1;
+    ablation.single = {one};
+    ablation.lean.isNeeded = false;
+    std::ostringstream out;
+    writeAblation(out, {}, ablation);
+    writeAblationCsv(out, ablation);
+    return out.str();
+}
+
+TEST(TuneAblation, WhatTheEngineRefusesIsNotCalledNeeded) {
+    Ablated one;
+    one.features = {"rotation"};
+    one.row.verdict = "refused";
+    one.refusal = "/bodies/1: spins";
+    const std::string report = reportOf(one);
+    EXPECT_NE(report.find("\nrotation could not be tried: /bodies/1: spins\n"), std::string::npos) << report;
+    EXPECT_NE(report.find("\nrotation,could not be tried,"), std::string::npos) << report;
+    EXPECT_NE(report.find(",refused: /bodies/1: spins,"), std::string::npos) << report;
+    EXPECT_EQ(report.find("needed"), std::string::npos) << report;
+}
+
+TEST(TunePlot, IsCalledAsTheSceneIfThatHasAName) {
+    for (const char* const name : {"", "crates"}) {
+        const ScratchDirectory scratch;
+        Subject subject = crates();
+        subject.scene.name = name;
+        Knowledge known;
+        Row row;
+        row.cost = 1;
+        row.errors[Measure::penetration] = 0.01;
+        known.rows = {row};
+        std::string error;
+        (void)plotRows(scratch.path("."), subject, {{Measure::penetration, 0.05, false}}, known, {}, error);
+        EXPECT_EQ(error, "");
+        const std::string title = *name == '\0' ? "'what accuracy costs'" : "'crates: what accuracy costs'";
+        EXPECT_NE(scratch.read("tune.gp").find("set title " + title), std::string::npos) << scratch.read("tune.gp");
+    }
+}
+
+TEST(TuneAblation, TellsChangesOfCostInWholePerCent) {
+    const std::vector<std::pair<double, std::string>> cases{{0.904, " -10 %"}, {0.906, " -9 %"},  {1.004, " +0.4 %"},
+                                                            {1.096, " +10 %"}, {2.25, " +125 %"}, {1, " 0 %"}};
+    for (const auto& [cost, text] : cases) {
+        Ablated one;
+        one.features = {"sleep"};
+        one.row.cost = cost;
+        EXPECT_NE(reportOf(one).find(text), std::string::npos) << cost << '\n' << reportOf(one);
+    }
 }
 
 TEST(TuneTeam, EveryIndexRunsOnce) {

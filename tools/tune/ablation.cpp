@@ -62,6 +62,7 @@ public:
         if (!result.isPresent) { return result; }
         Run run = runScene(scene, subject_, config, reference_);
         result.row = std::move(run.row);
+        result.refusal = std::move(run.refusal);
         if (!result.row.verdict.empty()) { return result; }
         result.change = std::fmax(
             0, measures::measuredAgainst(subject_.scene, run.recording, whole_.recording)[measures::Measure::position]);

@@ -31,6 +31,7 @@ struct Ablated {
     Row row;                ///< errors are judged by the whole scene and its reference
     double change = 0;      ///< m, farthest that a body gets from where it is with them
     bool isNeeded = true;   ///< the outcome is another without
+    std::string refusal;  ///< why the engine does not take the scene without them: whether they are needed is not known
 };
 
 struct Ablation {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 #include "../bench/text_table.h"
@@ -9,13 +10,18 @@
 namespace swept::tune {
 namespace {
 
+/// A change in whole per cent; below one per cent with one digit that counts.
 std::string percent(double part) {
     const double change = 100 * (part - 1);
-    return (change > 0 ? "+" : "") + roundedText(change, std::fabs(change) < 10 ? 1 : 2) + " %";
+    if (!std::isfinite(change)) { return "-"; }  // nothing could be timed
+    const double rounded = std::fabs(change) < 1 ? change : std::round(change);
+    const int digits = std::fabs(change) < 1 ? 1 : std::numeric_limits<double>::digits10;
+    return (rounded > 0 ? "+" : "") + roundedText(rounded, digits) + " %";
 }
 
 std::string judgement(const Ablated& one) {
     if (!one.isPresent) { return "not there"; }
+    if (!one.refusal.empty()) { return "could not be tried"; }
     return one.isNeeded ? "needed" : "can go";
 }
 
@@ -55,6 +61,9 @@ void writeAblation(std::ostream& out, const std::vector<Limit>& limits, const Ab
     last[1] = ablation.lean.features.empty() ? "nothing" : "";
     table.add(last);
     table.write(out);
+    for (const Ablated& one : ablation.single) {
+        if (!one.refusal.empty()) { out << one.features.front() << " could not be tried: " << one.refusal << '\n'; }
+    }
     out << "change: farthest that a body gets from where it is with the feature; up to "
         << roundedText(ablation.visible, 2)
         << " m nobody sees it\nms per s: processor time of the steps of a simulated second\n";
@@ -71,7 +80,7 @@ void writeAblationCsv(std::ostream& out, const Ablation& ablation) {
         appendNumber(text, one.row.cost);
         text += ',';
         appendNumber(text, one.row.work);
-        text += ',' + csvField(one.row.verdict);
+        text += ',' + csvField(one.refusal.empty() ? one.row.verdict : one.row.verdict + ": " + one.refusal);
         for (std::size_t i = 0; i < measures::kMeasureCount; ++i) {
             const double error = one.row.errors[static_cast<measures::Measure>(i)];
             text += ',';

@@ -78,7 +78,9 @@ constexpr std::array<Feature, 11> kFeatures{{
      },
      [](SceneDescription& scene, Config&) {
          for (BodyDescription& body : scene.bodies) {
-             body.fixedRotation = body.fixedRotation || body.type == SceneBodyType::dynamic;
+             if (body.type != SceneBodyType::dynamic) { continue; }
+             body.fixedRotation = true;
+             body.angularVelocity = 0;  // a scene in which such a body spins is refused
          }
      }},
     {"joints", true, [](const SceneDescription& scene, const Config&) { return !scene.joints.empty(); },

@@ -70,7 +70,7 @@ void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, co
     std::string title;
     for (const char c : subject.scene.name) { title += c == '\'' ? std::string("''") : std::string(1, c); }
     out << bench::kPlotStyle << "set logscale xy\nset format y '10^{%T}'\nset key outside right top vertical\n"
-        << "set title '" << title << ": what accuracy costs' noenhanced\n"
+        << "set title '" << title << (title.empty() ? "" : ": ") << "what accuracy costs' noenhanced\n"
         << "set xlabel 'processor time, ms per simulated second'\nset ylabel '" << axis.label()
         << "'\nset grid\nset yrange [" << roundedText(0.7 * axis.floor(), 6) << ":]\n"
         << "do for [terminal in \"png svg\"] {\n"
