@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include <swept/samples/builtin_scenes.h>
@@ -286,6 +287,71 @@ TEST(Inspect, FindsEdgesThatSinglePrecisionLoses) {
     scene.bodies[1].shapes = {
         build::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.499999, 0.500001}, {-0.5, 0.5}})};
     expectOnly(scene, "short-edge", "/bodies/1/shapes/0");
+}
+
+/// The advice on the one finding of this kind; empty, and a failure, without one.
+std::string remedyOf(const SceneDescription& scene, const std::string& kind) {
+    for (const Finding& finding : inspectScene(scene).findings) {
+        if (finding.kind == kind) { return finding.remedy; }
+    }
+    ADD_FAILURE() << "no " << kind;
+    return "";
+}
+
+TEST(Inspect, TellsABoxToBeThickerAndAPolygonToMergeVertices) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].shapes = {box({0.5, 1e-6})};
+    scene.bodies[1].position.y = 1e-6;
+    const std::string advice = remedyOf(scene, "short-edge");
+    EXPECT_EQ(advice.find("merge"), std::string::npos) << advice;
+    EXPECT_NE(advice.find("1e-05 m or more"), std::string::npos) << advice;
+    scene.bodies[1].shapes = {box({0.5, 1e-5})};
+    EXPECT_EQ(countOf(inspectScene(scene), "short-edge", "/bodies/1/shapes/0"), 0) << "what it advises";
+    scene.bodies[1].shapes = {build::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.499999, 0.500001}})};
+    EXPECT_NE(remedyOf(scene, "short-edge").find("merge"), std::string::npos);
+}
+
+/// What is advised to be set is accepted, and then there is nothing to find.
+TEST(Inspect, AdviceOnRodsThatStartViolatedIsAccepted) {
+    const auto sceneWith = [](const DistanceDescription& rope) {
+        SceneDescription scene = build::scene("rope", {0, 0}, 10);
+        build::addFixed(scene, "hook", {0, 4}, {circle(0.1)});
+        build::addDynamic(scene, "ball", {0, 0}, {circle(0.2)});
+        build::rod(scene, "hook", "ball", {0, 4}, {0, 0}) = rope;
+        return scene;
+    };
+    DistanceDescription rope;
+    rope.anchorA = {0, 4};
+    const auto expectAdvice = [&](DistanceDescription given, const std::string& member,
+                                  std::optional<double> DistanceDescription::*wanted) {
+        ASSERT_FALSE(validateScene(sceneWith(given)));
+        const std::string advice = remedyOf(sceneWith(given), "joint-violated");
+        EXPECT_NE(advice.find("or set \"" + member + "\": 4"), std::string::npos) << advice;
+        given.*wanted = 4;
+        EXPECT_FALSE(validateScene(sceneWith(given)));
+        EXPECT_TRUE(inspectScene(sceneWith(given)).findings.empty());
+    };
+    DistanceDescription tooShort = rope;
+    tooShort.maxLength = 2;
+    expectAdvice(tooShort, "maxLength", &DistanceDescription::maxLength);
+    DistanceDescription tooLong = rope;
+    tooLong.minLength = 6;
+    expectAdvice(tooLong, "minLength", &DistanceDescription::minLength);
+    DistanceDescription stiff = rope;
+    stiff.length = 3;
+    expectAdvice(stiff, "length", &DistanceDescription::length);
+}
+
+TEST(Inspect, FindsBulletsWhoseModeIgnoresTheMark) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].bullet = true;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    scene.settings.continuous = SceneContinuous::stop;
+    expectOnly(scene, "bullet-idle", "/bodies/1");
+    EXPECT_FALSE(needs(inspectScene(scene), "bullets"));
+    scene.bodies[1].continuous = SceneContinuous::subStep;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    EXPECT_TRUE(needs(inspectScene(scene), "bullets"));
 }
 
 TEST(Inspect, FindsSlenderBodiesAndHugeGround) {

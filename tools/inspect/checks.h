@@ -22,12 +22,15 @@ void checkJoints(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Which features the scene can reach.
 std::vector<Need> needsOf(const PlacedScene& placed);
 
-/// Fastest that some point of a body can get on its own: by its start or its motors, and the fall to the lowest thing of
-/// the scene, without what others hand on to it, or springs. m/s.
+/// Fastest that some point of a body can get on its own: by its start or its motors, and the fall to the lowest thing
+/// of the scene, without what others hand on to it, or springs. m/s.
 double reachableSpeed(const PlacedScene& placed, const PlacedBody& body);
 
 /// The mode that holds for a body.
 SceneContinuous modeOf(const PlacedScene& placed, const PlacedBody& body);
+
+/// Whether a body is swept against dynamic ones.
+bool isBullet(const PlacedScene& placed, const PlacedBody& body);
 
 /// How many times heavier than a body its load may be where the two are iterated. Infinite without gravity.
 /// @param size  of the lighter body, metres

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <variant>
 
+#include <swept/samples/scene_names.h>
 #include <swept/shapes/bounding_circle.h>
 
 #include "../number_text.h"
@@ -77,11 +80,15 @@ void checkVertices(const PlacedScene& placed, const PlacedPiece& piece, std::vec
         longest = std::max(longest, edge);
     }
     if (shortest >= envelope::kVertexDistance * longest) { return; }
+    const PlacedBody& body = bodyOf(placed, piece);
+    // A box has no vertices that could be merged, and is its own smallest edge thick.
+    const bool isBox = std::holds_alternative<BoxGeometry>(shapeOf(placed, piece).geometry);
     findings.push_back({Severity::warning, "short-edge", pointerOf(piece),
-                        placed.bodies[static_cast<std::size_t>(piece.body)].name + " has an edge of " +
-                            metres(shortest) + " beside one of " + metres(longest) +
+                        body.name + " has an edge of " + metres(shortest) + " beside one of " + metres(longest) +
                             ": single precision does not resolve its direction",
-                        "merge the two vertices, or --precision f64"});
+                        isBox ? "a box less thin (" + metres(envelope::kVertexDistance * longest) +
+                                    " or more), a segment with a radius, or --precision f64"
+                              : "merge the two vertices, or --precision f64"});
 }
 
 void checkAspect(const PlacedScene& placed, const PlacedPiece& piece, std::vector<Finding>& findings) {
@@ -95,40 +102,58 @@ void checkAspect(const PlacedScene& placed, const PlacedPiece& piece, std::vecto
                         "a larger radius, or several shorter bodies with joints"});
 }
 
-void checkSpeed(const PlacedScene& placed, const PlacedBody& body, std::vector<Finding>& findings) {
-    if (!body.isDynamic() || body.extent == 0 || modeOf(placed, body) != SceneContinuous::off) { return; }
-    const double travel = reachableSpeed(placed, body) * placed.scene->settings.dt;
-    double thinnest = std::numeric_limits<double>::infinity();
-    std::string wall;
+/// What is thinnest of all that does not move by itself.
+struct Wall {
+    double width = std::numeric_limits<double>::infinity();
+    std::string body;  ///< empty: there is none
+};
+
+Wall thinnestWall(const PlacedScene& placed) {
+    Wall thinnest;
     for (const PlacedPiece& piece : placed.pieces) {
-        const PlacedBody& other = placed.bodies[static_cast<std::size_t>(piece.body)];
+        const PlacedBody& body = bodyOf(placed, piece);
         const bool isLine = piece.polygon.count == 2 && piece.polygon.radius == 0;
         const double width = isLine ? 0 : piece.extent;
-        const ShapeDescription& shape =
-            placed.scene->bodies[static_cast<std::size_t>(piece.body)].shapes[static_cast<std::size_t>(piece.shape)];
-        if (!other.isDynamic() && !shape.sensor && width < thinnest) {
-            thinnest = width;
-            wall = other.name;
+        if (!body.isDynamic() && !shapeOf(placed, piece).sensor && width < thinnest.width) {
+            thinnest = {width, body.name};
         }
     }
-    if (wall.empty() || travel <= 0.5 * (body.extent + thinnest)) { return; }
+    return thinnest;
+}
+
+void checkSpeed(const PlacedScene& placed, const PlacedBody& body, const Wall& wall, std::vector<Finding>& findings) {
+    if (!body.isDynamic() || body.extent == 0 || modeOf(placed, body) != SceneContinuous::off) { return; }
+    const double travel = reachableSpeed(placed, body) * placed.scene->settings.dt;
+    if (wall.body.empty() || travel <= 0.5 * (body.extent + wall.width)) { return; }
     findings.push_back({Severity::warning, "tunnelling", pointerOf(body),
                         body.name + " may move " + metres(travel) +
                             " in a step, and nothing sweeps it (continuous: off); it is " + metres(body.extent) +
-                            " thin, " + wall + " " + metres(thinnest),
+                            " thin, " + wall.body + " " + metres(wall.width),
                         "\"continuous\": \"subStep\", or walls thicker than " + metres(2 * travel - body.extent)});
+}
+
+/// Marked for what its mode does not do.
+void checkBullet(const PlacedScene& placed, const PlacedBody& body, std::vector<Finding>& findings) {
+    if (!body.isDynamic() || !body.description->bullet || isBullet(placed, body)) { return; }
+    const std::string_view mode = namesOf<SceneContinuous>()[static_cast<std::size_t>(modeOf(placed, body))];
+    findings.push_back({Severity::note, "bullet-idle", pointerOf(body),
+                        body.name + " is a bullet, but its continuous mode is " + std::string(mode) +
+                            ": it is not swept against dynamic bodies",
+                        "\"continuous\": \"subStep\", or leave the mark out"});
 }
 
 }  // namespace
 
 void checkBodies(const PlacedScene& placed, std::vector<Finding>& findings) {
+    const Wall wall = thinnestWall(placed);
     for (const PlacedBody& body : placed.bodies) {
         if (body.isDynamic()) {
             checkUnits(placed, body, findings);
             checkStepAgainstSize(placed, body, findings);
         }
         checkPlace(body, findings);
-        checkSpeed(placed, body, findings);
+        checkSpeed(placed, body, wall, findings);
+        checkBullet(placed, body, findings);
     }
     for (const PlacedPiece& piece : placed.pieces) {
         checkVertices(placed, piece, findings);
@@ -145,23 +170,19 @@ SceneContinuous modeOf(const PlacedScene& placed, const PlacedBody& body) {
     return body.description->continuous.value_or(placed.scene->settings.continuous);
 }
 
+bool isBullet(const PlacedScene& placed, const PlacedBody& body) {
+    return body.isDynamic() && body.description->bullet && modeOf(placed, body) == SceneContinuous::subStep;
+}
+
 double reachableSpeed(const PlacedScene& placed, const PlacedBody& body) {
     const double gravity = gravityOf(placed, body);
     const double own = std::max(body.speed, body.drive);
     if (gravity == 0) { return own; }
     // The depth of the fall: along gravity, from the body to the far end of the scene.
-    const double sign = body.description->gravityScale < 0 ? -1 : 1;
-    const DVec2 down = (sign / length(placed.scene->gravity)) * placed.scene->gravity;
-    double depth = 0;
-    for (const PlacedBody& other : placed.bodies) {
-        if (other.hasBounds && other.index != body.index) {
-            const DVec2 lower = toDouble(other.bounds.lower);
-            const DVec2 upper = toDouble(other.bounds.upper);
-            const double farthest =
-                std::max(down.x * lower.x, down.x * upper.x) + std::max(down.y * lower.y, down.y * upper.y);
-            depth = std::max(depth, farthest - dot(down, body.center));
-        }
-    }
+    const bool rises = body.description->gravityScale < 0;
+    const DVec2 down = ((rises ? -1 : 1) / length(placed.scene->gravity)) * placed.scene->gravity;
+    const double reach = placed.farthest[rises ? 1 : 0].reachWithout(body.index);
+    const double depth = std::max(0.0, reach - dot(down, body.center));
     return std::sqrt(own * own + 2 * gravity * depth);
 }
 

@@ -1,7 +1,12 @@
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <swept/broadphase/broadphase.h>
 
 #include "checks.h"
 
@@ -33,33 +38,77 @@ Below below(const PlacedScene& placed, const PlacedPiece& piece, const PlacedBod
     return dot(fall, DVec2{along.y, -along.x}) > 0 ? Below::passes : Below::holds;  // it collides on its right
 }
 
+/// The ground of a scene, to be asked what lies on a line.
+class Ground {
+public:
+    explicit Ground(const PlacedScene& placed) : tree_(makeBroadphase(BroadphaseKind::wideBvh)) {
+        for (const PlacedPiece& piece : placed.pieces) {
+            if (bodyOf(placed, piece).isDynamic() || shapeOf(placed, piece).sensor) { continue; }
+            all_ = pieces_.empty() ? piece.bounds : hullOf(all_, piece.bounds);
+            hasChains_ = hasChains_ || piece.segment >= 0;
+            pieces_.push_back(&piece);
+        }
+        for (const PlacedPiece* const piece : pieces_) {
+            // A line that grazes a box must not miss it by rounding.
+            if (!tree_->insert(grown(piece->bounds, kSlack * scale()), ProxyKind::fixed).ok()) { isWhole_ = false; }
+        }
+    }
+
+    bool hasChains() const { return hasChains_; }
+
+    /// All that the line through a body's centre may meet, in the order of the scene.
+    std::vector<const PlacedPiece*> along(const PlacedBody& body, DVec2 direction) const {
+        const double reach = 2 * (size() + length(body.center - toDouble(all_.lower)));
+        if (!isWhole_ || !std::isfinite(reach)) { return pieces_; }
+        std::vector<std::uint32_t> slots;
+        tree_->ray(body.center - reach * direction, 2 * reach * direction, 1, [&](ProxyId id, Real limit) {
+            slots.push_back(static_cast<std::uint32_t>(id));  // given in turn
+            return limit;
+        });
+        std::sort(slots.begin(), slots.end());
+        std::vector<const PlacedPiece*> found;
+        for (const std::uint32_t slot : slots) { found.push_back(pieces_[slot]); }
+        return found;
+    }
+
+private:
+    /// Part of the coordinates of the scene by which boxes are grown: far above what rounding does to them.
+    static constexpr double kSlack = 1e-9;
+
+    double size() const { return (all_.upper.x - all_.lower.x) + (all_.upper.y - all_.lower.y); }
+    double scale() const { return size() + length(toDouble(all_.lower)) + length(toDouble(all_.upper)); }
+
+    std::unique_ptr<Broadphase> tree_;
+    std::vector<const PlacedPiece*> pieces_;  ///< by slot of the tree
+    Aabb all_{};
+    bool hasChains_ = false;
+    bool isWhole_ = true;
+};
+
 /// The chain that a body falls through, with nothing else below it; null: there is none, or something holds it.
-const PlacedPiece* chainPassed(const PlacedScene& placed, const PlacedBody& body, const PlacedPiece& own, DVec2 fall) {
+const PlacedPiece* chainPassed(const PlacedScene& placed, const Ground& ground, const PlacedBody& body,
+                               const PlacedPiece& own, DVec2 fall) {
     const PlacedPiece* passed = nullptr;
-    for (const PlacedPiece& piece : placed.pieces) {
-        const bool isGround = !placed.bodies[static_cast<std::size_t>(piece.body)].isDynamic();
-        if (!isGround || !mayCollide(placed, piece, own)) { continue; }
-        const Below how = below(placed, piece, body, fall);
+    for (const PlacedPiece* const piece : ground.along(body, fall)) {
+        if (!mayCollide(placed, *piece, own)) { continue; }
+        const Below how = below(placed, *piece, body, fall);
         if (how == Below::holds) { return nullptr; }
-        if (how == Below::passes && passed == nullptr) { passed = &piece; }
+        if (how == Below::passes && passed == nullptr) { passed = piece; }
     }
     return passed;
-}
-
-bool isJointed(const PlacedScene& placed, const PlacedBody& body) {
-    return std::any_of(placed.scene->joints.begin(), placed.scene->joints.end(),
-                       [&](const JointDescription& j) { return j.bodyA == body.name || j.bodyB == body.name; });
 }
 
 }  // namespace
 
 void checkChains(const PlacedScene& placed, std::vector<Finding>& findings) {
+    const Ground ground(placed);
+    if (!ground.hasChains()) { return; }
     std::set<std::pair<int, int>> told;  // body and shape of a chain
     for (const PlacedPiece& own : placed.pieces) {
         const PlacedBody& body = placed.bodies[static_cast<std::size_t>(own.body)];
         const DVec2 gravity = body.description->gravityScale * placed.scene->gravity;
-        if (!body.isDynamic() || !(length(gravity) > 0) || isJointed(placed, body)) { continue; }
-        const PlacedPiece* const chain = chainPassed(placed, body, own, (1 / length(gravity)) * gravity);
+        if (!body.isDynamic() || !(length(gravity) > 0) || body.joints > 0) { continue; }
+        const PlacedPiece* const chain = chainPassed(placed, ground, body, own, (1 / length(gravity)) * gravity);
         if (chain == nullptr || !told.insert({chain->body, chain->shape}).second) { continue; }
         findings.push_back({Severity::warning, "chain-back", pointerOf(*chain),
                             body.name + " falls through this chain from its back, and nothing else is below: a chain "

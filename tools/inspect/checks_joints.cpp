@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
+#include <vector>
 
 #include <swept/samples/scene_reader.h>
 
@@ -49,6 +52,13 @@ LengthRange rangeOf(const DistanceDescription& rod) {
     return rod.hertz ? LengthRange{0, std::numeric_limits<double>::infinity()} : LengthRange{rest, rest};
 }
 
+/// The member that keeps the anchors from where they are: of limits the one that is passed, as a length beyond them is
+/// refused.
+std::string memberToSet(const DistanceDescription& rod, bool isShort) {
+    if (isShort && rod.minLength) { return "\"minLength\""; }
+    return !isShort && rod.maxLength ? "\"maxLength\"" : "\"length\"";
+}
+
 void checkLength(const PlacedScene& placed, std::size_t i, const Ends& ends, const DistanceDescription& rod,
                  std::vector<Finding>& findings) {
     const double initial = length(rod.anchorB - rod.anchorA);
@@ -56,12 +66,15 @@ void checkLength(const PlacedScene& placed, std::size_t i, const Ends& ends, con
     const double missing = std::max(range.least - initial, initial - range.most);
     if (missing <= kLengthSlack * std::max(initial, range.least)) { return; }
     const bool isHopeless = !ends.a->isDynamic() && !ends.b->isDynamic();
+    const bool isShort = initial < range.least;
+    const bool isLimit = range.least != range.most;
     findings.push_back(
         {Severity::warning, isHopeless ? "joint-impossible" : "joint-violated", pointerOf(i),
-         jointName(*placed.scene, i) + " wants its anchors " +
-             metres(initial < range.least ? range.least : range.most) + " apart, they start " + metres(initial) +
-             " apart" + (isHopeless ? " on bodies that it cannot move" : ": the first steps pull them together hard"),
-         "place the bodies so that the anchors fit, or set \"length\": " + roundedText(initial)});
+         jointName(*placed.scene, i) + " wants its anchors " + (isLimit ? (isShort ? "at least " : "at most ") : "") +
+             metres(isShort ? range.least : range.most) + " apart, they start " + metres(initial) + " apart" +
+             (isHopeless ? " on bodies that it cannot move" : ": the first steps pull them together hard"),
+         "place the bodies so that the anchors fit, or set " + memberToSet(rod, isShort) + ": " +
+             roundedText(initial)});
 }
 
 /// @param unit  of what the limits limit, which every joint counts from its initial pose
@@ -91,11 +104,7 @@ void checkStrength(const PlacedScene& placed, std::size_t i, const Ends& ends, s
     if (!most || !isHanging) { return; }
     const PlacedBody& body = ends.b->isDynamic() ? *ends.b : *ends.a;
     const double weight = weightOf(placed, body);
-    const auto holds = [&](const JointDescription& other) {
-        return other.bodyA == body.name || other.bodyB == body.name;
-    };
-    const auto& joints = placed.scene->joints;
-    if (weight <= *most || std::count_if(joints.begin(), joints.end(), holds) > 1) { return; }
+    if (weight <= *most || body.joints > 1) { return; }
     findings.push_back(
         {Severity::note, "joint-weak", pointerOf(i),
          jointName(*placed.scene, i) + (mouse != nullptr ? " pulls with " : " breaks at ") + roundedText(*most, 3) +
@@ -112,6 +121,7 @@ void checkRodPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
         double length;
     };
     std::vector<Rod> rods;
+    std::map<int, std::vector<std::size_t>> rodsOf;  // by body
     for (std::size_t i = 0; i < placed.scene->joints.size(); ++i) {
         const auto* rod = std::get_if<DistanceDescription>(&placed.scene->joints[i].joint);
         const Ends ends = endsOf(placed, placed.scene->joints[i]);
@@ -119,13 +129,14 @@ void checkRodPairs(const PlacedScene& placed, std::vector<Finding>& findings) {
         const LengthRange range = rangeOf(*rod);
         if (range.least == range.most) {
             const bool bMoves = ends.b->isDynamic();
+            rodsOf[bMoves ? ends.b->index : ends.a->index].push_back(rods.size());
             rods.push_back({i, bMoves ? ends.b->index : ends.a->index, bMoves ? rod->anchorA : rod->anchorB,
                             bMoves ? rod->anchorB : rod->anchorA, range.most});
         }
     }
     for (std::size_t i = 0; i < rods.size(); ++i) {
-        for (std::size_t k = i + 1; k < rods.size(); ++k) {
-            if (rods[i].body != rods[k].body) { continue; }
+        for (const std::size_t k : rodsOf[rods[i].body]) {
+            if (k <= i) { continue; }
             const double frame = length(rods[k].fixedAnchor - rods[i].fixedAnchor);
             const double coupler = length(rods[k].bodyAnchor - rods[i].bodyAnchor);
             const double sum = frame + coupler + rods[i].length + rods[k].length;
@@ -187,8 +198,8 @@ void checkMasses(const PlacedScene& placed, std::vector<Finding>& findings) {
         if (heavy.mass <= most * light.mass) { continue; }
         findings.push_back({Severity::warning, "mass-ratio", pointerOf(heavy),
                             heavy.name + " (" + roundedText(heavy.mass, 3) + " kg) hangs together with " + light.name +
-                                " (" + roundedText(light.mass, 3) + " kg), " +
-                                roundedText(heavy.mass / light.mass, 3) + " times lighter: the joints stretch",
+                                " (" + roundedText(light.mass, 3) + " kg), " + roundedText(heavy.mass / light.mass, 3) +
+                                " times lighter: the joints stretch",
                             massRemedy(placed, most)});
     }
 }

@@ -15,10 +15,6 @@ namespace {
 /// Bodies nearer than this part of the smaller extent will be in contact from the start.
 constexpr double kTouchRatio = 1.0 / 8;
 
-const PlacedBody& bodyOf(const PlacedScene& placed, const PlacedPiece& piece) {
-    return placed.bodies[static_cast<std::size_t>(piece.body)];
-}
-
 bool isFast(const PlacedScene& placed) { return placed.scene->settings.profile == SceneProfile::fast; }
 
 void checkOverlap(const PlacedScene& placed, const NearPair& pair, std::vector<Finding>& findings) {

@@ -52,9 +52,11 @@ Need continuousNeed(const PlacedScene& placed) {
 }
 
 Need bulletNeed(const PlacedScene& placed) {
-    const PlacedBody* const bullet =
+    const PlacedBody* const bullet = firstBody(placed, [&](const PlacedBody& body) { return isBullet(placed, body); });
+    if (bullet != nullptr) { return {"bullets", true, bullet->name + " is one"}; }
+    const PlacedBody* const idle =
         firstBody(placed, [](const PlacedBody& body) { return body.isDynamic() && body.description->bullet; });
-    return {"bullets", bullet != nullptr, bullet != nullptr ? bullet->name + " is one" : "no body is marked"};
+    return {"bullets", false, idle != nullptr ? "those marked have other modes than subStep" : "no body is marked"};
 }
 
 Need restitutionNeed(const PlacedScene& placed) {
@@ -108,13 +110,13 @@ Need precisionNeed(const PlacedScene& placed) {
     // What single precision holds relative to a body: its contacts' partners, and its own outline.
     double worst = 0;
     std::string where = "all shapes are small beside their tolerance in single precision";
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const PlacedBody& body : placed.bodies) {
+        if (body.isDynamic() && body.extent > 0) { thinnest = std::min(thinnest, body.extent); }
+    }
     for (const PlacedPiece& piece : placed.pieces) {
         const double reach = radiusAbout(piece.polygon, Vec2{0, 0});
         const double rounding = reach * static_cast<double>(std::numeric_limits<float>::epsilon());
-        double thinnest = std::numeric_limits<double>::infinity();
-        for (const PlacedBody& body : placed.bodies) {
-            if (body.isDynamic() && body.extent > 0) { thinnest = std::min(thinnest, body.extent); }
-        }
         const double ratio = rounding / (envelope::kToleranceRatio * thinnest);
         if (ratio > std::max(worst, 1.0)) {
             worst = ratio;

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <span>
-#include <unordered_map>
 #include <utility>
 
+#include <swept/broadphase/broadphase.h>
 #include <swept/samples/scene_geometry.h>
 #include <swept/samples/scene_reader.h>
 #include <swept/shapes/distance.h>
@@ -62,26 +63,6 @@ void weigh(PlacedBody& body, std::span<const PlacedPiece> pieces) {
     body.speed = length(body.description->velocity) + std::fabs(body.description->angularVelocity) * body.reach;
 }
 
-bool filtersCollide(const FilterDescription& a, const FilterDescription& b) {
-    if (a.group != 0 && a.group == b.group) { return a.group > 0; }
-    return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
-}
-
-/// Pairs of bodies whose joint keeps them from colliding.
-std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
-    std::set<std::pair<int, int>> pairs;
-    std::unordered_map<std::string, int> byName;
-    for (const PlacedBody& body : placed.bodies) { byName.emplace(body.name, body.index); }
-    for (const JointDescription& joint : placed.scene->joints) {
-        if (!joint.collideConnected) {
-            const int a = byName.at(joint.bodyA);
-            const int b = byName.at(joint.bodyB);
-            pairs.insert({std::min(a, b), std::max(a, b)});
-        }
-    }
-    return pairs;
-}
-
 /// m/s
 double driveOf(const PlacedScene& placed, const JointDescription& joint) {
     const auto reachOf = [&placed](const std::string& name) {
@@ -92,7 +73,9 @@ double driveOf(const PlacedScene& placed, const JointDescription& joint) {
         return std::fabs(slider->motorSpeed.value_or(0));
     }
     double spin = 0;
-    if (const auto* const hinge = std::get_if<RevoluteDescription>(&joint.joint)) { spin = hinge->motorSpeed.value_or(0); }
+    if (const auto* const hinge = std::get_if<RevoluteDescription>(&joint.joint)) {
+        spin = hinge->motorSpeed.value_or(0);
+    }
     if (const auto* const wheel = std::get_if<WheelDescription>(&joint.joint)) { spin = wheel->motorSpeed.value_or(0); }
     return std::fabs(spin) * std::max(reachOf(joint.bodyA), reachOf(joint.bodyB));
 }
@@ -118,6 +101,54 @@ void findDrives(PlacedScene& placed) {
     }
 }
 
+void countJoints(PlacedScene& placed) {
+    for (const JointDescription& joint : placed.scene->joints) {
+        for (const std::string* const name : {&joint.bodyA, &joint.bodyB}) {
+            ++placed.bodies[static_cast<std::size_t>(bodyNamed(placed, *name))].joints;
+        }
+    }
+}
+
+void findFarthest(PlacedScene& placed) {
+    const double gravity = length(placed.scene->gravity);
+    if (!(gravity > 0)) { return; }
+    for (const std::size_t against : {std::size_t{0}, std::size_t{1}}) {
+        const DVec2 down = ((against == 0 ? 1 : -1) / gravity) * placed.scene->gravity;
+        FarthestBodies& farthest = placed.farthest[against];
+        for (const PlacedBody& body : placed.bodies) {
+            if (!body.hasBounds) { continue; }
+            const DVec2 lower = toDouble(body.bounds.lower);
+            const DVec2 upper = toDouble(body.bounds.upper);
+            const double reach =
+                std::max(down.x * lower.x, down.x * upper.x) + std::max(down.y * lower.y, down.y * upper.y);
+            farthest.next = std::max(farthest.next, std::min(reach, farthest.reach));
+            if (reach > farthest.reach) {
+                farthest.first = body.index;
+                farthest.reach = reach;
+            }
+        }
+    }
+}
+
+/// Calls `visit(i, k)` with i < k, in ascending order, for pieces of which one is of a dynamic body and whose bounds,
+/// grown by the margin, overlap. Sensors are left out.
+template <class Visit>
+void forEachOverlap(const PlacedScene& placed, double margin, const Visit& visit) {
+    const std::unique_ptr<Broadphase> tree = makeBroadphase(BroadphaseKind::wideBvh);
+    std::vector<int> pieces;  // by slot, which are given in turn
+    for (std::size_t i = 0; i < placed.pieces.size(); ++i) {
+        const PlacedPiece& piece = placed.pieces[i];
+        if (shapeOf(placed, piece).sensor) { continue; }
+        const ProxyKind kind = bodyOf(placed, piece).isDynamic() ? ProxyKind::dynamic : ProxyKind::fixed;
+        if (tree->insert(grown(piece.bounds, margin), kind).ok()) { pieces.push_back(static_cast<int>(i)); }
+    }
+    std::vector<ProxyPair> pairs;
+    tree->pairs(pairs);
+    for (const ProxyPair& pair : pairs) {
+        visit(pieces[static_cast<std::size_t>(pair.a)], pieces[static_cast<std::size_t>(pair.b)]);
+    }
+}
+
 double separationOf(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
     const WorldTransform& poseA = placed.bodies[static_cast<std::size_t>(a.body)].pose;
     const WorldTransform& poseB = placed.bodies[static_cast<std::size_t>(b.body)].pose;
@@ -125,6 +156,23 @@ double separationOf(const PlacedScene& placed, const PlacedPiece& a, const Place
 }
 
 }  // namespace
+
+bool filtersCollide(const FilterDescription& a, const FilterDescription& b) {
+    if (a.group != 0 && a.group == b.group) { return a.group > 0; }
+    return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
+}
+
+std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
+    std::set<std::pair<int, int>> pairs;
+    for (const JointDescription& joint : placed.scene->joints) {
+        if (!joint.collideConnected) {
+            const int a = bodyNamed(placed, joint.bodyA);
+            const int b = bodyNamed(placed, joint.bodyB);
+            pairs.insert({std::min(a, b), std::max(a, b)});
+        }
+    }
+    return pairs;
+}
 
 bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPiece& b) {
     const PlacedBody& bodyA = placed.bodies[static_cast<std::size_t>(a.body)];
@@ -158,67 +206,36 @@ PlacedScene place(const SceneDescription& scene) {
         const std::size_t first = placed.pieces.size();
         placePieces(placed, body);
         weigh(body, std::span<const PlacedPiece>(placed.pieces).subspan(first));
+        placed.byName.emplace(body.name, body.index);
         placed.bodies.push_back(body);
     }
+    countJoints(placed);
     findDrives(placed);
+    findFarthest(placed);
     return placed;
 }
 
-RubbingBodies firstRubbing(const PlacedScene& placed) {
-    const std::set<std::pair<int, int>> jointed = jointedPairs(placed);
-    const auto rubs = [&placed](const PlacedPiece& piece) {
-        const PlacedBody& body = placed.bodies[static_cast<std::size_t>(piece.body)];
-        return body.description->shapes[static_cast<std::size_t>(piece.shape)].friction > 0;
-    };
-    for (const PlacedPiece& a : placed.pieces) {
-        if (!placed.bodies[static_cast<std::size_t>(a.body)].isDynamic() || !rubs(a)) { continue; }
-        for (const PlacedPiece& b : placed.pieces) {
-            const std::pair<int, int> bodies{std::min(a.body, b.body), std::max(a.body, b.body)};
-            if (rubs(b) && mayCollide(placed, a, b) && !jointed.contains(bodies)) { return {a.body, b.body}; }
-        }
-    }
-    return {};
-}
-
 std::vector<NearPair> nearPairs(const PlacedScene& placed, double margin) {
-    // Swept along x: few scenes are stacked so that this degenerates, and an inspection may take a second.
-    std::vector<int> order(placed.pieces.size());
-    for (std::size_t i = 0; i < order.size(); ++i) { order[i] = static_cast<int>(i); }
     const auto pieceAt = [&](int i) -> const PlacedPiece& { return placed.pieces[static_cast<std::size_t>(i)]; };
-    std::sort(order.begin(), order.end(), [&](int i, int k) {
-        const double a = pieceAt(i).bounds.lower.x;
-        const double b = pieceAt(k).bounds.lower.x;
-        return a != b ? a < b : i < k;
-    });
     const std::set<std::pair<int, int>> jointed = jointedPairs(placed);
     std::vector<NearPair> found;
-    std::vector<int> open;
-    for (const int i : order) {
-        const Aabb box = grown(pieceAt(i).bounds, margin);
-        std::erase_if(open, [&](int k) { return pieceAt(k).bounds.upper.x < box.lower.x; });
-        for (const int k : open) {
-            const PlacedPiece& a = pieceAt(std::min(i, k));
-            const PlacedPiece& b = pieceAt(std::max(i, k));
-            const std::pair<int, int> bodies{std::min(a.body, b.body), std::max(a.body, b.body)};
-            if (!overlaps(box, pieceAt(k).bounds) || !mayCollide(placed, a, b) || jointed.contains(bodies) ||
-                isBehindChain(placed, a, b) || isBehindChain(placed, b, a)) {
-                continue;
-            }
-            const double separation = separationOf(placed, a, b);
-            if (separation <= margin) { found.push_back({std::min(i, k), std::max(i, k), separation}); }
+    forEachOverlap(placed, margin, [&](int i, int k) {
+        const PlacedPiece& a = pieceAt(i);
+        const PlacedPiece& b = pieceAt(k);
+        const std::pair<int, int> bodies{std::min(a.body, b.body), std::max(a.body, b.body)};
+        if (!overlaps(grown(a.bounds, margin), b.bounds) || !mayCollide(placed, a, b) || jointed.contains(bodies) ||
+            isBehindChain(placed, a, b) || isBehindChain(placed, b, a)) {
+            return;
         }
-        open.push_back(i);
-    }
-    std::sort(found.begin(), found.end(), [](const NearPair& a, const NearPair& b) {
-        return std::pair(a.pieceA, a.pieceB) < std::pair(b.pieceA, b.pieceB);
+        const double separation = separationOf(placed, a, b);
+        if (separation <= margin) { found.push_back({i, k, separation}); }
     });
     return found;
 }
 
 int bodyNamed(const PlacedScene& placed, const std::string& name) {
-    const auto found = std::find_if(placed.bodies.begin(), placed.bodies.end(),
-                                    [&](const PlacedBody& body) { return body.name == name; });
-    return found == placed.bodies.end() ? -1 : static_cast<int>(found - placed.bodies.begin());
+    const auto found = placed.byName.find(name);
+    return found == placed.byName.end() ? -1 : found->second;
 }
 
 std::string pointerOf(const PlacedBody& body) { return "/bodies/" + std::to_string(body.index); }

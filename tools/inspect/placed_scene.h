@@ -1,6 +1,11 @@
 #pragma once
 
+#include <array>
+#include <limits>
+#include <set>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <swept/samples/scene_description.h>
@@ -31,10 +36,20 @@ struct PlacedBody {
     double reach = 0;    ///< farthest point from `center`, metres
     double speed = 0;    ///< largest of any of its points at the start, m/s
     double drive = 0;    ///< fastest that motors of the joints it hangs together with turn or push anything, m/s
+    int joints = 0;      ///< that name it
     Aabb bounds;         ///< world; of all pieces
     bool hasBounds = false;
 
     bool isDynamic() const { return description->type == SceneBodyType::dynamic; }
+};
+
+/// The bodies whose bounds reach farthest along a direction: one, and the next for who asks as the first.
+struct FarthestBodies {
+    int first = -1;  ///< −1: there is none
+    double reach = -std::numeric_limits<double>::infinity();
+    double next = -std::numeric_limits<double>::infinity();
+
+    double reachWithout(int body) const { return body == first ? next : reach; }
 };
 
 /// A scene laid out in the world, in double precision: what every part of the inspection looks at.
@@ -42,10 +57,19 @@ struct PlacedScene {
     const SceneDescription* scene = nullptr;
     std::vector<PlacedBody> bodies;
     std::vector<PlacedPiece> pieces;
+    std::unordered_map<std::string, int> byName;  ///< index of a body
+    std::array<FarthestBodies, 2> farthest;       ///< along gravity, and against it
 };
 
 /// @param scene  that `validateScene` accepts; must outlive the result.
 PlacedScene place(const SceneDescription& scene);
+
+inline const PlacedBody& bodyOf(const PlacedScene& placed, const PlacedPiece& piece) {
+    return placed.bodies[static_cast<std::size_t>(piece.body)];
+}
+inline const ShapeDescription& shapeOf(const PlacedScene& placed, const PlacedPiece& piece) {
+    return bodyOf(placed, piece).description->shapes[static_cast<std::size_t>(piece.shape)];
+}
 
 /// Two pieces of different bodies, at least one of them dynamic, that may collide by their filters, whose bounds come
 /// within `margin` of each other. Sensors are left out.
@@ -62,6 +86,11 @@ struct RubbingBodies {
     int b = -1;
 };
 RubbingBodies firstRubbing(const PlacedScene& placed);
+
+/// Pairs of bodies, lower index first, whose joint keeps them from colliding.
+std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed);
+
+bool filtersCollide(const FilterDescription& a, const FilterDescription& b);
 
 /// Whether two pieces may touch: of different bodies, one of them dynamic, no sensors, by their filters. What joints
 /// and chains keep apart is for others.

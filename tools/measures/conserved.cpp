@@ -41,11 +41,6 @@ bool isEnergyBroughtIn(const SceneDescription& scene, const PlacedScene& placed)
            });
 }
 
-const ShapeDescription& shapeOf(const PlacedScene& placed, const PlacedPiece& piece) {
-    const BodyDescription& body = *placed.bodies[static_cast<std::size_t>(piece.body)].description;
-    return body.shapes[static_cast<std::size_t>(piece.shape)];
-}
-
 /// Whether some pair that may collide loses energy by rubbing or by bouncing less than it came.
 bool isEnergyLostInContacts(const PlacedScene& placed) {
     for (std::size_t i = 0; i < placed.pieces.size(); ++i) {

@@ -21,10 +21,6 @@ constexpr double kHeadOn = 1.0 / 16;
 /// Nearer than this part of the smaller extent is as good as touching (four times the engine's own target).
 constexpr double kTouch = 1.0 / 256;
 
-const PlacedBody& bodyOf(const PlacedScene& placed, const PlacedPiece& piece) {
-    return placed.bodies[static_cast<std::size_t>(piece.body)];
-}
-
 /// A body through a sample if nothing acts on it but gravity.
 struct Flight {
     Sweep sweep;
