@@ -37,4 +37,13 @@ inline std::string refusalText(const std::string& object, bool isMember, Status 
     return text;
 }
 
+/// What to add to the refusal of a shape's points, which were not refused in double; empty for what else is wrong.
+inline std::string whatRoundingDid(const Status& status) {
+    const bool isFlattened = status.code == StatusCode::degenerate || status.code == StatusCode::notConvex ||
+                             status.code == StatusCode::tooFewVertices;
+    if (!isFlattened || sizeof(Real) != sizeof(float)) { return ""; }
+    return ": f32 cannot tell its points apart so far from the body's origin; --precision f64 can, or put the origin "
+           "nearer";
+}
+
 }  // namespace swept::inline SWEPT_PRECISION

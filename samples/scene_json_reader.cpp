@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "scene_fields.h"
@@ -10,6 +13,15 @@
 
 namespace swept {
 namespace {
+
+template <class Value>
+constexpr bool kWhole = false;
+template <>
+constexpr bool kWhole<std::int32_t> = true;
+template <>
+constexpr bool kWhole<std::uint32_t> = true;
+template <>
+constexpr bool kWhole<std::optional<std::int32_t>> = true;
 
 /// Reads by the table of fields. Every `read` returns whether it succeeded; the first failure is kept in `error_`.
 class JsonReader {
@@ -42,9 +54,6 @@ public:
         text = value.get<std::string>();
         return true;
     }
-
-    bool read(const Json& value, const Place& place, std::int32_t& number) { return readWhole(value, place, number); }
-    bool read(const Json& value, const Place& place, std::uint32_t& number) { return readWhole(value, place, number); }
 
     bool read(const Json& value, const Place& place, DVec2& vector) {
         if (!value.is_array()) { return wrongType(value, place, "two numbers [x, y]"); }
@@ -170,7 +179,13 @@ private:
     bool readMember(std::string_view key, const Json& value, const Place& place, Object& object) {
         bool done = false;
         forEachField<Object>([&](const auto& field) {
-            if (!done && !error_ && key == field.key) { done = read(value, place, object.*(field.member)); }
+            if (done || error_ || key != field.key) { return; }
+            auto& target = object.*(field.member);
+            if constexpr (kWhole<std::remove_cvref_t<decltype(target)>>) {
+                done = readWhole(value, place, field.range, target);
+            } else {
+                done = read(value, place, target);
+            }
         });
         return done;
     }
@@ -200,18 +215,26 @@ private:
         return hasRequired<Object>(value, place);
     }
 
+    // What its type can hold; the error tells what of that its range allows, which the validation looks at.
     template <class Integer>
-    bool readWhole(const Json& value, const Place& place, Integer& number) {
+    bool readWhole(const Json& value, const Place& place, const Range& range, Integer& number) {
         using Limits = std::numeric_limits<Integer>;
         if (!value.is_number()) { return wrongType(value, place, "a whole number"); }
         const double wide = value.get<double>();  // exact for everything in range
         if (std::trunc(wide) != wide) { return fail(place, "must be a whole number, not " + shortestNumber(wide)); }
-        if (wide < static_cast<double>(Limits::min()) || wide > static_cast<double>(Limits::max())) {
-            return fail(place, "must be a whole number from " + std::to_string(Limits::min()) + " to " +
-                                   std::to_string(Limits::max()) + ", not " + shortestNumber(wide));
+        constexpr auto kLeast = static_cast<double>(Limits::min());
+        constexpr auto kMost = static_cast<double>(Limits::max());
+        if (wide < kLeast || wide > kMost) {
+            return fail(place, "must be a whole number from " + shortestNumber(std::max(kLeast, range.lowest)) +
+                                   " to " + shortestNumber(std::min(kMost, range.highest)) + ", not " +
+                                   shortestNumber(wide));
         }
         number = static_cast<Integer>(wide);
         return true;
+    }
+    template <class Integer>
+    bool readWhole(const Json& value, const Place& place, const Range& range, std::optional<Integer>& number) {
+        return readWhole(value, place, range, number.emplace());
     }
 
     template <std::size_t Index = 0>

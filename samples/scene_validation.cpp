@@ -72,10 +72,22 @@ private:
         // A given mass scales the inertia that the shapes have.
         const double perMass = body.mass && shapes.mass > 0 ? *body.mass / shapes.mass : 1;
         const double inertia = body.inertia.value_or(shapes.inertia * perMass);
-        const auto missing = [&](double value) { return !(value >= 1 / largest()); };
+        const double least = 1 / largest();
+        const auto missing = [&](double value) { return !(value >= least); };
+        const auto tooSmall = [&](double value, const std::string& unit) {
+            return ", and " + shortestNumber(value) + unit + " is below the smallest allowed, " +
+                   shortestNumber(least) + unit + ": give it larger shapes, more density, ";
+        };
+        if (missing(mass) && mass > 0) {
+            return fail(place, "a dynamic body needs mass" + tooSmall(mass, " kg") + "or a \"mass\"");
+        }
         if (missing(mass)) {
             return fail(place, "a dynamic body needs mass (its shapes give " + shortestNumber(shapes.mass) +
                                    " kg): give a shape area and density, or the body a \"mass\"");
+        }
+        if (missing(inertia) && inertia > 0 && !body.fixedRotation) {
+            return fail(place, "a dynamic body that may turn needs inertia" + tooSmall(inertia, " kg·m²") +
+                                   "an \"inertia\", or fixedRotation");
         }
         if (missing(inertia) && !body.fixedRotation) {
             return fail(place, "a dynamic body that may turn needs inertia (its shapes give " +

@@ -162,6 +162,7 @@ bool buildBody(const SceneDescription& scene, std::size_t i, SceneWorld& built, 
         if (!status.ok()) {
             error =
                 refusalText(pointer + "/shapes/" + std::to_string(k), hasKey<ShapeDescription>(status.field), status);
+            error += whatRoundingDid(status);
             return false;
         }
     }

@@ -162,6 +162,8 @@ TEST(SceneErrors, WordsAndWholeNumbers) {
         {settings(R"("relaxPasses": 65)"), "/settings/relaxPasses", "from 0 to 64, not 65"},
         {settings(R"("maxImpacts": 0)"), "/settings/maxImpacts", "at least 1, not 0"},
         {settings(R"("maxImpacts": 3000000000)"), "/settings/maxImpacts", "to 2147483647, not 3"},
+        {settings(R"("maxImpacts": 99999999999)"), "/settings/maxImpacts", "a whole number from 1 to 2147483647, not"},
+        {settings(R"("subSteps": 99999999999)"), "/settings/subSteps", "a whole number from 1 to 1024, not"},
         {shape(R"("circle": {"radius": 1}, "filter": {"mask": -1})"), "/bodies/0/shapes/0/filter/mask",
          "from 0 to 4294967295, not -1"},
         {shape(R"("circle": {"radius": 1}, "filter": {"category": 4294967296})"), "/bodies/0/shapes/0/filter/category",
@@ -291,6 +293,12 @@ TEST(SceneErrors, Bodies) {
         {wall(R"("type": "dynamic", "mass": 1, "shapes": [{"segment": [[0, 0], [1, 0]]}])"), "/bodies/0", "inertia"},
         {wall(R"("type": "dynamic", "shapes": [{"circle": {"radius": 1e30}}])"), "/bodies/0", "too large"},
         {wall(R"("type": "dynamic", "shapes": [{"circle": {"radius": 1e-25}}])"), "/bodies/0", "needs mass"},
+        {wall(R"("type": "dynamic", "shapes": [{"circle": {"radius": 1e-25}}])"), "/bodies/0",
+         "kg is below the smallest allowed, 3.3333333333333334e-39 kg: give it larger shapes"},
+        {wall(R"("type": "dynamic", "shapes": [{"circle": {"radius": 1e-12}}])"), "/bodies/0",
+         "needs inertia, and 1.57"},
+        {wall(R"("type": "dynamic", "mass": 1e-38, "shapes": [{"circle": {"radius": 0.5}}])"), "/bodies/0",
+         "needs inertia, and 1.25"},
     });
 }
 

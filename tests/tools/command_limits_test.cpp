@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,25 @@ TEST_F(CommandLimits, NumbersOfScenesThatSinglePrecisionRefuses) {
                   0)
             << pointer;
     }
+}
+
+TEST_F(CommandLimits, PointsThatSinglePrecisionCannotTellApart) {
+    const std::string far =
+        in_.write("far.json", R"({"bodies": [{"shapes": [{"polygon": [[1e9, 0], [1000000001, 0], [1e9, 1]]}]}]})");
+    const std::vector<std::string> run{"run", far, "--steps", "1", "--csv", out_.path("states.csv")};
+    expectNothingWritten(run,
+                         ": /bodies/0/shapes/0: points is degenerate (no extent): f32 cannot tell its points apart "
+                         "so far from the body's origin; --precision f64 can");
+    std::vector<std::string> inDouble = run;
+    inDouble.insert(inDouble.end(), {"--precision", "f64"});
+    EXPECT_EQ(runSwept(inDouble).exitCode, 0);
+}
+
+TEST_F(CommandLimits, OutputsThatCannotBeWrittenLeaveNothingHalfDone) {
+    if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "this system has no /dev/full"; }
+    expectRunRefused(
+        {"--steps", "128", "--events", "/dev/full", "--report", out_.write("old.json", "of an earlier run")},
+        "--events /dev/full: could not be written to the end");
 }
 
 TEST_F(CommandLimits, TellsOfStatesThatOverflowed) {
