@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <swept/samples/builtin_scenes.h>
+#include <swept/samples/counter_names.h>
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_fields.h>
 #include <swept/samples/scene_names.h>
@@ -276,6 +277,12 @@ TEST(ScenePage, NamesTheMembersOfReports) {
     expectNamed("### Report", membersOf(json["lostTime"][0]));
     expectNamed("### Report", membersOf(json["budgets"]["maxPenetration"]));
     expectNamed("### Report", membersOf(json["energy"]));
+}
+
+TEST(ScenePage, NamesEveryCounterOfReports) {
+    std::vector<std::string> names;
+    for (const auto& [name, member] : kCounterNames) { names.emplace_back(name); }
+    expectNamed("#### Counters", names);
 }
 
 TEST(ScenePage, ShowsAQueryThatIsAnswered) {
