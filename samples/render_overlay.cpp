@@ -230,7 +230,7 @@ void drawSweepWork(Paint& paint, const OverlayMetrics& m, const SweepWork& work)
     const auto count = [](std::uint64_t number) { return fixedDecimals(static_cast<double>(number), 0); };
     const std::array<std::string, 2> lines{
         count(work.sweeps) + (work.sweeps == 1 ? " sweep \u00B7 " : " sweeps \u00B7 ") + count(work.toiCalls) +
-            " TOI \u00B7 " + count(work.toiIterations) + " iterations",
+            " TOI \u00B7 " + count(work.toiIterations) + (work.toiIterations == 1 ? " iteration" : " iterations"),
         count(work.impacts) + (work.impacts == 1 ? " impact \u00B7 " : " impacts \u00B7 ") + "lost " +
             fixedDecimals(1000 * work.lostSeconds, 1) + " ms"};
     const double width = std::max(textWidth(lines[0], m.text), textWidth(lines[1], m.text));

@@ -19,7 +19,7 @@ namespace {
 Toi truth(const ToiQuery& q) { return timeOfImpact(q.a, q.sweepA, q.b, q.sweepB, q.settings); }
 
 /// Always gives the same answer.
-class Stubborn final : public ToiContestant {
+class Stubborn : public ToiContestant {
 public:
     Stubborn(std::string name, Toi answer) : name_(std::move(name)), answer_(answer) {}
     std::string name() const override { return name_; }
@@ -75,6 +75,24 @@ TEST(ToiBench, TellsMistakesApart) {
     std::ostringstream table;
     writeToiTable(table, rows);
     EXPECT_NE(table.str().find("mute: not asked"), std::string::npos);
+}
+
+TEST(ToiBench, IterationsThatAreNotToldAreNoZeros) {
+    class Silent final : public Stubborn {
+    public:
+        using Stubborn::Stubborn;
+        bool tellsIterations() const override { return false; }
+    };
+    ToiContestants contestants;
+    contestants.push_back(std::make_unique<Silent>("silent", Toi{}));
+    const auto rows = benchToi(contestants, {.count = 3, .seed = 4}, [](int, int) {});
+    EXPECT_TRUE(rows.front().iterations.empty());
+    std::ostringstream table;
+    writeToiTable(table, rows);
+    EXPECT_NE(table.str().find("       -       - "), std::string::npos) << table.str();
+    std::ostringstream csv;
+    writeToiCsv(csv, rows, {.count = 3, .seed = 4});
+    EXPECT_NE(csv.str().find(",-,-,"), std::string::npos) << csv.str();
 }
 
 TEST(ToiBench, PercentilesAreOfTheSortedSample) {

@@ -119,7 +119,9 @@ ToiBenchRow rowOf(const Entry& entry, std::string_view family) {
     row.family = family;
     row.method = entry.contestant->name();
     row.tally = judged(entry);
-    for (const Toi& answer : entry.answers) { row.iterations.push_back(answer.iterations); }
+    if (entry.contestant->tellsIterations()) {
+        for (const Toi& answer : entry.answers) { row.iterations.push_back(answer.iterations); }
+    }
     std::sort(row.iterations.begin(), row.iterations.end());
     if (!entry.queries.empty()) {
         row.nanoseconds = 1e9 * medianOf(entry.passes) / static_cast<double>(entry.queries.size());

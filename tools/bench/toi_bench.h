@@ -35,7 +35,7 @@ struct ToiBenchRow {
     std::string family;
     std::string method;
     ToiTally tally;
-    std::vector<int> iterations;  ///< of each query, ascending
+    std::vector<int> iterations;  ///< of each query, ascending; empty where they are not told
     double nanoseconds = 0;       ///< a query: median of the passes
 
     /// The smallest number of iterations with which the share of the queries comes to its end; 0 without queries.

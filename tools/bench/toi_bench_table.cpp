@@ -56,13 +56,18 @@ double ratioOf(const ToiBenchRow& row, std::span<const ToiBenchRow> rows) {
     return reference != nullptr && reference->nanoseconds > 0 ? row.nanoseconds / reference->nanoseconds : 0;
 }
 
+/// "-" where the engine does not tell.
+std::string iterationsText(const ToiBenchRow& row, double share) {
+    return row.iterations.empty() ? "-" : std::to_string(row.iterationsOf(share));
+}
+
 void writeRow(std::ostream& out, const ToiBenchRow& row, std::span<const ToiBenchRow> rows) {
     if (row.tally.queries == 0) {
         out << "  " << row.method << ": not asked\n";
         return;
     }
     writeTally(out, row.method, row.tally);
-    out << padded(std::to_string(row.iterationsOf(0.5)), 8) << padded(std::to_string(row.iterationsOf(kTail)), 8)
+    out << padded(iterationsText(row, 0.5), 8) << padded(iterationsText(row, kTail), 8)
         << padded(timeText(row.nanoseconds), 10) << padded(roundedText(ratioOf(row, rows), 3), 9) << '\n';
 }
 
@@ -149,8 +154,7 @@ void writeToiCsv(std::ostream& out, std::span<const ToiBenchRow> rows, const Toi
         add(t.early);
         add(t.widestGap);
         for (const int value : {t.falseOverlap, t.failed, t.wrongReport, t.undecided}) { add(value); }
-        add(row.iterationsOf(0.5));
-        add(row.iterationsOf(kTail));
+        for (const double share : {0.5, kTail}) { record += ',' + csvField(iterationsText(row, share)); }
         add(row.nanoseconds);
         out << record << '\n';
     }

@@ -30,6 +30,9 @@ public:
 
     /// Answers all that is loaded, in order. Only state, fraction and iterations need be written.
     virtual void answerAll(std::span<Toi> answers) = 0;
+
+    /// Whether its answers have iterations.
+    virtual bool tellsIterations() const { return true; }
 };
 
 using ToiContestants = std::vector<std::unique_ptr<ToiContestant>>;

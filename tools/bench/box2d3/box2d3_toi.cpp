@@ -55,6 +55,7 @@ void clearUpperHalves() {
 class Box2d3Toi final : public ToiContestant {
 public:
     std::string name() const override { return "Box2D 3"; }
+    bool tellsIterations() const override { return false; }
 
     std::optional<ToiQuery> understood(const ToiQuery& query) const override {
         const auto turns = [](const Sweep& sweep) { return std::fabs(sweep.a1 - sweep.a0); };
