@@ -87,7 +87,23 @@ std::string placeOf(const char* field) {
     return std::string("/") + field;
 }
 
-std::string textOf(const Status& status) { return placeOf(status.field) + ": " + describe(status.code); }
+/// What a number out of range should be; empty for what else may be wrong.
+std::string rangeOf(const Status& status, const QueryLine& query) {
+    if (status.code != StatusCode::outOfRange) { return ""; }
+    const std::string_view field = status.field;
+    if (field == "tMax") { return ": must be greater than 0 and at most 1, not " + shortestNumber(query.tMax); }
+    if (field == "target") {
+        const double radii = query.a.radius + query.b.radius;
+        return ": must be at least " + shortestNumber(-radii) + ", as the radii of both add up to " +
+               shortestNumber(radii);
+    }
+    if (field == "tolerance") { return ": so far or so much about that double resolves only larger ones"; }
+    return ": the bodies are farther apart than the largest number";
+}
+
+std::string textOf(const Status& status, const QueryLine& query) {
+    return placeOf(status.field) + ": " + describe(status.code) + rangeOf(status, query);
+}
 
 ToiSettings settingsOf(const QueryLine& query) {
     ToiSettings settings = defaultToiSettings(query.a, query.b);
@@ -106,7 +122,7 @@ std::optional<std::string> readChecked(std::string_view line, QueryLine& query, 
         return "/a/sweep, /b/sweep: so far or so much about that double does not resolve the default tolerance, " +
                shortestNumber(settings.tolerance) + " m";
     }
-    return textOf(status);
+    return textOf(status, query);
 }
 
 /// The reason of a refusal begins with the number of the line; a syntax error counts its own as the first.
@@ -158,7 +174,7 @@ LineAnswer answerDistanceLine(std::string_view line, Precision precision) {
     if (const auto error = readQueryLine(line, query)) { return refusal(query.id, *error); }
     const auto function = precision == Precision::f32 ? queryDistance<Precision::f32> : queryDistance<Precision::f64>;
     const Result<QueryDistance> found = function(query.a, query.sweepA, query.b, query.sweepB);
-    if (!found.ok()) { return refusal(query.id, textOf(found.status())); }
+    if (!found.ok()) { return refusal(query.id, textOf(found.status(), query)); }
     const QueryDistance& distance = found.value();
     LineWriter answer(query.id);
     answer.add("distance", distance.distance);

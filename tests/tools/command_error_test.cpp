@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,50 @@ TEST_F(CommandError, PicturesThatMakeNoSense) {
     expectRunRefused({scene_, "--sheet", "-1"}, "--sheet");
     expectRefused({"run", scene_, "--sheet", "4"}, "--sheet: needs --png");
     expectRefused({"run", scene_, "--trails"}, "need --png or --webp");
+    expectRunRefused({scene_, "--sheet", "0"}, "--sheet");
+    expectRunRefused({scene_, "--sheet", "401"}, "--sheet");
+    expectRunRefused({scene_, "--size", "9000x90"}, "--size 9000x90: sides must be between 16 and 8192");
+    for (const char* const command : {"modes", "compare"}) {
+        expectRefused({command, scene_, "--steps", "1", "--size", "90x90"}, "--size needs --png");
+        expectRefused({command, scene_, "--steps", "1", "--size", "8193x90", "--png", out_.path("a.png")},
+                      "--size 8193x90: sides must be between 16 and 8192");
+    }
+}
+
+TEST_F(CommandError, FilesThatPicturesWouldOverwrite) {
+    const std::string pictures = out_.path("pictures");
+    const auto expectClash = [&](const std::vector<std::string>& further, const std::string& file) {
+        std::vector<std::string> arguments{"--steps", "8", "--every", "4", "--png", pictures, "--csv", pictures + file};
+        arguments.insert(arguments.begin(), scene_);
+        arguments.insert(arguments.end(), further.begin(), further.end());
+        expectRunRefused(arguments, "--csv " + pictures + file + ": is already a file of --png " + pictures);
+    };
+    expectClash({}, "/frame_000000.png");
+    expectClash({}, "/frame_000008.png");
+    expectClash({"--sheet", "4"}, "/sheet.png");
+    const std::string scene = in_.write("frame_000004.png", kBallScene);
+    expectRefused({"run", scene, "--steps", "8", "--png", in_.path("")}, "would overwrite the input");
+    EXPECT_EQ(in_.read("frame_000004.png"), kBallScene);
+    // What no picture of the run is called is free.
+    for (const char* const free : {"/frame_000005.png", "/frame_000012.png", "/frame_4.png", "/sheet.png"}) {
+        const ProgramResult result = runSwept({"run", scene_, "--steps", "8", "--every", "4", "--size", "16x16",
+                                               "--png", pictures, "--csv", pictures + free});
+        EXPECT_EQ(result.exitCode, 0) << free << result.err;
+    }
+}
+
+TEST_F(CommandError, PicturesByTheNameOfAnotherFormat) {
+    const std::string query = in_.write("q.jsonl", "{}");
+    expectRefused({"compare", scene_, "--steps", "1", "--png", out_.path("a.jpg")}, "a.jpg: writes PNG, a name that ");
+    expectRefused({"modes", scene_, "--steps", "1", "--png", out_.path("a.webp")}, "a.webp: writes PNG, a name that ");
+    expectRunRefused({scene_, "--webp", out_.path("a.json")}, "a.json: writes WebP, a name that ends in .webp");
+    EXPECT_TRUE(out_.isEmpty());
+}
+
+TEST_F(CommandError, ScenesThatCannotBeRead) {
+    std::filesystem::create_symlink(in_.path("loop"), in_.path("loop"));
+    expectRunRefused({in_.path("loop")}, in_.path("loop") + ": cannot be read: Too many levels of symbolic links");
+    expectRefused({"toi", in_.path("none.jsonl")}, in_.path("none.jsonl") + ": cannot be read: No such file");
 }
 
 TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
@@ -114,6 +159,10 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({"fly"}, "fly: no such command");
     expectRefused({"bench", "world", "--size", "nan"}, "nan is not a number");
     expectRefused({"bench", "world", "--write", out_.path("scenes"), "--csv", out_.path("a.csv")}, "--write");
+    expectRefused({"bench", "world", "--full", "--steps", "5"}, "--full");
+    expectRefused({"bench", "world", "--write", out_.path("scenes"), "--steps", "5"}, "--write");
+    expectRefused({"bench", "accuracy", "--plots", out_.path("plots")}, "--trade");
+    expectRefused({"toi", "--precision", "f32"}, "swept: --precision: no such option");
     expectRefused({"modes", scene_, "--size", "big"}, "--size");
     expectRefused({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
     expectRefused({""}, "no such command");

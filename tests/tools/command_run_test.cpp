@@ -156,6 +156,21 @@ TEST(CommandRun, SumsUpForAHuman) {
     EXPECT_NE(one.out.find(": 1 step of "), std::string::npos) << one.out;
 }
 
+TEST(CommandRun, ReadsStandardInputAsAllCommandsOfScenesDo) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const std::vector<std::string> run{"run", "-", "--steps", "3", "--csv", scratch.path("in.csv")};
+    ASSERT_EQ(runSwept(run, kBallScene).exitCode, 0);
+    ASSERT_EQ(runSwept({"run", scene, "--steps", "3", "--csv", scratch.path("file.csv")}).exitCode, 0);
+    EXPECT_EQ(scratch.read("in.csv"), scratch.read("file.csv"));
+    for (const char* const command : {"inspect", "modes", "compare"}) {
+        const auto result = runSwept({command, "-", "--steps", "1"}, kBallScene);
+        EXPECT_EQ(result.exitCode, 0) << command << result.err;
+    }
+    expectRefused({"run", "-"}, "swept: standard input: /bodies: is missing", "{}");
+    expectRefused({"run", "-"}, "swept: standard input: line 1", "");
+}
+
 TEST(CommandRun, AFileWinsOverABuiltinScene) {
     const ScratchDirectory scratch;
     // The name of a directory does not stand for a file.

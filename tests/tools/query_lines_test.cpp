@@ -125,6 +125,14 @@ TEST(QueryLines, EchoesTheIdWithItsType) {
     EXPECT_TRUE(answerOf(answerToiLine("nonsense"))["id"].is_null());
 }
 
+TEST(QueryLines, TellsTheRangeOfWhatIsOutOfIt) {
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {errorAfter([](Json& q) { q["tMax"] = 2; }), "must be greater than 0 and at most 1, not 2"},
+        {errorAfter([](Json& q) { q["target"] = -0.75; }), "must be at least -0.5, as the radii of both add up to 0.5"},
+        {errorAfter([](Json& q) { q["tolerance"] = 1e-20; }), "double resolves only larger ones"}};
+    for (const auto& [error, range] : cases) { EXPECT_NE(error.find(range), std::string::npos) << error; }
+}
+
 TEST(QueryLines, NamesWhatIsWrong) {
     expectStartsWith(errorAfter([](Json& q) { q["color"] = 1; }), "/color: ");
     expectStartsWith(errorAfter([](Json& q) { q["a"]["sweep"]["v"] = 1; }), "/a/sweep/v: ");

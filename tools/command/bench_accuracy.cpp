@@ -99,10 +99,12 @@ void addBenchAccuracy(Command bench) {
         .oneOf(knownNames());
     command.flag("--long", arguments->isLong,
                  "Also the long scenes of all or of a group: stack-200, -500, -1000, pyramid-50, drop-97.0");
-    command.flag("--trade", arguments->trade, "Error against cost, over steps and sub-steps, for seven scenes");
+    const Option trade =
+        command.flag("--trade", arguments->trade, "Error against cost, over steps and sub-steps, for seven scenes");
     command.option("--csv", arguments->places.csv, "Write a record for each number").type("FILE");
     command.option("--plots", arguments->places.plots, "Draw error against cost (with --trade), if gnuplot is there")
-        .type("DIR");
+        .type("DIR")
+        .needs(trade);
     command.runs([arguments] { return measureAccuracy(*arguments); });
 }
 

@@ -121,10 +121,13 @@ void addBenchWorld(Command bench) {
         .type("NAME,...")
         .separatedBy(',')
         .oneOf(engineNames());
-    command.option("--steps", settings.steps, "Steps that are timed, once a scene is what it is about [60]")
-        .type("N")
-        .within(1, 100'000);
-    command.flag("--full", settings.full, "Instead: from the first step, as many as the published benchmark has");
+    const Option steps =
+        command.option("--steps", settings.steps, "Steps that are timed, once a scene is what it is about [60]")
+            .type("N")
+            .within(1, 100'000);
+    const Option full =
+        command.flag("--full", settings.full, "Instead: from the first step, as many as the published benchmark has")
+            .excludes(steps);
     const Option size = command.option("--size", settings.size, "Of the number of moving bodies, 1 as published [0.25]")
                             .type("X")
                             .withinReals(1e-4, 100);
@@ -150,6 +153,8 @@ void addBenchWorld(Command bench) {
     command.option("--write", arguments->scenesTo, "Instead: write the scenes as they begin, for other tools")
         .type("DIR")
         .excludes(growth)
+        .excludes(steps)
+        .excludes(full)
         .excludes(csv)
         .excludes(plots);
     command.runs([arguments] {

@@ -1,3 +1,4 @@
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -5,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "../query_lines.h"
 #include "../toi_families.h"
@@ -41,8 +43,9 @@ int withLines(const std::string& path, const std::function<int(std::istream&)>& 
     if (path.empty() || path == "-") { return read(std::cin); }
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) { return refuse(path + ": is a directory"); }
+    errno = 0;
     std::ifstream file(path, std::ios::binary);
-    if (!file) { return refuse(path + ": cannot be read"); }
+    if (!file) { return refuse(path + ": cannot be read: " + std::generic_category().message(errno)); }
     return read(file);
 }
 
@@ -84,7 +87,6 @@ std::string methodHelp() {
 int answerToi(const QueryArguments& arguments) {
     const std::optional<ToiMethod> method = toiMethodFrom(arguments.method);
     if (!method) { return refuse("--method " + arguments.method + ": must be one of " + methodNames()); }
-    if (!precisionFrom(arguments.precision)) { return refuse("--precision: must be f32 or f64"); }
     if (!arguments.anatomy.empty()) { return drawFirst(arguments); }
     return answerAll(arguments.file, [method](std::string_view line) { return answerToiLine(line, *method); });
 }
@@ -141,16 +143,13 @@ void addQueryCommands(Command app) {
     const auto toiArguments = std::make_shared<QueryArguments>();
     const Option file = addFileOption(toi, *toiArguments);
     const Option method = toi.option("--method", toiArguments->method, methodHelp()).type("NAME");
-    const Option precision =
-        toi.option("--precision", toiArguments->precision, "f32 or f64; the time of impact is in double in both [f64]")
-            .type("P");
     const Option anatomy = toi.option("--anatomy", toiArguments->anatomy,
                                       "Answer the first query only, and draw how the default method finds the answer")
                                .type("FILE.png")
                                .excludes(method);
     const auto generateArguments = std::make_shared<GenerateArguments>();
     const Option generate = addGenerateOptions(toi, *generateArguments);
-    for (const Option& answering : {file, method, precision, anatomy}) { generate.excludes(answering); }
+    for (const Option& answering : {file, method, anatomy}) { generate.excludes(answering); }
     toi.runs([toiArguments, generateArguments, generate] {
         return generate.isGiven() ? generateToi(*generateArguments) : answerToi(*toiArguments);
     });

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <numeric>
+#include <sstream>
 #include <string_view>
 
 #include <swept/samples/builtin_scenes.h>
@@ -16,6 +17,7 @@ namespace swept {
 namespace {
 
 constexpr double kDefaultDuration = 10;  // seconds
+constexpr const char* kStandardInput = "standard input";
 // Beyond 2^53 steps a step number is no longer exact as a double, and the time of a step with it.
 constexpr double kMostSteps = 9007199254740992.0;
 
@@ -55,14 +57,26 @@ std::string unknownScene(const std::string& name) {
     return text + (nearest.empty() ? " (\"swept scenes\" lists them)" : "; did you mean \"" + nearest + "\"?");
 }
 
+SceneResult readStandardInput(const std::vector<Override>& overrides) {
+    std::ostringstream text;
+    text << std::cin.rdbuf();
+    if (std::cin.bad()) { return {std::nullopt, {kStandardInput, "", "cannot be read"}}; }
+    return readScene(text.str(), kStandardInput, overrides);
+}
+
 SceneResult readSource(const SceneArguments& arguments, const std::vector<Override>& overrides) {
-    std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(arguments.scene, ignored);
+    if (arguments.scene == "-") { return readStandardInput(overrides); }
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(arguments.scene, failure);
     if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {
         return readSceneFile(arguments.scene, overrides);
     }
     if (const BuiltinScene* const builtin = findBuiltinScene(arguments.scene)) {
         return readScene(writeScene(builtin->make()), arguments.scene, overrides);
+    }
+    // It is not known to be missing: a folder on the way may not be entered, or a link leads nowhere.
+    if (status.type() == std::filesystem::file_type::none) {
+        return {std::nullopt, {arguments.scene, "", "cannot be read: " + failure.message()}};
     }
     // Only now: a folder of the name of a built-in scene does not hide that.
     return std::filesystem::exists(status) ? readSceneFile(arguments.scene, overrides) : SceneResult{};
@@ -97,7 +111,9 @@ std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double dt, 
 }  // namespace
 
 void addSceneArguments(Command command, SceneArguments& arguments) {
-    command.option("scene", arguments.scene, "A scene file, or the name of a built-in scene (see: swept scenes)")
+    command
+        .option("scene", arguments.scene,
+                "A scene file, \"-\" for standard input, or the name of a built-in scene (see: swept scenes)")
         .type("SCENE")
         .required();
     command.option("--duration", arguments.duration, "Simulated time; runs round(S/dt) steps [10]").type("S");
@@ -133,9 +149,11 @@ std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::strin
     const auto steps = stepsOf(arguments, result.scene->settings.dt, error);
     if (!steps) { return std::nullopt; }
     std::error_code ignored;
-    const bool isFile =
-        std::filesystem::exists(arguments.scene, ignored) && !std::filesystem::is_directory(arguments.scene, ignored);
-    return LoadedScene{std::move(*result.scene), arguments.scene, isFile ? arguments.scene : std::string(), *steps,
+    const bool isInput = arguments.scene == "-";
+    const bool isFile = !isInput && std::filesystem::exists(arguments.scene, ignored) &&
+                        !std::filesystem::is_directory(arguments.scene, ignored);
+    return LoadedScene{std::move(*result.scene), isInput ? kStandardInput : arguments.scene,
+                       isFile ? arguments.scene : std::string(), *steps,
                        arguments.precision == "f64" ? Precision::f64 : Precision::f32};
 }
 

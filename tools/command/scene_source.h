@@ -28,13 +28,13 @@ void addPrecisionArgument(Command command, SceneArguments& arguments);
 struct LoadedScene {
     SceneDescription scene;
     std::string source;  ///< the file, or the name of the built-in scene: what errors are about
-    std::string file;    ///< path of the file; empty for a built-in scene
+    std::string file;    ///< path of the file; empty for a built-in scene and for standard input
     std::int64_t steps = 0;
     Precision precision = Precision::f32;
 };
 
-/// Reads the scene (a file wins over a built-in scene of the same name), applies the overrides, validates, and settles
-/// how many steps to run.
+/// Reads the scene ("-" is standard input; a file wins over a built-in scene of the same name), applies the overrides,
+/// validates, and settles how many steps to run.
 /// @return nothing, and one line in `error`, when anything is refused.
 std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::string& error);
 

@@ -43,7 +43,8 @@ constexpr const char* kLean = "/lean.json";
 constexpr const char* kAblation = "/ablation.csv";
 
 std::string directoryOf(const TuneArguments& arguments, const LoadedScene& loaded) {
-    const std::string name = std::filesystem::path(loaded.source).stem().string();
+    const bool isInput = arguments.scene.scene == "-";
+    const std::string name = isInput ? "stdin" : std::filesystem::path(loaded.source).stem().string();
     return arguments.out.empty() ? "tune-" + name : arguments.out;
 }
 
@@ -55,6 +56,10 @@ struct Task {
 };
 
 bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task, std::string& error) {
+    if (arguments.scene.scene == "-" && team.size() > 1) {
+        error = "standard input: mpirun hands it to one process alone; name a file";
+        return false;
+    }
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded || !tune::parseLimits(arguments.limits, task.options.limits, error)) { return false; }
     if (!arguments.shard.empty() && !tune::parseShard(arguments.shard, task.options.shard, error)) { return false; }
@@ -249,7 +254,10 @@ int tuneScene(const TuneArguments& arguments) {
 
 void addTuneCommand(Command app) {
     const Command command =
-        app.command("tune", "The cheapest settings of a scene that keep an error you accept, and the whole trade");
+        app.command("tune",
+                    "The cheapest settings of a scene that keep an error you accept, and the whole trade; "
+                    "needs " +
+                        std::to_string(kFewestSteps) + " steps at least");
     const auto arguments = std::make_shared<TuneArguments>();
     addSceneArguments(command, arguments->scene);
     std::string measures;
