@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 
 #include "../broadphase/tree_walks.h"
@@ -180,34 +181,45 @@ void predictAll(WorldState& world, std::uint32_t index, FlightScratch& scratch, 
     });
 }
 
-/// Bullets, and what is fast and may get to where one may get; and how far the others move.
-void findEarly(WorldState& world, Real dt) {
-    BulletWork& work = world.bulletWork;
+/// What is fast and may get to where a bullet may get. @param fast  slots of what is no bullet; the others are dropped
+void dropOutOfReach(WorldState& world, std::vector<std::uint32_t>& fast, std::span<const std::uint32_t> bullets,
+                    Real dt) {
     Real fastest = 0;
     for (const std::uint32_t slot : world.awake) {
         if (world.bodies[slot].isDynamic()) { fastest = std::max(fastest, speedBound(world, slot, dt)); }
     }
+    AabbTree& realms = world.bulletWork.tree;
+    realms.clear();
+    for (const std::uint32_t slot : bullets) {
+        realms.insert(realmOf(world, slot, dt * (speedBound(world, slot, dt) + fastest)), slot, false);
+    }
+    std::erase_if(fast, [&](std::uint32_t slot) {
+        bool isFree = true;
+        walkOverlaps(realms, realmOf(world, slot, dt * speedBound(world, slot, dt)), isFree,
+                     [](std::uint32_t /*bullet*/) { return false; });
+        return isFree;
+    });
+}
+
+/// Bullets, and what is fast and near enough; and how far the others move.
+void findEarly(WorldState& world, Real dt) {
+    BulletWork& work = world.bulletWork;
+    work.early.clear();
     work.found.clear();
     work.drift = 0;
-    work.tree.clear();
-    for (const std::uint32_t slot : world.awake) {
-        if (!isBullet(world, slot)) { continue; }
-        work.found.push_back(slot);
-        work.tree.insert(realmOf(world, slot, dt * (speedBound(world, slot, dt) + fastest)), slot, false);
-    }
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
-        if (!body.isDynamic() || isBullet(world, slot)) { continue; }
-        if (!body.fast) {
+        if (isBullet(world, slot)) {
+            work.early.push_back(slot);
+        } else if (body.isDynamic() && body.fast) {
+            work.found.push_back(slot);
+        } else if (body.isDynamic()) {
             work.drift = std::max(work.drift, wayOf(world, slot));
-            continue;
         }
-        bool isFree = true;
-        walkOverlaps(work.tree, realmOf(world, slot, dt * speedBound(world, slot, dt)), isFree,
-                     [](std::uint32_t /*bullet*/) { return false; });
-        if (!isFree) { work.found.push_back(slot); }
     }
-    std::sort(work.found.begin(), work.found.end());
+    if (!work.found.empty()) { dropOutOfReach(world, work.found, work.early, dt); }
+    work.early.insert(work.early.end(), work.found.begin(), work.found.end());
+    std::sort(work.early.begin(), work.early.end());
     work.tree.clear();
 }
 
@@ -227,12 +239,11 @@ void findPartners(WorldState& world, double dt, FlightScratch& scratch) {
     work.carriers.clear();
     work.dt = dt;
     findEarly(world, static_cast<Real>(dt));
-    const std::size_t early = work.found.size();
-    for (const std::uint32_t slot : work.found) { addPartner(world, slot, scratch); }
-    for (std::uint32_t i = 0; i < early; ++i) {
+    for (const std::uint32_t slot : work.early) { addPartner(world, slot, scratch); }
+    for (std::uint32_t i = 0; i < work.early.size(); ++i) {
         if (work.partners[i].isBullet) { discover(world, i, scratch); }
     }
-    for (std::uint32_t i = 0; i < early; ++i) {
+    for (std::uint32_t i = 0; i < work.early.size(); ++i) {
         if (!work.partners[i].isBullet) { continue; }
         // A pair of bullets once.
         predictAll(world, i, scratch, [&](std::uint32_t other) { return other > i || !work.partners[other].isBullet; });

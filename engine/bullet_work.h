@@ -52,7 +52,8 @@ struct BulletWork {
     std::vector<BulletMeeting> meetings;  ///< a heap: the next one is the first
     std::vector<BulletCarrier> carriers;
     AabbTree tree;                     ///< of the boxes of the paths
-    std::vector<std::uint32_t> found;  ///< scratch: slots
+    std::vector<std::uint32_t> early;  ///< scratch: slots
+    std::vector<std::uint32_t> found;  ///< likewise
     Real drift = 0;                    ///< no body that is none of the early partners leaves its box farther, metres
     double dt = 0;
 };
