@@ -25,6 +25,8 @@ struct CastHit {
     Real fraction = 0;  ///< of the translation, 0 … 1
     DVec2 point{};      ///< world
     Vec2 normal{};      ///< unit, outward from the shape that was hit; (0, 0) where a cast or ray starts inside it
+    /// Of a shape that is cast from inside of it: the shortest translation that takes it out, metres; else (0, 0).
+    Vec2 wayOut{};
 
     constexpr explicit operator bool() const { return hit; }
 };

@@ -59,7 +59,11 @@ inline constexpr Real kPushRatio = Real(1) / 16;
 /// A flyer that overlaps something by up to this part of the extent is set back to the surface before it flies on.
 inline constexpr Real kShallowRatio = 8 * kTargetRatio;
 /// A fast body that contacts hold (the soft solver) may sink into them by this part of the extent before it is stopped.
+/// What is no deeper in something stands on it, where a shape is cast from there.
 inline constexpr Real kSlackRatio = Real(1) / 8;
+/// The way of a cast shape that starts in contact goes along the surface as long as it leads into it by no more than so
+/// many roundings of its length.
+inline constexpr Real kAlongRoundings = 16;
 /// A body rests while it moves less than this part of its extent …
 inline constexpr Real kRestRatio = kTargetRatio;
 /// … for so many steps, and for so many times √(extent/|gravity|).

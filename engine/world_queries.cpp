@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <vector>
 
 #include "../shapes/distance.h"
 #include "../shapes/ray_cast.h"
-#include "../toi/time_of_impact.h"
-#include "../toi/toi_polygon.h"
-#include "sweep_obstacles.h"
+#include "cast_start.h"
 #include "world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -57,33 +56,41 @@ bool isGood(DVec2 origin, Vec2 translation) {
     return isFinite(origin) && isFinite(translation) && translation != Vec2{};
 }
 
+bool isGood(const Polygon& polygon, const WorldTransform& pose) {
+    return validate(polygon).ok() && isFinite(pose.position) && isFinite(pose.rotation.c) && isFinite(pose.rotation.s);
+}
+
 Distance distanceTo(const WorldState& world, const Shape& shape, const Polygon& polygon, const WorldTransform& pose) {
     return distance(shape.polygon, polygon, relativeTransform(world.motions[shape.body].pose, pose));
 }
 
-/// The first thing met so far. Of equal fractions the lower shape counts, of a chain the lower segment, so that the
-/// answer does not depend on the order of the visits.
-class Closest {
-public:
-    /// @param slot  of the shape, or segment
-    void offer(const CastHit& hit, std::uint32_t slot) {
-        if (hit_.hit &&
-            std::tie(hit_.fraction, hit_.shape.index, slot_) <= std::tie(hit.fraction, hit.shape.index, slot)) {
-            return;
-        }
-        hit_ = hit;
-        slot_ = slot;
-    }
-    /// Beyond which nothing counts any more.
-    Real limit() const { return std::nextafter(hit_.fraction, Real(2)); }
-    const CastHit& hit() const { return hit_; }
-
-private:
-    CastHit hit_;
-    std::uint32_t slot_ = 0;
+/// What a query meets of one shape, or one segment of a chain.
+struct Met {
+    CastHit hit;
+    std::uint32_t slot = 0;
+    double depth = 0;  ///< of a shape that is stopped as it starts: its overlap, metres; else 0
 };
 
-/// Calls `visit` with what the ray meets and its slot; it returns the fraction to go on with.
+/// The first thing met so far. Of equal fractions the deeper counts: at a seam of the ground the one that holds, not
+/// the edge beside. Then the lower shape, of a chain the lower segment, so that the answer does not depend on the order
+/// of the visits.
+class Closest {
+public:
+    void offer(const Met& met) {
+        const auto key = [](const Met& m) {
+            return std::make_tuple(m.hit.fraction, -m.depth, m.hit.shape.index, m.slot);
+        };
+        if (!first_.hit.hit || key(met) < key(first_)) { first_ = met; }
+    }
+    /// Beyond which nothing counts any more.
+    Real limit() const { return std::nextafter(first_.hit.fraction, Real(2)); }
+    const CastHit& hit() const { return first_.hit; }
+
+private:
+    Met first_;
+};
+
+/// Calls `visit` with what the ray meets; it returns the fraction to go on with.
 template <class Visit>
 void visitOnRay(const WorldState& world, DVec2 origin, Vec2 translation, const QueryFilter& filter,
                 const Visit& visit) {
@@ -92,59 +99,66 @@ void visitOnRay(const WorldState& world, DVec2 origin, Vec2 translation, const Q
         const std::uint32_t slot = slotOf(world, proxy);
         if (!sees(filter, world.shapes[slot])) { return limit; }
         const CastHit hit = rayAgainst(world, world.shapes[slot], origin, translation, limit);
-        return hit.hit ? std::min(limit, visit(hit, slot)) : limit;
+        return hit.hit ? std::min(limit, visit(Met{hit, slot})) : limit;
     });
 }
 
-/// A polygon being carried through the world.
-struct CarriedShape {
-    ToiPolygon core;
-    Sweep sweep;
-    Real extent;
-};
-
-/// Near enough at the start to count as touching, but never nearer than apart along that normal, all the way: what
-/// slides along a wall, or leaves it, is not stopped by it.
-bool leadsPast(const Toi& toi, const Sweep& sweep) {
-    const bool isNearAtStart = toi.state == ToiState::hit && !(toi.fraction > 0) && toi.separation > 0;
-    return isNearAtStart && toi.separation + dot(sweep.c1 - sweep.c0, toi.normal) > 0;
+/// Lifts the shape off all that is near its start and that its way does not lead into. @param start  a box around it
+void liftOff(const WorldState& world, const QueryFilter& filter, const Aabb& start, CarriedShape& carried) {
+    std::vector<Support> supports;  // asks for memory only where there are some
+    world.broadphase->query(start, [&](ProxyId proxy) {
+        const std::uint32_t slot = slotOf(world, proxy);
+        if (!sees(filter, world.shapes[slot])) { return true; }
+        if (const std::optional<Support> support = supportOf(world, slot, carried)) { supports.push_back(*support); }
+        return true;
+    });
+    lift(carried, supports);
 }
 
-/// Coordinates of the cast relative to its start, so that nothing is lost far from the origin.
-CastHit castAgainst(const WorldState& world, const Shape& shape, const CarriedShape& carried, Real limit) {
-    const ToiPolygon other = asToiPolygon(shape.polygon);
-    const Sweep still = obstacleSweep(world, shape.body, 0, 0);
-    ToiSettings settings = defaultToiSettings(other, carried.core);
-    settings.tMax = static_cast<double>(limit);
-    const Toi toi = shapeCast(other, still, carried.core, carried.sweep, settings);
-    CastHit hit;
-    if (toi.state == ToiState::separated || leadsPast(toi, carried.sweep)) { return hit; }
-    hit.hit = true;
-    hit.shape = world.shapes.idOf(shape.head);
-    hit.body = world.bodies.idOf(shape.body);
-    hit.fraction = static_cast<Real>(toi.fraction);
-    hit.point = toi.pointA;
-    const bool isInside = toi.state == ToiState::overlapped || toi.separation < 0;
-    hit.normal = isInside ? Vec2{} : toReal(toi.normal);
-    return hit;
+Met castAgainst(const WorldState& world, std::uint32_t slot, const CarriedShape& carried, Real limit) {
+    const Shape& shape = world.shapes[slot];
+    const Toi toi = castOf(world, shape, carried, static_cast<double>(limit));
+    Met met{{}, slot};
+    if (toi.state == ToiState::separated) { return met; }
+    const CastStart start = startOf(shape, carried, toi);
+    if (start == CastStart::leadsPast) { return met; }
+    met.hit.hit = true;
+    met.hit.shape = world.shapes.idOf(shape.head);
+    met.hit.body = world.bodies.idOf(shape.body);
+    met.hit.fraction = static_cast<Real>(toi.fraction);
+    met.hit.point = toi.pointA;
+    switch (start) {
+        case CastStart::inside:
+            met.hit.wayOut = toReal(wayOut(carried, toi));
+            met.depth = -toi.separation;
+            break;
+        case CastStart::leadsInto: {
+            const Pressed pressed = pressedInto(world, shape, carried);
+            met.hit.normal = toReal(pressed.normal);
+            met.depth = pressed.depth;
+            break;
+        }
+        case CastStart::apart:
+        case CastStart::leadsPast:
+            met.hit.normal = toReal(toi.normal);
+    }
+    return met;
 }
 
-/// Calls `visit` with what the shape meets on its way and its slot; it returns the fraction to go on with.
+/// Calls `visit` with what the shape meets on its way; it returns the fraction to go on with.
 template <class Visit>
 void visitOnWay(const WorldState& world, const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                 const QueryFilter& filter, const Visit& visit) {
-    if (!validate(polygon).ok() || !isGood(pose.position, translation)) { return; }
-    const double angle = arcTangent2(static_cast<double>(pose.rotation.s), static_cast<double>(pose.rotation.c));
-    const CarriedShape carried{
-        asToiPolygon(polygon),
-        {.c0 = pose.position, .c1 = pose.position + toDouble(translation), .a0 = angle, .a1 = angle},
-        extentOf(polygon)};
+    if (!isGood(polygon, pose) || !isGood(pose.position, translation)) { return; }
+    CarriedShape carried = carriedFrom(polygon, pose, translation);
     const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);
-    world.broadphase->sweep(start, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
+    liftOff(world, filter, start, carried);
+    const Aabb lifted = grown(start, static_cast<Real>(length(carried.lift)));
+    world.broadphase->sweep(lifted, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
         const std::uint32_t slot = slotOf(world, proxy);
         if (!sees(filter, world.shapes[slot]) || !(limit > 0)) { return limit; }
-        const CastHit hit = castAgainst(world, world.shapes[slot], carried, limit);
-        return hit.hit ? std::min(limit, visit(hit, slot)) : limit;
+        const Met met = castAgainst(world, slot, carried, limit);
+        return met.hit.hit ? std::min(limit, visit(met)) : limit;
     });
 }
 
@@ -152,14 +166,13 @@ void visitOnWay(const WorldState& world, const Polygon& polygon, const WorldTran
 
 void World::castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                        FunctionRef<Real(const CastHit&)> visit) const {
-    visitOnRay(*state_, origin, translation, filter,
-               [&visit](const CastHit& hit, std::uint32_t) { return visit(hit); });
+    visitOnRay(*state_, origin, translation, filter, [&visit](const Met& met) { return visit(met.hit); });
 }
 
 CastHit World::castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter) const {
     Closest closest;
-    visitOnRay(*state_, origin, translation, filter, [&closest](const CastHit& hit, std::uint32_t slot) {
-        closest.offer(hit, slot);
+    visitOnRay(*state_, origin, translation, filter, [&closest](const Met& met) {
+        closest.offer(met);
         return closest.limit();
     });
     return closest.hit();
@@ -167,15 +180,14 @@ CastHit World::castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter
 
 void World::castShapeAll(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                          const QueryFilter& filter, FunctionRef<Real(const CastHit&)> visit) const {
-    visitOnWay(*state_, polygon, pose, translation, filter,
-               [&visit](const CastHit& hit, std::uint32_t) { return visit(hit); });
+    visitOnWay(*state_, polygon, pose, translation, filter, [&visit](const Met& met) { return visit(met.hit); });
 }
 
 CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                          const QueryFilter& filter) const {
     Closest closest;
-    visitOnWay(*state_, polygon, pose, translation, filter, [&closest](const CastHit& hit, std::uint32_t slot) {
-        closest.offer(hit, slot);
+    visitOnWay(*state_, polygon, pose, translation, filter, [&closest](const Met& met) {
+        closest.offer(met);
         return closest.limit();
     });
     return closest.hit();
@@ -196,7 +208,7 @@ void World::queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<boo
 void World::overlapShape(const Polygon& polygon, const WorldTransform& pose, const QueryFilter& filter,
                          FunctionRef<bool(ShapeId)> visit) const {
     const WorldState& world = *state_;
-    if (!validate(polygon).ok() || !isFinite(pose.position)) { return; }
+    if (!isGood(polygon, pose)) { return; }
     ChainsSeen seen;
     world.broadphase->query(boundsOf(polygon, pose), [&](ProxyId proxy) {
         const Shape& shape = shapeOf(world, proxy);

@@ -352,6 +352,12 @@ TEST(Refusal, GettersOfWhatIsGoneAreZero) {
     };
     s.world.queryBox({{1, 1}, {-1, -1}}, {}, never);
     s.world.overlapShape({}, {}, {}, never);
+    for (const Real bad : {kNan, std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()}) {
+        for (const Rotation rotation : {Rotation{bad, 0}, Rotation{1, bad}, Rotation{bad, bad}}) {
+            EXPECT_FALSE(s.world.castShape(box(50, 50), {{}, rotation}, vec(0, -5)).hit);
+            s.world.overlapShape(box(50, 50), {{}, rotation}, {}, never);
+        }
+    }
 }
 
 }  // namespace
