@@ -117,7 +117,8 @@ bool concernsChain(const WorldState& world, std::size_t index) {
 }
 
 /// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last. Leaves of the
-/// places of begins and ends with chains those.
+/// places of begins and ends with chains those. What calls ended before the step is a moment of its own: what begins
+/// again in the step, at the same fraction, is not handed over, but told.
 void mergeChainEvents(WorldState& world, int bits) {
     std::vector<EventPlace>& places = world.eventPlaces.ofChains;
     if (places.empty()) { return; }
@@ -127,8 +128,14 @@ void mergeChainEvents(WorldState& world, int bits) {
     const auto pairKey = [](const ContactEvent& e) {
         return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation, isOfSensor(e));
     };
-    sortPlaces(world, places, [&](const ContactEvent& a, const ContactEvent& b) {
-        return std::make_tuple(pairKey(a), eventKey(a)) < std::make_tuple(pairKey(b), eventKey(b));
+    const auto moment = [&](const EventPlace& place) {
+        return std::make_pair(place.index >= world.eventsBetween, events[place.index].fraction);
+    };
+    sortByKeys(places, world.eventPlaces.spare, [&](const EventPlace& x, const EventPlace& y) {
+        const ContactEvent& a = events[x.index];
+        const ContactEvent& b = events[y.index];
+        return std::make_tuple(pairKey(a), moment(x), eventKey(a)) <
+               std::make_tuple(pairKey(b), moment(y), eventKey(b));
     });
     auto keep = places.begin();
     for (auto group = places.begin(); group != places.end();) {
@@ -143,9 +150,7 @@ void mergeChainEvents(WorldState& world, int bits) {
         // What begins and ends at the same time is handed over from one segment to the next.
         auto count = now - begun + ((last - group) - begun);
         while (group != last) {
-            const auto isLater = [&](const EventPlace& place) {
-                return events[place.index].fraction > events[group->index].fraction;
-            };
+            const auto isLater = [&](const EventPlace& place) { return moment(place) > moment(*group); };
             const auto next = std::find_if(group, last, isLater);
             const auto begunHere = std::count_if(group, next, begins);
             const bool touched = count > 0;
@@ -157,6 +162,14 @@ void mergeChainEvents(WorldState& world, int bits) {
         }
     }
     places.erase(keep, places.end());
+}
+
+/// Of what the step itself found, when all that it names is there. (What calls ended was told it by them.)
+void tellUserData(const WorldState& world, ContactEvent& event) {
+    event.userDataA = world.shapes[event.shapeA.index].def.userData;
+    event.userDataB = world.shapes[event.shapeB.index].def.userData;
+    event.bodyUserDataA = world.bodies[event.bodyA.index].def.userData;
+    event.bodyUserDataB = world.bodies[event.bodyB.index].def.userData;
 }
 
 /// By fraction, shapes, and the rest of `eventKey`. Most are of the start of the step, where shapes are the key.
@@ -186,7 +199,10 @@ void sortContactEvents(WorldState& world) {
     world.sortedEvents.clear();
     for (std::vector<EventPlace>* places : {&atStart, &later}) {
         sortPlaces(world, *places, isLess);
-        for (const EventPlace& place : *places) { world.sortedEvents.push_back(events[place.index]); }
+        for (const EventPlace& place : *places) {
+            world.sortedEvents.push_back(events[place.index]);
+            if (place.index >= world.eventsBetween) { tellUserData(world, world.sortedEvents.back()); }
+        }
     }
     world.contactEvents.swap(world.sortedEvents);
 }

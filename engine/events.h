@@ -62,6 +62,11 @@ struct ContactEvent {
     Vec2 normal{};           ///< unit, from A to B
     Real approachSpeed = 0;  ///< m/s before a hit
     Real impulse = 0;        ///< N·s of a hit, along the normal
+    // Those of the time of the event: they tell who it was after what the ids name is gone.
+    std::uint64_t userDataA = 0;      ///< of `shapeA`
+    std::uint64_t userDataB = 0;      ///< of `shapeB`
+    std::uint64_t bodyUserDataA = 0;  ///< of `bodyA`
+    std::uint64_t bodyUserDataB = 0;  ///< of `bodyB`
 };
 
 /// A pose at which a body met something within the step, or at which its island ended a part of the step.

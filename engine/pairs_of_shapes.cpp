@@ -134,11 +134,17 @@ void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<C
     if (probe.isIdle) { return; }
     const Contact& contact = world.contacts[probe.contact];
     if (!contact.touching) { return; }
+    const std::uint32_t headA = world.shapes[contact.shapeA].head;
+    const std::uint32_t headB = world.shapes[contact.shapeB].head;
     events.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
-                      .shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head),
-                      .shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head),
+                      .shapeA = world.shapes.idOf(headA),
+                      .shapeB = world.shapes.idOf(headB),
                       .bodyA = world.bodies.idOf(contact.bodyA),
-                      .bodyB = world.bodies.idOf(contact.bodyB)});
+                      .bodyB = world.bodies.idOf(contact.bodyB),
+                      .userDataA = world.shapes[headA].def.userData,
+                      .userDataB = world.shapes[headB].def.userData,
+                      .bodyUserDataA = world.bodies[contact.bodyA].def.userData,
+                      .bodyUserDataB = world.bodies[contact.bodyB].def.userData});
 }
 
 void removePairs(WorldState& world, std::span<const std::uint32_t> places) {
