@@ -133,8 +133,9 @@ struct MotorJointDef {
     MotorDrive drive{};
 };
 
-/// Pulls a point of B to a target in the world; A takes no part (a static body). B must be dynamic. A target that is
-/// set elsewhere moves there within the next step, and what it drags gets its speed; by a spring it follows 2ζv/ω behind.
+/// Pulls a point of B to a target in the world; A takes no part, and may be any body: the level, say. The two collide
+/// as if there were no joint, whatever `collideConnected` says. B must be dynamic. A target that is set elsewhere moves
+/// there within the next step, and what it drags gets its speed; by a spring it follows 2ζv/ω behind.
 struct MouseJointDef {
     JointDef base{};
     DVec2 target{};

@@ -143,7 +143,9 @@ Result<JointId> World::createJoint(const MouseJointDef& def) {
     if (!status.ok()) { return status; }
     if (!world.bodies[def.base.bodyB.index].isDynamic()) { return Status{StatusCode::wrongBodyType, "bodyB"}; }
     const JointPart<MouseJointDef, MouseConstraint> part{def, {}};
-    return insert(world, jointOf(world, def.base, part, {def.target, anchor, {}}));
+    JointDef base = def.base;
+    base.collideConnected = true;  // A is only named: what is pulled must not fall through it
+    return insert(world, jointOf(world, base, part, {def.target, anchor, {}}));
 }
 
 Result<JointId> World::createJoint(const GearJointDef& def) {

@@ -106,7 +106,8 @@ AnyJointDef World::definition(JointId id) const {
     return std::visit(
         [joint](const auto& part) -> AnyJointDef {
             auto def = part.def;
-            def.base = joint->base;  // its limits may have been set since
+            def.base.breakForce = joint->base.breakForce;  // may have been set since
+            def.base.breakTorque = joint->base.breakTorque;
             return def;
         },
         joint->parts);

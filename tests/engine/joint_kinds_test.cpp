@@ -174,6 +174,36 @@ TEST(JointKinds, MouseForceIsLimitedAndCarriesWeight) {
     expectAtMost("force", std::abs(static_cast<double>(world.jointForce(joint).y) / 8 - 1), 1e-3);
 }
 
+/// A is only named. As before there was a joint it holds up what is pulled into it, and so it does afterwards.
+TEST(JointKinds, MouseDoesNotPullThroughTheBodyThatItNames) {
+    for (const BodyType type : {BodyType::fixed, BodyType::kinematic, BodyType::dynamic}) {
+        for (const bool collideConnected : {false, true}) {
+            World world = makeWorld();
+            addStatic(world, box(10, 1), {}, {0, -4});
+            const BodyId floor = addBody(world, bodyAt(type, {0, -2}), box(8, 1), material(0.5, 0, 10));
+            const BodyId crate = addBody(world, dynamicAt({0, -0.5}), box(0.5, 0.5));
+            run(world, 30);
+            MouseJointDef def;
+            def.base = between(floor, crate);
+            def.base.collideConnected = collideConnected;
+            def.target = {0, -0.5};
+            def.spring = Spring{5, 1};
+            const JointId joint = must(world.createJoint(def));
+            must(world.setTarget(joint, {0, -3}));
+            for (int i = 0; i < 60; ++i) {
+                must(world.step(kStep));
+                EXPECT_TRUE(world.contactEvents().empty()) << "it lies there all the time";
+            }
+            EXPECT_NEAR(world.position(crate).y, -0.5, 0.05);
+            const auto told = std::get<MouseJointDef>(world.definition(joint));
+            EXPECT_EQ(told.base.collideConnected, collideConnected) << "as it was made";
+            must(world.destroyJoint(joint));
+            run(world, 30);
+            EXPECT_NEAR(world.position(crate).y, -0.5, 0.01);
+        }
+    }
+}
+
 /// What is far away comes with all the force that there is, and stops at the target: with a spring it is the sum of
 /// spring and damper that is limited.
 TEST(JointKinds, MouseWithLimitedForceComesFromFarAway) {

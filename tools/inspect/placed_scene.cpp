@@ -165,7 +165,8 @@ bool filtersCollide(const FilterDescription& a, const FilterDescription& b) {
 std::set<std::pair<int, int>> jointedPairs(const PlacedScene& placed) {
     std::set<std::pair<int, int>> pairs;
     for (const JointDescription& joint : placed.scene->joints) {
-        if (!joint.collideConnected) {
+        const bool isMouse = std::holds_alternative<MouseDescription>(joint.joint);  // keeps nobody apart
+        if (!joint.collideConnected && !isMouse) {
             const int a = bodyNamed(placed, joint.bodyA);
             const int b = bodyNamed(placed, joint.bodyB);
             pairs.insert({std::min(a, b), std::max(a, b)});

@@ -110,7 +110,7 @@ struct JointMaker {
         b2MouseJointDef definition;
         definition.bodyA = bodyA;
         definition.bodyB = bodyB;
-        definition.collideConnected = collideConnected;
+        definition.collideConnected = true;                                // as here: A takes no part
         definition.target = toBox2d(mouse.anchor.value_or(mouse.target));  // takes hold there
         definition.maxForce = orElse(mouse.maxForce, kAnyTorque);
         b2LinearStiffness(definition.stiffness, definition.damping, orElse(mouse.hertz, kStiffMouse),
