@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include <swept/broadphase/broadphase.h>
 #include <swept/samples/scene_geometry.h>
