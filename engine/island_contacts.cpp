@@ -15,20 +15,17 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-std::uint64_t pairKey(std::uint32_t a, std::uint32_t b) {
-    return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
-}
-
 void listHeldPairs(AdvancingIsland& island) {
     island.heldPairs.clear();
-    for (const Contact& contact : island.held) { island.heldPairs.push_back(pairKey(contact.shapeA, contact.shapeB)); }
+    for (const Contact& contact : island.held) {
+        island.heldPairs.push_back(PairTable::keyOf(contact.shapeA, contact.shapeB));
+    }
     std::sort(island.heldPairs.begin(), island.heldPairs.end());
 }
 
 Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
     if (world.bodies[shape.body].def.type == BodyType::fixed) { return 0; }
-    const Real motion = motionBound(world, shape.body, time);
-    return std::clamp(motion, kMinReachRatio * shape.extent, kMaxReachRatio * shape.extent);
+    return reachOfMotion(motionBound(world, shape.body, time), shape.extent, false);
 }
 
 /// Static and kinematic shapes within reach that no contact knows yet.
@@ -43,7 +40,7 @@ void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, st
     for (const std::uint32_t found : island.found) {
         const Shape& other = world.shapes[found];
         if (world.bodies[other.body].isDynamic() || other.def.sensor || !mayTouch(world, own, other)) { continue; }
-        const std::uint64_t key = pairKey(slot, found);
+        const std::uint64_t key = PairTable::keyOf(slot, found);
         const auto place = std::lower_bound(island.heldPairs.begin(), island.heldPairs.end(), key);
         if (place != island.heldPairs.end() && *place == key) { continue; }
         island.heldPairs.insert(place, key);

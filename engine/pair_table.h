@@ -48,13 +48,15 @@ public:
 
     std::size_t size() const { return size_; }
 
+    /// The same number for either order of the two, and another one for each pair.
+    static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
+        return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
+    }
+
 private:
     static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
     static constexpr std::size_t kFirstCapacity = 64;
 
-    static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
-        return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
-    }
     std::size_t mask() const { return keys_.size() - 1; }
     /// Multiplicative hashing by the golden ratio (Knuth).
     std::size_t home(std::uint64_t key) const {

@@ -68,7 +68,7 @@ void listBodies(WorldState& world) {
     fast.bodies.sort(fast.isDone.size());
     if (world.kinematicBodies == 0) { return; }
     for (const std::uint32_t slot : world.awake) {
-        if ((world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake) { fast.kinematics.push_back(slot); }
+        if (isAwakeKinematic(world.traits[slot])) { fast.kinematics.push_back(slot); }
     }
 }
 

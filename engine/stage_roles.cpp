@@ -68,12 +68,10 @@ void startle(WorldState& world, const Contact& contact, Real dt) {
 /// A moving kinematic body passes over what rests as fast as that could pass under it: everything in the box of its
 /// coming step is awake and fast.
 void startleNearKinematicBodies(WorldState& world, Real dt) {
-    const auto isAwakeKinematic = [&world](std::uint32_t slot) {
-        return (world.traits[slot] & (kIsAwake | kIsDynamic)) == kIsAwake;
-    };
+    const auto mayStartle = [&world](std::uint32_t slot) { return isAwakeKinematic(world.traits[slot]); };
     for (std::size_t i = 0; i < world.probes.size(); ++i) {
         const ContactProbe& probe = world.probes[i];
-        if (probe.isPlain || !(isAwakeKinematic(probe.bodyA) || isAwakeKinematic(probe.bodyB))) { continue; }
+        if (probe.isPlain || !(mayStartle(probe.bodyA) || mayStartle(probe.bodyB))) { continue; }
         startle(world, world.contacts[probe.contact], dt);
     }
 }

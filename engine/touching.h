@@ -47,4 +47,7 @@ inline constexpr BodyTraits kIsStill = 32;    ///< as far as its own motion tell
 inline constexpr BodyTraits kIsFlyer = 64;    ///< the role that it was given
 inline constexpr BodyTraits kIsTied = 128;    ///< likewise: `BodyRole::solved`
 
+/// What is static never is.
+constexpr bool isAwakeKinematic(BodyTraits traits) { return (traits & (kIsAwake | kIsDynamic)) == kIsAwake; }
+
 }  // namespace swept

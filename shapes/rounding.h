@@ -64,7 +64,4 @@ constexpr Real sumRoundedDown(Real a, Real b) {
     return down > kMax ? kMax : (down < -kMax ? -kMax : down);
 }
 
-/// The smallest `Real` not below a + b, likewise.
-constexpr Real sumRoundedUp(Real a, Real b) { return -sumRoundedDown(-a, -b); }
-
 }  // namespace swept::inline SWEPT_PRECISION
