@@ -5,6 +5,8 @@
 #include <cassert>
 #include <functional>
 
+#include "../shapes/room.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 Status refusalOf(const Aabb& box) {
@@ -14,6 +16,7 @@ Status refusalOf(const Aabb& box) {
 
 Result<ProxyId> ProxyTable::add(const Aabb& box, ProxyKind kind) {
     std::uint32_t slot = 0;
+    makeRoomForOne();
     if (!free_.empty()) {
         std::pop_heap(free_.begin(), free_.end(), std::greater<>{});
         slot = free_.back();
@@ -27,13 +30,22 @@ Result<ProxyId> ProxyTable::add(const Aabb& box, ProxyKind kind) {
         listed_.push_back(0);
         boxes_.push_back(kNoBox);
         if (keepsKnown_) { known_.push_back(kNoBox); }
-        moved_.reserve(kindBits_.capacity());
-        free_.reserve(kindBits_.capacity());
     }
     kindBits_[slot] = kindBit(kind);
     boxes_[slot] = box;
     markMoved(slot);
     return static_cast<ProxyId>(slot);
+}
+
+/// For one slot more, and so that all of them may be marked, or free.
+void ProxyTable::makeRoomForOne() {
+    const std::size_t count = kindBits_.size() + (free_.empty() ? 1 : 0);
+    makeRoom(kindBits_, count);
+    makeRoom(listed_, count);
+    makeRoom(boxes_, count);
+    if (keepsKnown_) { makeRoom(known_, count); }
+    makeRoom(moved_, count);
+    makeRoom(free_, count);
 }
 
 void ProxyTable::release(ProxyId id) {

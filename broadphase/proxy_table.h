@@ -31,7 +31,8 @@ inline Status checkBox(const Aabb& box) { return isValid(box) ? Status::success(
 
 /// What every implementation keeps about its proxies: which slots are taken, of which kind, their boxes now and when
 /// pairs were found last, and which of them moved since.
-/// Removing and marking never allocate; adding does so only when there were never so many slots before.
+/// Removing and marking never allocate; adding does so only when there were never so many slots before (or none since
+/// the table was copied), and adds nothing where memory runs out.
 class ProxyTable {
 public:
     /// @param keepsKnown  false for those who keep the known boxes themselves.
@@ -54,7 +55,6 @@ public:
     }
     /// One more than the highest slot that was ever taken.
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(kindBits_.size()); }
-    std::uint32_t takenCount() const { return slotCount() - static_cast<std::uint32_t>(free_.size()); }
 
     /// `kindBit` of a slot below `slotCount()`; 0 when the slot is free.
     std::uint8_t bitAt(std::uint32_t slot) const { return kindBits_[slot]; }
@@ -79,6 +79,7 @@ public:
     std::size_t memoryBytes() const;
 
 private:
+    void makeRoomForOne();
     void markMoved(std::uint32_t slot);
 
     std::vector<std::uint8_t> kindBits_;  // one per slot, 0: free

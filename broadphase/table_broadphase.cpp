@@ -4,10 +4,31 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+namespace {
+
+/// Gives the slot back when the structure has no memory for it, and so throws.
+struct AddedProxy {
+    AddedProxy(ProxyTable& itsTable, ProxyId itsId) : table(itsTable), id(itsId) {}
+    AddedProxy(const AddedProxy&) = delete;
+    AddedProxy& operator=(const AddedProxy&) = delete;
+    ~AddedProxy() {
+        if (!isWhole) { table.release(id); }
+    }
+
+    ProxyTable& table;
+    ProxyId id;
+    bool isWhole = false;
+};
+
+}  // namespace
+
 Result<ProxyId> TableBroadphase::insert(const Aabb& box, ProxyKind kind) {
     if (const Status status = checkBox(box); !status.ok()) { return status; }
     const Result<ProxyId> added = table_.add(box, kind);
-    if (added.ok()) { onInsert(static_cast<std::uint32_t>(added.value())); }
+    if (!added.ok()) { return added; }
+    AddedProxy kept(table_, added.value());
+    onInsert(static_cast<std::uint32_t>(added.value()));
+    kept.isWhole = true;
     return added;
 }
 

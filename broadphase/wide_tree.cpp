@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "../shapes/room.h"
 #include "proxy_table.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -135,8 +136,10 @@ std::uint32_t WideTree::endMoves(TaskSystem& loops) {
 
 /// Puts a box behind all others and marks it as moved.
 std::uint32_t WideTree::append(std::uint32_t slot, const Aabb& box, const Aabb& known) {
-    const std::uint32_t place = end_++;
+    const std::uint32_t place = end_;
+    makeRoom(movedNodes_, movedNodes_.size() + 1);
     if ((place & kLaneMask) == 0) { addNodes(); }
+    ++end_;
     const std::uint32_t node = place >> kLaneBits;
     levels_[0][node].set(place & kLaneMask, box);
     known_[node].set(place & kLaneMask, known);
@@ -147,8 +150,25 @@ std::uint32_t WideTree::append(std::uint32_t slot, const Aabb& box, const Aabb& 
     return place;
 }
 
+/// For one more node at each level: so `addNodes` adds all of them, or none when memory runs out.
+void WideTree::makeRoomForNodes() {
+    for (std::size_t level = 0; level <= height_ && level < kMaxLevels; ++level) {
+        makeRoom(levels_[level], levels_[level].size() + 1);
+    }
+    makeRoom(known_, known_.size() + 1);
+    makeRoom(slots_, slots_.size() + kWide);
+    makeRoom(besides_, slots_.size() + kWide);
+    makeRoom(movedLanes_, movedLanes_.size() + 1);
+    makeRoom(jumpedLanes_, jumpedLanes_.size() + 1);
+    makeRoom(nodeSpreads_, nodeSpreads_.size() + 1);
+    makeRoom(jumped_, slots_.capacity());
+    makeRoom(movedNodes_, movedLanes_.capacity());
+    makeRoom(spreadGains_, movedLanes_.capacity());
+}
+
 /// One more node at the lowest level, and what is missing above it.
 void WideTree::addNodes() {
+    makeRoomForNodes();
     levels_[0].push_back(WideBoxes::empty());
     known_.push_back(WideBoxes::empty());
     slots_.resize(slots_.size() + kWide, kNoSlot);
@@ -156,9 +176,6 @@ void WideTree::addNodes() {
     jumpedLanes_.push_back(0);
     besides_.resize(slots_.size(), 0);
     nodeSpreads_.push_back(0);
-    jumped_.reserve(slots_.capacity());
-    movedNodes_.reserve(movedLanes_.capacity());
-    spreadGains_.reserve(movedLanes_.capacity());
     height_ = std::max<std::size_t>(height_, 1);
     for (std::size_t level = 0; levels_[level].size() > 1; ++level) {
         std::vector<WideBoxes>& above = levels_[level + 1];

@@ -110,6 +110,7 @@ private:
     };
 
     std::uint32_t append(std::uint32_t slot, const Aabb& box, const Aabb& known);
+    void makeRoomForNodes();
     void addNodes();
     void include(std::uint32_t place, const Aabb& box);
     void mark(std::uint32_t place);
@@ -121,6 +122,7 @@ private:
     void refitNodes(std::size_t begin, std::size_t end);
     void listMovedAbove(std::size_t level);
     bool isWorthRebuilding() const;
+    void makeRoomForItems(std::size_t count);
     void rebuild(std::span<std::uint32_t> places, TaskSystem& loops);
     void collectItems(TaskSystem& loops);
     void layOut(std::span<std::uint32_t> places, TaskSystem& loops);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "../shapes/bit_cast.h"
+#include "../shapes/room.h"
 #include "proxy_table.h"
 #include "wide_tree.h"
 
@@ -105,15 +106,29 @@ void WideTree::rebuild(std::span<std::uint32_t> places, TaskSystem& loops) {
     decay_ = 0;
 }
 
+/// Whatever a rebuild asks for, before it moves anything: when memory runs out the tree stays as it is.
+void WideTree::makeRoomForItems(std::size_t count) {
+    std::size_t nodes = count >> kLaneBits;
+    makeRoom(items_, count);
+    makeRoom(oldBoxes_, nodes);  // these four change places with the present ones
+    makeRoom(oldKnown_, nodes);
+    makeRoom(oldSlots_, count);
+    makeRoom(oldMoved_, nodes);
+    makeRoom(jumpedLanes_, nodes);
+    makeRoom(besides_, count);
+    makeRoom(nodeSpreads_, nodes);
+    makeRoom(movedNodes_, nodes);
+    for (std::size_t level = 1; level < kMaxLevels && nodes > 1; ++level) {
+        nodes = (nodes + kLaneMask) >> kLaneBits;
+        makeRoom(levels_[level], nodes);
+    }
+}
+
 /// All proxies, sorted by size; each size class begins a new node, the gaps are items that come from nowhere.
 void WideTree::collectItems(TaskSystem& loops) {
     std::array<std::uint32_t, 256> classes = {};
-    oldBoxes_.swap(levels_[0]);
-    oldKnown_.swap(known_);
-    oldSlots_.swap(slots_);
-    oldMoved_.swap(movedLanes_);
-    const auto shapeOf = [this](std::uint32_t place) {
-        const Aabb box = oldBoxes_[place >> kLaneBits].box(place & kLaneMask);
+    const auto shapeOf = [](const std::vector<WideBoxes>& boxes, std::uint32_t place) {
+        const Aabb box = boxes[place >> kLaneBits].box(place & kLaneMask);
         const auto lowerX = toFloat(box.lower.x);
         const auto lowerY = toFloat(box.lower.y);
         const auto upperX = toFloat(box.upper.x);
@@ -122,7 +137,7 @@ void WideTree::collectItems(TaskSystem& loops) {
                     sizeClassOf(std::max(upperX - lowerX, upperY - lowerY))};
     };
     for (std::uint32_t place = 0; place < end_; ++place) {
-        if (oldSlots_[place] != kNoSlot) { ++classes[shapeOf(place).sizeClass]; }
+        if (slots_[place] != kNoSlot) { ++classes[shapeOf(levels_[0], place).sizeClass]; }
     }
     std::uint32_t next = 0;
     for (std::uint32_t& count : classes) {
@@ -130,11 +145,16 @@ void WideTree::collectItems(TaskSystem& loops) {
         next += (count + kLaneMask) & ~kLaneMask;
         count = begin;
     }
+    makeRoomForItems(next);
+    oldBoxes_.swap(levels_[0]);
+    oldKnown_.swap(known_);
+    oldSlots_.swap(slots_);
+    oldMoved_.swap(movedLanes_);
     items_.assign(next, Item{0, 0, kNoSlot, 0});
     std::array<std::uint32_t, 256> ends = classes;
     for (std::uint32_t place = 0; place < end_; ++place) {
         if (oldSlots_[place] == kNoSlot) { continue; }
-        const Item item = shapeOf(place);
+        const Item item = shapeOf(oldBoxes_, place);
         items_[ends[item.sizeClass]++] = item;
     }
     std::uint32_t capacity = kWide;
