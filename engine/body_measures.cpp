@@ -34,7 +34,7 @@ void measureAdded(WorldState& world, std::uint32_t slot, std::size_t first) {
     Body& body = world.bodies[slot];
     noteTravel(world, slot);  // with the radius of before
     addMeasures(world, body, std::span(body.shapes).subspan(first));
-    noteRest(world, slot);
+    if (!body.awake) { noteRest(world, slot); }
 }
 
 void measureAnew(WorldState& world) {
@@ -43,10 +43,10 @@ void measureAnew(WorldState& world) {
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     for (const std::uint32_t slot : slots) {
         // Another body may be in its place by now.
-        if (!world.bodies.isAlive(slot) || world.bodies[slot].def.type != BodyType::fixed) { continue; }
+        if (!world.bodies.isAlive(slot) || world.bodies[slot].isDynamic()) { continue; }
         noteTravel(world, slot);
         measure(world, slot);
-        noteRest(world, slot);
+        if (!world.bodies[slot].awake) { noteRest(world, slot); }
     }
     slots.clear();
 }

@@ -74,6 +74,8 @@ struct Joint {
     JointType type() const { return static_cast<JointType>(parts.index()); }
     /// Whether it holds its bodies at all.
     bool holds() const { return type() != JointType::filter; }
+    /// Whether A and B do not collide with each other.
+    bool keepsApart() const { return !base.collideConnected || !holds(); }
     std::span<const std::uint32_t> allBodies() const { return {bodies.data(), bodyCount}; }
 };
 

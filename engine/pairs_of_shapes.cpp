@@ -69,12 +69,12 @@ void listPairs(WorldState& world) {
     });
 }
 
-/// Those of the parked pairs of a body that are meant.
-void addParked(WorldState& world, std::uint32_t body, FunctionRef<bool(const ContactPair&)> isMeant) {
+/// Those of the parked pairs of a shape that are meant.
+void addParked(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant) {
     std::vector<std::uint32_t>& found = world.pairsOfShapes.found;
     const Places begins = placesIn(world);
     const auto add = [&](auto& pairs, std::size_t begin) {
-        pairs.visitOf(body, [&](std::uint32_t place) {
+        pairs.visitOf(world.shapes[shape].proxy, [&](std::uint32_t place) {
             if (isMeant(pairs[place])) { found.push_back(static_cast<std::uint32_t>(begin + place)); }
         });
     };
@@ -102,7 +102,7 @@ ContactProbe* probeAt(WorldState& world, std::size_t place) {
     return &world.parked.probes[static_cast<std::uint32_t>(place - begins.parkedProbes)];
 }
 
-std::span<const std::uint32_t> pairsOf(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> shapes,
+std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
                                        FunctionRef<bool(const ContactPair&)> isMeant) {
     PairsOfShapes& lists = world.pairsOfShapes;
     lists.found.clear();
@@ -115,10 +115,25 @@ std::span<const std::uint32_t> pairsOf(WorldState& world, std::uint32_t body, st
         if (!lists.isListed) { listPairs(world); }
         for (const std::uint32_t shape : shapes) { addListed(world, shape, isMeant); }
     }
-    addParked(world, body, isMeant);
+    for (const std::uint32_t shape : shapes) { addParked(world, shape, isMeant); }
     std::sort(lists.found.begin(), lists.found.end());
     lists.found.erase(std::unique(lists.found.begin(), lists.found.end()), lists.found.end());
     return lists.found;
+}
+
+void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots) {
+    slots.clear();
+    for (std::uint32_t slot = head; slot != kNoIndex; slot = world.shapes[slot].nextInChain) { slots.push_back(slot); }
+}
+
+std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots) {
+    const std::uint32_t body = world.shapes[slots.front()].body;
+    const auto isOfShape = [&world, head = slots.front()](ProxyId proxy) {
+        return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
+    };
+    return pairsOf(world, slots, [&](const ContactPair& pair) {
+        return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
+    });
 }
 
 void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places) {

@@ -27,10 +27,13 @@ struct PairsOfShapes {
 };
 
 /// Between steps: places of the pairs for which `isMeant` is true, ascending. Valid until the next question.
-/// @param body    each pair that is meant is of it
-/// @param shapes  slots; and has one of these
-std::span<const std::uint32_t> pairsOf(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> shapes,
+/// @param shapes  slots of one body, of which each pair that is meant has one
+std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
                                        FunctionRef<bool(const ContactPair&)> isMeant);
+/// The slots that a shape of the user's has: of a chain, one for each segment.
+void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots);
+/// Likewise all pairs of such a shape. @param slots  all that it has
+std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots);
 /// @return nothing where the place is that of a candidate: these follow all contacts
 ContactProbe* probeAt(WorldState& world, std::size_t place);
 /// Wakes whom the body touches in one of these pairs.

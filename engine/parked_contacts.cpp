@@ -32,7 +32,9 @@ std::span<const std::uint32_t> placesOfWoken(WorldState& world, const ParkedPair
     places.clear();
     for (const std::uint32_t slot : world.parked.woken) {
         if (!world.bodies.isAlive(slot) || !world.bodies[slot].awake) { continue; }
-        pairs.visitOf(slot, [&places](std::uint32_t place) { places.push_back(place); });
+        for (const std::uint32_t shape : world.bodies[slot].shapes) {
+            pairs.visitOf(world.shapes[shape].proxy, [&places](std::uint32_t place) { places.push_back(place); });
+        }
     }
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());

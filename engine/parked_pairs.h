@@ -11,8 +11,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Pairs of which neither body is awake. Each stays in its place until it goes; the two bodies have it in a list of
-/// theirs, so to find those of a body costs what it has, and not what sleeps. Kept for its capacity.
+/// Pairs of which neither body is awake. Each stays in its place until it goes; the two shapes have it in a list of
+/// theirs, by proxy, so to find those of a shape costs what it has, and not what sleeps, nor what else its body has: a
+/// level of thousands of tiles may be one. Kept for its capacity.
 /// @tparam Pair  a `ContactPair`, maybe with more
 template <class Pair>
 class ParkedPairs {
@@ -20,73 +21,79 @@ public:
     void reserve(std::size_t count) {
         pairs_.reserve(count);
         links_.reserve(2 * count);
-        free_.reserve(count);
     }
 
     void add(const Pair& pair) {
         const std::uint32_t place = takePlace();
         pairs_[place] = pair;
-        link(2 * place, pair.bodyA);
-        link(2 * place + 1, pair.bodyB);
+        link(2 * place, pair.proxyA);
+        link(2 * place + 1, pair.proxyB);
     }
 
     void erase(std::uint32_t place) {
-        unlink(2 * place, pairs_[place].bodyA);
-        unlink(2 * place + 1, pairs_[place].bodyB);
+        unlink(2 * place, pairs_[place].proxyA);
+        unlink(2 * place + 1, pairs_[place].proxyB);
         makeGap(pairs_[place]);
-        free_.push_back(place);
+        links_[2 * place].next = firstFree_;
+        firstFree_ = place;
+        ++freeCount_;
     }
 
     Pair& operator[](std::uint32_t place) { return pairs_[place]; }
-    std::size_t size() const { return pairs_.size() - free_.size(); }
+    std::size_t size() const { return pairs_.size() - freeCount_; }
     std::size_t capacity() const { return pairs_.capacity(); }
     /// By place: those that are free are gaps (`isGap`).
     std::span<Pair> all() { return pairs_; }
     std::span<const Pair> all() const { return pairs_; }
 
-    /// Calls `visit` with the place of each pair of a body, the last one first.
+    /// Calls `visit` with the place of each pair of a proxy, the last one first.
     template <class Visit>
-    void visitOf(std::uint32_t body, Visit&& visit) const {
-        if (body >= first_.size()) { return; }
-        for (std::uint32_t end = first_[body]; end != kNoIndex; end = links_[end].next) { visit(end / 2); }
+    void visitOf(ProxyId proxy, Visit&& visit) const {
+        const auto list = static_cast<std::size_t>(proxy);
+        if (list >= first_.size()) { return; }
+        for (std::uint32_t end = first_[list]; end != kNoIndex; end = links_[end].next) { visit(end / 2); }
     }
 
 private:
-    /// Of one end of a pair, in the list of the body at that end. An end is twice the place, and one more for B.
+    /// Of one end of a pair, in the list of the proxy at that end. An end is twice the place, and one more for B. Of a
+    /// free place `next` of A is the next free place.
     struct Link {
         std::uint32_t before = kNoIndex;
         std::uint32_t next = kNoIndex;
     };
 
     std::uint32_t takePlace() {
-        if (free_.empty()) {
+        if (firstFree_ == kNoIndex) {
             pairs_.emplace_back();
             links_.resize(2 * pairs_.size());
             return static_cast<std::uint32_t>(pairs_.size() - 1);
         }
-        const std::uint32_t place = free_.back();
-        free_.pop_back();
+        const std::uint32_t place = firstFree_;
+        firstFree_ = links_[2 * place].next;
+        --freeCount_;
         return place;
     }
 
-    void link(std::uint32_t end, std::uint32_t body) {
-        if (body >= first_.size()) { first_.resize(body + std::size_t{1}, kNoIndex); }
-        const std::uint32_t next = first_[body];
+    void link(std::uint32_t end, ProxyId proxy) {
+        const auto list = static_cast<std::size_t>(proxy);
+        if (list >= first_.size()) { first_.resize(list + 1, kNoIndex); }
+        const std::uint32_t next = first_[list];
         links_[end] = {kNoIndex, next};
         if (next != kNoIndex) { links_[next].before = end; }
-        first_[body] = end;
+        first_[list] = end;
     }
 
-    void unlink(std::uint32_t end, std::uint32_t body) {
+    void unlink(std::uint32_t end, ProxyId proxy) {
         const Link link = links_[end];
-        (link.before != kNoIndex ? links_[link.before].next : first_[body]) = link.next;
+        (link.before != kNoIndex ? links_[link.before].next : first_[static_cast<std::size_t>(proxy)]) = link.next;
         if (link.next != kNoIndex) { links_[link.next].before = link.before; }
     }
 
     std::vector<Pair> pairs_;
     std::vector<Link> links_;           ///< by end
-    std::vector<std::uint32_t> first_;  ///< by body slot: end, or none
-    std::vector<std::uint32_t> free_;   ///< places
+    std::vector<std::uint32_t> first_;  ///< by proxy: end, or none
+    std::uint32_t firstFree_ = kNoIndex;
+    std::size_t freeCount_ = 0;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

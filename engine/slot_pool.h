@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../shapes/cache_line.h"
+#include "../shapes/room.h"
 
 namespace swept {
 
@@ -15,11 +16,20 @@ namespace swept {
 template <class T, class Id>
 class SlotPool {
 public:
-    /// Empty when all slots are used up.
+    /// Asks for the memory of one more, and of the list in which `erase` writes down its slot: after it neither
+    /// `insert` nor `erase` asks for any.
+    void makeRoomForOne() {
+        const std::size_t count = slotsWithOneMore();
+        makeRoom(slots_, count);
+        makeRoom(free_, count);
+    }
+
+    /// Empty when all slots are used up. Nothing has changed when memory runs out.
     std::optional<Id> insert(T value) {
+        makeRoomForOne();
         if (free_.empty()) {
             if (slots_.size() >= std::numeric_limits<std::uint32_t>::max()) { return std::nullopt; }
-            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+            free_.push_back(slotCount());
             slots_.push_back({});
         }
         const std::uint32_t index = free_.back();
@@ -59,6 +69,8 @@ public:
 
     /// Slots ever used: the range of indices.
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(slots_.size()); }
+    /// The same after one more is inserted.
+    std::size_t slotsWithOneMore() const { return slots_.size() + (free_.empty() ? 1 : 0); }
     std::uint32_t size() const { return alive_; }
 
 private:

@@ -130,6 +130,7 @@ void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
 void advance(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
     closeUpPairs(world);
+    closeUpAwake(world);
     if (!world.unmeasured.empty()) { measureAnew(world); }
     if (dt != world.lastDt) { changeStep(world, dt); }
     world.closingTime = closingTimeOf(world, dt);

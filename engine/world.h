@@ -28,6 +28,11 @@ struct WorldState;
 /// id return a default value (zeros, false). One thread at a time; queries may run at the same time as each other. What
 /// a query or visit calls back must not change the world. A world that was moved from may only be assigned to
 /// or destroyed. The same calls give the same bits on every machine, compiler and number of threads.
+///
+/// Where memory runs out, `std::bad_alloc` comes through (a library without exceptions ends the program). A call that
+/// was to make a body, shape, chain or joint has made nothing then, and with the default broadphase the world can be
+/// used on. After any other call, step and assignment included, it may only be assigned to, by a snapshot for example,
+/// or destroyed.
 class World {
 public:
     World();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../shapes/room.h"
 #include "modes.h"
 #include "number_range.h"
 #include "travel.h"
@@ -41,7 +42,7 @@ Status check(const BodyDef& def) {
 /// Contacts of a body that was teleported or destroyed say nothing any more; what rested on it wakes.
 void dropContacts(WorldState& world, std::uint32_t slot) {
     const std::span<const std::uint32_t> places =
-        pairsOf(world, slot, world.bodies[slot].shapes,
+        pairsOf(world, world.bodies[slot].shapes,
                 [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
     wakeAcross(world, slot, places);
     wakeJoined(world, slot);
@@ -51,7 +52,7 @@ void dropContacts(WorldState& world, std::uint32_t slot) {
 /// Leaves the ring of bodies it sleeps with by waking them all.
 void removeFromAwake(WorldState& world, std::uint32_t slot) {
     wake(world, slot);
-    std::erase(world.awake, slot);
+    leaveAwake(world, slot);
 }
 
 /// Counts a body among those of its kind. @param sign  1, or −1 when it is one of them no longer
@@ -79,6 +80,19 @@ void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
     body.torque = 0;
     body.def.type = type;
     body.mass = 0;
+    if (body.isDynamic()) { weigh(world, body.shapes); }
+}
+
+/// All that may fail when memory runs out, before a body is made.
+void makeRoomForBody(WorldState& world) {
+    world.bodies.makeRoomForOne();
+    const std::size_t count = world.bodies.slotsWithOneMore();
+    makeRoom(world.motions, count);
+    makeRoom(world.solverSlots, count);
+    makeRoom(world.travels, count);
+    makeRoom(world.glances, count);
+    makeRoom(world.departures, count);
+    makeRoomToWake(world);
 }
 
 /// What of a definition is about the present alone stays as it is now.
@@ -99,6 +113,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     const Status status = check(def);
     if (!status.ok()) { return status; }
     WorldState& world = *state_;
+    makeRoomForBody(world);
     Body body;
     body.def = def;
     body.startCenter = def.position;  // it did not move so far
@@ -113,6 +128,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     world.bodies[id->index].nextAsleep = id->index;
     world.travels.resize(world.bodies.slotCount());
     world.travels[id->index] = {.angle = def.angle};
+    world.departures.resize(world.bodies.slotCount());
     world.glances.resize(world.bodies.slotCount());
     world.glances[id->index] = {.center = def.position};
     updatePose(world, id->index);
@@ -131,15 +147,10 @@ Status World::destroyBody(BodyId id) {
     if (!world.bodies.isValid(id)) { return {StatusCode::staleId, "body"}; }
     dropContacts(world, id.index);
     while (!world.bodies[id.index].joints.empty()) {
-        removeJoint(world, world.joints.idOf(world.bodies[id.index].joints.back()));
+        removeJoint(world, world.joints.idOf(world.bodies[id.index].joints.back()), id.index);
     }
     Body& body = world.bodies[id.index];
-    for (const std::uint32_t slot : body.shapes) {
-        (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
-        countTraits(world, world.shapes[slot].def, -1);
-        world.shapes.erase(world.shapes.idOf(slot));
-    }
-    world.thinnestWall.reset();
+    for (const std::uint32_t slot : body.shapes) { removeShapeSlot(world, slot); }
     count(world, body, -1);
     if (body.def.type != BodyType::fixed) { removeFromAwake(world, id.index); }
     world.bodies.erase(id);
@@ -360,7 +371,7 @@ Status World::setAwake(BodyId id, bool awake) {
         world.motions[id.index].angularVelocity = 0;
         noteRest(world, id.index);
         world.jointChains.noteTurn(body->holdingJoints);
-        std::erase(world.awake, id.index);
+        leaveAwake(world, id.index);
         ++world.parked.rested;
     }
     return Status::success();

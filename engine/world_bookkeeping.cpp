@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../shapes/mass.h"
+#include "../shapes/room.h"
 #include "body_measures.h"
 #include "modes.h"
 #include "number_range.h"
@@ -20,33 +20,38 @@ void startResting(Body& body, const BodyMotion& motion) {
     body.restSteps = 0;
 }
 
-MassProperties massOfShapes(const WorldState& world, const Body& body) {
-    std::vector<MassProperties> parts;
-    for (const std::uint32_t slot : body.shapes) {
-        const Shape& shape = world.shapes[slot];
-        if (!shape.isChainSegment) { parts.push_back(massOf(shape.polygon, shape.def.density)); }
-    }
+/// @pre the body is dynamic, and its shapes are weighed
+MassProperties massOfShapes(WorldState& world, const Body& body) {
+    std::vector<MassProperties>& parts = world.massParts;
+    parts.clear();
+    for (const std::uint32_t slot : body.shapes) { parts.push_back(world.shapeMasses[slot]); }
     return combine(parts);
 }
 
 /// What has one beyond all numbers is as good as nothing.
 bool hasInverse(double x) { return x > 0 && 1 / x <= static_cast<double>(std::numeric_limits<Real>::max()); }
 
+/// Of one of two bodies: ground may have thousands.
+std::span<const std::uint32_t> fewerJoints(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
+    const std::vector<std::uint32_t>& ofA = world.bodies[bodyA].joints;
+    const std::vector<std::uint32_t>& ofB = world.bodies[bodyB].joints;
+    return ofA.size() <= ofB.size() ? ofA : ofB;
+}
+
 bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
-    // Of the two the one with fewer: ground may have thousands.
-    const bool hasFewer = world.bodies[bodyA].joints.size() <= world.bodies[bodyB].joints.size();
-    for (const std::uint32_t slot : world.bodies[hasFewer ? bodyA : bodyB].joints) {
+    for (const std::uint32_t slot : fewerJoints(world, bodyA, bodyB)) {
         const Joint& joint = world.joints[slot];
         const bool connects =
             (joint.bodyA == bodyA && joint.bodyB == bodyB) || (joint.bodyA == bodyB && joint.bodyB == bodyA);
-        if (connects && (!joint.base.collideConnected || !joint.holds())) { return true; }
+        if (connects && joint.keepsApart()) { return true; }
     }
     return false;
 }
 
 /// A gear that the joint is part of. It is listed at the bodies of both its joints.
 std::optional<JointId> gearOn(const WorldState& world, JointId id) {
-    for (const std::uint32_t slot : world.bodies[world.joints[id.index].bodyB].joints) {
+    const Joint& joint = world.joints[id.index];
+    for (const std::uint32_t slot : fewerJoints(world, joint.bodyA, joint.bodyB)) {
         const auto* part = std::get_if<JointPart<GearJointDef, GearConstraint>>(&world.joints[slot].parts);
         if (part != nullptr && (part->def.jointA == id || part->def.jointB == id)) { return world.joints.idOf(slot); }
     }
@@ -95,7 +100,30 @@ bool disturbs(const WorldState& world, std::uint32_t slot) {
     return body.awake && (body.isDynamic() || moves);
 }
 
+void leaveAwake(WorldState& world, std::uint32_t slot) {
+    ++world.departures[slot];
+    ++world.awakeGaps;
+}
+
+void closeUpAwake(WorldState& world) {
+    if (world.awakeGaps == 0) { return; }
+    world.awakeGaps = 0;
+    std::erase_if(world.awake, [&world](std::uint32_t slot) {
+        const bool isGap = world.departures[slot] > 0;
+        world.departures[slot] -= isGap ? 1 : 0;
+        return isGap;
+    });
+}
+
+void makeRoomToWake(WorldState& world) {
+    const std::size_t most = world.bodies.size() + 1 - world.fixedBodies - awakeCount(world);
+    makeRoom(world.awake, world.awake.size() + most);
+    makeRoom(world.parked.woken, world.parked.woken.size() + most);
+    makeRoom(world.held.free, world.held.list.size());
+}
+
 void restAnew(WorldState& world) {
+    closeUpAwake(world);
     for (const std::uint32_t slot : world.awake) { startResting(world.bodies[slot], world.motions[slot]); }
 }
 
@@ -108,11 +136,19 @@ void wakeJoined(WorldState& world, std::uint32_t body) {
     }
 }
 
+void weigh(WorldState& world, std::span<const std::uint32_t> shapes) {
+    for (const std::uint32_t slot : shapes) {
+        const Shape& shape = world.shapes[slot];
+        world.shapeMasses[slot] = massOf(shape.polygon, shape.def.density);
+    }
+}
+
 void updateMass(WorldState& world, std::uint32_t slot) {
     Body& body = world.bodies[slot];
     noteTravel(world, slot);  // with the radius of before
     const bool wasMassless = body.isDynamic() && body.mass <= 0;
-    MassProperties total = massOfShapes(world, body);
+    MassProperties total;
+    if (body.isDynamic()) { total = massOfShapes(world, body); }
     if (body.def.mass > 0) {
         const double given = static_cast<double>(body.def.mass);
         total.inertia = total.mass > 0 ? total.inertia * (given / total.mass) : 0;
@@ -164,18 +200,28 @@ Real contactReach(const WorldState& world, const Shape& shape) {
     return reachOfMotion(motionBound(world, shape.body, dt), shape.extent, isAhead);
 }
 
-void removeJoint(WorldState& world, JointId id) {
-    while (const std::optional<JointId> gear = gearOn(world, id)) { removeJoint(world, *gear); }
-    const Joint joint = world.joints[id.index];
-    world.joints.erase(id);
+std::uint32_t bodyOfFewerShapes(const WorldState& world, const Joint& joint) {
+    const Body& a = world.bodies[joint.bodyA];
+    const Body& b = world.bodies[joint.bodyB];
+    // As many: not the one that many others may lie on.
+    if (a.shapes.size() == b.shapes.size()) { return a.isDynamic() ? joint.bodyA : joint.bodyB; }
+    return a.shapes.size() < b.shapes.size() ? joint.bodyA : joint.bodyB;
+}
+
+void removeJoint(WorldState& world, JointId id, std::uint32_t leaving) {
+    while (const std::optional<JointId> gear = gearOn(world, id)) { removeJoint(world, *gear, leaving); }
+    const Joint& joint = world.joints[id.index];
     world.jointTies[id.index] = {};
     world.jointChains.areCurrent = false;
     for (const std::uint32_t slot : joint.allBodies()) {
         std::erase(world.bodies[slot].joints, id.index);
         world.bodies[slot].holdingJoints -= joint.holds() ? 1 : 0;
         wake(world, slot);
-        renewProxies(world, slot);  // so that a pair the joint kept apart is found
     }
+    const bool mayMeet = joint.bodyA != leaving && joint.bodyB != leaving;
+    // So that the pairs it kept apart are found, each of which has a shape of either.
+    if (joint.keepsApart() && mayMeet) { renewProxies(world, bodyOfFewerShapes(world, joint)); }
+    world.joints.erase(id);
 }
 
 void removeApartContacts(WorldState& world) {

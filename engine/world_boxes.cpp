@@ -123,18 +123,25 @@ const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion) {
     return world.neededBoxes[static_cast<std::size_t>(shape.proxy)] = room > 0 ? grown(needed, room) : needed;
 }
 
-/// Makes the boxes of a body anew. @param take  takes a proxy whose box is too small now, and the one for its place
+/// Makes the boxes of some shapes of a body anew. @param motion  of `noteBoxes`
+/// @param take  takes a proxy whose box is too small now, and the one for its place
 template <class Take>
-void visitOutgrown(WorldState& world, std::uint32_t body, const Take& take) {
-    if (keepsBoxes(world, body)) { return; }
-    const Real motion = noteBoxes(world, body);
-    for (const std::uint32_t slot : world.bodies[body].shapes) {
+void fitBoxes(WorldState& world, std::span<const std::uint32_t> shapes, Real motion, const Take& take) {
+    for (const std::uint32_t slot : shapes) {
         const Shape& shape = world.shapes[slot];
         const Aabb& needed = renewNeededBox(world, shape, motion);
         if (!contains(world.broadphase->box(shape.proxy), needed)) {
             take(shape.proxy, fattened(world, shape, needed));
         }
     }
+}
+
+/// Likewise of a whole body, unless they still fit.
+template <class Take>
+void visitOutgrown(WorldState& world, std::uint32_t body, const Take& take) {
+    if (keepsBoxes(world, body)) { return; }
+    const Real motion = noteBoxes(world, body);
+    fitBoxes(world, world.bodies[body].shapes, motion, take);
 }
 
 void moveProxy(WorldState& world, ProxyId proxy, const Aabb& box) {
@@ -151,6 +158,17 @@ void renewBoxes(WorldState& world, std::uint32_t body) {
 
 void updateProxies(WorldState& world, std::uint32_t body) {
     visitOutgrown(world, body, [&world](ProxyId proxy, const Aabb& box) { moveProxy(world, proxy, box); });
+}
+
+void updateProxiesFrom(WorldState& world, std::uint32_t body, std::size_t first, const BodyTravel& before) {
+    const Real motion = noteBoxes(world, body);
+    // What was in no step yet is where its boxes were made: of the same motion, and with the same room, they are these.
+    const BodyTravel& now = world.travels[body];
+    const bool isWhereItWas = world.bodies[body].fresh && world.bodies[body].awake;
+    const bool areSame = isWhereItWas && now.boxMotion == before.boxMotion && now.boxRoom == before.boxRoom;
+    const std::span<const std::uint32_t> shapes = world.bodies[body].shapes;
+    fitBoxes(world, shapes.subspan(areSame ? first : 0), motion,
+             [&world](ProxyId proxy, const Aabb& box) { moveProxy(world, proxy, box); });
 }
 
 void renewProxies(WorldState& world, std::uint32_t body) {

@@ -26,18 +26,14 @@ void visitPoints(const WorldState& world, const Contact& contact, FunctionRef<vo
     }
 }
 
-/// Calls `visit` with the contacts of these shapes of a body, in the order of all contacts.
+/// Calls `visit` with the contacts among these pairs.
 template <class Visit>
-void visitContactsOf(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> shapes, const Visit& visit) {
-    pairsOf(world, body, shapes, [body](const ContactPair& pair) { return pair.bodyA == body || pair.bodyB == body; });
-    std::vector<std::uint32_t> places;
-    places.swap(world.pairsOfShapes.found);  // for as long as the visit may ask again
+void visitContactsAt(WorldState& world, std::span<const std::uint32_t> places, const Visit& visit) {
     for (const std::uint32_t place : places) {
         const ContactProbe* const probe = probeAt(world, place);
         if (probe == nullptr) { break; }  // candidates do not touch
         visit(world.contacts[probe->contact]);
     }
-    places.swap(world.pairsOfShapes.found);
 }
 
 }  // namespace
@@ -54,16 +50,24 @@ void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit
     WorldState& world = *state_;
     const Body* body = world.bodies.find(id);
     if (body == nullptr) { return; }
-    visitContactsOf(world, id.index, body->shapes, [&](const Contact& contact) { visitPoints(world, contact, visit); });
+    const auto isOfBody = [slot = id.index](const ContactPair& pair) {
+        return pair.bodyA == slot || pair.bodyB == slot;
+    };
+    (void)pairsOf(world, body->shapes, isOfBody);
+    std::vector<std::uint32_t> places;
+    places.swap(world.pairsOfShapes.found);  // for as long as the visit may ask again
+    visitContactsAt(world, places, [&](const Contact& contact) { visitPoints(world, contact, visit); });
+    places.swap(world.pairsOfShapes.found);
 }
 
 void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) {
     WorldState& world = *state_;
     if (!isValid(sensor) || !world.shapes[sensor.index].def.sensor) { return; }
     const std::uint32_t head = sensor.index;
-    const std::uint32_t body = world.shapes[head].body;
+    std::vector<std::uint32_t> slots;
+    listSlots(world, head, slots);
     std::vector<std::uint32_t> others;
-    visitContactsOf(world, body, world.bodies[body].shapes, [&](const Contact& contact) {
+    visitContactsAt(world, pairsOfShape(world, slots), [&](const Contact& contact) {
         if (contact.sensor && contact.touching && world.shapes[contact.shapeA].head == head) {
             others.push_back(world.shapes[contact.shapeB].head);
         }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../shapes/room.h"
 #include "joint_builder.h"
 #include "joint_checks.h"
 #include "number_range.h"
@@ -36,10 +37,34 @@ Joint jointOf(const WorldState& world, const JointDef& base, JointParts parts, c
     return joint;
 }
 
+/// Of the bodies that a joint keeps apart.
+std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& joint) {
+    const auto isBetween = [a = joint.bodyA, b = joint.bodyB](const ContactPair& c) {
+        return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
+    };
+    return pairsOf(world, world.bodies[bodyOfFewerShapes(world, joint)].shapes, isBetween);
+}
+
+/// All that may fail when memory runs out, before a joint is made.
+/// @param pairs  whose end it may report
+void makeRoomForJoint(WorldState& world, const Joint& joint, std::size_t pairs) {
+    world.joints.makeRoomForOne();
+    makeRoom(world.jointTies, world.joints.slotsWithOneMore());
+    for (const std::uint32_t body : joint.allBodies()) {
+        std::vector<std::uint32_t>& joints = world.bodies[body].joints;
+        makeRoom(joints, joints.size() + 1);
+    }
+    makeRoomToWake(world);
+    makeRoom(world.eventsToCome, world.eventsToCome.size() + pairs);
+}
+
 Result<JointId> insert(WorldState& world, Joint joint) {
-    const Joint placed = joint;
+    std::span<const std::uint32_t> pairs;
+    if (joint.keepsApart()) { pairs = pairsBetween(world, joint); }
+    makeRoomForJoint(world, joint, pairs.size());
     const std::optional<JointId> id = world.joints.insert(std::move(joint));
     if (!id) { return Status{StatusCode::outOfMemory, "joint"}; }
+    const Joint& placed = world.joints[id->index];
     world.jointTies.resize(world.joints.slotCount());
     world.jointTies[id->index] = tieOf(placed);
     world.jointChains.areCurrent = false;
@@ -48,15 +73,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
         world.bodies[body].holdingJoints += placed.holds() ? 1 : 0;
         wake(world, body);
     }
-    if (!placed.base.collideConnected || !placed.holds()) {
-        const auto isBetween = [a = placed.bodyA, b = placed.bodyB](const ContactPair& c) {
-            return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
-        };
-        const auto shapesOf = [&world](std::uint32_t body) { return std::span(world.bodies[body].shapes); };
-        const bool hasAFewer = shapesOf(placed.bodyA).size() < shapesOf(placed.bodyB).size();
-        const std::uint32_t body = hasAFewer ? placed.bodyA : placed.bodyB;
-        removePairs(world, pairsOf(world, body, shapesOf(body), isBetween));
-    }
+    removePairs(world, pairs);
     return *id;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "../shapes/manifold_batch.h"
+#include "../shapes/room.h"
 #include "body_measures.h"
 #include "number_range.h"
 #include "pairs_of_shapes.h"
@@ -52,6 +53,19 @@ void remember(WorldState& world, ProxyId proxy, std::uint32_t shape) {
     world.neededBoxes[index] = world.broadphase->box(proxy);
 }
 
+/// All that may fail when memory runs out, before a shape is made, but for its proxy.
+void makeRoomForShape(WorldState& world, Body& body) {
+    world.shapes.makeRoomForOne();
+    const std::size_t count = world.shapes.slotsWithOneMore();
+    makeRoom(world.chainSegments, count);
+    makeRoom(world.shapeMasses, count);
+    makeRoom(world.proxyShapes, world.proxyShapes.size() + 1);  // the lowest free proxy is taken first
+    makeRoom(world.neededBoxes, world.proxyShapes.size() + 1);
+    makeRoom(body.shapes, body.shapes.size() + 1);
+    if (body.isDynamic()) { makeRoom(world.massParts, body.shapes.size() + 1); }
+    makeRoomToWake(world);
+}
+
 /// Puts a shape into the world: slot, proxy, list of the body.
 Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     shape.body = body;
@@ -60,70 +74,89 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     shape.isBatched = shape.isChainSegment ? collidesInBatches(shape.segment) : collidesInBatches(shape.polygon);
     if (shape.isBatched && shape.isChainSegment) { shape.closedEnds = closedEndsOf(shape.segment); }
     world.thinnestWall.reset();
+    makeRoomForShape(world, world.bodies[body]);
     const ProxyKind kind = kindOf(shape, world.bodies[body].def.type);
-    const Aabb box = fatBox(world, shape);
+    const Result<ProxyId> proxy = world.broadphase->insert(fatBox(world, shape), kind);
+    if (!proxy.ok()) { return proxy.status(); }
     const std::optional<ShapeId> id = world.shapes.insert(std::move(shape));
-    if (!id) { return Status{StatusCode::outOfMemory, "shape"}; }
-    const Result<ProxyId> proxy = world.broadphase->insert(box, kind);
-    if (!proxy.ok()) {
-        world.shapes.erase(*id);
-        return proxy.status();
+    if (!id) {
+        (void)world.broadphase->remove(proxy.value());
+        return Status{StatusCode::outOfMemory, "shape"};
     }
     Shape& stored = world.shapes[id->index];
     stored.proxy = proxy.value();
     stored.head = id->index;
     world.chainSegments.resize(world.shapes.slotCount());
     world.chainSegments[id->index] = stored.isChainSegment ? 1 : 0;
+    world.shapeMasses.resize(world.shapes.slotCount());
     remember(world, proxy.value(), id->index);
     world.bodies[body].shapes.push_back(id->index);
+    if (world.bodies[body].isDynamic()) { weigh(world, std::span(&id->index, 1)); }
     countTraits(world, stored.def, 1);
     return *id;
 }
 
-/// @pre no body has it
-void removeOne(WorldState& world, std::uint32_t slot) {
-    (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
-    world.thinnestWall.reset();
-    countTraits(world, world.shapes[slot].def, -1);
-    world.shapes.erase(world.shapes.idOf(slot));
-}
-
-/// After its shapes changed, boxes of a body may have to reach farther (a new centre of mass, a new radius).
-void refresh(WorldState& world, std::uint32_t body) {
+/// After shapes of a dynamic body changed: boxes may have to reach farther (a new centre of mass, a new radius).
+/// @param first  of those that were added, in the list of the body
+void refresh(WorldState& world, std::uint32_t body, std::size_t first) {
+    const BodyTravel before = world.travels[body];
     updateMass(world, body);
     if (!world.bodies[body].fresh) { wake(world, body); }  // what was made asleep sleeps on
-    updateProxies(world, body);
+    updateProxiesFrom(world, body, first, before);
 }
 
-/// After shapes were added. A level of thousands of shapes may be one body, and what is fixed has no mass.
+/// After shapes were added. A level, or a ship, of thousands of shapes may be one body, and what is not dynamic has no
+/// mass; boxes of what is kinematic are made anew as a step begins.
 /// @param first  of them, in the list of the body
 void refreshWith(WorldState& world, std::uint32_t body, std::size_t first) {
-    if (world.bodies[body].def.type != BodyType::fixed) { return refresh(world, body); }
+    if (world.bodies[body].isDynamic()) { return refresh(world, body, first); }
     measureAdded(world, body, first);
 }
 
 void refreshWithout(WorldState& world, std::uint32_t body) {
-    if (world.bodies[body].def.type != BodyType::fixed) { return refresh(world, body); }
+    if (world.bodies[body].isDynamic()) { return refresh(world, body, world.bodies[body].shapes.size()); }
     // As many as are taken away one after the other between two steps.
     if (world.unmeasured.empty() || world.unmeasured.back() != body) { world.unmeasured.push_back(body); }
 }
 
-/// The slots that a shape of the user's has: of a chain, one for each segment.
-void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots) {
-    slots.clear();
-    for (std::uint32_t slot = head; slot != kNoIndex; slot = world.shapes[slot].nextInChain) { slots.push_back(slot); }
+/// All of one shape of the user's, which stand together in the list of its body.
+void removeFromBody(Body& body, std::span<const std::uint32_t> slots) {
+    const auto first = std::find(body.shapes.begin(), body.shapes.end(), slots.front());
+    body.shapes.erase(first, first + static_cast<std::ptrdiff_t>(slots.size()));
 }
 
-/// @param slots  all of one shape of the user's
-std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::uint32_t body,
-                                            std::span<const std::uint32_t> slots) {
-    const auto isOfShape = [&world, head = slots.front()](ProxyId proxy) {
-        return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
-    };
-    return pairsOf(world, body, slots, [&](const ContactPair& pair) {
-        return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
-    });
-}
+/// Shapes that are added to a body: all of them, or none, also where memory runs out and something throws.
+class AddedShapes {
+public:
+    AddedShapes(WorldState& world, std::uint32_t body)
+        : world_(world), body_(body), first_(world.bodies[body].shapes.size()) {}
+    AddedShapes(const AddedShapes&) = delete;
+    AddedShapes& operator=(const AddedShapes&) = delete;
+    ~AddedShapes() {
+        if (!areWhole_ && world_.bodies[body_].shapes.size() > first_) { takeBack(); }
+    }
+
+    void finish() {
+        refreshWith(world_, body_, first_);
+        areWhole_ = true;
+    }
+
+private:
+    void takeBack() {
+        Body& body = world_.bodies[body_];
+        while (body.shapes.size() > first_) {
+            const std::uint32_t slot = body.shapes.back();
+            body.shapes.pop_back();
+            removeShapeSlot(world_, slot);
+        }
+        if (body.isDynamic()) { updateMass(world_, body_); }
+    }
+
+    WorldState& world_;
+    std::uint32_t body_;
+    std::size_t first_;
+    bool areWhole_ = false;
+};
 
 /// What is near only may have no contact yet.
 void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
@@ -146,6 +179,13 @@ void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
 void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign) {
     world.sensorShapes += def.sensor ? static_cast<std::uint32_t>(sign) : 0U;
     world.bouncyShapes += def.restitution > 0 ? static_cast<std::uint32_t>(sign) : 0U;
+}
+
+void removeShapeSlot(WorldState& world, std::uint32_t slot) {
+    (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
+    world.thinnestWall.reset();
+    countTraits(world, world.shapes[slot].def, -1);
+    world.shapes.erase(world.shapes.idOf(slot));
 }
 
 void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes) {
@@ -171,9 +211,9 @@ Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const Shape
     Shape shape;
     shape.polygon = polygon;
     shape.def = def;
-    const std::size_t first = world.bodies[body.index].shapes.size();
+    AddedShapes added(world, body.index);
     const Result<ShapeId> id = insert(world, body.index, std::move(shape));
-    if (id.ok()) { refreshWith(world, body.index, first); }
+    if (id.ok()) { added.finish(); }
     return id;
 }
 
@@ -190,7 +230,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
     if (!surface.ok()) { return surface; }
     ShapeId head;
     std::uint32_t previous = kNoIndex;
-    const std::size_t first = world.bodies[body.index].shapes.size();
+    AddedShapes added(world, body.index);
     for (int i = 0; i < chainSegmentCount(static_cast<int>(points.size()), loop); ++i) {
         Shape shape;
         shape.segment = chainSegment(points, loop, radius, i);
@@ -198,10 +238,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
         shape.isChainSegment = true;
         shape.def = def;
         const Result<ShapeId> id = insert(world, body.index, std::move(shape));
-        if (!id.ok()) {
-            if (previous != kNoIndex) { (void)destroyShape(head); }  // all or nothing
-            return id.status();
-        }
+        if (!id.ok()) { return id.status(); }
         if (previous == kNoIndex) {
             head = id.value();
         } else {
@@ -210,7 +247,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
         previous = id.value().index;
         world.shapes[previous].head = head.index;
     }
-    refreshWith(world, body.index, first);
+    added.finish();
     return head;
 }
 
@@ -220,13 +257,13 @@ Status World::destroyShape(ShapeId id) {
     const std::uint32_t body = world.shapes[id.index].body;
     std::vector<std::uint32_t> slots;
     listSlots(world, id.index, slots);
-    const std::span<const std::uint32_t> places = pairsOfShape(world, body, slots);
+    const std::span<const std::uint32_t> places = pairsOfShape(world, slots);
     // Who rests on other shapes sleeps on; a body that can move wakes itself, with all that fell asleep with it.
     wakeAcross(world, body, places);
     wakeJoined(world, body);
     removePairs(world, places);
-    std::erase_if(world.bodies[body].shapes, [&](std::uint32_t slot) { return world.shapes[slot].head == id.index; });
-    for (const std::uint32_t slot : slots) { removeOne(world, slot); }
+    removeFromBody(world.bodies[body], slots);
+    for (const std::uint32_t slot : slots) { removeShapeSlot(world, slot); }
     refreshWithout(world, body);
     return Status::success();
 }
@@ -245,8 +282,9 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter);
     const bool isOtherSurface = def.friction != before.friction || def.restitution != before.restitution ||
                                 def.surfaceSpeed != before.surfaceSpeed;
+    std::span<const std::uint32_t> places;
     if (meetsOthers || isOtherSurface) {
-        const std::span<const std::uint32_t> places = pairsOfShape(world, body, slots);
+        places = pairsOfShape(world, slots);
         wakeAcross(world, body, places);
         if (meetsOthers) { removePairs(world, places); }
     }
@@ -258,10 +296,13 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     if (meetsOthers) {
         renewKinds(world, slots);
     } else if (isOtherSurface) {
-        mixSurfacesOf(world, pairsOfShape(world, body, slots));
+        mixSurfacesOf(world, places);
     }
     const bool isOtherMass = def.density != before.density || def.sensor != before.sensor;
-    if (isOtherMass) { refreshWithout(world, body); }
+    if (isOtherMass) {
+        if (world.bodies[body].isDynamic()) { weigh(world, slots); }
+        refreshWithout(world, body);
+    }
     if (isOtherMass || meetsOthers || isOtherSurface) { wake(world, body); }
     return Status::success();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../shapes/copied_atomic.h"
+#include "../shapes/mass.h"
 #include "../solver/island_finder.h"
 #include "../solver/solver.h"
 #include "balance.h"
@@ -162,18 +163,23 @@ struct WorldState : Workers {
     std::vector<JointTie> jointTies;          ///< by joint slot
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::vector<std::uint32_t> departures;    ///< by body slot: so many of its places in `awake`, the first, are gaps
+    std::size_t awakeGaps = 0;                ///< between steps: of what calls destroyed or put to sleep
     std::vector<std::uint32_t> stepped;       ///< those of the last step, before it put any to sleep
     std::vector<std::uint8_t> chainSegments;  ///< by shape slot: `Shape::isChainSegment`, while it is alive
+    std::vector<MassProperties> shapeMasses;  ///< by shape slot: of those of dynamic bodies
+    std::vector<MassProperties> massParts;    ///< scratch of `updateMass`
     std::uint32_t sensorShapes = 0;
     std::uint32_t bouncyShapes = 0;  ///< with restitution: without any, nothing bounces
     SensorSweeps sensorSweeps;
     std::uint32_t kinematicBodies = 0;
     std::uint32_t fixedBodies = 0;
     std::uint32_t bulletBodies = 0;
-    std::uint32_t watchedBodies = 0;        ///< with a mode of their own that has work beside sweeps (modes.h)
-    std::vector<std::uint32_t> unmeasured;  ///< slots of fixed bodies that lost shapes: to be measured in the next step
-    std::optional<Real> thinnestWall;       ///< metres, for mode `speedLimit`; empty: to be found anew
-    std::uint32_t masslessBodies = 0;       ///< dynamic bodies without mass: the step is refused while there are any
+    std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
+    std::vector<std::uint32_t>
+        unmeasured;  ///< slots of bodies that lost shapes, and are not dynamic: to be measured in the next step
+    std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
+    std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
 
     OwnedBroadphase broadphase = makeBroadphase(BroadphaseKind::automatic);
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
@@ -293,14 +299,25 @@ void wakeAll(WorldState& world);
 bool disturbs(const WorldState& world, std::uint32_t body);
 /// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
 double restTimeOf(const WorldState& world, const Body& body);
+/// Between steps: a body is no longer among the awake ones. Its place stays as a gap, so that each of many that go
+/// costs no look at all.
+void leaveAwake(WorldState& world, std::uint32_t body);
+/// Closes these gaps, as a step begins; what stays moves up in its order.
+void closeUpAwake(WorldState& world);
+/// For all that sleeps, and one more body: then to wake any of it asks for no memory.
+void makeRoomToWake(WorldState& world);
 /// All that is awake counts its rest from now on: nothing counts while sleep is off.
 void restAnew(WorldState& world);
 /// Wakes everything that a joint holds to the body.
 void wakeJoined(WorldState& world, std::uint32_t body);
+/// Notes the masses of shapes that came to a dynamic body, or have another density.
+void weigh(WorldState& world, std::span<const std::uint32_t> shapes);
 /// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.
 void updateMass(WorldState& world, std::uint32_t body);
 /// Counts a shape among those of which there may be none. @param sign  1, or −1 when it goes
 void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign);
+/// Frees the slot of a shape, and its proxy. @pre it has no contacts, and its body lists it no longer, or goes as well
+void removeShapeSlot(WorldState& world, std::uint32_t shape);
 /// Shapes that may meet other ones than before (their body's type, sensors, filters) have new proxies, whose pairs are
 /// all found anew. @pre they have no contacts
 void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes);
@@ -311,6 +328,10 @@ Aabb neededBox(const WorldState& world, const Shape& shape);
 Aabb fatBox(const WorldState& world, const Shape& shape);
 /// Hands boxes that are too small for where the shapes may be next to the broadphase.
 void updateProxies(WorldState& world, std::uint32_t body);
+/// The same after shapes of a dynamic body came or went: without a look at the others as long as theirs stay the same.
+/// @param first   of those that came, in the list of the body
+/// @param before  as it was before
+void updateProxiesFrom(WorldState& world, std::uint32_t body, std::size_t first, const BodyTravel& before);
 /// The same for different bodies at the same time, between `Broadphase::beginMoves` and `endMoves`.
 void renewBoxes(WorldState& world, std::uint32_t body);
 /// Also boxes that still fit, and all their pairs are found anew (teleports).
@@ -318,7 +339,10 @@ void renewProxies(WorldState& world, std::uint32_t body);
 /// After its velocity changed between steps, or the step became longer: boxes reach as far as the coming step asks.
 void reachWithVelocity(WorldState& world, std::uint32_t body);
 /// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
-void removeJoint(WorldState& world, JointId id);
+/// @param leaving  slot of a body that is about to be destroyed: nothing will meet it
+void removeJoint(WorldState& world, JointId id, std::uint32_t leaving = kNoIndex);
+/// Of the two that a joint may keep apart the one by whose shapes their pairs are found sooner.
+std::uint32_t bodyOfFewerShapes(const WorldState& world, const Joint& joint);
 /// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its
 /// extent (all of it in mode `speculative`).
 Real contactReach(const WorldState& world, const Shape& shape);
@@ -333,12 +357,13 @@ inline Vec2 accelerationOf(const WorldState& world, const Body& body) {
     return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
 }
 inline Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
+inline std::size_t awakeCount(const WorldState& world) { return world.awake.size() - world.awakeGaps; }
 /// Whether something that could move sleeps. (No joint holds what is held.)
 inline bool anyAsleep(const WorldState& world) {
-    return world.awake.size() + world.held.bodies + world.fixedBodies < world.bodies.size();
+    return awakeCount(world) + world.held.bodies + world.fixedBodies < world.bodies.size();
 }
 /// Whether all that could move is awake, and not held either: then hardly anybody need be asked.
-inline bool areAllUp(const WorldState& world) { return world.awake.size() + world.fixedBodies == world.bodies.size(); }
+inline bool areAllUp(const WorldState& world) { return awakeCount(world) + world.fixedBodies == world.bodies.size(); }
 /// Length of the longest path that a point of the body can take within dt, metres.
 inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
     const Body& body = world.bodies[slot];

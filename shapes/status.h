@@ -5,7 +5,8 @@
 #include <utility>
 
 /// The error convention of the whole library: a call that can refuse its input returns a `Status`, or a `Result` when
-/// it also has something to give. Refused input changes nothing. Nothing throws, prints or aborts.
+/// it also has something to give. Refused input changes nothing. Nothing prints or aborts, and nothing throws, but
+/// where the standard library does for want of memory (`std::bad_alloc`; engine/world.h says what holds then).
 
 namespace swept {
 
@@ -24,7 +25,7 @@ enum class StatusCode : std::uint8_t {
     missingMass,      ///< a dynamic body has no mass
     wrongJointType,   ///< the call does not fit the joint's type (a target for a hinge, a gear of a rod)
     sameBody,         ///< a joint needs two different bodies
-    outOfMemory,      ///< an id space is used up
+    outOfMemory,      ///< an id space is used up; not of memory itself
 };
 
 /// What went wrong, and with which argument. The name is that of the argument or member, with these exceptions: an id

@@ -7,7 +7,7 @@
 
 #include "../support/random.h"
 
-/// What is asleep, by body: against a map of all of it.
+/// What is asleep, by shape: against a map of all of it.
 
 namespace swept::test {
 namespace {
@@ -17,15 +17,15 @@ struct Slot {
     std::uint32_t b = 0;
 };
 
-std::vector<std::uint32_t> placesOf(const ParkedPairs<ContactPair>& parked, std::uint32_t body) {
+std::vector<std::uint32_t> placesOf(const ParkedPairs<ContactPair>& parked, std::uint32_t proxy) {
     std::vector<std::uint32_t> places;
-    parked.visitOf(body, [&places](std::uint32_t place) { places.push_back(place); });
+    parked.visitOf(static_cast<ProxyId>(proxy), [&places](std::uint32_t place) { places.push_back(place); });
     std::sort(places.begin(), places.end());
     return places;
 }
 
-TEST(ParkedPairs, AreFoundByEitherBodyUntilTheyGo) {
-    constexpr int kBodies = 12;
+TEST(ParkedPairs, AreFoundByEitherShapeUntilTheyGo) {
+    constexpr int kProxies = 12;
     Random random(7);
     ParkedPairs<ContactPair> parked;
     std::map<std::uint32_t, Slot> wanted;  // by place
@@ -33,9 +33,10 @@ TEST(ParkedPairs, AreFoundByEitherBodyUntilTheyGo) {
     for (int round = 0; round < 4'000; ++round) {
         // More and more, then fewer and fewer.
         if (wanted.empty() || random.chance(round / 400 % 2 == 0 ? 0.7 : 0.3)) {
-            const auto a = static_cast<std::uint32_t>(random.integer(0, kBodies - 1));
-            const auto b = (a + static_cast<std::uint32_t>(random.integer(1, kBodies - 1))) % kBodies;
-            parked.add({.bodyA = a, .bodyB = b, .proxyA = {}, .proxyB = {}});
+            const auto a = static_cast<std::uint32_t>(random.integer(0, kProxies - 1));
+            const auto b = (a + static_cast<std::uint32_t>(random.integer(1, kProxies - 1))) % kProxies;
+            // All of one body against all of another: lists are those of shapes.
+            parked.add({.bodyA = 0, .bodyB = 1, .proxyA = static_cast<ProxyId>(a), .proxyB = static_cast<ProxyId>(b)});
             // The one place that was free before.
             std::uint32_t place = 0;
             while (isGap(parked[place]) || wanted.contains(place)) { ++place; }
@@ -49,13 +50,13 @@ TEST(ParkedPairs, AreFoundByEitherBodyUntilTheyGo) {
         most = std::max(most, wanted.size());
         ASSERT_EQ(parked.size(), wanted.size()) << "round " << round;
         ASSERT_LE(parked.all().size(), most) << "round " << round;
-        const auto body = static_cast<std::uint32_t>(random.integer(0, kBodies));  // one more than ever had any
+        const auto proxy = static_cast<std::uint32_t>(random.integer(0, kProxies));  // one more than ever had any
         std::vector<std::uint32_t> places;
         for (const auto& [place, pair] : wanted) {
-            if (pair.a == body || pair.b == body) { places.push_back(place); }
-            ASSERT_EQ(parked[place].bodyA, pair.a) << "round " << round;
+            if (pair.a == proxy || pair.b == proxy) { places.push_back(place); }
+            ASSERT_EQ(static_cast<std::uint32_t>(parked[place].proxyA), pair.a) << "round " << round;
         }
-        ASSERT_EQ(placesOf(parked, body), places) << "round " << round;
+        ASSERT_EQ(placesOf(parked, proxy), places) << "round " << round;
     }
     EXPECT_GT(most, 100U);
 }

@@ -127,5 +127,21 @@ TEST(WorldAllocation, FallingAsleepAndWakingUp) {
     EXPECT_GT(slept, 0u);
 }
 
+/// As much of a body of a thousand shapes as of one of ten, as long as none is added.
+TEST(WorldAllocation, AnotherDensityIsWeighedWithoutAny) {
+    const auto allocationsOf = [](int count) {
+        World world = makeWorld();
+        const BodyId ship = must(world.createBody(dynamicAt({0, 0})));
+        std::vector<ShapeId> shapes;
+        for (int i = 0; i < count; ++i) {
+            shapes.push_back(must(world.addShape(ship, must(makeBox(vec(0.5, 0.5), vec(i, 0))))));
+        }
+        const std::uint64_t before = allocations;
+        must(world.redefine(shapes[3], material(0.5, 0, 2)));
+        return allocations - before;
+    };
+    EXPECT_EQ(allocationsOf(10), allocationsOf(1000));
+}
+
 }  // namespace
 }  // namespace swept::test
