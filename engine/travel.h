@@ -95,12 +95,12 @@ inline bool BodyGlances::mayBeHemmed(const ContactProbe& probe) const {
 }
 
 inline Real BodyGlances::passesBeyond(Real dt) const {
-    constexpr Real kRounding = 1 + 32 * kEpsilon;
+    constexpr Real kAllRoundings = 1 + 32 * kEpsilon;
     if (!canPass()) { return std::numeric_limits<Real>::infinity(); }
     const Real closing = (a.swing + b.swing) + length(b.velocity - a.velocity) + dt * length(b.pull - a.pull);
     // What is no farther apart than touching shapes may be does not pass.
     const Real least = kEndRatio * std::min(a.widest, b.widest);
-    return kRounding * std::max(closing * dt, least);
+    return kAllRoundings * std::max(closing * dt, least);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
