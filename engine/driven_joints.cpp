@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "energy_gain.h"
 #include "tolerances.h"
@@ -36,14 +37,15 @@ void noteDriven(WorldState& world, JointId joint, Real moved) {
     const auto noted = std::find_if(world.drivenJoints.begin(), world.drivenJoints.end(),
                                     [joint](const DrivenJoint& driven) { return driven.joint == joint; });
     if (noted == world.drivenJoints.end()) {
-        world.drivenJoints.push_back({joint, kDrivenSteps, yanks});
+        world.drivenJoints.push_back({joint, kDrivenSteps, yanks, moved});
     } else {
-        *noted = {joint, kDrivenSteps, noted->isYank || yanks};
+        *noted = {joint, kDrivenSteps, noted->isYank || yanks, noted->toGo + moved, noted->speed};
     }
 }
 
 void beginDriven(WorldState& world, double dt) {
-    for (const DrivenJoint& driven : world.drivenJoints) {
+    for (DrivenJoint& driven : world.drivenJoints) {
+        driven.speed = std::max(driven.speed, std::exchange(driven.toGo, Real(0)) / static_cast<Real>(dt));
         Joint* const joint = world.joints.find(driven.joint);
         MouseConstraint* const mouse = joint == nullptr ? nullptr : mouseOf(*joint);
         if (mouse != nullptr) { mouse->pace = (1 / static_cast<Real>(dt)) * mouse->toGo; }
@@ -59,9 +61,11 @@ void endDriven(WorldState& world) {
     });
 }
 
-bool isWound(const WorldState& world, std::uint32_t joint) {
-    return std::any_of(world.drivenJoints.begin(), world.drivenJoints.end(),
-                       [joint](const DrivenJoint& driven) { return driven.joint.index == joint && !driven.isYank; });
+Real woundSpeed(const WorldState& world, std::uint32_t joint) {
+    const auto noted = std::find_if(
+        world.drivenJoints.begin(), world.drivenJoints.end(),
+        [joint](const DrivenJoint& driven) { return driven.joint.index == joint && !driven.isYank; });
+    return noted == world.drivenJoints.end() ? Real(0) : noted->speed;
 }
 
 void noteDriven(WorldState& world, const TiedGroup& group) {
@@ -72,7 +76,12 @@ void noteDriven(WorldState& world, const TiedGroup& group) {
             if (!world.bodies[slot].isDynamic()) { continue; }
             EnergyAccount& account = accountOf(world, slot);
             if (account.solve != group.desk.energySolve) { continue; }
-            (driven.isYank ? account.isYanked : account.isDriven) = true;
+            if (driven.isYank) {
+                account.isYanked = true;
+            } else {
+                account.isLed = true;
+                account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(driven.speed));
+            }
         }
     }
 }

@@ -13,8 +13,8 @@ void noteDriven(WorldState& world, JointId joint, Real moved);
 void beginDriven(WorldState& world, double dt);
 /// After a step: targets are there, and what is as good as closed is driven no longer.
 void endDriven(WorldState& world);
-/// Whether a joint (slot) does work in this step, as that of a winch.
-bool isWound(const WorldState& world, std::uint32_t joint);
+/// How fast a joint (slot) draws, and does work in this step, as that of a winch, m/s; 0: it does none.
+Real woundSpeed(const WorldState& world, std::uint32_t joint);
 /// Tells the accounts of the islands of a solve.
 void noteDriven(WorldState& world, const TiedGroup& group);
 

@@ -8,6 +8,8 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// What a solve did to an island, J.
 struct EnergyAccount {
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
     std::uint64_t solve = 0;  ///< that it is about
     double kinetic = 0;       ///< at the end
     double gained = 0;        ///< of kinetic energy, since the start
@@ -18,10 +20,16 @@ struct EnergyAccount {
     bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
     bool isTouching = false;             ///< something; noted only of what may have gained
-    bool isAnchored = false;             ///< one of them ties it to something static
-    bool isGrounded = false;             ///< presses on something static
-    DVec2 push{};                        ///< of what is static, all of it, N·s
-    std::uint32_t motion = 0xFFFFFFFFU;  ///< of the island, an index; none
+    bool isAnchored = false;             ///< one of them ties it to what stands still, or to a carrier
+    bool isGrounded = false;             ///< presses on what stands still
+    DVec2 push{};                        ///< of that, all of it, N·s
+    /// By joints to kinematic bodies that move, and by those that calls move. Noted only of what may have gained.
+    bool isLed = false;
+    double leadSpeed = 0;           ///< of the fastest one, m/s
+    double leadSpin = 0;            ///< rad/s
+    std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
+    double led = 0;                 ///< kinetic energy, if all of it went along with them
+    std::uint32_t motion = kNone;        ///< of the island, an index
 };
 
 /// What a solve did to one body, J: what its island's account grows by. Of the motion of its centre of mass, and of its

@@ -1,6 +1,7 @@
 #include "energy_guard.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "driven_joints.h"
 #include "energy_gain.h"
@@ -9,6 +10,13 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Does work, as long as it lasts; one that stands still is as good as static.
+bool isCarrier(const WorldState& world, std::uint32_t slot) {
+    const BodyMotion& motion = world.motions[slot];
+    return world.bodies[slot].def.type == BodyType::kinematic &&
+           (motion.velocity != Vec2{} || motion.angularVelocity != 0);
+}
+
 void noteContact(WorldState& world, const Contact& contact) {
     if (contact.sensor || contact.manifold.count == 0) { return; }
     const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
@@ -16,27 +24,53 @@ void noteContact(WorldState& world, const Contact& contact) {
     account.isTouching = true;
     account.isDriven = account.isDriven || contact.isBelt;
     if (contact.dynamicA == contact.dynamicB) { return; }
-    account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
+    account.isDriven = account.isDriven || isCarrier(world, other);
     account.isGrounded = account.isGrounded || contact.pressed;
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
     account.push += (contact.dynamicB ? impulse : -impulse) * toDouble(normal);
 }
 
+void noteCarrier(const WorldState& world, EnergyAccount& account, std::uint32_t slot) {
+    const BodyMotion& motion = world.motions[slot];
+    const double spin = std::fabs(static_cast<double>(motion.angularVelocity));
+    account.isLed = true;
+    account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(length(motion.velocity)));
+    if (account.carrier == EnergyAccount::kNone || spin > account.leadSpin) {
+        account.carrier = slot;
+        account.leadSpin = spin;
+    }
+}
+
 /// Gears and pulleys hold more than two bodies.
 void noteJoint(WorldState& world, std::uint32_t joint) {
-    bool isAnchored = false;
-    bool isCarried = false;
     const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
-    for (const std::uint32_t slot : bodies) {
-        isAnchored = isAnchored || world.bodies[slot].def.type == BodyType::fixed;
-        isCarried = isCarried || world.bodies[slot].def.type == BodyType::kinematic;
-    }
     for (const std::uint32_t slot : bodies) {
         if (!world.bodies[slot].isDynamic()) { continue; }
         EnergyAccount& account = accountOf(world, slot);
-        account.isDriven = account.isDriven || isCarried;
-        account.isAnchored = account.isAnchored || isAnchored;
+        for (const std::uint32_t other : bodies) {
+            account.isAnchored = account.isAnchored || !world.bodies[other].isDynamic();
+            if (isCarrier(world, other)) { noteCarrier(world, account, other); }
+        }
+    }
+}
+
+/// Who is led, and goes no faster than that can make it. @pre what leads is noted
+void findDriven(WorldState& world, const SolveDesk& desk) {
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        EnergyAccount& account = accountOf(world, desk.bodies[i]);
+        if (!account.isLed) { continue; }
+        const Body& body = world.bodies[desk.bodies[i]];
+        const bool isCarried = account.carrier != EnergyAccount::kNone;
+        const double arm =
+            isCarried ? length(world.motions[desk.bodies[i]].center - world.motions[account.carrier].center) : 0;
+        account.led += 0.5 * (body.mass * squared(account.leadSpeed + account.leadSpin * arm) +
+                              inertiaOf(body) * squared(account.leadSpin));
+    }
+    for (const std::uint32_t root : desk.energyRoots) {
+        EnergyAccount& account = world.energyAccounts[root];
+        account.isDriven = account.isDriven || (account.isLed && account.kinetic <= kMostLead * account.led);
     }
 }
 
@@ -97,6 +131,7 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
         for (const Contact& contact : group.contacts) { noteContact(world, contact); }
     }
     for (const std::uint32_t joint : group.joints) { noteJoint(world, joint); }
+    if (hasJoints) { findDriven(world, group.desk); }
 }
 
 }  // namespace

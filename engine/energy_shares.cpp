@@ -10,8 +10,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-double inertiaOf(const Body& body) { return body.inverseInertia > 0 ? body.inertia : 0; }
-
 DVec2 armOf(const WorldState& world, const IslandMotion& island, std::uint32_t slot) {
     return world.motions[slot].center - world.motions[island.root].center - island.center;
 }

@@ -31,6 +31,8 @@ struct DrivenJoint {
     JointId joint{};
     int stepsLeft = 0;
     bool isYank = false;
+    Real toGo = 0;   ///< since the last step, metres
+    Real speed = 0;  ///< the highest one of those steps, m/s
 };
 
 /// Impulses with which a hinge begins the next step: those of the last sub-step, N·s and N·m·s.

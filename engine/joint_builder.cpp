@@ -267,7 +267,7 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
         // Where it stays: a copy of what was just written in parts has to wait for all of them.
         auto& constraint = append(batch, rememberedOf(joint, part));
         filler.fill(constraint, part);
-        constraint.isWound = isWound(world, source);
+        constraint.woundSpeed = woundSpeed(world, source);
         constraint.source = source;
     });
 }

@@ -7,6 +7,7 @@
 #include "modes.h"
 #include "profile.h"
 #include "step.h"
+#include "taut_joints.h"
 #include "tied_bodies.h"
 #include "tied_contacts.h"
 #include "tied_group.h"
@@ -86,17 +87,21 @@ Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepP
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    SolverBatch& batch = group.desk.batch;
+    SolveDesk& desk = group.desk;
+    SolverBatch& batch = desk.batch;
+    const bool isIterated = settings.direct == DirectScope::none;
+    if (isIterated && world.wasTaut) { desk.anyTaut = stiffenTurns(world, group, h) || desk.anyTaut; }
     TiedHinges hinges(world, group, h, dt, settings.dt);
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
-        if (tie.isHinge && settings.direct == DirectScope::none) {
+        if (tie.isHinge && isIterated) {
             hinges.link(i, tie);
         } else {
             addConstraint(batch, world, i, h, dt);
         }
     }
-    const SolveReport report = group.desk.solver.solve(batch, settings, *group.desk.loops);
+    const SolveReport report = desk.solver.solve(batch, settings, *desk.loops);
+    desk.anyTaut = desk.anyTaut || hinges.anyTaut() || (isIterated && anyTaut(batch, h, settings.dt));
     readConstraints(batch, world, settings.dt);
     batch.clearJoints();  // so that nobody need look for any in a solve without
     return report;

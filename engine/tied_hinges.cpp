@@ -2,6 +2,7 @@
 
 #include "../solver/hinge_lanes.h"
 #include "joint_builder.h"
+#include "taut_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -22,6 +23,11 @@ HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {
         memory.motor = block.motorImpulse[lane];
     }
     return memory;
+}
+
+bool isTautLane(const WideRevolute& block, std::size_t lane, Vec2 force, Real h) {
+    return isTaut({block.anchorAX[lane], block.anchorAY[lane]}, force, block.inverseInertiaA[lane], h) ||
+           isTaut({block.anchorBX[lane], block.anchorBY[lane]}, force, block.inverseInertiaB[lane], h);
 }
 
 }  // namespace
@@ -84,18 +90,23 @@ void TiedHinges::fill(std::size_t first, std::span<const BlockPlace> places, con
 }
 
 void TiedHinges::take(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& from) {
+    bool any = false;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const BlockPlace& place = places[i];
         fetchAhead(first + i);
         Joint& joint = world_.joints[desk_.batch.hingeLinks[first + i].source];
         if (!place.isInBlock) {
-            takeHinge(joint, from.rest[place.index], length_);
+            const RevoluteConstraint& constraint = from.rest[place.index];
+            takeHinge(joint, constraint, length_);
+            any = any || isTaut(constraint, joint.reactionForce, desk_.batch.inertias, h_);
             continue;
         }
         const WideRevolute& block = from.blocks[place.index];
         joint.hinge = impulsesOf(block, place.lane);
         takeReaction(joint, totalOf(block, place.lane), length_);
+        any = any || isTautLane(block, place.lane, joint.reactionForce, h_);
     }
+    if (any) { anyTaut_.store(true, std::memory_order_relaxed); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -42,7 +42,15 @@ constexpr double kMostEnergyRatio = 1.0 / 64;
 /// Radians of a turn in a step beyond which it is coarse: what may happen within it shows neither before nor after it.
 constexpr double kCoarseTurn = 1;
 
+/// Where joints give way, what moves otherwise leads bodies no faster than eight times as fast as if they went along.
+constexpr double kMostLead = 64;  ///< of energies
+
 bool isDamped(const IslandBody& body) { return body.decay != 1 || body.angularDecay != 1; }
+
+/// Moved, and not by the island.
+bool isCarrier(const IslandBody& body) {
+    return body.column == kNoNode && (body.spin != 0 || dot(body.velocity, body.velocity) > 0);
+}
 
 double kineticEnergy(const std::vector<IslandBody>& bodies) {
     double twice = 0;
@@ -58,7 +66,7 @@ double kineticEnergy(const std::vector<IslandBody>& bodies) {
 void JointIsland::clear() {
     bodies_.clear();
     holds_.clear();
-    doesWork_ = false;
+    woundSpeed_ = 0;
 }
 
 void JointIsland::prepare() {
@@ -131,16 +139,49 @@ void JointIsland::dropTotals() {
 
 /// Whether energy tells if a step went wrong: nothing damps the bodies, and nothing drives them but constant forces.
 bool JointIsland::hasAccount() const {
-    return !doesWork_ && std::none_of(start_.begin(), start_.end(), [](const IslandBody& body) {
-        const bool isCarried = body.column == kNoNode && (body.spin != 0 || dot(body.velocity, body.velocity) > 0);
-        return isCarried || isDamped(body);
+    return !(woundSpeed_ > 0) && std::none_of(start_.begin(), start_.end(), [](const IslandBody& body) {
+        return isCarrier(body) || isDamped(body);
     });
 }
 
+/// As fast as what carries or draws the island leads it, J.
+double JointIsland::mostLead() const {
+    double speed = woundSpeed_;
+    double spin = 0;
+    for (const IslandHold& hold : holds_) {
+        const auto add = [&](const IslandBody& body, DVec2 anchor) {
+            if (!isCarrier(body)) { return; }
+            spin = std::max(spin, std::fabs(body.spin));
+            speed = std::max(speed, norm(body.velocity) + std::fabs(body.spin) * norm(anchor));
+        };
+        add(bodies_[hold.a], hold.anchorA);
+        add(bodies_[hold.b], hold.anchorB);
+    }
+    double twice = 0;
+    for (const IslandBody& body : bodies_) {
+        if (body.inverseMass > 0) { twice += speed * speed / body.inverseMass; }
+        if (body.inverseInertia > 0) { twice += spin * spin / body.inverseInertia; }
+    }
+    return kMostLead * 0.5 * twice;
+}
+
+/// Speeds that agree with joints to what stands still do so at any size.
+void JointIsland::takeBack(double most) {
+    const double after = kineticEnergy(bodies_);
+    if (!(after > most)) { return; }
+    const double part = std::sqrt(most / after);
+    for (IslandBody& body : bodies_) {
+        if (body.column == kNoNode) { continue; }
+        body.velocity = part * body.velocity;
+        body.spin *= part;
+    }
+}
+
 /// Whether the step changed no energy, where that can be told. After one that is coarse or soft what was gained is
-/// taken away.
+/// taken away; what is carried or drawn only pays after one that is soft.
 bool JointIsland::keepsEnergy(double h, int subSteps, const Rates& rates) {
-    if (!hasAccount()) { return true; }
+    const bool isTold = hasAccount();
+    if (!isTold && !isSoft_) { return true; }
     double work = 0;
     double flow = 0;  // without signs
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -160,15 +201,8 @@ bool JointIsland::keepsEnergy(double h, int subSteps, const Rates& rates) {
     const bool isHeld = bodies_.size() > columns_;
     const bool isCoarse = isSoft_ || (keeps && h * subSteps * rates.turn > kCoarseTurn);
     const double most = std::max(before, 0.0);  // what the gaps of joints held is no energy
-    if (isHeld && isCoarse && after > most) {
-        // Speeds that agree with joints to what stands still do so at any size.
-        const double part = std::sqrt(most / after);
-        for (IslandBody& body : bodies_) {
-            body.velocity = part * body.velocity;
-            body.spin *= part;
-        }
-    }
-    return keeps;
+    if (isHeld && isCoarse) { takeBack(isTold ? most : std::max(most, mostLead())); }
+    return keeps || !isTold;
 }
 
 /// How fast things go: turns, falls about an anchor, oscillations of what is drawn tight.

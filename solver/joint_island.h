@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -118,8 +119,8 @@ public:
     std::vector<IslandBody>& bodies() { return bodies_; }
     std::vector<IslandHold>& holds() { return holds_; }
 
-    /// Some hold does work in this step, so energy does not tell whether it went wrong.
-    void allowWork() { doesWork_ = true; }
+    /// Some hold is moved in this step, at so many m/s, so energy does not tell whether it went wrong.
+    void allowWork(double speed) { woundSpeed_ = std::max(woundSpeed_, speed); }
     /// @pre bodies and holds are filled in, forces with those of the step before
     void prepare();
     /// @param h  of a sub-step that drives were made for
@@ -156,6 +157,8 @@ private:
     bool advanceByEnds(double h, int subSteps, int more);
     void advanceSoftly(double h, int subSteps, const Rates& rates);
     bool hasAccount() const;
+    double mostLead() const;
+    void takeBack(double most);
     bool keepsEnergy(double h, int subSteps, const Rates& rates);
     bool subStep(double part, double h);
     void subStepSoftly(double h);
@@ -222,7 +225,7 @@ private:
     bool isTree_ = false;
     bool keepsOpen_ = false;  ///< whether the gaps that a step began with stay as wide as they were
     bool isSoft_ = false;
-    bool doesWork_ = false;
+    double woundSpeed_ = 0;   ///< 0: no hold does work
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

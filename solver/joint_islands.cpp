@@ -72,7 +72,7 @@ private:
         const auto place = static_cast<std::uint32_t>(island.holds().size());
         islands_.sources_.push_back({number, place, {&impulse, nullptr}, &joint.total});
         joint.total = {};
-        if (joint.isWound) { island.allowWork(); }
+        if (joint.woundSpeed > 0) { island.allowWork(static_cast<double>(joint.woundSpeed)); }
         island.holds().push_back(hold);
         return island.holds().back();
     }
