@@ -62,9 +62,9 @@ void endDriven(WorldState& world) {
 }
 
 Real woundSpeed(const WorldState& world, std::uint32_t joint) {
-    const auto noted = std::find_if(
-        world.drivenJoints.begin(), world.drivenJoints.end(),
-        [joint](const DrivenJoint& driven) { return driven.joint.index == joint && !driven.isYank; });
+    const auto noted =
+        std::find_if(world.drivenJoints.begin(), world.drivenJoints.end(),
+                     [joint](const DrivenJoint& driven) { return driven.joint.index == joint && !driven.isYank; });
     return noted == world.drivenJoints.end() ? Real(0) : noted->speed;
 }
 

@@ -19,17 +19,17 @@ struct EnergyAccount {
     bool isDriven = false;
     bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
-    bool isTouching = false;             ///< something; noted only of what may have gained
-    bool isAnchored = false;             ///< one of them ties it to what stands still, or to a carrier
-    bool isGrounded = false;             ///< presses on what stands still
-    DVec2 push{};                        ///< of that, all of it, N·s
+    bool isTouching = false;  ///< something; noted only of what may have gained
+    bool isAnchored = false;  ///< one of them ties it to what stands still, or to a carrier
+    bool isGrounded = false;  ///< presses on what stands still
+    DVec2 push{};             ///< of that, all of it, N·s
     /// By joints to kinematic bodies that move, and by those that calls move. Noted only of what may have gained.
     bool isLed = false;
     double leadSpeed = 0;           ///< of the fastest one, m/s
     double leadSpin = 0;            ///< rad/s
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
     double led = 0;                 ///< kinetic energy, if all of it went along with them
-    std::uint32_t motion = kNone;        ///< of the island, an index
+    std::uint32_t motion = kNone;   ///< of the island, an index
 };
 
 /// What a solve did to one body, J: what its island's account grows by. Of the motion of its centre of mass, and of its

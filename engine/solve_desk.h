@@ -35,9 +35,9 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<ContactEvent> events;
     std::vector<Contact> foundContacts;  ///< that islands found on their way, and that pressed
     StepCounters counters;
-    std::vector<Real> phaseSquares;  ///< scratch of `stiffenTurns`: by slot of the solve
-    bool anyTaut = false;   ///< some joint is, or may be (taut_joints.h)
-    bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
+    std::vector<Real> phaseSquares;  ///< by slot of the solve; scratch of `stiffenTurns`
+    bool anyTaut = false;            ///< some joint is, or may be (taut_joints.h)
+    bool anyFlung = false;           ///< the solver may have moved some body as far as only a fast one moves
 };
 
 /// What it left becomes that of the step.

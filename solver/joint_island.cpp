@@ -139,9 +139,8 @@ void JointIsland::dropTotals() {
 
 /// Whether energy tells if a step went wrong: nothing damps the bodies, and nothing drives them but constant forces.
 bool JointIsland::hasAccount() const {
-    return !(woundSpeed_ > 0) && std::none_of(start_.begin(), start_.end(), [](const IslandBody& body) {
-        return isCarrier(body) || isDamped(body);
-    });
+    return !(woundSpeed_ > 0) && std::none_of(start_.begin(), start_.end(),
+                                              [](const IslandBody& body) { return isCarrier(body) || isDamped(body); });
 }
 
 /// As fast as what carries or draws the island leads it, J.

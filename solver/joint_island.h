@@ -225,7 +225,7 @@ private:
     bool isTree_ = false;
     bool keepsOpen_ = false;  ///< whether the gaps that a step began with stay as wide as they were
     bool isSoft_ = false;
-    double woundSpeed_ = 0;   ///< 0: no hold does work
+    double woundSpeed_ = 0;  ///< 0: no hold does work
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -59,9 +59,9 @@ double mostKinetic(World& world, BodyId body, int steps) {
     return most;
 }
 
-/// A box of 1 kg on two joints at arms of 0.9 to 2.8 m, one of them to a kinematic body that moves away by up to a metre
-/// within a second, and stands still from then on. (Of 450 that were tried 39 in `fast` and 10 in `accurate` went on at 14 to 350 m/s,
-/// four beyond all numbers.)
+/// A box of 1 kg on two joints at arms of 0.9 to 2.8 m, one of them to a kinematic body that moves away by up to a
+/// metre within a second, and stands still from then on. (Of 450 that were tried 39 in `fast` and 10 in `accurate` went
+/// on at 14 to 350 m/s, four beyond all numbers.)
 TEST(JointParted, WhatTwoThatPartPullAt) {
     for (const Profile profile : kProfiles) {
         for (const TieKind& first : kTies) {
