@@ -36,7 +36,7 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<Contact> foundContacts;  ///< that islands found on their way, and that pressed
     StepCounters counters;
     std::vector<Real> phaseSquares;  ///< by slot of the solve; scratch of `stiffenTurns`
-    bool anyTaut = false;            ///< some joint is, or may be (taut_joints.h)
+    bool anyTaut = false;            ///< some joint is (taut_joints.h)
     bool anyFlung = false;           ///< the solver may have moved some body as far as only a fast one moves
 };
 

@@ -90,7 +90,7 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     SolveDesk& desk = group.desk;
     SolverBatch& batch = desk.batch;
     const bool isIterated = settings.direct == DirectScope::none;
-    if (isIterated && world.wasTaut) { desk.anyTaut = stiffenTurns(world, group, h) || desk.anyTaut; }
+    if (isIterated && world.wasTaut) { stiffenTurns(world, group, h); }
     TiedHinges hinges(world, group, h, dt, settings.dt);
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
@@ -101,7 +101,7 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
         }
     }
     const SolveReport report = desk.solver.solve(batch, settings, *desk.loops);
-    desk.anyTaut = desk.anyTaut || hinges.anyTaut() || (isIterated && anyTaut(batch, h, settings.dt));
+    desk.anyTaut = desk.anyTaut || hinges.anyTaut() || (isIterated && noteTaut(world, batch, h, settings.dt));
     readConstraints(batch, world, settings.dt);
     batch.clearJoints();  // so that nobody need look for any in a solve without
     return report;

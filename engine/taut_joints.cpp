@@ -1,19 +1,19 @@
 #include "taut_joints.h"
 
-#include <algorithm>
-
 namespace swept::inline SWEPT_PRECISION {
 
-bool anyTaut(SolverBatch& batch, Real h, Real length) {
+bool noteTaut(WorldState& world, SolverBatch& batch, Real h, Real length) {
     bool any = false;
-    const auto look = [&](const JointConstraint& joint) {
-        any = any || isTaut(joint, (1 / length) * joint.total.impulse, batch.inertias, h);
-    };
-    batch.forEachJointKind([&look](const auto& joints) { std::for_each(joints.begin(), joints.end(), look); });
+    batch.forEachJointKind([&](const auto& joints) {
+        for (const JointConstraint& joint : joints) {
+            const Real square = phaseSquare(joint, (1 / length) * joint.total.impulse, batch.inertias, h);
+            any = noteTaut(world.tautJoints[joint.source], square) || any;
+        }
+    });
     return any;
 }
 
-bool stiffenTurns(WorldState& world, const TiedGroup& group, Real h) {
+void stiffenTurns(WorldState& world, const TiedGroup& group, Real h) {
     SolverBatch& batch = group.desk.batch;
     std::vector<Real>& squares = group.desk.phaseSquares;
     squares.assign(batch.inertias.size(), 0);
@@ -23,17 +23,14 @@ bool stiffenTurns(WorldState& world, const TiedGroup& group, Real h) {
         squares[slot] += phaseSquare(arm, force, batch.inertias[slot].inverseInertia, h);
     };
     for (const std::uint32_t i : group.joints) {
+        if (world.tautJoints[i] == 0) { continue; }
         const Joint& joint = world.joints[i];
         add(joint.bodyA, joint.localAnchorA, joint.reactionForce);
         add(joint.bodyB, joint.localAnchorB, joint.reactionForce);
     }
-    bool any = false;
     for (std::size_t slot = 1; slot < squares.size(); ++slot) {
-        if (!(squares[slot] > 1)) { continue; }
-        batch.inertias[slot].inverseInertia /= squares[slot];
-        any = true;
+        if (squares[slot] > 1) { batch.inertias[slot].inverseInertia /= squares[slot]; }
     }
-    return any;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

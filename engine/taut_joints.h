@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "../solver/solver_batch.h"
 #include "tied_group.h"
@@ -19,23 +22,29 @@ namespace swept::inline SWEPT_PRECISION {
 inline Real phaseSquare(Vec2 arm, Vec2 force, Real inverseInertia, Real h) {
     return std::fabs(dot(arm, force)) * inverseInertia * (h * h);
 }
-/// Below that in all joints no body is looked at.
-inline bool isTaut(Vec2 arm, Vec2 force, Real inverseInertia, Real h) {
-    constexpr Real kTaut = Real(1) / 4;
-    return phaseSquare(arm, force, inverseInertia, h) > kTaut;
+/// The larger one of its two bodies.
+inline Real phaseSquare(const JointConstraint& joint, Vec2 force, std::span<const BodyInertia> inertias, Real h) {
+    return std::max(phaseSquare(joint.anchorA, force, inertias[joint.slotA].inverseInertia, h),
+                    phaseSquare(joint.anchorB, force, inertias[joint.slotB].inverseInertia, h));
 }
 
-inline bool isTaut(const JointConstraint& joint, Vec2 force, std::span<const BodyInertia> inertias, Real h) {
-    return isTaut(joint.anchorA, force, inertias[joint.slotA].inverseInertia, h) ||
-           isTaut(joint.anchorB, force, inertias[joint.slotB].inverseInertia, h);
+/// After a solve: notes whether a joint is to be looked at before the next one. Inertia that it was given made its
+/// square smaller. @param isTaut  so far; by joint, so that several workers may note theirs
+/// @return the same
+inline bool noteTaut(std::uint8_t& isTaut, Real square) {
+    constexpr Real kBecomesTaut = Real(1) / 4;
+    constexpr Real kStaysTaut = Real(1) / 16;
+    const std::uint8_t now = square > (isTaut != 0 ? kStaysTaut : kBecomesTaut) ? 1 : 0;
+    if (isTaut != now) { isTaut = now; }  // who only reads leaves the cache line to others
+    return now != 0;
 }
 
-/// After a solve by iteration, of the joints of the batch that are in no store: whether any is.
+/// Likewise of the joints of the batch that are in no store. @return whether any is
 /// @param length  that was solved, s
-bool anyTaut(SolverBatch& batch, Real h, Real length);
+bool noteTaut(WorldState& world, SolverBatch& batch, Real h, Real length);
 
-/// Before a solve by iteration, by the forces of the last step: gives bodies of the batch more inertia. @return any
+/// Before a solve by iteration, by the forces of the last step: gives bodies of the batch more inertia.
 /// @pre they have their slots, and no constraint has been prepared
-bool stiffenTurns(WorldState& world, const TiedGroup& group, Real h);
+void stiffenTurns(WorldState& world, const TiedGroup& group, Real h);
 
 }  // namespace swept::inline SWEPT_PRECISION

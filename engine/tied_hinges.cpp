@@ -25,9 +25,9 @@ HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {
     return memory;
 }
 
-bool isTautLane(const WideRevolute& block, std::size_t lane, Vec2 force, Real h) {
-    return isTaut({block.anchorAX[lane], block.anchorAY[lane]}, force, block.inverseInertiaA[lane], h) ||
-           isTaut({block.anchorBX[lane], block.anchorBY[lane]}, force, block.inverseInertiaB[lane], h);
+Real phaseSquareOf(const WideRevolute& block, std::size_t lane, Vec2 force, Real h) {
+    return std::max(phaseSquare({block.anchorAX[lane], block.anchorAY[lane]}, force, block.inverseInertiaA[lane], h),
+                    phaseSquare({block.anchorBX[lane], block.anchorBY[lane]}, force, block.inverseInertiaB[lane], h));
 }
 
 }  // namespace
@@ -94,17 +94,19 @@ void TiedHinges::take(std::size_t first, std::span<const BlockPlace> places, con
     for (std::size_t i = 0; i < places.size(); ++i) {
         const BlockPlace& place = places[i];
         fetchAhead(first + i);
-        Joint& joint = world_.joints[desk_.batch.hingeLinks[first + i].source];
+        const std::uint32_t source = desk_.batch.hingeLinks[first + i].source;
+        Joint& joint = world_.joints[source];
+        std::uint8_t& isTaut = world_.tautJoints[source];
         if (!place.isInBlock) {
             const RevoluteConstraint& constraint = from.rest[place.index];
             takeHinge(joint, constraint, length_);
-            any = any || isTaut(constraint, joint.reactionForce, desk_.batch.inertias, h_);
+            any = noteTaut(isTaut, phaseSquare(constraint, joint.reactionForce, desk_.batch.inertias, h_)) || any;
             continue;
         }
         const WideRevolute& block = from.blocks[place.index];
         joint.hinge = impulsesOf(block, place.lane);
         takeReaction(joint, totalOf(block, place.lane), length_);
-        any = any || isTautLane(block, place.lane, joint.reactionForce, h_);
+        any = noteTaut(isTaut, phaseSquareOf(block, place.lane, joint.reactionForce, h_)) || any;
     }
     if (any) { anyTaut_.store(true, std::memory_order_relaxed); }
 }
