@@ -81,14 +81,16 @@ void Crew::run(std::size_t count, std::size_t grain, FunctionRef<void(std::size_
     const std::size_t length = std::max({grain, (count - 1) / kMostBlocks + 1, std::size_t{1}});
     const std::size_t blocks = (count - 1) / length + 1;
     const auto helpers = static_cast<std::size_t>(helpers_.load(std::memory_order_relaxed));
-    if (blocks < 2 || helpers == 0) {
+    // To come takes helpers some 20 µs, as long as many loops; a long one they may join while it runs.
+    const bool mayCome = workers_ > 1 && blocks > kFewBlocks;
+    if (blocks < 2 || (helpers == 0 && !mayCome)) {
         body(0, count, leader_);
         return;
     }
     body_ = &body;
     count_ = count;
     blockLength_ = length;
-    share(blocks, helpers);
+    share(blocks, std::max(helpers, std::size_t{1}));
 }
 
 void Crew::share(std::size_t blocks, std::size_t helpers) noexcept {

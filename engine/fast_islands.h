@@ -23,10 +23,10 @@ struct TriedContact {
     bool pressedOn = false;
 };
 
-/// What a solve changes in a hinge, and an island that begins anew asks for (first_try.h).
-struct TriedHinge {
-    std::uint32_t joint = 0;  ///< slot
-    HingeMemory memory;
+/// Where an island keeps what such a solve changes: index of its first member and joint there.
+struct TriedPlace {
+    std::size_t motion = 0;
+    std::size_t hinge = 0;
 };
 
 /// Islands with something fast in them. Kept for its capacity.
@@ -39,9 +39,10 @@ struct FastIslands {
     std::vector<std::uint8_t> isDone;   ///< by island, this step: its bodies bounced off each other in flight (clash.h)
     std::vector<std::uint8_t> isTried;  ///< by island, this step: solved with all else at first (first_try.h)
     std::vector<double> meets;  ///< by island: fraction of the step at which it met something then; 1: it did not
-    std::vector<BodyMotion> triedMotions;     ///< of the members of these islands, before
-    std::vector<TriedContact> triedContacts;  ///< and of their contacts
-    std::vector<TriedHinge> triedHinges;      ///< and of their joints
+    std::vector<TriedPlace> triedPlaces;      ///< by island, likewise: in the last two of these
+    std::vector<TriedContact> triedContacts;  ///< of all of them, before
+    std::vector<BodyMotion> triedMotions;     ///< of their members
+    std::vector<HingeMemory> triedHinges;     ///< and of their joints
     std::size_t eventsBefore = 0;
     IslandItems bodies;                     ///< slots, in order of waking
     IslandItems contacts;                   ///< indices of their probes

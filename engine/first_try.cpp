@@ -8,6 +8,9 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Islands per block of a parallel loop: each is looked at, or has a sweep or two.
+constexpr std::size_t kTryGrain = 4;
+
 /// Whether the members are solved the same way together with others. Of joints, hinges are: what they keep from step to
 /// step is little, and is put back.
 bool mayBeTried(const WorldState& world, std::size_t island, double dt) {
@@ -56,10 +59,54 @@ void rememberContacts(WorldState& world) {
     }
 }
 
-void rememberHinges(WorldState& world, std::size_t island) {
+/// Where each island keeps what it remembers.
+void placeTried(FastIslands& fast) {
+    TriedPlace next;
+    fast.triedPlaces.resize(fast.isTried.size());
+    for (std::size_t i = 0; i < fast.isTried.size(); ++i) {
+        fast.triedPlaces[i] = next;
+        if (fast.isTried[i] == 0) { continue; }
+        next.motion += fast.bodies.of(i).size();
+        next.hinge += fast.joints.of(i).size();
+    }
+    fast.triedMotions.resize(next.motion);
+    fast.triedHinges.resize(next.hinge);
+}
+
+/// The members of an island before they are solved. Their contacts are not in its hands alone.
+void remember(WorldState& world, std::size_t island) {
     FastIslands& fast = world.fastIslands;
+    TriedPlace place = fast.triedPlaces[island];
+    for (const std::uint32_t slot : fast.bodies.of(island)) {
+        fast.triedMotions[place.motion++] = world.motions[slot];
+        world.bodies[slot].role = BodyRole::solved;
+    }
     for (const std::uint32_t joint : fast.joints.of(island)) {
-        fast.triedHinges.push_back({.joint = joint, .memory = world.joints[joint].hinge});
+        fast.triedHinges[place.hinge++] = world.joints[joint].hinge;
+    }
+}
+
+/// Whether they met something, and if so, they are as they were.
+void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scratch) {
+    FastIslands& fast = world.fastIslands;
+    const std::span<const std::uint32_t> members = fast.bodies.of(island);
+    const StepPart part{.length = dt, .dt = dt};
+    fast.meets[island] = firstImpactOf(world, members, part, scratch);
+    const bool meets = fast.meets[island] < 1;
+    scratch.impacts += meets ? 1 : 0;
+    if (!meets) { holdSunk(world, members, part, scratch); }
+    TriedPlace place = fast.triedPlaces[island];
+    for (const std::uint32_t slot : members) {
+        Body& body = world.bodies[slot];
+        body.role = BodyRole::together;
+        if (meets) {
+            world.motions[slot] = fast.triedMotions[place.motion++];
+            body.flung = false;
+        }
+    }
+    if (!meets) { return; }
+    for (const std::uint32_t joint : fast.joints.of(island)) {
+        world.joints[joint].hinge = fast.triedHinges[place.hinge++];
     }
 }
 
@@ -90,51 +137,31 @@ void beginFirstTry(WorldState& world, double dt) {
     const std::size_t count = fast.isDone.size();
     fast.isTried.assign(count, 0);
     fast.meets.assign(count, 1);
-    fast.triedMotions.clear();
-    fast.triedHinges.clear();
     fast.eventsBefore = world.contactEvents.size();
     if (world.watched || hasErrorBudget(world.settings)) { return; }
-    for (std::size_t i = 0; i < count; ++i) { fast.isTried[i] = mayBeTried(world, i, dt) ? 1 : 0; }
+    world.loops->run(count, kTryGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { fast.isTried[i] = mayBeTried(world, i, dt) ? 1 : 0; }
+    });
     leaveOutBouncing(world, fast.isTried);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (fast.isTried[i] == 0) { continue; }
-        for (const std::uint32_t slot : fast.bodies.of(i)) {
-            fast.triedMotions.push_back(world.motions[slot]);
-            world.bodies[slot].role = BodyRole::solved;
+    placeTried(fast);
+    world.loops->run(count, kTryGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (fast.isTried[i] != 0) { remember(world, i); }
         }
-        rememberHinges(world, i);
-    }
+    });
     rememberContacts(world);
 }
 
-void judgeFirstTry(WorldState& world, double dt, FlightScratch& scratch) {
+void judgeFirstTry(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
-    bool anyMeets = false;
-    std::size_t motion = 0;
-    std::size_t hinge = 0;
-    for (std::size_t i = 0; i < fast.isTried.size(); ++i) {
-        if (fast.isTried[i] == 0) { continue; }
-        const std::span<const std::uint32_t> members = fast.bodies.of(i);
-        fast.meets[i] = firstImpactOf(world, members, {.length = dt, .dt = dt}, scratch);
-        const bool meets = fast.meets[i] < 1;
-        scratch.impacts += meets ? 1 : 0;
-        anyMeets = anyMeets || meets;
-        if (!meets) { holdSunk(world, members, {.length = dt, .dt = dt}, scratch); }
-        for (const std::uint32_t slot : members) {
-            Body& body = world.bodies[slot];
-            body.role = BodyRole::together;
-            if (meets) {
-                world.motions[slot] = fast.triedMotions[motion];
-                body.flung = false;
-            }
-            ++motion;
+    world.loops->run(fast.isTried.size(), kTryGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        FlightScratch& scratch = world.flightScratch[static_cast<std::size_t>(worker)];
+        for (std::size_t i = begin; i < end; ++i) {
+            if (fast.isTried[i] != 0) { judge(world, i, dt, scratch); }
         }
-        for (std::size_t joints = fast.joints.of(i).size(); joints > 0; --joints) {
-            const TriedHinge& before = fast.triedHinges[hinge++];
-            if (meets) { world.joints[before.joint].hinge = before.memory; }
-        }
-    }
-    if (anyMeets) { takeBackContacts(world); }
+    });
+    const auto meets = [](double fraction) { return fraction < 1; };
+    if (std::any_of(fast.meets.begin(), fast.meets.end(), meets)) { takeBackContacts(world); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -14,6 +14,7 @@ namespace swept::inline SWEPT_PRECISION {
 void beginFirstTry(WorldState& world, double dt);
 /// After that solve: members have the role `together` again; islands that met something are as they were before it.
 /// `FastIslands::meets` tells which.
-void judgeFirstTry(WorldState& world, double dt, FlightScratch& scratch);
+/// @pre each worker has its scratch
+void judgeFirstTry(WorldState& world, double dt);
 
 }  // namespace swept::inline SWEPT_PRECISION

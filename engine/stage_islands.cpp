@@ -290,7 +290,7 @@ void beginFastIslands(WorldState& world, double dt) {
 }
 
 void advanceFastIslands(WorldState& world, double dt) {
-    judgeFirstTry(world, dt, world.flightScratch[0]);
+    judgeFirstTry(world, dt);
     listWaiting(world);
     if (areApart(world)) {
         advanceAtOnce(world, dt);
