@@ -235,9 +235,9 @@ public:
 
     // --- what the last step did
     // The lists stay as they are until the next step, whatever is destroyed while one goes through them.
-    /// Sorted by fraction, then by the shapes' ids, ends before begins. What calls between the step before and this one
-    /// ended (bodies and shapes destroyed or teleported) is among them, at fraction 0; ids may name what is gone. A
-    /// chain is one shape here.
+    /// Sorted by fraction, then by the lower index of the two shapes' ids, then by the higher one, ends before begins.
+    /// What calls between the step before and this one ended (bodies and shapes destroyed or teleported) is among them,
+    /// at fraction 0; ids may name what is gone. A chain is one shape here.
     std::span<const ContactEvent> contactEvents() const;
     /// All bodies that the step moved or turned, and none that it left where it was, so that a game need not ask each.
     /// What fell asleep is among them, if that step still moved it. What was put elsewhere since may be, what was
