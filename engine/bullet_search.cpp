@@ -91,6 +91,11 @@ void renewPath(BulletWork& work, std::uint32_t index) {
                        .shapes = {}});
         }
     }
+}
+
+/// Where others look for it.
+void place(BulletWork& work, std::uint32_t index) {
+    BulletPartner& partner = work.partners[index];
     if (partner.leaf == kNoNode) {
         partner.leaf = work.tree.insert(boxOf(partner), index, false);
     } else {
@@ -98,6 +103,17 @@ void renewPath(BulletWork& work, std::uint32_t index) {
     }
 }
 
+/// The same of all, at once.
+void placeAll(BulletWork& work) {
+    work.boxes.clear();
+    for (BulletPartner& partner : work.partners) {
+        partner.leaf = static_cast<NodeIndex>(work.boxes.size());
+        work.boxes.push_back(boxOf(partner));
+    }
+    work.tree.build(work.boxes);
+}
+
+/// @pre placed after that
 void addPartner(WorldState& world, std::uint32_t slot, FlightScratch& scratch) {
     BulletWork& work = world.bulletWork;
     const auto index = static_cast<std::uint32_t>(work.partners.size());
@@ -188,11 +204,13 @@ void dropOutOfReach(WorldState& world, std::vector<std::uint32_t>& fast, std::sp
     for (const std::uint32_t slot : world.awake) {
         if (world.bodies[slot].isDynamic()) { fastest = std::max(fastest, speedBound(world, slot, dt)); }
     }
-    AabbTree& realms = world.bulletWork.tree;
-    realms.clear();
+    BulletWork& work = world.bulletWork;
+    AabbTree& realms = work.tree;
+    work.boxes.clear();
     for (const std::uint32_t slot : bullets) {
-        realms.insert(realmOf(world, slot, dt * (speedBound(world, slot, dt) + fastest)), slot, false);
+        work.boxes.push_back(realmOf(world, slot, dt * (speedBound(world, slot, dt) + fastest)));
     }
+    realms.build(work.boxes);
     std::erase_if(fast, [&](std::uint32_t slot) {
         bool isFree = true;
         walkOverlaps(realms, realmOf(world, slot, dt * speedBound(world, slot, dt)), isFree,
@@ -220,7 +238,6 @@ void findEarly(WorldState& world, Real dt) {
     if (!work.found.empty()) { dropOutOfReach(world, work.found, work.early, dt); }
     work.early.insert(work.early.end(), work.found.begin(), work.found.end());
     std::sort(work.early.begin(), work.early.end());
-    work.tree.clear();
 }
 
 }  // namespace
@@ -243,6 +260,7 @@ void findPartners(WorldState& world, double dt, FlightScratch& scratch) {
     for (std::uint32_t i = 0; i < work.early.size(); ++i) {
         if (work.partners[i].isBullet) { discover(world, i, scratch); }
     }
+    placeAll(work);
     for (std::uint32_t i = 0; i < work.early.size(); ++i) {
         if (!work.partners[i].isBullet) { continue; }
         // A pair of bullets once.
@@ -266,10 +284,15 @@ bool takeMeeting(BulletWork& work, BulletMeeting& meeting) {
 
 void lookAhead(WorldState& world, std::initializer_list<std::uint32_t> partners, FlightScratch& scratch) {
     BulletWork& work = world.bulletWork;
-    for (const std::uint32_t index : partners) { renewPath(work, index); }
+    for (const std::uint32_t index : partners) {
+        renewPath(work, index);
+        place(work, index);
+    }
+    const auto known = static_cast<std::uint32_t>(work.partners.size());
     for (const std::uint32_t index : partners) {
         if (work.partners[index].isBullet) { discover(world, index, scratch); }
     }
+    for (std::uint32_t i = known; i < work.partners.size(); ++i) { place(work, i); }
     for (const std::uint32_t index : partners) {
         // Two that changed once.
         predictAll(world, index, scratch, [&](std::uint32_t other) {

@@ -52,6 +52,7 @@ struct BulletWork {
     std::vector<BulletMeeting> meetings;  ///< a heap: the next one is the first
     std::vector<BulletCarrier> carriers;
     AabbTree tree;                     ///< of the boxes of the paths
+    std::vector<Aabb> boxes;           ///< scratch: of these
     std::vector<std::uint32_t> early;  ///< scratch: slots
     std::vector<std::uint32_t> found;  ///< likewise
     Real drift = 0;                    ///< no body that is none of the early partners leaves its box farther, metres
