@@ -42,7 +42,8 @@ static_assert(sizeof(TreeNode) <= 64, "a node is read in one cache line");
 class AabbTree {
 public:
     /// Anew, of all boxes at once: halved at the median of the wider axis of their centres, over and over. Takes a
-    /// quarter of the time of as many insertions. Leaf and slot of each are its place in the array, and none is marked as moved.
+    /// quarter of the time of as many insertions. Leaf and slot of each are its place in the array, and none is marked
+    /// as moved.
     void build(std::span<const Aabb> boxes);
     /// @param moved  whether the leaf starts marked as moved.
     NodeIndex insert(const Aabb& box, std::uint32_t slot, bool moved);
