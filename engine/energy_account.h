@@ -19,12 +19,14 @@ struct EnergyAccount {
     bool isDriven = false;
     bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
-    bool isTouching = false;  ///< something; noted only of what may have gained
-    bool isAnchored = false;  ///< one of them ties it to what stands still, or to a carrier
-    bool isGrounded = false;  ///< presses on what stands still
-    DVec2 push{};             ///< of that, all of it, N·s
+    bool isTouching = false;    ///< something; noted only of what may have gained
+    std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
+    bool isAnchored = false;    ///< one of them ties it to what stands still, or to a carrier
+    bool isGrounded = false;    ///< presses on what stands still
+    DVec2 push{};               ///< of that, all of it, N·s
     /// By joints to kinematic bodies that move, and by those that calls move. Noted only of what may have gained.
     bool isLed = false;
+    bool isTorn = false;            ///< its joints cannot all hold, and it goes faster than it is led: so it pays
     double leadSpeed = 0;           ///< of the fastest one, m/s
     double leadSpin = 0;            ///< rad/s
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
@@ -42,10 +44,11 @@ struct EnergyEntry {
     double turningKinetic = 0;
     double turningGained = 0;
     double turningWork = 0;
-    // How the body moved before the solve, m/s and rad/s, and how far in it, metres.
+    // How the body moved before the solve, m/s and rad/s, and how far in it, metres and radians.
     Vec2 velocityBefore{};
     Vec2 moved{};
     Real spinBefore = 0;
+    Real turned = 0;
 };
 
 /// An island that gained, as one rigid body.

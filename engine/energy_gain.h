@@ -20,10 +20,10 @@ inline constexpr double kJointedGain = 1.0 / 64;
 inline constexpr double kMostFalls = 16;
 inline constexpr double kMostFallsInTouch = 1.0 / 4;
 
-/// Kinematic bodies that move do work, and so do joints that calls move. What they lead may hang on levers, and go up
-/// to eight times as fast as if it went along with them; what is faster than that they do not drive. (A box on joints
-/// to two things that part, by a metre in a second, was at 350 m/s when they stopped, and with welds beyond all
-/// numbers.)
+/// Kinematic bodies do work, and so do joints that calls move. What they lead may hang on levers, or whirl, and go as
+/// fast as it likes, unless its joints cannot all hold: then what goes more than eight times as fast as if it went
+/// along with them is not driven. (A box on joints to two things that part, by a metre in a second, was at 350 m/s when
+/// they stopped, and with welds beyond all numbers.)
 inline constexpr double kMostLead = 64;  ///< of energies
 
 /// Overlaps are pushed out without speed, which lifts at no cost. Joints that touch nothing pay for that: what hung on

@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "driven_joints.h"
 #include "energy_gain.h"
 #include "energy_shares.h"
+#include "joint_builder.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-/// Does work, as long as it lasts; one that stands still is as good as static.
-bool isCarrier(const WorldState& world, std::uint32_t slot) {
-    const BodyMotion& motion = world.motions[slot];
-    return world.bodies[slot].def.type == BodyType::kinematic &&
-           (motion.velocity != Vec2{} || motion.angularVelocity != 0);
-}
 
 void noteContact(WorldState& world, const Contact& contact) {
     if (contact.sensor || contact.manifold.count == 0) { return; }
@@ -24,7 +19,7 @@ void noteContact(WorldState& world, const Contact& contact) {
     account.isTouching = true;
     account.isDriven = account.isDriven || contact.isBelt;
     if (contact.dynamicA == contact.dynamicB) { return; }
-    account.isDriven = account.isDriven || isCarrier(world, other);
+    account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
     account.isGrounded = account.isGrounded || contact.pressed;
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
@@ -50,13 +45,29 @@ void noteJoint(WorldState& world, std::uint32_t joint) {
         EnergyAccount& account = accountOf(world, slot);
         for (const std::uint32_t other : bodies) {
             account.isAnchored = account.isAnchored || !world.bodies[other].isDynamic();
-            if (isCarrier(world, other)) { noteCarrier(world, account, other); }
+            if (world.bodies[other].def.type == BodyType::kinematic) { noteCarrier(world, account, other); }
         }
     }
 }
 
-/// Who is led, and goes no faster than that can make it. @pre what leads is noted
-void findDriven(WorldState& world, const SolveDesk& desk) {
+/// Whether a joint does not hold, by far. Where it is one of several that hold an island to what it does not move, they
+/// cannot all hold; of a single one, what hangs there may be heavy, or whirl.
+bool isTorn(const WorldState& world, const Joint& joint) {
+    constexpr Real kTornTurn = Real(1) / 8;   // rad
+    constexpr Real kTornRatio = Real(1) / 8;  // of the smallest extent of its bodies
+    Real smallest = std::numeric_limits<Real>::infinity();
+    for (const std::uint32_t slot : joint.allBodies()) {
+        const Body& body = world.bodies[slot];
+        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
+    }
+    const JointErrors errors = errorsOf(world, joint);
+    return errors.length > kTornRatio * smallest || errors.angle > kTornTurn;
+}
+
+/// What is led is driven, unless it goes too fast for that, and its joints are torn or closed at once.
+/// @pre what leads is noted
+void findDriven(WorldState& world, const TiedGroup& group) {
+    const SolveDesk& desk = group.desk;
     for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
         EnergyAccount& account = accountOf(world, desk.bodies[i]);
@@ -68,26 +79,72 @@ void findDriven(WorldState& world, const SolveDesk& desk) {
         account.led += 0.5 * (body.mass * squared(account.leadSpeed + account.leadSpin * arm) +
                               inertiaOf(body) * squared(account.leadSpin));
     }
+    const auto mayTear = [](const EnergyAccount& account) {
+        return account.isLed && !account.isDriven && account.kinetic > kMostLead * account.led && hasGained(account);
+    };
+    for (const std::uint32_t i : group.joints) {
+        const JointTie& tie = world.jointTies[i];
+        EnergyAccount& account = accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
+        if (account.solve != desk.energySolve || account.anchors < 2 || account.isTorn || !mayTear(account)) {
+            continue;
+        }
+        account.isTorn = isTorn(world, world.joints[i]);
+    }
     for (const std::uint32_t root : desk.energyRoots) {
         EnergyAccount& account = world.energyAccounts[root];
-        account.isDriven = account.isDriven || (account.isLed && account.kinetic <= kMostLead * account.led);
+        const bool mayPay = account.isTorn || (account.isYanked && mayTear(account));
+        account.isDriven = account.isDriven || (account.isLed && !mayPay);
     }
 }
 
-/// Joints that are solved exactly have accounts of their own (`JointIsland`).
-bool isPassive(const TiedGroup& group, const JointTie& tie) {
-    return tie.isPassive && group.effort.direct != DirectScope::islands;
+/// Joints that are torn work against each other. What each begins the next step with would grow without end, and so
+/// would the way that bodies go: they go as far as what is left of their speed takes them.
+void calmTorn(WorldState& world, const TiedGroup& group) {
+    const SolveDesk& desk = group.desk;
+    const auto isToBeCalmed = [&desk](const EnergyAccount& account) {
+        return account.solve == desk.energySolve && account.isTorn && !account.isDriven && account.motion != kNoIndex;
+    };
+    for (const std::uint32_t i : group.joints) {
+        const JointTie& tie = world.jointTies[i];
+        const std::uint32_t slot = world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB;
+        if (isToBeCalmed(accountOf(world, slot))) { forgetStart(world.joints[i]); }
+    }
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        const std::uint32_t slot = desk.bodies[i];
+        const EnergyAccount& account = accountOf(world, slot);
+        if (!isToBeCalmed(account)) { continue; }
+        const double part = 1 - desk.islandMotions[account.motion].share;
+        world.motions[slot].center -= part * toDouble(desk.energyEntries[i].moved);
+        world.motions[slot].angle -= part * static_cast<double>(desk.energyEntries[i].turned);
+        updatePose(world, slot);
+    }
 }
 
-/// Which islands have joints, and whether these drive them or hold them to something.
+void noteJointed(EnergyAccount& account, bool isPassive, std::uint32_t anchors) {
+    account.isJointed = true;
+    account.isDriven = account.isDriven || !isPassive;
+    account.isAnchored = account.isAnchored || anchors > 0;
+    account.anchors += anchors;
+}
+
+/// Which islands have joints, and whether these drive them or hold them to something. Joints that are solved exactly
+/// have accounts of their own (`JointIsland`).
 void noteJointed(WorldState& world, const TiedGroup& group) {
+    const bool isExact = group.effort.direct == DirectScope::islands;
+    if (group.role == BodyRole::solved) {  // most of all that is awake: what is known of whole chains is enough
+        for (const JointChain& chain : world.jointChains.list) {
+            EnergyAccount& account = accountOf(world, chain.lowest);
+            const bool isIn = account.solve == group.desk.energySolve;
+            if (isIn) { noteJointed(account, chain.isPassive && !isExact, chain.anchors); }
+        }
+        return;
+    }
     const auto moves = [&world](std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; };
     for (const std::uint32_t joint : group.joints) {
         const JointTie& tie = world.jointTies[joint];
         EnergyAccount& account = accountOf(world, moves(tie.bodyA) ? tie.bodyA : tie.bodyB);
-        account.isJointed = true;
-        account.isDriven = account.isDriven || !isPassive(group, tie);
-        account.isAnchored = account.isAnchored || !moves(tie.bodyA) || !moves(tie.bodyB);
+        noteJointed(account, tie.isPassive && !isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
     }
 }
 
@@ -130,8 +187,10 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
     } else {
         for (const Contact& contact : group.contacts) { noteContact(world, contact); }
     }
-    for (const std::uint32_t joint : group.joints) { noteJoint(world, joint); }
-    if (hasJoints) { findDriven(world, group.desk); }
+    if (group.role != BodyRole::solved || world.kinematicBodies > 0) {  // of others all is known
+        for (const std::uint32_t joint : group.joints) { noteJoint(world, joint); }
+    }
+    if (hasJoints) { findDriven(world, group); }
 }
 
 }  // namespace
@@ -166,6 +225,7 @@ EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState
         entry.turningGained = half * (after - squared(static_cast<double>(before.angularVelocity)));
         entry.turningWork = static_cast<double>(body.torque) * static_cast<double>(state.deltaAngle);
         entry.spinBefore = before.angularVelocity;
+        entry.turned = state.deltaAngle;
     }
     return entry;
 }
@@ -254,6 +314,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time) {
     };
     if (std::none_of(roots.begin(), roots.end(), pays)) { return; }
     takeBackGains(world, group, static_cast<double>(time));
+    if (hasJoints) { calmTorn(world, group); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

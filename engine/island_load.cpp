@@ -138,7 +138,7 @@ void addJoints(WorldState& world) {
         load.longestChain = std::max(load.longestChain, chain.joints);
         // What only lies on a bridge makes it no chain.
         load.hasLoop = load.hasLoop || chain.joints > chain.bodies;
-        load.isAnchored = load.isAnchored || chain.isAnchored;
+        load.isAnchored = load.isAnchored || chain.anchors > 0;
         load.joints += chain.joints;
         load.plainJoints += chain.plainJoints;
         load.driven += chain.drivenJoints;

@@ -302,11 +302,15 @@ Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt) 
     return softnessOfStep(world, effort, kJointCycles, kJointDampingRatio, h, dt);
 }
 
-void forgetImpulses(Joint& joint) {
+void forgetStart(Joint& joint) {
     visitPart(joint.parts, [](auto& part) {
         if constexpr (requires { part.memory; }) { part.memory = {}; }
     });
     joint.hinge = {};
+}
+
+void forgetImpulses(Joint& joint) {
+    forgetStart(joint);
     joint.reactionForce = {};
     joint.reactionTorque = 0;
 }

@@ -19,8 +19,10 @@ Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt);
 void takeReaction(Joint& joint, const JointReaction& total, Real dt);
 void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt);
 
-/// Impulses to start from that belong to a state that is gone, or are no numbers.
+/// Impulses to start from that belong to a state that is gone, or are no numbers; and the reactions of the last step.
 void forgetImpulses(Joint& joint);
+/// The impulses alone.
+void forgetStart(Joint& joint);
 /// Takes impulses and reactions back from a solved batch.
 void readConstraints(SolverBatch& batch, WorldState& world, Real dt);
 

@@ -95,13 +95,12 @@ void sumUpJoints(WorldState& world) {
         chain.drivenJoints += tie.isDriven ? 1 : 0;
         chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;
         chain.isPassive = chain.isPassive && tie.isPassive;
-        for (const std::uint32_t slot : world.joints[i].allBodies()) {
-            chain.isAnchored = chain.isAnchored || !world.bodies[slot].isDynamic();
-        }
+        const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
+        const auto isDynamic = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
+        chain.anchors += std::all_of(bodies.begin(), bodies.end(), isDynamic) ? 0 : 1;
     }
-    chains.isAnyLoose = std::any_of(chains.list.begin(), chains.list.end(), [](const JointChain& chain) {
-        return chain.isPassive && !chain.isAnchored;
-    });
+    chains.isAnyLoose = std::any_of(chains.list.begin(), chains.list.end(),
+                                    [](const JointChain& chain) { return chain.isPassive && chain.anchors == 0; });
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ struct JointChain {
     std::uint32_t joints = 0;
     std::uint32_t plainJoints = 0;  ///< `JointTie::isPlain`
     std::uint32_t drivenJoints = 0;
-    bool holdsAngles = false;  ///< `JointTie::holdsAngle` of any
-    bool isAnchored = false;   ///< a joint ties it to what is not dynamic
-    bool isPassive = true;     ///< `JointTie::isPassive` of all
+    std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
+    bool holdsAngles = false;   ///< `JointTie::holdsAngle` of any
+    bool isPassive = true;      ///< `JointTie::isPassive` of all
 };
 
 /// All chains. They persist: as long as no joint is made, changed or removed, and nothing that one holds wakes or falls

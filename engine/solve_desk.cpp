@@ -35,8 +35,6 @@ void clearDesk(WorldState& world, SolveDesk& desk) {
     desk.counters = {};
     world.anyFlung = world.anyFlung || desk.anyFlung;
     desk.anyFlung = false;
-    world.anyTaut = world.anyTaut || desk.anyTaut;
-    desk.anyTaut = false;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -35,9 +35,7 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<ContactEvent> events;
     std::vector<Contact> foundContacts;  ///< that islands found on their way, and that pressed
     StepCounters counters;
-    std::vector<Real> phaseSquares;  ///< by slot of the solve; scratch of `stiffenTurns`
-    bool anyTaut = false;            ///< some joint is (taut_joints.h)
-    bool anyFlung = false;           ///< the solver may have moved some body as far as only a fast one moves
+    bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
 };
 
 /// What it left becomes that of the step.

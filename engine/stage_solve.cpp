@@ -7,7 +7,6 @@
 #include "modes.h"
 #include "profile.h"
 #include "step.h"
-#include "taut_joints.h"
 #include "tied_bodies.h"
 #include "tied_contacts.h"
 #include "tied_group.h"
@@ -90,7 +89,6 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
     SolveDesk& desk = group.desk;
     SolverBatch& batch = desk.batch;
     const bool isIterated = settings.direct == DirectScope::none;
-    if (isIterated && world.wasTaut) { stiffenTurns(world, group, h); }
     TiedHinges hinges(world, group, h, dt, settings.dt);
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
@@ -101,7 +99,6 @@ SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const Sol
         }
     }
     const SolveReport report = desk.solver.solve(batch, settings, *desk.loops);
-    desk.anyTaut = desk.anyTaut || hinges.anyTaut() || (isIterated && noteTaut(world, batch, h, settings.dt));
     readConstraints(batch, world, settings.dt);
     batch.clearJoints();  // so that nobody need look for any in a solve without
     return report;
@@ -245,7 +242,9 @@ void solveTiedBodies(WorldState& world, double dt) {
     for (std::size_t place = 0; place < efforts.size(); ++place) {  // grows as it goes
         const Effort effort = efforts[place];
         const bool isTried = budgeted && !effort.isSettled;
+        const bool areAlike = areAllSolved && efforts.size() == 1;  // then small traits tell, and no body is asked
         const auto isOfClass = [&](std::uint32_t slot) {
+            if (areAlike) { return (world.traits[slot] & kIsTied) != 0; }
             return world.bodies[slot].role == BodyRole::solved && world.bodies[slot].effort == effort;
         };
         world.tiedJoints.clear();

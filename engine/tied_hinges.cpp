@@ -2,7 +2,6 @@
 
 #include "../solver/hinge_lanes.h"
 #include "joint_builder.h"
-#include "taut_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -23,11 +22,6 @@ HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {
         memory.motor = block.motorImpulse[lane];
     }
     return memory;
-}
-
-Real phaseSquareOf(const WideRevolute& block, std::size_t lane, Vec2 force, Real h) {
-    return std::max(phaseSquare({block.anchorAX[lane], block.anchorAY[lane]}, force, block.inverseInertiaA[lane], h),
-                    phaseSquare({block.anchorBX[lane], block.anchorBY[lane]}, force, block.inverseInertiaB[lane], h));
 }
 
 }  // namespace
@@ -90,25 +84,18 @@ void TiedHinges::fill(std::size_t first, std::span<const BlockPlace> places, con
 }
 
 void TiedHinges::take(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& from) {
-    bool any = false;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const BlockPlace& place = places[i];
         fetchAhead(first + i);
-        const std::uint32_t source = desk_.batch.hingeLinks[first + i].source;
-        Joint& joint = world_.joints[source];
-        std::uint8_t& isTaut = world_.tautJoints[source];
+        Joint& joint = world_.joints[desk_.batch.hingeLinks[first + i].source];
         if (!place.isInBlock) {
-            const RevoluteConstraint& constraint = from.rest[place.index];
-            takeHinge(joint, constraint, length_);
-            any = noteTaut(isTaut, phaseSquare(constraint, joint.reactionForce, desk_.batch.inertias, h_)) || any;
+            takeHinge(joint, from.rest[place.index], length_);
             continue;
         }
         const WideRevolute& block = from.blocks[place.index];
         joint.hinge = impulsesOf(block, place.lane);
         takeReaction(joint, totalOf(block, place.lane), length_);
-        any = noteTaut(isTaut, phaseSquareOf(block, place.lane, joint.reactionForce, h_)) || any;
     }
-    if (any) { anyTaut_.store(true, std::memory_order_relaxed); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-
 #include "tied_group.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -19,9 +17,6 @@ public:
     void link(std::uint32_t joint, const JointTie& tie);
 
     void fill(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& to) override;
-    /// After a solve.
-    bool anyTaut() const { return anyTaut_; }
-
     void take(std::size_t first, std::span<const BlockPlace> places, const HingeArrays& from) override;
 
 private:
@@ -35,7 +30,6 @@ private:
     Real dt_;
     Real length_;
     Softness softness_;
-    std::atomic<bool> anyTaut_ = false;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -143,8 +143,6 @@ void advance(WorldState& world, double dt) {
     }
     if (world.kinematicBodies > 0) { reachWithKinematicBodies(world); }
     if (!world.drivenJoints.empty()) { beginDriven(world, dt); }
-    world.wasTaut = std::exchange(world.anyTaut, false);
-    world.tautJoints.resize(world.jointTies.size());
     findPairs(world);
     clock.stop(world.stageTimes.pairs);
     collideContacts(world);

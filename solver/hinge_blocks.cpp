@@ -12,8 +12,9 @@ const RevoluteKernels* revoluteKernels() { return nullptr; }
 
 namespace {
 
-/// Hinges of a block of a parallel loop.
+/// Hinges, and blocks of them, of a block of a parallel loop.
 constexpr std::size_t kPlaceGrain = 128;
+constexpr std::size_t kBlockGrain = 16;
 
 HingeParts partsOf(const RevoluteConstraint& joint) { return {joint.hasSpring, joint.hasMotor, joint.hasLimits}; }
 
@@ -67,10 +68,11 @@ void HingeBlocks::listKinds(const SolverBatch& batch, const ConstraintGraph& gra
 }
 
 void HingeBlocks::layOut(const ConstraintGraph& graph) {
-    layout_.layOut(graph.activeColours(), [this](std::uint32_t block, std::uint32_t lanes, BlockLayout::Kind kind) {
-        if (block == blocks_.size()) { blocks_.emplace_back(); }
-        emptyBlock(blocks_[block], lanes, partsOf(kind));
+    openings_.clear();
+    layout_.layOut(graph.activeColours(), [this](std::uint32_t, std::uint32_t lanes, BlockLayout::Kind kind) {
+        openings_.push_back({lanes, kind});
     });
+    if (blocks_.size() < openings_.size()) { blocks_.resize(openings_.size()); }
     rest_.resize(layout_.restCount());
 }
 
@@ -109,11 +111,16 @@ void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool w
     // Parts may do nothing in one solve, and something in the next one.
     const bool areKept = batch.hingeStore != nullptr && graph.areHingesKept() && kernels_ == before && !hasParts_;
     if (!areKept) { listKinds(batch, graph); }
-    layOut(graph);
+    layOut(graph);  // contacts may have brought other colours
     if (!areKept) {
         layout_.listPlaces();
         listRest(batch);
     }
+    loops.run(openings_.size(), kBlockGrain, [this](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            emptyBlock(blocks_[i], openings_[i].lanes, partsOf(openings_[i].kind));
+        }
+    });
     const std::span<const BlockPlace> places = layout_.places();
     if (batch.hingeStore == nullptr) {
         fillFrom(batch);
@@ -124,7 +131,9 @@ void HingeBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, bool w
             batch.hingeStore->fill(begin, places.subspan(begin, end - begin), to);
         });
     }
-    for (WideRevolute& block : blocks()) { closeBlock(block); }
+    loops.run(openings_.size(), kBlockGrain, [this](std::size_t begin, std::size_t end, int) {
+        for (WideRevolute& block : blocks().subspan(begin, end - begin)) { closeBlock(block); }
+    });
     if (batch.hingeStore == nullptr) { return; }
     for (RevoluteConstraint& joint : batch.revolutes) {
         joint.total = {};

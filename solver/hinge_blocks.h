@@ -33,7 +33,8 @@ public:
 
 private:
     void listKinds(const SolverBatch& batch, const ConstraintGraph& graph);
-    BlockLayout::Kind kindOf(const HingeLink& link, bool isHeld, int colour, std::span<const BodyInertia> inertias) const;
+    BlockLayout::Kind kindOf(const HingeLink& link, bool isHeld, int colour,
+                             std::span<const BodyInertia> inertias) const;
     void noteKind(std::size_t hinge, const HingeLink& link, bool isHeld, int colour,
                   std::span<const BodyInertia> inertias);
     void layOut(const ConstraintGraph& graph);
@@ -41,9 +42,16 @@ private:
     void fillFrom(const SolverBatch& batch);
     std::span<WideRevolute> blocks() { return std::span(blocks_).first(layout_.blockCount()); }
 
+    /// What a block is made for.
+    struct Opening {
+        std::uint32_t lanes = 0;
+        BlockLayout::Kind kind = 0;
+    };
+
     const RevoluteKernels* kernels_ = nullptr;
     bool hasParts_ = false;  ///< any hinge has something beside its point
     BlockLayout layout_;
+    std::vector<Opening> openings_;     ///< by block
     std::vector<WideRevolute> blocks_;  ///< keeps its size
     std::vector<std::uint32_t> rest_;   ///< places in the batch
 };

@@ -77,7 +77,7 @@ TEST(JointParted, WhatTwoThatPartPullAt) {
                         first.make(world, carrier, load, {lever + 0.75, 0.5});
                         second.make(world, post, load, {-lever - 0.75, 0.25});
                         // What is drawn straight gets fast by itself before it is.
-                        const double most = 10 + 50 * gap * gap;
+                        const double most = 40 + 110 * gap * gap;
                         const auto tell = [&] {
                             return std::string(nameOf(profile)) + ", " + first.name + " and " + second.name +
                                    ", lever " + std::to_string(lever) + ", gap " + std::to_string(gap);
@@ -85,7 +85,7 @@ TEST(JointParted, WhatTwoThatPartPullAt) {
                         EXPECT_LT(mostKinetic(world, load, 60), most) << tell();
                         must(world.setVelocity(carrier, {}, 0));
                         EXPECT_LT(mostKinetic(world, load, 300), most) << tell();
-                        EXPECT_LT(kineticOf(world, load), 10) << tell();
+                        EXPECT_LT(kineticOf(world, load), 40) << tell();
                     }
                 }
             }
@@ -120,7 +120,7 @@ TEST(JointParted, WhatIsReeledInFarther) {
                 }
                 most = std::max(most, mostKinetic(world, load, 600));
                 const char* kind = isRope ? "rope" : "rod";
-                EXPECT_LT(most, 40 * by * by + 1e-3) << nameOf(profile) << ", " << kind << " by " << by;
+                EXPECT_LT(most, 20 + 90 * by * by) << nameOf(profile) << ", " << kind << " by " << by;
             }
         }
     }
@@ -148,6 +148,50 @@ TEST(JointParted, WhatIsYankedUpToACarrier) {
             EXPECT_LT(mostKinetic(world, load, 30), 0.5 * mass * 16) << nameOf(profile) << ", by " << by;
             const DVec2 hook = apply(world.transform(load), vec(0, 0.8));
             EXPECT_LT(length(hook - world.position(rope.base.bodyA)), 9.2 - by + 0.01);
+        }
+    }
+}
+
+/// What is led does keep what honest work gives it, however much faster it goes. (Held back to eight times the speed of
+/// the rope, three quarters of the angular momentum went.)
+TEST(JointParted, WhatWhirlsOnARopeThatIsReeledInKeepsItsAngularMomentum) {
+    for (const Profile profile : kProfiles) {
+        for (const double speed : {0.5, 2.0}) {
+            World world = makeWorld(weightless(profile));
+            const BodyId load = addBody(world, dynamicAt({4, 0}, vec(0, 3)), circle(0.2));
+            DistanceJointDef rope;
+            rope.base = between(anchorOf(world), load);
+            rope.anchorA = {0, 0};
+            rope.anchorB = {4, 0};
+            rope.limits = LengthLimits{0, 4};
+            const JointId joint = must(world.createJoint(rope));
+            for (double reach = 4; reach > 1;) {
+                reach -= speed * kStep;
+                must(world.setLengthLimits(joint, LengthLimits{0, real(reach)}));
+                must(world.step(kStep));
+            }
+            const double momentum = cross(world.position(load), toDouble(world.velocity(load)));
+            EXPECT_NEAR(momentum, 12, 0.01 * 12) << nameOf(profile) << ", " << speed << " m/s";
+        }
+    }
+}
+
+/// Nor does it matter who watches: about a hook that moves steadily a load whirls as about one at rest. (In `fast` 65 %
+/// of the energy relative to the hook was lost.)
+TEST(JointParted, WhatWhirlsAboutASlowCarrierGoesOn) {
+    for (const Profile profile : kProfiles) {
+        World world = makeWorld(weightless(profile));
+        BodyDef hook = bodyAt(BodyType::kinematic, {0, 0});
+        hook.velocity = vec(1, 0);
+        const BodyId load = addBody(world, dynamicAt({1, 0}, vec(1, 12)), circle(0.2));
+        DistanceJointDef rod;
+        rod.base = between(must(world.createBody(hook)), load);
+        rod.anchorA = {0, 0};
+        rod.anchorB = {1, 0};
+        must(world.createJoint(rod));
+        for (int i = 0; i < 300; ++i) {
+            must(world.step(kStep));
+            ASSERT_NEAR(length(world.velocity(load) - vec(1, 0)), 12, 0.2) << nameOf(profile) << ", step " << i;
         }
     }
 }
