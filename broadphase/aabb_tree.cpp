@@ -1,6 +1,7 @@
 #include "aabb_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <utility>
@@ -52,11 +53,9 @@ NodeIndex AabbTree::buildOf(std::span<Item> items) {
         halve([](const Item& item) { return item.center.y; });
     }
     const NodeIndex joined = allocate();
-    for (const std::size_t side : {0, 1}) {
-        const NodeIndex child = buildOf(side == 0 ? items.first(half) : items.subspan(half));
-        nodes_[joined].child[side] = child;
-        nodes_[child].parent = joined;
-    }
+    const std::array<NodeIndex, 2> children = {buildOf(items.first(half)), buildOf(items.subspan(half))};
+    nodes_[joined].child = children;
+    for (const NodeIndex child : children) { nodes_[child].parent = joined; }
     pull(joined);
     return joined;
 }

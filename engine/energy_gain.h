@@ -20,12 +20,6 @@ inline constexpr double kJointedGain = 1.0 / 64;
 inline constexpr double kMostFalls = 16;
 inline constexpr double kMostFallsInTouch = 1.0 / 4;
 
-/// Kinematic bodies do work, and so do joints that calls move. What they lead may hang on levers, or whirl, and go as
-/// fast as it likes, unless its joints cannot all hold: then what goes more than eight times as fast as if it went
-/// along with them is not driven. (A box on joints to two things that part, by a metre in a second, was at 350 m/s when
-/// they stopped, and with welds beyond all numbers.)
-inline constexpr double kMostLead = 64;  ///< of energies
-
 /// Overlaps are pushed out without speed, which lifts at no cost. Joints that touch nothing pay for that: what hung on
 /// limits rose step by step, and was given what it fell again (five boxes by 11 m in 15 s, once the first one had a
 /// thousandth of its inertia).

@@ -42,9 +42,6 @@ constexpr double kMostEnergyRatio = 1.0 / 64;
 /// Radians of a turn in a step beyond which it is coarse: what may happen within it shows neither before nor after it.
 constexpr double kCoarseTurn = 1;
 
-/// Where joints give way, what moves otherwise leads bodies no faster than eight times as fast as if they went along.
-constexpr double kMostLead = 64;  ///< of energies
-
 bool isDamped(const IslandBody& body) { return body.decay != 1 || body.angularDecay != 1; }
 
 /// Moved, and not by the island.

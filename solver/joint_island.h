@@ -16,6 +16,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// A length without a root: of a vector, at most √2 times as large.
 inline double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 
+/// Where joints cannot all hold, what moves by itself leads bodies up to eight times as fast as if they went along.
+inline constexpr double kMostLead = 64;  ///< of energies
+
 /// A body of an island, with its motion since the start of the step.
 struct IslandBody {
     struct Place {

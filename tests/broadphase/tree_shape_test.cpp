@@ -3,6 +3,7 @@
 #include <swept/broadphase/aabb_tree.h>
 
 #include <bit>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -62,7 +63,7 @@ void expectHolds(const AabbTree& tree, std::span<const Aabb> boxes) {
 }
 
 TEST(TreeShape, BuiltAtOnceIsBalancedAndAsGoodAsGrown) {
-    for (const std::size_t count : {0, 1, 2, 3, 7, 64, 1000, 4000}) {
+    for (const std::size_t count : std::initializer_list<std::size_t>{0, 1, 2, 3, 7, 64, 1000, 4000}) {
         Random random(count);
         std::vector<Aabb> boxes;
         AabbTree grown;
