@@ -21,10 +21,10 @@ struct EnergyAccount {
     bool isJointed = false;
     bool isTouching = false;    ///< something; noted only of what may have gained
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
-    bool isAnchored = false;    ///< one of them ties it to what stands still, or to a carrier
-    bool isGrounded = false;    ///< presses on what stands still
-    DVec2 push{};               ///< of that, all of it, N·s
-    /// By joints to kinematic bodies that move, and by those that calls move. Noted only of what may have gained.
+    bool isAnchored = false;    ///< one of them, or a gear, does so
+    bool isGrounded = false;    ///< presses on something static
+    DVec2 push{};               ///< of what is static, all of it, N·s
+    /// By joints to kinematic bodies, and by those that calls move. Noted only of what may have gained.
     bool isLed = false;
     bool isTorn = false;            ///< its joints cannot all hold, and it goes faster than it is led: so it pays
     double leadSpeed = 0;           ///< of the fastest one, m/s

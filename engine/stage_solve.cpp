@@ -86,19 +86,17 @@ Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepP
 
 SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    SolveDesk& desk = group.desk;
-    SolverBatch& batch = desk.batch;
-    const bool isIterated = settings.direct == DirectScope::none;
+    SolverBatch& batch = group.desk.batch;
     TiedHinges hinges(world, group, h, dt, settings.dt);
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
-        if (tie.isHinge && isIterated) {
+        if (tie.isHinge && settings.direct == DirectScope::none) {
             hinges.link(i, tie);
         } else {
             addConstraint(batch, world, i, h, dt);
         }
     }
-    const SolveReport report = desk.solver.solve(batch, settings, *desk.loops);
+    const SolveReport report = group.desk.solver.solve(batch, settings, *group.desk.loops);
     readConstraints(batch, world, settings.dt);
     batch.clearJoints();  // so that nobody need look for any in a solve without
     return report;
