@@ -1,10 +1,7 @@
 #include "aabb_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cstddef>
-#include <utility>
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -19,46 +16,6 @@ Real costOf(const Aabb& box) {
 std::uint8_t oneMoreThan(std::uint8_t height) { return static_cast<std::uint8_t>(height + 1); }
 
 }  // namespace
-
-void AabbTree::build(std::span<const Aabb> boxes) {
-    clear();
-    if (boxes.empty()) { return; }
-    nodes_.reserve(2 * boxes.size() - 1);
-    nodes_.resize(boxes.size());
-    items_.clear();
-    for (NodeIndex i = 0; i < boxes.size(); ++i) {
-        const Aabb& box = boxes[i];
-        nodes_[i].box = box;
-        nodes_[i].child = {kNoNode, i};
-        items_.push_back({Real(0.5) * box.lower + Real(0.5) * box.upper, i});
-    }
-    root_ = buildOf(items_);
-}
-
-/// Which of two with the same centre comes first is told by their places: the tree is the same with every library.
-NodeIndex AabbTree::buildOf(std::span<Item> items) {
-    if (items.size() == 1) { return items[0].leaf; }
-    Aabb centers{items[0].center, items[0].center};
-    for (const Item& item : items) { centers = hullOf(centers, {item.center, item.center}); }
-    const std::size_t half = items.size() / 2;
-    const auto middle = items.begin() + static_cast<std::ptrdiff_t>(half);
-    const auto halve = [&](const auto& keyOf) {
-        std::nth_element(items.begin(), middle, items.end(), [&keyOf](const Item& a, const Item& b) {
-            return std::pair(keyOf(a), a.leaf) < std::pair(keyOf(b), b.leaf);
-        });
-    };
-    if (centers.upper.x - centers.lower.x > centers.upper.y - centers.lower.y) {
-        halve([](const Item& item) { return item.center.x; });
-    } else {
-        halve([](const Item& item) { return item.center.y; });
-    }
-    const NodeIndex joined = allocate();
-    const std::array<NodeIndex, 2> children = {buildOf(items.first(half)), buildOf(items.subspan(half))};
-    nodes_[joined].child = children;
-    for (const NodeIndex child : children) { nodes_[child].parent = joined; }
-    pull(joined);
-    return joined;
-}
 
 NodeIndex AabbTree::insert(const Aabb& box, std::uint32_t slot, bool moved) {
     const NodeIndex leaf = allocate();

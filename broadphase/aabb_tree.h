@@ -41,10 +41,6 @@ static_assert(sizeof(TreeNode) <= 64, "a node is read in one cache line");
 /// Leaves keep their index until they are erased.
 class AabbTree {
 public:
-    /// Anew, of all boxes at once: halved at the median of the wider axis of their centres, over and over. Takes a
-    /// quarter of the time of as many insertions. Leaf and slot of each are its place in the array, and none is marked
-    /// as moved.
-    void build(std::span<const Aabb> boxes);
     /// @param moved  whether the leaf starts marked as moved.
     NodeIndex insert(const Aabb& box, std::uint32_t slot, bool moved);
     void erase(NodeIndex leaf);
@@ -59,15 +55,9 @@ public:
     const TreeNode& node(NodeIndex index) const { return nodes_[index]; }
     /// All nodes, free ones included.
     std::span<const TreeNode> nodes() const { return nodes_; }
-    std::size_t memoryBytes() const { return nodes_.capacity() * sizeof(TreeNode) + items_.capacity() * sizeof(Item); }
+    std::size_t memoryBytes() const { return nodes_.capacity() * sizeof(TreeNode); }
 
 private:
-    /// A leaf that is to be built in.
-    struct Item {
-        Vec2 center;
-        NodeIndex leaf = kNoNode;
-    };
-    NodeIndex buildOf(std::span<Item> items);
     NodeIndex allocate();
     void release(NodeIndex index);
     void attach(NodeIndex leaf);
@@ -80,7 +70,6 @@ private:
     void markUpward(NodeIndex leaf);
 
     std::vector<TreeNode> nodes_;
-    std::vector<Item> items_;  // scratch
     NodeIndex root_ = kNoNode;
     NodeIndex firstFree_ = kNoNode;  // free nodes are chained through `parent`
 };

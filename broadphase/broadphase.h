@@ -58,7 +58,7 @@ struct BroadphaseCounters {
 /// Who might touch? Holds one box per proxy. The caller grows the boxes; touching boxes overlap.
 /// Every implementation reports the same pairs in the same order, whatever happened between two calls of `pairs`: only
 /// its cost differs.
-/// Not thread-safe, except that `query`, `ray` and `sweep` may run at the same time as each other.
+/// Not thread-safe, except that queries, `ray` and `sweep` may run at the same time as each other.
 class Broadphase {
 public:
     virtual ~Broadphase() = default;
@@ -106,6 +106,10 @@ public:
     /// As `query`, for static and kinematic proxies. An implementation that does not keep kinds apart visits others
     /// too.
     virtual void queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const { query(box, visit); }
+
+    /// As `query` of each of these boxes, which lie near each other, for dynamic proxies; the visitor is told the index
+    /// of the box. An implementation that does not keep kinds apart visits others too.
+    virtual void queryDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const = 0;
 
     /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns
     /// the new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop.

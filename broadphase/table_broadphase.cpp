@@ -119,6 +119,23 @@ void TableBroadphase::queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> vi
     queryTests_.add(visitGround(box, visit));
 }
 
+void TableBroadphase::queryDynamic(std::span<const Aabb> boxes,
+                                   FunctionRef<void(std::size_t, ProxyId)> visit) const {
+    queryTests_.add(visitDynamic(boxes, visit));
+}
+
+std::uint64_t TableBroadphase::visitDynamic(std::span<const Aabb> boxes,
+                                            FunctionRef<void(std::size_t, ProxyId)> visit) const {
+    std::uint64_t tests = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        tests += visitOverlaps(boxes[i], [&](ProxyId id) {
+            visit(i, id);
+            return true;
+        });
+    }
+    return tests;
+}
+
 void TableBroadphase::ray(DVec2 origin, DVec2 direction, Real maxFraction,
                           FunctionRef<Real(ProxyId, Real)> visit) const {
     castAlong(BoxSweep::ofRay(origin, direction), maxFraction, visit);

@@ -74,6 +74,7 @@ public:
     void pairs(std::vector<ProxyPair>& out, TaskSystem& loops) final;
     void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
     void queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const final;
+    void queryDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const final;
     void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const final;
     void sweep(const Aabb& box, DVec2 translation, Real maxFraction,
                FunctionRef<Real(ProxyId, Real)> visit) const final;
@@ -108,6 +109,8 @@ private:
     virtual std::uint64_t visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
         return visitOverlaps(box, visit);
     }
+    virtual std::uint64_t visitDynamic(std::span<const Aabb> boxes,
+                                       FunctionRef<void(std::size_t, ProxyId)> visit) const;
     /// Shows everything that is met until the visit is over.
     virtual void visitAlong(SweepVisit& visit) const = 0;
     virtual std::size_t structureBytes() const = 0;

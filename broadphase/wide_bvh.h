@@ -34,6 +34,8 @@ private:
     std::uint64_t join(PairSink& sink, TaskSystem& loops) override;
     std::uint64_t visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
     std::uint64_t visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const override;
+    std::uint64_t visitDynamic(std::span<const Aabb> boxes,
+                               FunctionRef<void(std::size_t, ProxyId)> visit) const override;
     void visitAlong(SweepVisit& visit) const override;
     std::size_t structureBytes() const override;
 

@@ -54,6 +54,9 @@ struct WideKernels {
     std::uint64_t (*join)(const WideJoin& join);
     /// @param goOn  false when the visitor ended the walk.
     std::uint64_t (*query)(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit);
+    /// Eight queries at once, of boxes that lie near each other. @param visit  of a box, by its lane, and what it meets
+    std::uint64_t (*queries)(const WideTree& tree, const WideBoxes& boxes,
+                             FunctionRef<void(std::uint32_t, ProxyId)> visit);
     std::uint64_t (*intervals)(const IntervalScan& scan);
     /// Near boxes first. `visit` counts the tests itself.
     void (*sweep)(const WideTree& tree, SweepVisit& visit);

@@ -68,6 +68,7 @@ void sweep(const WideTree& tree, SweepVisit& visit) {
 
 const WideKernels& scalarKernels() {
     static constexpr WideKernels kKernels = {"scalar", join, scalar_lanes::walkQuery<ScalarQuery>,
+                                             scalar_lanes::walkQueries<ScalarQuery>,
                                              scalar_lanes::scanIntervals<ScalarQuery>, sweep};
     return kKernels;
 }

@@ -107,6 +107,9 @@ std::uint64_t join(const WideJoin& task) { return JoinWalk<LaneQuery>(task).run(
 std::uint64_t query(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
     return walkQuery<LaneQuery>(tree, box, goOn, visit);
 }
+std::uint64_t queries(const WideTree& tree, const WideBoxes& boxes, FunctionRef<void(std::uint32_t, ProxyId)> visit) {
+    return walkQueries<LaneQuery>(tree, boxes, visit);
+}
 std::uint64_t intervals(const IntervalScan& scan) { return scanIntervals<LaneQuery>(scan); }
 void sweep(const WideTree& tree, SweepVisit& visit) { SweepWalk<LaneQuery, LaneStrip>(tree, visit).run(); }
 
@@ -121,12 +124,18 @@ namespace {
 
 HWY_EXPORT(join);
 HWY_EXPORT(query);
+HWY_EXPORT(queries);
 HWY_EXPORT(intervals);
 HWY_EXPORT(sweep);
 
 std::uint64_t joinOnThisMachine(const WideJoin& task) { return HWY_DYNAMIC_DISPATCH(join)(task); }
 std::uint64_t queryOnThisMachine(const WideTree& tree, const Aabb& box, bool& goOn, FunctionRef<bool(ProxyId)> visit) {
     return HWY_DYNAMIC_DISPATCH(query)(tree, box, goOn, visit);
+}
+
+std::uint64_t queriesOnThisMachine(const WideTree& tree, const WideBoxes& boxes,
+                                   FunctionRef<void(std::uint32_t, ProxyId)> visit) {
+    return HWY_DYNAMIC_DISPATCH(queries)(tree, boxes, visit);
 }
 
 std::uint64_t intervalsOnThisMachine(const IntervalScan& scan) { return HWY_DYNAMIC_DISPATCH(intervals)(scan); }
@@ -136,7 +145,11 @@ void sweepOnThisMachine(const WideTree& tree, SweepVisit& visit) { HWY_DYNAMIC_D
 }  // namespace
 
 const WideKernels& widestKernels() {
-    static constexpr WideKernels kKernels = {"widest", joinOnThisMachine, queryOnThisMachine, intervalsOnThisMachine,
+    static constexpr WideKernels kKernels = {"widest",
+                                             joinOnThisMachine,
+                                             queryOnThisMachine,
+                                             queriesOnThisMachine,
+                                             intervalsOnThisMachine,
                                              sweepOnThisMachine};
     return kKernels;
 }

@@ -36,6 +36,15 @@ WideBoxes WideBoxes::empty() {
     return boxes;
 }
 
+WideBoxes WideBoxes::of(std::span<const Aabb> some) {
+    WideBoxes boxes;
+    for (std::uint32_t lane = 0; lane < kWide; ++lane) {
+        const bool isOne = lane < some.size() && overlaps(some[lane], some[lane]);
+        boxes.set(lane, isOne ? some[lane] : kNoBox);
+    }
+    return boxes;
+}
+
 Aabb WideBoxes::hull() const {
     const auto least = [](Real a, Real b) { return b < a ? b : a; };
     const auto most = [](Real a, Real b) { return a < b ? b : a; };

@@ -28,6 +28,8 @@ struct alignas(64) WideBoxes {
     std::array<Real, kWide> upperY;
 
     static WideBoxes empty();
+    /// Of up to eight; one with a bound that is no number becomes an empty lane.
+    static WideBoxes of(std::span<const Aabb> some);
     Aabb box(std::uint32_t lane) const { return {{lowerX[lane], lowerY[lane]}, {upperX[lane], upperY[lane]}}; }
     void set(std::uint32_t lane, const Aabb& box) {
         lowerX[lane] = box.lower.x;
@@ -67,6 +69,10 @@ class WideTree {
 public:
     /// 8¹¹ > 2³² proxies.
     static constexpr std::size_t kMaxLevels = 11;
+
+    /// Everything anew: boxes in an order in which what is near follows each other; slot i at place i. All are known,
+    /// and none has moved.
+    void pack(std::span<const Aabb> boxes);
 
     /// Places are indices of lanes at the lowest level. The tree keeps `places[slot]` of its proxies up to date.
     void insert(std::uint32_t slot, const Aabb& box, std::span<std::uint32_t> places);
@@ -126,6 +132,7 @@ private:
     void rebuild(std::span<std::uint32_t> places, TaskSystem& loops);
     void collectItems(TaskSystem& loops);
     void layOut(std::span<std::uint32_t> places, TaskSystem& loops);
+    void clearJumps();
     void layOutNode(std::uint32_t node, std::span<std::uint32_t> places);
     void buildLevels(TaskSystem& loops);
 

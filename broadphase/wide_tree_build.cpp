@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "../shapes/bit_cast.h"
 #include "../shapes/room.h"
@@ -98,6 +99,36 @@ void halve(Item* items, const BuildPart& whole, TaskSystem& loops) {
 
 }  // namespace
 
+void WideTree::pack(std::span<const Aabb> boxes) {
+    const std::size_t nodes = (boxes.size() + kLaneMask) >> kLaneBits;
+    levels_[0].resize(nodes);
+    for (std::size_t node = 0; node < nodes; ++node) {
+        levels_[0][node] = WideBoxes::of(boxes.subspan(node << kLaneBits));
+    }
+    known_ = levels_[0];
+    slots_.assign(nodes << kLaneBits, kNoSlot);
+    std::iota(slots_.begin(), slots_.begin() + static_cast<std::ptrdiff_t>(boxes.size()), 0U);
+    movedLanes_.assign(nodes, 0);
+    movedNodes_.clear();
+    for (std::vector<MovedNode>& list : moved_) { list.clear(); }
+    movedCount_ = 0;
+    clearJumps();
+    end_ = size_ = static_cast<std::uint32_t>(boxes.size());
+    SerialTaskSystem alone;
+    buildLevels(alone);
+    misplaced_ = 0;
+    decay_ = 0;
+    isPrepared_ = false;
+}
+
+/// As many marks as there are places.
+void WideTree::clearJumps() {
+    jumpedLanes_.assign(levels_[0].size(), 0);
+    jumped_.clear();
+    besides_.assign(slots_.size(), 0);
+    nodeSpreads_.assign(levels_[0].size(), 0);
+}
+
 void WideTree::rebuild(std::span<std::uint32_t> places, TaskSystem& loops) {
     collectItems(loops);
     layOut(places, loops);
@@ -192,10 +223,7 @@ void WideTree::layOut(std::span<std::uint32_t> places, TaskSystem& loops) {
     known_.resize(nodes);
     slots_.resize(end_);
     movedLanes_.resize(nodes);
-    jumpedLanes_.assign(nodes, 0);
-    jumped_.clear();
-    besides_.assign(end_, 0);
-    nodeSpreads_.assign(nodes, 0);
+    clearJumps();
     loops.run(nodes, kBuildGrain, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t node = begin; node < end; ++node) { layOutNode(static_cast<std::uint32_t>(node), places); }
     });

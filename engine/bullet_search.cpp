@@ -1,13 +1,15 @@
 #include "bullet_search.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <tuple>
 
-#include "../broadphase/tree_walks.h"
+#include "../broadphase/wide_kernels.h"
 #include "bullet_paths.h"
+#include "bullet_start.h"
 #include "flight_state.h"
 #include "modes.h"
 #include "sweep_circles.h"
@@ -18,30 +20,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-bool isBullet(const WorldState& world, std::uint32_t slot) {
-    const Body& body = world.bodies[slot];
-    return body.isDynamic() && body.awake && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep;
-}
-
-Real speedBound(const WorldState& world, std::uint32_t slot, Real dt) {
-    const Body& body = world.bodies[slot];
-    return length(world.motions[slot].velocity) +
-           (body.isDynamic() ? dt * length(accelerationOf(world, body)) : Real(0));
-}
-
-/// Where a body may get within the step, whatever direction it is sent into.
-Aabb realmOf(const WorldState& world, std::uint32_t slot, Real reach) {
-    const Body& body = world.bodies[slot];
-    return grown(roundedOutward(body.startCenter, body.startCenter), reach + body.radius);
-}
-
-/// How far the solver moved any point of a body in this step, metres.
-Real wayOf(const WorldState& world, std::uint32_t slot) {
-    const Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
-    return roundedUp(length(motion.center - body.startCenter) + turned);
-}
+/// Of heaps: the next one is the first.
+bool isLater(const BulletMeeting& a, const BulletMeeting& b) { return a.isAfter(b); }
 
 Aabb boxOf(const BulletPartner& partner) {
     const Body& body = partner.flight.body();
@@ -56,7 +36,8 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
     if (body.awake && body.role == BodyRole::flyer) {
         partner.flies = partner.moved = true;
         limitSpeed(partner.flight);
-        resolveStanding(partner.flight);
+        // Only then may the sweeps look for lower separations. What no contact knows is farther than any target.
+        if (body.hasContact) { resolveStanding(partner.flight); }
         return partner;
     }
     const BodyMotion& motion = world.motions[slot];
@@ -68,58 +49,20 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
     return partner;
 }
 
-void add(BulletWork& work, const BulletMeeting& meeting) {
-    work.meetings.push_back(meeting);
-    std::push_heap(work.meetings.begin(), work.meetings.end(),
-                   [](const BulletMeeting& a, const BulletMeeting& b) { return a.isAfter(b); });
-}
-
 /// What it does in the rest of the step while nothing happens to it, and when that meets something static or kinematic.
-void renewPath(BulletWork& work, std::uint32_t index) {
-    BulletPartner& partner = work.partners[index];
+void renewPath(BulletPartner& partner, std::vector<BulletMeeting>& meetings) {
     ++partner.changes;
-    if (partner.flies) {
-        const Flight& flight = partner.flight;
-        partner.pathFrom = flight.elapsed;
-        partner.path = sweepOf(flight);
-        const FirstImpact first = nextImpact(flight, partner.path);
-        if (first.hit) {
-            add(work, {.time = flight.elapsed + first.fraction * flight.remaining(),
-                       .first = flight.slot,
-                       .second = kNoIndex,
-                       .firstChanges = partner.changes,
-                       .shapes = {}});
-        }
-    }
-}
-
-/// Where others look for it.
-void place(BulletWork& work, std::uint32_t index) {
-    BulletPartner& partner = work.partners[index];
-    if (partner.leaf == kNoNode) {
-        partner.leaf = work.tree.insert(boxOf(partner), index, false);
-    } else {
-        work.tree.move(partner.leaf, boxOf(partner));
-    }
-}
-
-/// The same of all, at once.
-void placeAll(BulletWork& work) {
-    work.boxes.clear();
-    for (BulletPartner& partner : work.partners) {
-        partner.leaf = static_cast<NodeIndex>(work.boxes.size());
-        work.boxes.push_back(boxOf(partner));
-    }
-    work.tree.build(work.boxes);
-}
-
-/// @pre placed after that
-void addPartner(WorldState& world, std::uint32_t slot, FlightScratch& scratch) {
-    BulletWork& work = world.bulletWork;
-    const auto index = static_cast<std::uint32_t>(work.partners.size());
-    work.places[slot] = index;
-    work.partners.push_back(partnerOf(world, slot, work.dt, scratch));
-    renewPath(work, index);
+    if (!partner.flies) { return; }
+    const Flight& flight = partner.flight;
+    partner.pathFrom = flight.elapsed;
+    partner.path = sweepOf(flight);
+    const FirstImpact first = nextImpact(flight, partner.path);
+    if (!first.hit) { return; }
+    meetings.push_back({.time = flight.elapsed + first.fraction * flight.remaining(),
+                        .first = flight.slot,
+                        .second = kNoIndex,
+                        .firstChanges = partner.changes,
+                        .shapes = {}});
 }
 
 Vec2 carrierOf(const BulletWork& work, const BulletPartner& first, std::uint32_t second) {
@@ -130,8 +73,9 @@ Vec2 carrierOf(const BulletWork& work, const BulletPartner& first, std::uint32_t
 }
 
 /// First impact of any two of their shapes from now on.
-void predict(WorldState& world, std::uint32_t one, std::uint32_t other, FlightScratch& scratch) {
-    BulletWork& work = world.bulletWork;
+void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, FlightScratch& scratch,
+             std::vector<BulletMeeting>& meetings) {
+    const BulletWork& work = world.bulletWork;
     const bool inOrder = work.partners[one].flight.slot < work.partners[other].flight.slot;
     const BulletPartner& first = work.partners[inOrder ? one : other];
     const BulletPartner& second = work.partners[inOrder ? other : one];
@@ -167,77 +111,116 @@ void predict(WorldState& world, std::uint32_t one, std::uint32_t other, FlightSc
             meeting.time = from + impact.fraction * (work.dt - from);
         }
     }
-    if (meeting.time < kNever) { add(work, meeting); }
+    if (meeting.time < kNever) { meetings.push_back(meeting); }
 }
 
-/// What is slow, and lies where the path of a bullet leads, becomes a partner.
-void discover(WorldState& world, std::uint32_t bullet, FlightScratch& scratch) {
-    BulletWork& work = world.bulletWork;
-    std::vector<std::uint32_t>& found = work.found;
-    found.clear();
-    world.broadphase->query(grown(boxOf(work.partners[bullet]), work.drift), [&](ProxyId id) {
+/// What is slow, and lies where the paths of some bullets lead that are near each other; some of it more than once.
+void discover(const WorldState& world, std::span<const std::uint32_t> bullets, std::vector<std::uint32_t>& found) {
+    const BulletWork& work = world.bulletWork;
+    std::array<Aabb, kWide> boxes;
+    std::transform(bullets.begin(), bullets.end(), boxes.begin(),
+                   [&](std::uint32_t index) { return grown(work.boxes[index], work.drift); });
+    world.broadphase->queryDynamic(std::span(boxes).first(bullets.size()), [&](std::size_t, ProxyId id) {
         const Shape& shape = world.shapes[world.proxyShapes[static_cast<std::uint32_t>(id)]];
-        const bool isNew = work.places[shape.body] == kNoIndex;
+        const bool isNew = work.indices[shape.body] == kNoIndex;
         if (isNew && world.bodies[shape.body].isDynamic() && !shape.def.sensor) { found.push_back(shape.body); }
-        return true;
     });
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    for (const std::uint32_t slot : found) { addPartner(world, slot, scratch); }
 }
 
-/// @param isDue  by index of the other one
+/// @param isDue  by index, of one of them and the other one
 template <class IsDue>
-void predictAll(WorldState& world, std::uint32_t index, FlightScratch& scratch, const IsDue& isDue) {
-    BulletWork& work = world.bulletWork;
-    bool goOn = true;
-    walkOverlaps(work.tree, work.tree.node(work.partners[index].leaf).box, goOn, [&](std::uint32_t other) {
-        if (other != index && isDue(other)) { predict(world, index, other, scratch); }
-        return true;
-    });
+void predictAll(const WorldState& world, std::span<const std::uint32_t> partners, FlightScratch& scratch,
+                std::vector<BulletMeeting>& meetings, const IsDue& isDue) {
+    const BulletWork& work = world.bulletWork;
+    std::array<Aabb, kWide> boxes;
+    std::transform(partners.begin(), partners.end(), boxes.begin(),
+                   [&](std::uint32_t index) { return work.boxes[index]; });
+    widestKernels().queries(work.tree, WideBoxes::of(std::span(boxes).first(partners.size())),
+                            [&](std::uint32_t lane, ProxyId id) {
+                                const std::uint32_t index = partners[lane];
+                                const auto other = static_cast<std::uint32_t>(id);
+                                if (other == index || !isDue(index, other)) { return; }
+                                predict(world, index, other, scratch, meetings);
+                            });
 }
 
-/// What is fast and may get to where a bullet may get. @param fast  slots of what is no bullet; the others are dropped
-void dropOutOfReach(WorldState& world, std::vector<std::uint32_t>& fast, std::span<const std::uint32_t> bullets,
-                    Real dt) {
-    Real fastest = 0;
-    for (const std::uint32_t slot : world.awake) {
-        if (world.bodies[slot].isDynamic()) { fastest = std::max(fastest, speedBound(world, slot, dt)); }
+/// Room for partners that `begin` fills. @param slots  some of them maybe more than once
+void addPartners(BulletWork& work, std::span<const std::uint32_t> slots) {
+    for (const std::uint32_t slot : slots) {
+        if (work.indices[slot] != kNoIndex) { continue; }
+        work.indices[slot] = static_cast<std::uint32_t>(work.slots.size());
+        work.slots.push_back(slot);
     }
-    BulletWork& work = world.bulletWork;
-    AabbTree& realms = work.tree;
-    work.boxes.clear();
-    for (const std::uint32_t slot : bullets) {
-        work.boxes.push_back(realmOf(world, slot, dt * (speedBound(world, slot, dt) + fastest)));
-    }
-    realms.build(work.boxes);
-    std::erase_if(fast, [&](std::uint32_t slot) {
-        bool isFree = true;
-        walkOverlaps(realms, realmOf(world, slot, dt * speedBound(world, slot, dt)), isFree,
-                     [](std::uint32_t /*bullet*/) { return false; });
-        return isFree;
-    });
+    work.partners.resize(work.slots.size());
+    work.boxes.resize(work.slots.size());
+    work.places.resize(work.slots.size());
 }
 
-/// Bullets, and what is fast and near enough; and how far the others move.
-void findEarly(WorldState& world, Real dt) {
+/// What a partner does from the start of the step on. Touches nothing of the others.
+void begin(WorldState& world, std::uint32_t index, FlightScratch& scratch, std::vector<BulletMeeting>& meetings) {
     BulletWork& work = world.bulletWork;
-    work.early.clear();
-    work.found.clear();
-    work.drift = 0;
-    for (const std::uint32_t slot : world.awake) {
-        const Body& body = world.bodies[slot];
-        if (isBullet(world, slot)) {
-            work.early.push_back(slot);
-        } else if (body.isDynamic() && body.fast) {
-            work.found.push_back(slot);
-        } else if (body.isDynamic()) {
-            work.drift = std::max(work.drift, wayOf(world, slot));
+    BulletPartner& partner = work.partners[index];
+    partner = partnerOf(world, work.slots[index], work.dt, scratch);
+    renewPath(partner, meetings);
+    work.boxes[index] = boxOf(partner);
+}
+
+/// All from `first` on, by several threads.
+void beginFrom(WorldState& world, std::size_t first) {
+    constexpr std::size_t kGrain = 8;
+    BulletWork& work = world.bulletWork;
+    world.loops->run(work.partners.size() - first, kGrain, [&](std::size_t from, std::size_t to, int worker) {
+        const auto place = static_cast<std::size_t>(worker);
+        for (std::size_t i = first + from; i < first + to; ++i) {
+            begin(world, static_cast<std::uint32_t>(i), world.flightScratch[place], work.finds[place].meetings);
         }
+    });
+}
+
+/// Calls `some(bullets, scratch, finds)` for all early partners that are bullets, some at a time, on several threads.
+template <class Some>
+void shareBullets(WorldState& world, const Some& some) {
+    BulletWork& work = world.bulletWork;
+    const std::span<const std::uint32_t> all = work.bullets;
+    const std::size_t groups = (all.size() + kWide - 1) / kWide;
+    world.loops->run(groups, 1, [&](std::size_t from, std::size_t to, int worker) {
+        const auto place = static_cast<std::size_t>(worker);
+        for (std::size_t i = from * kWide; i < std::min(to * kWide, all.size()); i += kWide) {
+            some(all.subspan(i, std::min<std::size_t>(kWide, all.size() - i)), world.flightScratch[place],
+                 work.finds[place]);
+        }
+    });
+}
+
+/// Leaves the list empty.
+template <class T>
+void append(std::vector<T>& all, std::vector<T>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+    some.clear();
+}
+
+void addEarly(WorldState& world) {
+    BulletWork& work = world.bulletWork;
+    findEarly(world, static_cast<Real>(work.dt));
+    addPartners(work, work.early);
+    beginFrom(world, 0);
+    work.bullets.clear();
+    for (std::uint32_t i = 0; i < work.partners.size(); ++i) {
+        if (work.partners[i].isBullet) { work.bullets.push_back(i); }
     }
-    if (!work.found.empty()) { dropOutOfReach(world, work.found, work.early, dt); }
-    work.early.insert(work.early.end(), work.found.begin(), work.found.end());
-    std::sort(work.early.begin(), work.early.end());
+}
+
+void addDiscovered(WorldState& world) {
+    BulletWork& work = world.bulletWork;
+    shareBullets(world, [&](std::span<const std::uint32_t> bullets, FlightScratch&, BulletFinds& finds) {
+        discover(world, bullets, finds.bodies);
+    });
+    work.found.clear();
+    for (BulletFinds& finds : work.finds) { append(work.found, finds.bodies); }
+    orderByPlace(world, work.found);
+    const std::size_t known = work.partners.size();
+    addPartners(work, work.found);
+    beginFrom(world, known);
 }
 
 }  // namespace
@@ -247,36 +230,38 @@ bool BulletMeeting::isAfter(const BulletMeeting& other) const {
            std::tuple(other.time, other.isPair(), other.first, other.second);
 }
 
-void findPartners(WorldState& world, double dt, FlightScratch& scratch) {
+void findPartners(WorldState& world, double dt) {
     BulletWork& work = world.bulletWork;
-    for (const BulletPartner& partner : work.partners) { work.places[partner.flight.slot] = kNoIndex; }
-    work.places.resize(world.motions.size(), kNoIndex);
+    for (const std::uint32_t slot : work.slots) { work.indices[slot] = kNoIndex; }
+    work.indices.resize(world.motions.size(), kNoIndex);
+    work.finds.resize(world.flightScratch.size());
+    work.slots.clear();
     work.partners.clear();
     work.meetings.clear();
     work.carriers.clear();
     work.dt = dt;
-    findEarly(world, static_cast<Real>(dt));
-    for (const std::uint32_t slot : work.early) { addPartner(world, slot, scratch); }
-    for (std::uint32_t i = 0; i < work.early.size(); ++i) {
-        if (work.partners[i].isBullet) { discover(world, i, scratch); }
-    }
-    placeAll(work);
-    for (std::uint32_t i = 0; i < work.early.size(); ++i) {
-        if (!work.partners[i].isBullet) { continue; }
+    addEarly(world);
+    addDiscovered(world);
+    work.tree.pack(work.boxes);
+    std::iota(work.places.begin(), work.places.end(), 0U);
+    shareBullets(world, [&](std::span<const std::uint32_t> bullets, FlightScratch& scratch, BulletFinds& finds) {
         // A pair of bullets once.
-        predictAll(world, i, scratch, [&](std::uint32_t other) { return other > i || !work.partners[other].isBullet; });
-    }
+        predictAll(world, bullets, scratch, finds.meetings, [&](std::uint32_t index, std::uint32_t other) {
+            return other > index || !work.partners[other].isBullet;
+        });
+    });
+    for (BulletFinds& finds : work.finds) { append(work.meetings, finds.meetings); }
+    std::make_heap(work.meetings.begin(), work.meetings.end(), isLater);
 }
 
 bool takeMeeting(BulletWork& work, BulletMeeting& meeting) {
     while (!work.meetings.empty()) {
-        std::pop_heap(work.meetings.begin(), work.meetings.end(),
-                      [](const BulletMeeting& a, const BulletMeeting& b) { return a.isAfter(b); });
+        std::pop_heap(work.meetings.begin(), work.meetings.end(), isLater);
         meeting = work.meetings.back();
         work.meetings.pop_back();
-        const bool isFirstSame = work.partners[work.places[meeting.first]].changes == meeting.firstChanges;
+        const bool isFirstSame = work.partners[work.indices[meeting.first]].changes == meeting.firstChanges;
         const bool isSecondSame =
-            !meeting.isPair() || work.partners[work.places[meeting.second]].changes == meeting.secondChanges;
+            !meeting.isPair() || work.partners[work.indices[meeting.second]].changes == meeting.secondChanges;
         if (isFirstSame && isSecondSame) { return true; }
     }
     return false;
@@ -284,25 +269,36 @@ bool takeMeeting(BulletWork& work, BulletMeeting& meeting) {
 
 void lookAhead(WorldState& world, std::initializer_list<std::uint32_t> partners, FlightScratch& scratch) {
     BulletWork& work = world.bulletWork;
+    std::vector<BulletMeeting>& meetings = work.finds[0].meetings;
+    work.bullets.clear();
     for (const std::uint32_t index : partners) {
-        renewPath(work, index);
-        place(work, index);
+        BulletPartner& partner = work.partners[index];
+        renewPath(partner, meetings);
+        work.boxes[index] = boxOf(partner);
+        work.tree.move(work.places[index], work.boxes[index]);
+        if (partner.isBullet) { work.bullets.push_back(index); }
     }
+    work.found.clear();
+    discover(world, work.bullets, work.found);
     const auto known = static_cast<std::uint32_t>(work.partners.size());
-    for (const std::uint32_t index : partners) {
-        if (work.partners[index].isBullet) { discover(world, index, scratch); }
+    addPartners(work, work.found);
+    for (std::uint32_t i = known; i < work.partners.size(); ++i) {
+        begin(world, i, scratch, meetings);
+        work.tree.insert(i, work.boxes[i], work.places);
     }
-    for (std::uint32_t i = known; i < work.partners.size(); ++i) { place(work, i); }
-    for (const std::uint32_t index : partners) {
-        // Two that changed once.
-        predictAll(world, index, scratch, [&](std::uint32_t other) {
-            return other > index || std::find(partners.begin(), partners.end(), other) == partners.end();
-        });
+    // Two that changed once.
+    predictAll(world, partners, scratch, meetings, [&](std::uint32_t index, std::uint32_t other) {
+        return other > index || std::find(partners.begin(), partners.end(), other) == partners.end();
+    });
+    for (const BulletMeeting& meeting : meetings) {
+        work.meetings.push_back(meeting);
+        std::push_heap(work.meetings.begin(), work.meetings.end(), isLater);
     }
+    meetings.clear();
 }
 
 void setCarrier(BulletWork& work, const BulletMeeting& pair, Vec2 normal) {
-    std::uint32_t& head = work.partners[work.places[pair.first]].firstCarrier;
+    std::uint32_t& head = work.partners[work.indices[pair.first]].firstCarrier;
     for (std::uint32_t i = head; i != kNoIndex; i = work.carriers[i].next) {
         if (work.carriers[i].other == pair.second) {
             work.carriers[i].normal = normal;

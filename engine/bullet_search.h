@@ -11,7 +11,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// whose boxes overlap are looked at (in a tree), and after an impact only those of the bodies that it changed.
 
 /// Bullets, and what is fast enough to get to where they may get: all with their paths and first meetings.
-void findPartners(WorldState& world, double dt, FlightScratch& scratch);
+/// @pre one flight scratch per worker
+void findPartners(WorldState& world, double dt);
 /// The next meeting, which is taken off the list. @return false: there is none left in this step
 bool takeMeeting(BulletWork& work, BulletMeeting& meeting);
 /// What comes next for partners whose paths changed, by index. May move partners in memory.

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "../broadphase/aabb_tree.h"
+#include "../broadphase/wide_tree.h"
+#include "../shapes/raw_vector.h"
 #include "flight.h"
 #include "shape.h"
 
@@ -20,7 +21,6 @@ struct BulletPartner {
     bool tied = false;   ///< to other bodies: it stays on its way, whatever hits it; only its velocity changes
     bool moved = false;  ///< here: what the solver made of its pose is out of date
 
-    NodeIndex leaf = kNoNode;               ///< of its path in the tree
     std::uint32_t changes = 0;              ///< of its path so far
     std::uint32_t firstCarrier = kNoIndex;  ///< place in `BulletWork::carriers`, of those to bodies of higher slots
 };
@@ -46,17 +46,38 @@ struct BulletMeeting {
     bool isAfter(const BulletMeeting& other) const;
 };
 
+/// What one worker found. Nothing of it shares a cache line with another worker's.
+struct alignas(kCacheLine) BulletFinds {
+    std::vector<BulletMeeting> meetings;
+    std::vector<std::uint32_t> bodies;  ///< slots
+};
+
+/// A body by where it is.
+struct BulletPlace {
+    std::uint64_t key = 0;
+    std::uint32_t slot = 0;
+};
+
 struct BulletWork {
-    std::vector<BulletPartner> partners;
-    std::vector<std::uint32_t> places;    ///< by body: index of its partner; `kNoIndex` for all others
+    RawVector<BulletPartner> partners;   ///< at first in an order in which neighbours follow each other
+    std::vector<std::uint32_t> slots;    ///< by partner
+    std::vector<std::uint32_t> indices;  ///< by body: of its partner; `kNoIndex` for all others
     std::vector<BulletMeeting> meetings;  ///< a heap: the next one is the first
     std::vector<BulletCarrier> carriers;
-    AabbTree tree;                     ///< of the boxes of the paths
-    std::vector<Aabb> boxes;           ///< scratch: of these
-    std::vector<std::uint32_t> early;  ///< scratch: slots
-    std::vector<std::uint32_t> found;  ///< likewise
-    Real drift = 0;                    ///< no body that is none of the early partners leaves its box farther, metres
+    std::vector<Aabb> boxes;            ///< by partner, of its path
+    std::vector<std::uint32_t> places;  ///< by partner, in the tree
+    WideTree tree;                      ///< of the boxes
+    std::vector<BulletFinds> finds;     ///< by worker
+    Real drift = 0;                     ///< no body that is none of the early partners leaves its box farther, metres
     double dt = 0;
+
+    // Scratch.
+    std::vector<std::uint32_t> bullets;  ///< indices
+    std::vector<std::uint32_t> early;    ///< slots, as the next one
+    std::vector<std::uint32_t> found;
+    std::vector<std::uint8_t> reached;  ///< by place in `early`
+    std::vector<BulletPlace> order;
+    std::vector<BulletPlace> spare;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

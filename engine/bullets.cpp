@@ -21,7 +21,7 @@ constexpr BodySlot kSecondSlot = 2;
 constexpr int kPairRounds = 8;
 
 BulletPartner& partnerIn(WorldState& world, std::uint32_t slot) {
-    return world.bulletWork.partners[world.bulletWork.places[slot]];
+    return world.bulletWork.partners[world.bulletWork.indices[slot]];
 }
 
 /// From the solver's hands, or from sleep, into flight: with the velocity that it has at this time.
@@ -166,7 +166,7 @@ void meet(WorldState& world, const BulletMeeting& pair, FlightScratch& scratch) 
             stop(*partner, pair.time, LostTimeReason::budget);
         }
     }
-    lookAhead(world, {world.bulletWork.places[pair.first], world.bulletWork.places[pair.second]}, scratch);
+    lookAhead(world, {world.bulletWork.indices[pair.first], world.bulletWork.indices[pair.second]}, scratch);
 }
 
 void bounce(WorldState& world, const BulletMeeting& meeting, FlightScratch& scratch) {
@@ -180,17 +180,12 @@ void bounce(WorldState& world, const BulletMeeting& meeting, FlightScratch& scra
         ++scratch.impacts;
         if (isHit && partner.flight.stops) { stop(partner, partner.flight.elapsed, LostTimeReason::stop); }
     }
-    lookAhead(world, {world.bulletWork.places[meeting.first]}, scratch);
+    lookAhead(world, {world.bulletWork.indices[meeting.first]}, scratch);
 }
 
-void store(WorldState& world, BulletPartner& partner, Real dt) {
-    const std::uint32_t slot = partner.flight.slot;
-    BodyMotion& motion = world.motions[slot];
-    if (!partner.moved) { return; }
-    // What sleeps has begun no step lately: where it stands is where this one began.
-    const std::size_t before = world.awake.size();
-    wake(world, slot);
-    resetBodies(world, std::span(world.awake).subspan(before), dt);
+/// To the end of the step. @pre awake
+void store(WorldState& world, BulletPartner& partner) {
+    BodyMotion& motion = world.motions[partner.flight.slot];
     if (partner.flies) {
         if (partner.flight.remaining() > 0) { advance(partner.flight, partner.path, 1); }
         limitSpeed(partner.flight);
@@ -202,11 +197,30 @@ void store(WorldState& world, BulletPartner& partner, Real dt) {
     motion.angularVelocity = partner.flight.motion.angularVelocity;
 }
 
+void storeAll(WorldState& world, Real dt) {
+    constexpr std::size_t kGrain = 32;
+    RawVector<BulletPartner>& partners = world.bulletWork.partners;
+    // What sleeps has begun no step lately: where it stands is where this one began.
+    const std::size_t before = world.awake.size();
+    for (const BulletPartner& partner : partners) {
+        if (partner.moved) { wake(world, partner.flight.slot); }
+    }
+    resetBodies(world, std::span(world.awake).subspan(before), dt);
+    world.loops->run(partners.size(), kGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        for (BulletPartner& partner : std::span(partners).subspan(begin, end - begin)) {
+            partner.flight.scratch = &world.flightScratch[static_cast<std::size_t>(worker)];
+            if (partner.moved) { store(world, partner); }
+        }
+    });
+}
+
 }  // namespace
 
-void flyBullets(WorldState& world, double dt, FlightScratch& scratch) {
-    findPartners(world, dt, scratch);
+void flyBullets(WorldState& world, double dt) {
+    findPartners(world, dt);
     BulletWork& work = world.bulletWork;
+    FlightScratch& scratch = world.flightScratch[0];
+    for (BulletPartner& partner : work.partners) { partner.flight.scratch = &scratch; }  // from here on, on one thread
     for (BulletMeeting meeting; takeMeeting(work, meeting);) {
         if (meeting.isPair()) {
             meet(world, meeting, scratch);
@@ -214,9 +228,9 @@ void flyBullets(WorldState& world, double dt, FlightScratch& scratch) {
             bounce(world, meeting, scratch);
         }
     }
-    for (BulletPartner& partner : work.partners) { store(world, partner, static_cast<Real>(dt)); }
+    storeAll(world, static_cast<Real>(dt));
     world.counters.sweeps += work.partners.size();
-    std::erase_if(world.flyers, [&](std::uint32_t slot) { return work.places[slot] != kNoIndex; });
+    std::erase_if(world.flyers, [&](std::uint32_t slot) { return work.indices[slot] != kNoIndex; });
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -71,11 +71,11 @@ struct alignas(kCacheLine) FlightScratch {
 
 /// A body in flight: its own copy of its motion, and how much of the step has passed.
 struct Flight {
-    WorldState* world;
-    std::uint32_t slot;
-    FlightScratch* scratch;
-    BodyMotion motion;
-    double dt;
+    WorldState* world = nullptr;
+    std::uint32_t slot = 0;
+    FlightScratch* scratch = nullptr;
+    BodyMotion motion{};
+    double dt = 0;
     double elapsed = 0;              ///< seconds
     std::array<Vec2, 4> carriers{};  ///< normals of what carries it
     int carrierCount = 0;

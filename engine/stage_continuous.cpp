@@ -53,9 +53,10 @@ void reachWithKinematicBodies(WorldState& world) {
 }
 
 void sweepFastBodies(WorldState& world, double dt) {
+    const auto workers = static_cast<std::size_t>(world.loops->workerCount());
+    world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
     if (world.bullets > 0) {
-        if (world.flightScratch.empty()) { world.flightScratch.resize(1); }
-        flyBullets(world, dt, world.flightScratch[0]);
+        flyBullets(world, dt);
         if (world.watched) { limitWays(world, dt); }  // of whom they pushed
     }
     for (const std::uint32_t slot : world.awake) {
@@ -63,8 +64,6 @@ void sweepFastBodies(WorldState& world, double dt) {
     }
     if (world.flyers.empty() && !world.fastIslands.any && world.bullets == 0) { return; }
     world.counters.sweeps += world.flyers.size();
-    const auto workers = static_cast<std::size_t>(world.loops->workerCount());
-    world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
     world.loops->run(world.flyers.size(), kFlyerGrain, [&](std::size_t begin, std::size_t end, int worker) {
         FlightScratch& scratch = world.flightScratch[static_cast<std::size_t>(worker)];
         for (std::size_t i = begin; i < end; ++i) {

@@ -69,6 +69,34 @@ TEST_P(Queries, OfBoxesFindWhatOverlaps) {
     EXPECT_GT(found, 200U);
 }
 
+/// Likewise all that is dynamic, for any number of boxes at once.
+TEST_P(Queries, OfManyBoxesMissNothingThatIsDynamic) {
+    Random random(200 + static_cast<std::uint64_t>(GetParam()));
+    const Filled all = filled(GetParam(), random, 200);
+    std::size_t wanted = 0;
+    for (std::size_t count = 0; count < 40; ++count) {
+        std::vector<Aabb> boxes(count);
+        for (Aabb& box : boxes) { box = randomBox(GetParam(), random); }
+        for (const auto& broadphase : all.each) {
+            std::vector<std::set<std::uint32_t>> found(count);
+            broadphase->queryDynamic(boxes, [&](std::size_t index, ProxyId id) {
+                ASSERT_LT(index, count);
+                EXPECT_TRUE(found[index].insert(static_cast<std::uint32_t>(id)).second) << "twice, of " << count;
+            });
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::set<std::uint32_t> overlapping = all.model.overlapping(boxes[i]);
+                for (const std::uint32_t slot : found[i]) { ASSERT_EQ(overlapping.count(slot), 1U) << "of " << count; }
+                for (const std::uint32_t slot : overlapping) {
+                    if (all.model.proxies().at(slot).kind != ProxyKind::dynamic) { continue; }
+                    ASSERT_EQ(found[i].count(slot), 1U) << "of " << count;
+                    ++wanted;
+                }
+            }
+        }
+    }
+    EXPECT_GT(wanted, 200U);
+}
+
 /// All that is static or kinematic, and nothing that does not overlap.
 TEST_P(Queries, OfGroundMissNothingThatStands) {
     Random random(300 + static_cast<std::uint64_t>(GetParam()));

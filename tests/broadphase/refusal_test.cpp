@@ -69,6 +69,13 @@ TEST_P(Refusal, OfNaNInQueriesIsAnEmptyAnswer) {
     broadphase_->ray({0, 0}, {1, 0}, -1, countRay);
     broadphase_->sweep({{0, 0}, {kNaN, 1}}, {1, 0}, 1, countRay);
     EXPECT_EQ(visits, 0);
+    const Aabb several[] = {{{kNaN, 0}, {1, 1}}, {{0, 0}, {1, kNaN}}, {{5, 5}, {6, 6}}, {{5, 5}, {6, 6}}};
+    ASSERT_TRUE(broadphase_->insert({{5, 5}, {6, 6}}, ProxyKind::dynamic).ok());
+    broadphase_->queryDynamic(several, [&](std::size_t index, ProxyId) {
+        ++visits;
+        EXPECT_GE(index, 2U) << "the others know nothing of it";
+    });
+    EXPECT_EQ(visits, 2);
 }
 
 TEST_P(Refusal, IsNotNeededForTheLargestFiniteBoxes) {

@@ -3,9 +3,6 @@
 #include <swept/broadphase/aabb_tree.h>
 
 #include <bit>
-#include <initializer_list>
-#include <span>
-#include <vector>
 
 #include "model.h"
 
@@ -41,57 +38,6 @@ TEST(TreeShape, StaysLowOverScatteredBoxes) {
         }
         EXPECT_LE(heightOf(tree), 2 * leastHeight(kCount)) << "seed " << seed;
     }
-}
-
-/// Of a tree built of boxes: every one is there as it was, below boxes that hold it.
-void expectHolds(const AabbTree& tree, std::span<const Aabb> boxes) {
-    ASSERT_EQ(tree.nodes().size(), boxes.empty() ? 0 : 2 * boxes.size() - 1);
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-        const TreeNode& leaf = tree.node(i);
-        ASSERT_TRUE(leaf.isLeaf());
-        EXPECT_EQ(leaf.slot(), i);
-        EXPECT_FALSE(leaf.moved);
-        NodeIndex above = i;
-        while (tree.node(above).parent != kNoNode) {
-            const NodeIndex child = above;
-            above = tree.node(above).parent;
-            EXPECT_TRUE(tree.node(above).child[0] == child || tree.node(above).child[1] == child);
-            EXPECT_TRUE(contains(tree.node(above).box, boxes[i])) << "box " << i;
-        }
-        EXPECT_EQ(above, tree.root());
-    }
-}
-
-TEST(TreeShape, BuiltAtOnceIsBalancedAndAsGoodAsGrown) {
-    for (const std::size_t count : std::initializer_list<std::size_t>{0, 1, 2, 3, 7, 64, 1000, 4000}) {
-        Random random(count);
-        std::vector<Aabb> boxes;
-        AabbTree grown;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            boxes.push_back(boxAround(random.range(-100, 100), random.range(-100, 100), 0.5, 0.5));
-            grown.insert(boxes.back(), i, false);
-        }
-        AabbTree built;
-        built.insert(boxAround(0, 0, 1, 1), 5, true);  // what was there before goes
-        built.build(boxes);
-        expectHolds(built, boxes);
-        if (count < 2) { continue; }
-        EXPECT_EQ(heightOf(built), leastHeight(count)) << count;
-        EXPECT_LE(relativeCost(built), 1.25 * relativeCost(grown)) << count;
-    }
-}
-
-TEST(TreeShape, BuiltAtOnceOfWhatIsAllInOnePlace) {
-    const std::vector<Aabb> boxes(777, boxAround(3, 4, 1, 1));
-    AabbTree tree;
-    tree.build(boxes);
-    expectHolds(tree, boxes);
-    EXPECT_EQ(heightOf(tree), leastHeight(boxes.size()));
-    // It lives on like any other.
-    tree.move(5, boxAround(50, 4, 1, 1));
-    tree.erase(6);
-    EXPECT_TRUE(tree.node(5).moved);
-    EXPECT_TRUE(contains(tree.node(tree.root()).box, boxAround(50, 4, 1, 1)));
 }
 
 TEST(TreeShape, StaysLowOverARowInOrder) {

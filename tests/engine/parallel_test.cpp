@@ -303,6 +303,58 @@ TEST(Parallel, FlyersDoNotCareWhoWasMadeFirst) {
     EXPECT_GT(impacts, 500U);
 }
 
+/// Bullets among crates, some of which are fast, some slow and some asleep, in a room of walls that bounce.
+struct ShootOut {
+    World world;
+    KnownIds known;
+
+    explicit ShootOut(Profile profile) : world(makeWorld(0)) {
+        WorldSettings settings = world.settings();
+        settings.profile = profile;
+        must(world.configure(settings));
+        constexpr double kHalf = 12;
+        for (int side = 0; side < 4; ++side) {
+            const double turn = side * kPi / 2;
+            addStatic(world, segment(0, -kHalf, 0, kHalf), material(0.3, 1), turned({kHalf, 0}, turn), turn);
+        }
+        Random random(8);
+        const auto place = [&] { return DVec2{random.range(-kHalf + 1, kHalf - 1), random.range(-kHalf + 1, kHalf - 1)}; };
+        for (int i = 0; i < 60; ++i) {
+            const double speed = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : 60;
+            known.bodies.push_back(addBody(world, dynamicAt(place(), vec(speed, 0)), box(0.3, 0.3), material(0.3, 0.5)));
+        }
+        ShapeDef surface = material(0.1, 1);
+        for (int i = 0; i < 120; ++i) {
+            const double aim = random.range(0, 2 * kPi);
+            const double speed = random.range(20, 200);
+            BodyDef def = dynamicAt(place(), vec(speed * std::cos(aim), speed * std::sin(aim)), random.range(-50, 50));
+            def.bullet = true;
+            surface.filter.group = i % 2 == 0 ? -1 : 0;
+            known.bodies.push_back(addBody(world, def, i % 4 == 0 ? box(0.1, 0.05) : circle(0.06), surface));
+        }
+    }
+};
+
+TEST(Parallel, BulletsAmongCrates) {
+    Crowds crowds;
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        ShootOut serial(profile);
+        std::vector<ShootOut> others(crowds.all.size(), serial);
+        for (std::size_t i = 0; i < others.size(); ++i) { others[i].world.setTaskSystem(crowds.all[i]); }
+        std::uint64_t impacts = 0;
+        for (int step = 0; step < 60; ++step) {
+            must(serial.world.step(kStep));
+            impacts += serial.world.counters().impacts;
+            const std::uint64_t wanted = digestOf(serial.world, serial.known);
+            for (std::size_t i = 0; i < others.size(); ++i) {
+                must(others[i].world.step(kStep));
+                ASSERT_EQ(digestOf(others[i].world, serial.known), wanted) << "step " << step << ", system " << i;
+            }
+        }
+        EXPECT_GT(impacts, 1000U);
+    }
+}
+
 /// Flails that are thrown about a room, each an island that advances by itself from impact to impact.
 struct Flails {
     World world;

@@ -7,7 +7,7 @@
 namespace swept::worlds {
 namespace {
 
-constexpr std::array<SceneEntry, 20> kScenes{{
+constexpr std::array<SceneEntry, 21> kScenes{{
     {"compounds", "3000 bodies of two triangles fall into a tub", true, makeCompounds},
     {"joint-grid", "10 000 circles on a net of hinges", true, makeJointGrid},
     {"junkyard", "8000 pentagons, stirred by a pusher", true, makeJunkyard},
@@ -25,6 +25,7 @@ constexpr std::array<SceneEntry, 20> kScenes{{
      makeWarehouse},
     {"disks", "10 000 circles that fall and never meet", false, makeDisks},
     {"bullet-hell", "5000 circles among walls and posts, no gravity", false, makeBulletHell},
+    {"shoot-out", "1600 bullets among 576 crates adrift, no gravity", false, makeShootOut},
     {"tray", "1024 boxes, disks and capsules that come to rest in a tray", false, makeTray},
     {"soft-bodies", "200 soft bodies of 25 disks and 72 springs, in a heap", false, makeSoftBodies},
     {"cloth", "6400 knots on rods, hung from their upper edge", false, makeCloth},

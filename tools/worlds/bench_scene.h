@@ -62,6 +62,7 @@ BenchScene makeCratesAsleep(double size);
 BenchScene makeWarehouse(double size);
 BenchScene makeDisks(double size);
 BenchScene makeBulletHell(double size);
+BenchScene makeShootOut(double size);
 BenchScene makeTray(double size);
 BenchScene makeSoftBodies(double size);
 BenchScene makeCloth(double size);

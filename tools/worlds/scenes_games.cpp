@@ -174,4 +174,45 @@ BenchScene makeBulletHell(double size) {
     return bench;
 }
 
+/// Balls that are swept against crates adrift, too, and bounce off them and the walls for ever; they pass each other.
+BenchScene makeShootOut(double size) {
+    constexpr std::uint32_t kBullet = 2;
+    constexpr double kCrateSpacing = 4;  // metres, at the start
+    const int side = scaledSide(24, size);
+    const int count = scaledCount(1600, size);
+    const double half = kCrateSpacing * side / 2;
+    BenchScene bench = emptyBench("shoot-out", 60, 300);
+    bench.scene.gravity = {0, 0};
+    const auto elastic = [](ShapeDescription shape) {
+        return build::withFriction(build::withRestitution(std::move(shape), 1), 0);
+    };
+    std::vector<ShapeDescription> walls;
+    for (const double edge : {-half, half}) {
+        walls.push_back(elastic(build::box({0.5, half + 0.5}, {edge, 0})));
+        walls.push_back(elastic(build::box({half + 0.5, 0.5}, {0, edge})));
+    }
+    build::addFixed(bench.scene, "walls", {0, 0}, std::move(walls));
+    build::Dice dice(11);
+    const auto adrift = [&dice](BodyDescription& body, double speed) {
+        const double angle = dice.range(0, 2 * std::numbers::pi);
+        body.velocity = {speed * std::cos(angle), speed * std::sin(angle)};
+    };
+    const auto placeOf = [half](int cell) { return kCrateSpacing * (cell + 0.5) - half; };
+    for (int i = 0; i < side * side; ++i) {
+        const DVec2 place{placeOf(i % side), placeOf(i / side)};
+        adrift(build::addDynamic(bench.scene, "", place, {elastic(build::box({0.5, 0.5}))}), 1);
+    }
+    for (int i = 0; i < count; ++i) {
+        ShapeDescription ball = elastic(build::circle(0.1));
+        ball.filter = {kBullet, ~kBullet, 0};
+        // Between the rows of crates.
+        const int cell = i % (side * side);
+        const DVec2 place{placeOf(cell % side) + dice.range(-1, 1), placeOf(cell / side) + 0.4 * kCrateSpacing};
+        BodyDescription& body = build::addDynamic(bench.scene, "", place, {ball});
+        body.bullet = true;
+        adrift(body, dice.range(30, 60));
+    }
+    return bench;
+}
+
 }  // namespace swept::worlds
