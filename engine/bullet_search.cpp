@@ -32,7 +32,7 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
     const Body& body = world.bodies[slot];
     BulletPartner partner{.flight = flightOf(world, slot, dt, scratch), .path = {}};
     partner.isBullet = isBullet(world, slot);
-    partner.tied = body.holdingJoints > 0 || body.touchesDynamic;
+    partner.tied = isTied(body);
     if (body.awake && body.role == BodyRole::flyer) {
         partner.flies = partner.moved = true;
         limitSpeed(partner.flight);
@@ -114,16 +114,22 @@ void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, Fl
     if (meeting.time < kNever) { meetings.push_back(meeting); }
 }
 
-/// What is slow, and lies where the paths of some bullets lead that are near each other; some of it more than once.
-void discover(const WorldState& world, std::span<const std::uint32_t> bullets, std::vector<std::uint32_t>& found) {
+/// Whether it looks for others. Where there are bullets that do not, what may meet them does.
+bool searches(const BulletWork& work, const BulletPartner& partner) {
+    return partner.isBullet || (!partner.tied && work.areSomeAtRest);
+}
+
+/// What is slow, and lies where the paths of some partners lead that are near each other; some of it more than once.
+void discover(const WorldState& world, std::span<const std::uint32_t> searchers, std::vector<std::uint32_t>& found) {
     const BulletWork& work = world.bulletWork;
     std::array<Aabb, kWide> boxes;
-    std::transform(bullets.begin(), bullets.end(), boxes.begin(),
+    std::transform(searchers.begin(), searchers.end(), boxes.begin(),
                    [&](std::uint32_t index) { return grown(work.boxes[index], work.drift); });
-    world.broadphase->queryDynamic(std::span(boxes).first(bullets.size()), [&](std::size_t, ProxyId id) {
+    world.broadphase->queryDynamic(std::span(boxes).first(searchers.size()), [&](std::size_t lane, ProxyId id) {
         const Shape& shape = world.shapes[world.proxyShapes[static_cast<std::uint32_t>(id)]];
         const bool isNew = work.indices[shape.body] == kNoIndex;
-        if (isNew && world.bodies[shape.body].isDynamic() && !shape.def.sensor) { found.push_back(shape.body); }
+        if (!isNew || !world.bodies[shape.body].isDynamic() || shape.def.sensor) { return; }
+        if (work.partners[searchers[lane]].isBullet || isBullet(world, shape.body)) { found.push_back(shape.body); }
     });
 }
 
@@ -177,11 +183,11 @@ void beginFrom(WorldState& world, std::size_t first) {
     });
 }
 
-/// Calls `some(bullets, scratch, finds)` for all early partners that are bullets, some at a time, on several threads.
+/// Calls `some(searchers, scratch, finds)` for all early partners that are such, some at a time, on several threads.
 template <class Some>
-void shareBullets(WorldState& world, const Some& some) {
+void shareSearch(WorldState& world, const Some& some) {
     BulletWork& work = world.bulletWork;
-    const std::span<const std::uint32_t> all = work.bullets;
+    const std::span<const std::uint32_t> all = work.searchers;
     const std::size_t groups = (all.size() + kWide - 1) / kWide;
     world.loops->run(groups, 1, [&](std::size_t from, std::size_t to, int worker) {
         const auto place = static_cast<std::size_t>(worker);
@@ -204,16 +210,16 @@ void addEarly(WorldState& world) {
     findEarly(world, static_cast<Real>(work.dt));
     addPartners(work, work.early);
     beginFrom(world, 0);
-    work.bullets.clear();
+    work.searchers.clear();
     for (std::uint32_t i = 0; i < work.partners.size(); ++i) {
-        if (work.partners[i].isBullet) { work.bullets.push_back(i); }
+        if (searches(work, work.partners[i])) { work.searchers.push_back(i); }
     }
 }
 
 void addDiscovered(WorldState& world) {
     BulletWork& work = world.bulletWork;
-    shareBullets(world, [&](std::span<const std::uint32_t> bullets, FlightScratch&, BulletFinds& finds) {
-        discover(world, bullets, finds.bodies);
+    shareSearch(world, [&](std::span<const std::uint32_t> some, FlightScratch&, BulletFinds& finds) {
+        discover(world, some, finds.bodies);
     });
     work.found.clear();
     for (BulletFinds& finds : work.finds) { append(work.found, finds.bodies); }
@@ -241,13 +247,14 @@ void findPartners(WorldState& world, double dt) {
     work.carriers.clear();
     work.dt = dt;
     addEarly(world);
+    const std::size_t early = work.partners.size();
     addDiscovered(world);
     work.tree.pack(work.boxes);
     std::iota(work.places.begin(), work.places.end(), 0U);
-    shareBullets(world, [&](std::span<const std::uint32_t> bullets, FlightScratch& scratch, BulletFinds& finds) {
-        // A pair of bullets once.
-        predictAll(world, bullets, scratch, finds.meetings, [&](std::uint32_t index, std::uint32_t other) {
-            return other > index || !work.partners[other].isBullet;
+    shareSearch(world, [&](std::span<const std::uint32_t> some, FlightScratch& scratch, BulletFinds& finds) {
+        // A pair of those that search once.
+        predictAll(world, some, scratch, finds.meetings, [&](std::uint32_t index, std::uint32_t other) {
+            return other > index || other >= early || !searches(work, work.partners[other]);
         });
     });
     for (BulletFinds& finds : work.finds) { append(work.meetings, finds.meetings); }
@@ -270,16 +277,16 @@ bool takeMeeting(BulletWork& work, BulletMeeting& meeting) {
 void lookAhead(WorldState& world, std::initializer_list<std::uint32_t> partners, FlightScratch& scratch) {
     BulletWork& work = world.bulletWork;
     std::vector<BulletMeeting>& meetings = work.finds[0].meetings;
-    work.bullets.clear();
+    work.searchers.clear();
     for (const std::uint32_t index : partners) {
         BulletPartner& partner = work.partners[index];
         renewPath(partner, meetings);
         work.boxes[index] = boxOf(partner);
         work.tree.move(work.places[index], work.boxes[index]);
-        if (partner.isBullet) { work.bullets.push_back(index); }
+        if (searches(work, partner)) { work.searchers.push_back(index); }
     }
     work.found.clear();
-    discover(world, work.bullets, work.found);
+    discover(world, work.searchers, work.found);
     const auto known = static_cast<std::uint32_t>(work.partners.size());
     addPartners(work, work.found);
     for (std::uint32_t i = known; i < work.partners.size(); ++i) {

@@ -7,6 +7,7 @@
 #include "../broadphase/wide_kernels.h"
 #include "key_sort.h"
 #include "modes.h"
+#include "solved_path.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -41,6 +42,24 @@ std::uint64_t spreadBits(std::uint32_t bits) {
     return (spread | (spread << 1U)) & 0x5555555555555555U;
 }
 
+/// Whether the solver moves it, and no farther than contacts can tell what it meets.
+bool isCarriedAlong(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    return isTied(body) && !body.fast && !(body.flung && movedFast(world, slot));
+}
+
+/// @param boxes  of up to eight bodies: where they may get
+/// @param reach  how far others get within the step, metres
+/// @param reached  by box: set to 1 where there is a bullet in it, or one that may be sent there
+void reachThoseAtRest(const WorldState& world, Real reach, std::array<Aabb, kWide> boxes,
+                      std::span<std::uint8_t> reached) {
+    for (Aabb& box : boxes) { box = grown(box, reach + world.bulletWork.drift); }
+    world.broadphase->queryDynamic(boxes, [&](std::size_t lane, ProxyId id) {
+        const std::uint32_t shape = world.proxyShapes[static_cast<std::uint32_t>(id)];
+        if (isBullet(world, world.shapes[shape].body)) { reached[lane] = 1; }
+    });
+}
+
 /// Takes out of `early` what is no bullet and gets to no place to which one may get.
 void dropOutOfReach(WorldState& world, Real dt) {
     Real fastest = 0;
@@ -71,6 +90,7 @@ void dropOutOfReach(WorldState& world, Real dt) {
             }
             widestKernels().queries(realms, WideBoxes::of(boxes),
                                     [&](std::uint32_t lane, ProxyId) { work.reached[first + lane] = 1; });
+            if (work.areSomeAtRest) { reachThoseAtRest(world, dt * fastest, boxes, std::span(work.reached).subspan(first)); }
         }
     });
     std::size_t kept = 0;
@@ -85,27 +105,28 @@ void dropOutOfReach(WorldState& world, Real dt) {
 
 bool isBullet(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
-    return body.isDynamic() && body.awake && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep;
+    return body.isDynamic() && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep;
 }
 
 void findEarly(WorldState& world, Real dt) {
     BulletWork& work = world.bulletWork;
     work.early.clear();
     work.drift = 0;
-    bool areAllBullets = true;
+    std::uint32_t bullets = 0;
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
         if (!body.isDynamic()) { continue; }
-        const bool isOne = isBullet(world, slot);
+        const bool isOne = isBullet(world, slot) && !isCarriedAlong(world, slot);
         if (isOne || body.fast) {
             work.early.push_back(slot);
-            areAllBullets = areAllBullets && isOne;
+            bullets += isOne ? 1 : 0;
         } else {
             work.drift = std::max(work.drift, wayOf(world, slot));
         }
     }
+    work.areSomeAtRest = bullets < world.bulletBodies;
     orderByPlace(world, work.early);
-    if (!areAllBullets) { dropOutOfReach(world, dt); }
+    if (bullets < work.early.size()) { dropOutOfReach(world, dt); }
 }
 
 void orderByPlace(WorldState& world, std::vector<std::uint32_t>& slots) {

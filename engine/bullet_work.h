@@ -69,11 +69,12 @@ struct BulletWork {
     WideTree tree;                      ///< of the boxes
     std::vector<BulletFinds> finds;     ///< by worker
     Real drift = 0;                     ///< no body that is none of the early partners leaves its box farther, metres
+    bool areSomeAtRest = false;         ///< bullets that look for nobody: they sleep, or are slow and tied to others
     double dt = 0;
 
     // Scratch.
-    std::vector<std::uint32_t> bullets;  ///< indices
-    std::vector<std::uint32_t> early;    ///< slots, as the next one
+    std::vector<std::uint32_t> searchers;  ///< indices
+    std::vector<std::uint32_t> early;      ///< slots, as the next one
     std::vector<std::uint32_t> found;
     std::vector<std::uint8_t> reached;  ///< by place in `early`
     std::vector<BulletPlace> order;

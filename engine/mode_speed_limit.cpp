@@ -99,7 +99,7 @@ void limitWays(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
         // Nothing pushes a free body but a bullet.
-        const bool isPushed = body.role != BodyRole::free || world.bullets > 0;
+        const bool isPushed = body.role != BodyRole::free || world.bulletBodies > 0;
         if (isPushed && isLimited(world, body)) { limitWay(world, slot, dt); }
     }
 }

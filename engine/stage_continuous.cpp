@@ -55,14 +55,14 @@ void reachWithKinematicBodies(WorldState& world) {
 void sweepFastBodies(WorldState& world, double dt) {
     const auto workers = static_cast<std::size_t>(world.loops->workerCount());
     world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
-    if (world.bullets > 0) {
+    if (world.bulletBodies > 0) {
         flyBullets(world, dt);
         if (world.watched) { limitWays(world, dt); }  // of whom they pushed
     }
     for (const std::uint32_t slot : world.awake) {
         if (isHeldAtImpacts(world, slot)) { world.flyers.push_back(slot); }
     }
-    if (world.flyers.empty() && !world.fastIslands.any && world.bullets == 0) { return; }
+    if (world.flyers.empty() && !world.fastIslands.any && world.bulletBodies == 0) { return; }
     world.counters.sweeps += world.flyers.size();
     world.loops->run(world.flyers.size(), kFlyerGrain, [&](std::size_t begin, std::size_t end, int worker) {
         FlightScratch& scratch = world.flightScratch[static_cast<std::size_t>(worker)];

@@ -60,7 +60,7 @@ void count(WorldState& world, const Body& body, std::int32_t sign) {
     const auto add = [sign](std::uint32_t& sum, bool isOne) { sum += isOne ? static_cast<std::uint32_t>(sign) : 0U; };
     add(world.kinematicBodies, body.def.type == BodyType::kinematic);
     add(world.fixedBodies, body.def.type == BodyType::fixed);
-    add(world.bulletBodies, body.def.bullet);
+    add(world.bulletBodies, body.isDynamic() && body.def.bullet);
     add(world.watchedBodies, isWatched(body.def.continuous.value_or(ContinuousMode::off)));
     add(world.masslessBodies, body.isDynamic() && body.mass <= 0);
 }

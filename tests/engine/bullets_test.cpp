@@ -313,6 +313,52 @@ TEST(Bullets, LookAtNothingFarFromTheirPaths) {
     }
 }
 
+/// What the solver moves slowly looks for nobody: a pile of bullets costs what any pile does.
+TEST(Bullets, InAPileAreNotSwept) {
+    World world = makeWorld();
+    addStatic(world, segment(-20, 0, 20, 0));
+    for (int i = 0; i < 40; ++i) { addBody(world, bulletAt({i % 8 * 0.52 - 2, 0.3 + 0.55 * (i / 8)}, {}), box(0.25, 0.25)); }
+    runFor(world, 0.5);
+    EXPECT_EQ(world.counters().sweeps, 0U);
+}
+
+/// Shoots at a plank, a bullet, that stands on a box: who flies is a bullet, too, or is not. @param rest  seconds for
+/// both to come to rest, and then to sleep
+void shootAtAPlankAtRest(double rest, double speed, bool isBullet, double offset) {
+    WorldSettings settings = awakeSettings();
+    settings.sleep = true;
+    World world = makeWorld(settings);
+    addStatic(world, segment(-20, 0, 50, 0), material(0.5));
+    addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5));
+    const BodyId plank = addBody(world, bulletAt({0, 1.5}, {}), box(0.02, 0.5));
+    runFor(world, rest);
+    EXPECT_EQ(world.isAwake(plank), rest < 1);
+    BodyDef def = dynamicAt({-1 - speed * kStep * offset, 1.6}, vec(speed, 0));
+    def.bullet = isBullet;
+    const BodyId ball = addBody(world, def, circle(0.03), material(0, 0, 0.1));
+    for (int step = 0; step < 6; ++step) {
+        must(world.step(kStep));
+        const Vec2 across = rotate(rotationFromAngle(world.angle(plank)), {1, 0});
+        ASSERT_LT(dot(world.position(ball) - world.position(plank), toDouble(across)), 0) << "step " << step;
+    }
+    EXPECT_GT(world.velocity(plank).x, 0);
+}
+
+/// But what flies finds it, whether it is a bullet itself or not.
+TEST(Bullets, AtRestAreMetByWhatFlies) {
+    for (const double rest : {0.05, 0.2, 3.0}) {
+        for (const double speed : {30.0, 300.0}) {
+            for (const bool isBullet : {false, true}) {
+                for (int i = 0; i < 40; ++i) {
+                    SCOPED_TRACE(std::to_string(rest) + " s, " + std::to_string(speed) + " m/s, " +
+                                 (isBullet ? "a bullet, " : "no bullet, ") + std::to_string(i));
+                    ASSERT_NO_FATAL_FAILURE(shootAtAPlankAtRest(rest, speed, isBullet, i / 40.0));
+                }
+            }
+        }
+    }
+}
+
 /// What becomes a partner late has to be found as well: the bullet comes to it by way of a wall.
 TEST(Bullets, MeetWhatABounceSendsThemTo) {
     World world = makeWorld(0);
