@@ -7,7 +7,6 @@
 #include "../broadphase/wide_kernels.h"
 #include "key_sort.h"
 #include "modes.h"
-#include "solved_path.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -42,11 +41,8 @@ std::uint64_t spreadBits(std::uint32_t bits) {
     return (spread | (spread << 1U)) & 0x5555555555555555U;
 }
 
-/// Whether the solver moves it, and no farther than contacts can tell what it meets.
-bool isCarriedAlong(const WorldState& world, std::uint32_t slot) {
-    const Body& body = world.bodies[slot];
-    return isTied(body) && !body.fast && !(body.flung && movedFast(world, slot));
-}
+/// Of its extent: what moves no farther within a step looks for nobody. Contacts stop it, whatever it meets.
+constexpr Real kSlowRatio = Real(1) / 16;
 
 /// @param boxes  of up to eight bodies: where they may get
 /// @param reach  how far others get within the step, metres
@@ -116,12 +112,13 @@ void findEarly(WorldState& world, Real dt) {
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
         if (!body.isDynamic()) { continue; }
-        const bool isOne = isBullet(world, slot) && !isCarriedAlong(world, slot);
-        if (isOne || body.fast) {
+        const bool isOne = isBullet(world, slot);
+        const Real way = wayOf(world, slot);
+        if (body.fast || (isOne && (body.role == BodyRole::flyer || way > kSlowRatio * body.extent))) {
             work.early.push_back(slot);
             bullets += isOne ? 1 : 0;
         } else {
-            work.drift = std::max(work.drift, wayOf(world, slot));
+            work.drift = std::max(work.drift, way);
         }
     }
     work.areSomeAtRest = bullets < world.bulletBodies;

@@ -8,9 +8,9 @@ bool isBullet(const WorldState& world, std::uint32_t slot);
 /// Whether it stays on its way, whatever hits it.
 inline bool isTied(const Body& body) { return body.holdingJoints > 0 || body.touchesDynamic; }
 /// Who is a partner from the start of the step on, into `BulletWork::early`: bullets, and what is fast and near enough
-/// to get to where they may get. But bullets that sleep, or that the solver moves slowly, are no more than what others
-/// may meet (`BulletWork::areSomeAtRest`): those in a pile cost as much as if they were none. And how far all but the
-/// early ones move: `BulletWork::drift`.
+/// to get to where they may get. But bullets that sleep, or hardly move, are no more than what others may meet
+/// (`BulletWork::areSomeAtRest`): those in a pile cost as much as if they were none. And how far all but the early ones
+/// move: `BulletWork::drift`.
 void findEarly(WorldState& world, Real dt);
 /// Puts bodies into an order in which those that are near each other follow each other: along a curve that fills the
 /// plane (G. M. Morton 1966).

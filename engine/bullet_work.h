@@ -69,7 +69,7 @@ struct BulletWork {
     WideTree tree;                      ///< of the boxes
     std::vector<BulletFinds> finds;     ///< by worker
     Real drift = 0;                     ///< no body that is none of the early partners leaves its box farther, metres
-    bool areSomeAtRest = false;         ///< bullets that look for nobody: they sleep, or are slow and tied to others
+    bool areSomeAtRest = false;         ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 
     // Scratch.

@@ -51,7 +51,10 @@ public:
     virtual double lostSeconds() const { return -1; }
 };
 
-std::unique_ptr<CrowdEngine> makeSweptCrowd(bool continuous);
+/// What the bodies of a crowd are swept against in this engine.
+enum class CrowdSweeps { nothing, walls, everything };
+
+std::unique_ptr<CrowdEngine> makeSweptCrowd(CrowdSweeps sweeps);
 std::unique_ptr<CrowdEngine> makeBox2dCrowd();
 
 }  // namespace swept::bench

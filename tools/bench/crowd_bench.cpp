@@ -90,8 +90,9 @@ double energyOf(const Crowd& crowd, const std::vector<CrowdBody>& bodies) {
 
 std::vector<std::unique_ptr<CrowdEngine>> engines() {
     std::vector<std::unique_ptr<CrowdEngine>> result;
-    result.push_back(makeSweptCrowd(true));
-    result.push_back(makeSweptCrowd(false));
+    for (const CrowdSweeps sweeps : {CrowdSweeps::walls, CrowdSweeps::everything, CrowdSweeps::nothing}) {
+        result.push_back(makeSweptCrowd(sweeps));
+    }
 #ifdef SWEPT_BENCH_BOX2D3
     result.push_back(makeBox2d3Crowd());
 #endif

@@ -15,16 +15,26 @@ ShapeDescription surfaceOf(ShapeDescription shape, const Crowd& crowd) {
 
 class SweptCrowd final : public CrowdEngine {
 public:
-    explicit SweptCrowd(bool continuous) : continuous_(continuous) {}
+    explicit SweptCrowd(CrowdSweeps sweeps) : sweeps_(sweeps) {}
 
-    std::string name() const override { return continuous_ ? "Swept2D" : "Swept2D, mode off"; }
+    std::string name() const override {
+        switch (sweeps_) {
+            case CrowdSweeps::nothing:
+                return "Swept2D, mode off";
+            case CrowdSweeps::walls:
+                return "Swept2D";
+            case CrowdSweeps::everything:
+                return "Swept2D, all bullets";
+        }
+        return "";
+    }
 
     void begin(const Crowd& crowd) override {
         SceneDescription scene = build::scene(crowd.name, {0, 0}, 10);
         scene.gravity = {0, 0};
         scene.settings.sleep = false;
         scene.settings.dt = 1.0 / 60;
-        scene.settings.continuous = continuous_ ? SceneContinuous::subStep : SceneContinuous::off;
+        scene.settings.continuous = sweeps_ != CrowdSweeps::nothing ? SceneContinuous::subStep : SceneContinuous::off;
         for (const CrowdWall& wall : crowd.walls) {
             build::addFixed(scene, "", {0, 0}, {surfaceOf(build::segment(wall.p, wall.q), crowd)});
         }
@@ -37,6 +47,7 @@ public:
             added.angle = body.angle;
             added.velocity = body.velocity;
             added.angularVelocity = body.spin;
+            added.bullet = sweeps_ == CrowdSweeps::everything;
         }
         std::string error;
         runner_ = makeRunner(scene, {}, error);
@@ -63,13 +74,13 @@ public:
     }
 
 private:
-    bool continuous_;
+    CrowdSweeps sweeps_;
     std::unique_ptr<Runner> runner_;
     std::size_t walls_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<CrowdEngine> makeSweptCrowd(bool continuous) { return std::make_unique<SweptCrowd>(continuous); }
+std::unique_ptr<CrowdEngine> makeSweptCrowd(CrowdSweeps sweeps) { return std::make_unique<SweptCrowd>(sweeps); }
 
 }  // namespace swept::bench
