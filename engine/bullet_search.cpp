@@ -12,6 +12,7 @@
 #include "bullet_start.h"
 #include "flight_state.h"
 #include "modes.h"
+#include "move_all.h"
 #include "sweep_circles.h"
 #include "tolerances.h"
 
@@ -23,9 +24,11 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Of heaps: the next one is the first.
 bool isLater(const BulletMeeting& a, const BulletMeeting& b) { return a.isAfter(b); }
 
+/// Of its path. One that overflowed is nowhere: a box that is no box would hide others in a tree.
 Aabb boxOf(const BulletPartner& partner) {
     const Body& body = partner.flight.body();
-    return boxOfPath(partner.path, static_cast<double>(body.radius + kTargetRatio * body.widest));
+    const Aabb box = boxOfPath(partner.path, static_cast<double>(body.radius + kTargetRatio * body.widest));
+    return overlaps(box, box) ? box : kNoBox;
 }
 
 BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
@@ -36,8 +39,7 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
     if (body.awake && body.role == BodyRole::flyer) {
         partner.flies = partner.moved = true;
         limitSpeed(partner.flight);
-        // Only then may the sweeps look for lower separations. What no contact knows is farther than any target.
-        if (body.hasContact) { resolveStanding(partner.flight); }
+        resolveStart(partner.flight);
         return partner;
     }
     const BodyMotion& motion = world.motions[slot];
@@ -150,7 +152,7 @@ void predictAll(const WorldState& world, std::span<const std::uint32_t> partners
                             });
 }
 
-/// Room for partners that `begin` fills. @param slots  some of them maybe more than once
+/// Room for partners that `beginPartner` fills. @param slots  some of them maybe more than once
 void addPartners(BulletWork& work, std::span<const std::uint32_t> slots) {
     for (const std::uint32_t slot : slots) {
         if (work.indices[slot] != kNoIndex) { continue; }
@@ -163,7 +165,8 @@ void addPartners(BulletWork& work, std::span<const std::uint32_t> slots) {
 }
 
 /// What a partner does from the start of the step on. Touches nothing of the others.
-void begin(WorldState& world, std::uint32_t index, FlightScratch& scratch, std::vector<BulletMeeting>& meetings) {
+void beginPartner(WorldState& world, std::uint32_t index, FlightScratch& scratch,
+                  std::vector<BulletMeeting>& meetings) {
     BulletWork& work = world.bulletWork;
     BulletPartner& partner = work.partners[index];
     partner = partnerOf(world, work.slots[index], work.dt, scratch);
@@ -172,13 +175,13 @@ void begin(WorldState& world, std::uint32_t index, FlightScratch& scratch, std::
 }
 
 /// All from `first` on, by several threads.
-void beginFrom(WorldState& world, std::size_t first) {
+void beginPartners(WorldState& world, std::size_t first) {
     constexpr std::size_t kGrain = 8;
     BulletWork& work = world.bulletWork;
     world.loops->run(work.partners.size() - first, kGrain, [&](std::size_t from, std::size_t to, int worker) {
         const auto place = static_cast<std::size_t>(worker);
         for (std::size_t i = first + from; i < first + to; ++i) {
-            begin(world, static_cast<std::uint32_t>(i), world.flightScratch[place], work.finds[place].meetings);
+            beginPartner(world, static_cast<std::uint32_t>(i), world.flightScratch[place], work.finds[place].meetings);
         }
     });
 }
@@ -198,18 +201,11 @@ void shareSearch(WorldState& world, const Some& some) {
     });
 }
 
-/// Leaves the list empty.
-template <class T>
-void append(std::vector<T>& all, std::vector<T>& some) {
-    all.insert(all.end(), some.begin(), some.end());
-    some.clear();
-}
-
 void addEarly(WorldState& world) {
     BulletWork& work = world.bulletWork;
     findEarly(world, static_cast<Real>(work.dt));
     addPartners(work, work.early);
-    beginFrom(world, 0);
+    beginPartners(world, 0);
     work.searchers.clear();
     for (std::uint32_t i = 0; i < work.partners.size(); ++i) {
         if (searches(work, work.partners[i])) { work.searchers.push_back(i); }
@@ -222,11 +218,11 @@ void addDiscovered(WorldState& world) {
         discover(world, some, finds.bodies);
     });
     work.found.clear();
-    for (BulletFinds& finds : work.finds) { append(work.found, finds.bodies); }
+    for (BulletFinds& finds : work.finds) { moveAll(work.found, finds.bodies); }
     orderByPlace(world, work.found);
     const std::size_t known = work.partners.size();
     addPartners(work, work.found);
-    beginFrom(world, known);
+    beginPartners(world, known);
 }
 
 }  // namespace
@@ -257,7 +253,7 @@ void findPartners(WorldState& world, double dt) {
             return other > index || other >= early || !searches(work, work.partners[other]);
         });
     });
-    for (BulletFinds& finds : work.finds) { append(work.meetings, finds.meetings); }
+    for (BulletFinds& finds : work.finds) { moveAll(work.meetings, finds.meetings); }
     std::make_heap(work.meetings.begin(), work.meetings.end(), isLater);
 }
 
@@ -290,7 +286,7 @@ void lookAhead(WorldState& world, std::initializer_list<std::uint32_t> partners,
     const auto known = static_cast<std::uint32_t>(work.partners.size());
     addPartners(work, work.found);
     for (std::uint32_t i = known; i < work.partners.size(); ++i) {
-        begin(world, i, scratch, meetings);
+        beginPartner(world, i, scratch, meetings);
         work.tree.insert(i, work.boxes[i], work.places);
     }
     // Two that changed once.

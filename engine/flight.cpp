@@ -171,8 +171,7 @@ constexpr std::int64_t kMostTimesMaxImpacts = 16;
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
-    // Only then may the sweeps look for lower separations. What no contact knows is farther than any target.
-    if (flight.body().hasContact) { resolveStanding(flight); }
+    resolveStart(flight);
     for (int impacts = 0; flight.remaining() > 0; ++impacts) {
         const Sweep sweep = sweepOf(flight);
         const FirstImpact first = nextImpact(flight, sweep);
@@ -276,6 +275,10 @@ bool resolveStanding(Flight& flight) {
         .localCenter = toDouble(flight.body().localCenter), .c0 = center, .c1 = center, .a0 = angle, .a1 = angle};
     findObstacles(*flight.world, flight.slot, standing, *flight.scratch);
     return resolveHere(flight);
+}
+
+void resolveStart(Flight& flight) {
+    if (flight.body().hasContact) { resolveStanding(flight); }
 }
 
 void notePose(const Flight& flight) {

@@ -27,6 +27,9 @@ void advance(Flight& flight, const Sweep& sweep, double fraction);
 /// @return whether any of them was a hit: faster than what does not bounce
 bool resolveHere(Flight& flight);
 bool resolveStanding(Flight& flight);
+/// At the start of the step: only then may the sweeps look for lower separations. What no contact knows is farther than
+/// any target (but what woke in this step, where it was put: its impact is at the start).
+void resolveStart(Flight& flight);
 void notePose(const Flight& flight);
 void limitSpeed(Flight& flight);
 /// Whether it gives up the rest of the step, after so many impacts: it may lose no more time than `maxLostTime`.

@@ -2,6 +2,7 @@
 
 #include "bullets.h"
 #include "modes.h"
+#include "move_all.h"
 #include "solved_path.h"
 #include "step.h"
 #include "tolerances.h"
@@ -26,16 +27,10 @@ LostTimeReason reasonOf(const WorldState& world, const Body& body) {
     return modeOf(world, body) == ContinuousMode::stop ? LostTimeReason::stop : LostTimeReason::clamp;
 }
 
-template <class T>
-void append(std::vector<T>& all, std::vector<T>& some) {
-    all.insert(all.end(), some.begin(), some.end());
-    some.clear();
-}
-
 void merge(WorldState& world, FlightScratch& scratch) {
-    append(world.contactEvents, scratch.events);
-    append(world.lostTime, scratch.lostTime);
-    append(world.impactPoses, scratch.impactPoses);
+    moveAll(world.contactEvents, scratch.events);
+    moveAll(world.lostTime, scratch.lostTime);
+    moveAll(world.impactPoses, scratch.impactPoses);
     world.counters.toiCalls += scratch.toiCalls;
     world.counters.toiIterations += scratch.toiIterations;
     world.counters.impacts += scratch.impacts;

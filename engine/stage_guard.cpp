@@ -96,6 +96,9 @@ void putBackOverflown(WorldState& world) {
         return !isInRange(event.point) || !isInRange(event.normal) || !isInRange(event.fraction) ||
                !isInRange(static_cast<double>(event.approachSpeed)) || !isInRange(static_cast<double>(event.impulse));
     });
+    std::erase_if(world.impactPoses, [](const ImpactPose& pose) {
+        return !isInRange(pose.position) || !isInRange(pose.angle) || !isInRange(pose.fraction);
+    });
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
