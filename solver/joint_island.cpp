@@ -39,6 +39,12 @@ constexpr int kMostTries = 2;
 constexpr int kMostSoftSubSteps = 64;
 /// A step that changes the energy by more than this part of what went to and fro in it is none.
 constexpr double kMostEnergyRatio = 1.0 / 64;
+/// One that changes it by more than this is put right. How many sub-steps there are follows the motion, and so they are
+/// shorter on the way into the crack of a whip than on the way out: without that a rope let go level gained its energy
+/// four thousand times over in four minutes. Slower motions stay below, and keep their energy by themselves.
+constexpr double kFineEnergyRatio = 0x1p-14;
+/// Nor do speeds grow by more than this at once: where bodies all but stand still, they do not say what is missing.
+constexpr double kMostGrowth = 9.0 / 8;
 /// Radians of a turn in a step beyond which it is coarse: what may happen within it shows neither before nor after it.
 constexpr double kCoarseTurn = 1;
 
@@ -96,7 +102,7 @@ void JointIsland::advance(double h, int subSteps) {
     isSoft_ = !isTree_ && wasOpened && !hasAccount();
     for (int tries = isSoft_ ? 0 : mostTries; tries > 0; --tries) {
         isSoft_ = false;
-        isSoft_ = !advanceExactly(h, subSteps, finer, rates) || !keepsEnergy(h, subSteps, rates);
+        isSoft_ = !advanceExactly(h, subSteps, finer, rates) || !keepsEnergy(h, subSteps);
         if (!isSoft_) { break; }
         bodies_ = start_;
         dropForces();
@@ -110,14 +116,14 @@ void JointIsland::advance(double h, int subSteps) {
 void JointIsland::advanceAnyhow(double h, int subSteps, const Rates& rates) {
     for (int more = 1; isTree_ && more <= kMostEndsFactor; more *= kFiner) {
         if (advanceByEnds(h, subSteps, more)) {
-            keepsEnergy(h, subSteps, rates);
+            keepsEnergy(h, subSteps);
             return;
         }
         bodies_ = start_;
         dropForces();
     }
     advanceSoftly(h, subSteps, rates);
-    keepsEnergy(h, subSteps, rates);
+    keepsEnergy(h, subSteps);
 }
 
 void JointIsland::dropForces() {
@@ -162,10 +168,11 @@ double JointIsland::mostLead() const {
 }
 
 /// Speeds that agree with joints to what stands still do so at any size.
-void JointIsland::takeBack(double most) {
-    const double after = kineticEnergy(bodies_);
-    if (!(after > most)) { return; }
-    const double part = std::sqrt(most / after);
+void JointIsland::bringTo(double energy, double mostGrowth) {
+    const double now = kineticEnergy(bodies_);
+    if (!(now > 0)) { return; }
+    const double part = std::min(std::sqrt(energy / now), mostGrowth);
+    if (part == 1) { return; }
     for (IslandBody& body : bodies_) {
         if (body.column == kNoNode) { continue; }
         body.velocity = part * body.velocity;
@@ -173,9 +180,23 @@ void JointIsland::takeBack(double most) {
     }
 }
 
-/// Whether the step changed no energy, where that can be told. After one that is coarse or soft what was gained is
-/// taken away; what is carried or drawn only pays after one that is soft.
-bool JointIsland::keepsEnergy(double h, int subSteps, const Rates& rates) {
+/// What drives the bodies over lengths of theirs, J: what all but stands still has no energy that a change could be
+/// measured against.
+double JointIsland::fallOf(double h) const {
+    double fall = 0;
+    for (const IslandHold& hold : holds_) {
+        if (hold.kind == IslandHold::Kind::angle) { continue; }
+        for (const std::uint32_t i : {hold.a, hold.b}) {
+            const IslandBody& body = bodies_[i];
+            if (body.inverseMass > 0) { fall += 2 / h * norm(body.gain) / body.inverseMass * hold.size; }
+        }
+    }
+    return fall;
+}
+
+/// Whether the step changed no energy, where that can be told; what little it changed is undone. After one that is soft
+/// what was gained is taken away; what is carried or drawn only pays then.
+bool JointIsland::keepsEnergy(double h, int subSteps) {
     const bool isTold = hasAccount();
     if (!isTold && !isSoft_) { return true; }
     double work = 0;
@@ -193,11 +214,15 @@ bool JointIsland::keepsEnergy(double h, int subSteps, const Rates& rates) {
     const double before = kineticEnergy(start_) + work;
     const double after = kineticEnergy(bodies_);
     const double scale = kineticEnergy(start_) + after + flow;
-    const bool keeps = std::fabs(after - before) <= kMostEnergyRatio * scale;
+    const double change = std::fabs(after - before);
+    const bool keeps = change <= kMostEnergyRatio * scale;
     const bool isHeld = bodies_.size() > columns_;
-    const bool isCoarse = isSoft_ || (keeps && h * subSteps * rates.turn > kCoarseTurn);
-    const double most = std::max(before, 0.0);  // what the gaps of joints held is no energy
-    if (isHeld && isCoarse) { takeBack(isTold ? most : std::max(most, mostLead())); }
+    const double right = std::max(before, 0.0);  // what the gaps of joints held is no energy
+    if (isHeld && isSoft_) {
+        bringTo(isTold ? right : std::max(right, mostLead()), 1);
+    } else if (isHeld && keeps && change > kFineEnergyRatio * (scale + fallOf(h))) {
+        bringTo(right, kMostGrowth);
+    }
     return keeps || !isTold;
 }
 

@@ -161,8 +161,9 @@ private:
     void advanceSoftly(double h, int subSteps, const Rates& rates);
     bool hasAccount() const;
     double mostLead() const;
-    void takeBack(double most);
-    bool keepsEnergy(double h, int subSteps, const Rates& rates);
+    void bringTo(double energy, double mostGrowth);
+    double fallOf(double h) const;
+    bool keepsEnergy(double h, int subSteps);
     bool subStep(double part, double h);
     void subStepSoftly(double h);
     void drive(double part);
