@@ -7,7 +7,7 @@
 namespace swept::worlds {
 namespace {
 
-constexpr std::array<SceneEntry, 21> kScenes{{
+constexpr std::array<SceneEntry, 22> kScenes{{
     {"compounds", "3000 bodies of two triangles fall into a tub", true, makeCompounds},
     {"joint-grid", "10 000 circles on a net of hinges", true, makeJointGrid},
     {"junkyard", "8000 pentagons, stirred by a pusher", true, makeJunkyard},
@@ -29,6 +29,7 @@ constexpr std::array<SceneEntry, 21> kScenes{{
     {"tray", "1024 boxes, disks and capsules that come to rest in a tray", false, makeTray},
     {"soft-bodies", "200 soft bodies of 25 disks and 72 springs, in a heap", false, makeSoftBodies},
     {"cloth", "6400 knots on rods, hung from their upper edge", false, makeCloth},
+    {"ropes", "200 ropes of 20 hinged links, let go level, that touch nothing", false, makeRopes},
     {"beams", "200 beams of ten welded boxes, in a heap", false, makeBeams},
 }};
 

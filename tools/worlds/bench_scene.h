@@ -66,6 +66,7 @@ BenchScene makeShootOut(double size);
 BenchScene makeTray(double size);
 BenchScene makeSoftBodies(double size);
 BenchScene makeCloth(double size);
+BenchScene makeRopes(double size);
 BenchScene makeBeams(double size);
 
 /// So many of a row or column, at least one: `count` at size 1.

@@ -98,4 +98,26 @@ BenchScene makeBeams(double size) {
     return bench;
 }
 
+/// Let go level, side by side; their links pass through everything, so that nothing is solved but hinges.
+BenchScene makeRopes(double size) {
+    constexpr int kLinks = 20;
+    constexpr double kLink = 0.5;  // metres
+    const int count = scaledCount(200, size);
+    BenchScene bench = emptyBench("ropes", 30, 600);
+    build::addFixed(bench.scene, "beam", {0, 0}, {build::box({1, 1})});
+    for (int i = 0; i < count; ++i) {
+        const DVec2 start{12.0 * (i % 20), 12.0 * (i / 20)};
+        std::string last = "beam";
+        for (int k = 0; k < kLinks; ++k) {
+            ShapeDescription link = build::capsule({-0.4 * kLink, 0}, {0.4 * kLink, 0}, 0.06);
+            link.filter.mask = 0;
+            build::addDynamic(bench.scene, "", start + DVec2{(k + 0.5) * kLink, 0}, {link});
+            std::string name = build::lastBody(bench.scene);
+            build::hinge(bench.scene, last, name, start + DVec2{k * kLink, 0});
+            last = std::move(name);
+        }
+    }
+    return bench;
+}
+
 }  // namespace swept::worlds
