@@ -119,8 +119,7 @@ void TableBroadphase::queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> vi
     queryTests_.add(visitGround(box, visit));
 }
 
-void TableBroadphase::queryDynamic(std::span<const Aabb> boxes,
-                                   FunctionRef<void(std::size_t, ProxyId)> visit) const {
+void TableBroadphase::queryDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const {
     queryTests_.add(visitDynamic(boxes, visit));
 }
 

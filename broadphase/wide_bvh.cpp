@@ -124,8 +124,7 @@ std::uint64_t WideBvh::visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> v
     return goOn && kinematic.height() > 0 ? tests + kernels_.query(kinematic, box, goOn, visit) : tests;
 }
 
-std::uint64_t WideBvh::visitDynamic(std::span<const Aabb> boxes,
-                                    FunctionRef<void(std::size_t, ProxyId)> visit) const {
+std::uint64_t WideBvh::visitDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const {
     std::uint64_t tests = 0;
     for (std::size_t first = 0; first < boxes.size(); first += kWide) {
         tests += kernels_.queries(tree(ProxyKind::dynamic), WideBoxes::of(boxes.subspan(first)),

@@ -67,9 +67,12 @@ void sweep(const WideTree& tree, SweepVisit& visit) {
 }  // namespace
 
 const WideKernels& scalarKernels() {
-    static constexpr WideKernels kKernels = {"scalar", join, scalar_lanes::walkQuery<ScalarQuery>,
+    static constexpr WideKernels kKernels = {"scalar",
+                                             join,
+                                             scalar_lanes::walkQuery<ScalarQuery>,
                                              scalar_lanes::walkQueries<ScalarQuery>,
-                                             scalar_lanes::scanIntervals<ScalarQuery>, sweep};
+                                             scalar_lanes::scanIntervals<ScalarQuery>,
+                                             sweep};
     return kKernels;
 }
 

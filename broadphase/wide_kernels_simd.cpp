@@ -145,12 +145,9 @@ void sweepOnThisMachine(const WideTree& tree, SweepVisit& visit) { HWY_DYNAMIC_D
 }  // namespace
 
 const WideKernels& widestKernels() {
-    static constexpr WideKernels kKernels = {"widest",
-                                             joinOnThisMachine,
-                                             queryOnThisMachine,
-                                             queriesOnThisMachine,
-                                             intervalsOnThisMachine,
-                                             sweepOnThisMachine};
+    static constexpr WideKernels kKernels = {
+        "widest",          joinOnThisMachine, queryOnThisMachine, queriesOnThisMachine, intervalsOnThisMachine,
+        sweepOnThisMachine};
     return kKernels;
 }
 

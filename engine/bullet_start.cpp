@@ -41,6 +41,10 @@ std::uint64_t spreadBits(std::uint32_t bits) {
     return (spread | (spread << 1U)) & 0x5555555555555555U;
 }
 
+/// Along an axis, of the curve; and the smallest square that it fills, metres.
+constexpr double kCells = 65535;
+constexpr double kSmallest = 0x1p-60;
+
 /// Of its extent: what moves no farther within a step looks for nobody. Contacts stop it, whatever it meets.
 constexpr Real kSlowRatio = Real(1) / 16;
 
@@ -86,7 +90,9 @@ void dropOutOfReach(WorldState& world, Real dt) {
             }
             widestKernels().queries(realms, WideBoxes::of(boxes),
                                     [&](std::uint32_t lane, ProxyId) { work.reached[first + lane] = 1; });
-            if (work.areSomeAtRest) { reachThoseAtRest(world, dt * fastest, boxes, std::span(work.reached).subspan(first)); }
+            if (work.areSomeAtRest) {
+                reachThoseAtRest(world, dt * fastest, boxes, std::span(work.reached).subspan(first));
+            }
         }
     });
     std::size_t kept = 0;
@@ -127,8 +133,6 @@ void findEarly(WorldState& world, Real dt) {
 }
 
 void orderByPlace(WorldState& world, std::vector<std::uint32_t>& slots) {
-    static constexpr double kCells = 65535;  // along an axis
-    constexpr double kSmallest = 0x1p-60;  // metres, of the whole
     BulletWork& work = world.bulletWork;
     if (slots.size() < 2) { return; }
     DVec2 lower = world.motions[slots.front()].center;
@@ -148,7 +152,8 @@ void orderByPlace(WorldState& world, std::vector<std::uint32_t>& slots) {
         work.order.push_back({cellOf(way.x) | (cellOf(way.y) << 1U), slot});
     }
     sortByKeys(work.order, work.spare, [](const BulletPlace& a, const BulletPlace& b) { return a.slot < b.slot; });
-    std::transform(work.order.begin(), work.order.end(), slots.begin(), [](const BulletPlace& one) { return one.slot; });
+    std::transform(work.order.begin(), work.order.end(), slots.begin(),
+                   [](const BulletPlace& one) { return one.slot; });
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -59,9 +59,9 @@ struct BulletPlace {
 };
 
 struct BulletWork {
-    RawVector<BulletPartner> partners;   ///< at first in an order in which neighbours follow each other
-    std::vector<std::uint32_t> slots;    ///< by partner
-    std::vector<std::uint32_t> indices;  ///< by body: of its partner; `kNoIndex` for all others
+    RawVector<BulletPartner> partners;    ///< at first in an order in which neighbours follow each other
+    std::vector<std::uint32_t> slots;     ///< by partner
+    std::vector<std::uint32_t> indices;   ///< by body: of its partner; `kNoIndex` for all others
     std::vector<BulletMeeting> meetings;  ///< a heap: the next one is the first
     std::vector<BulletCarrier> carriers;
     std::vector<Aabb> boxes;            ///< by partner, of its path

@@ -317,7 +317,9 @@ TEST(Bullets, LookAtNothingFarFromTheirPaths) {
 TEST(Bullets, InAPileAreNotSwept) {
     World world = makeWorld();
     addStatic(world, segment(-20, 0, 20, 0));
-    for (int i = 0; i < 40; ++i) { addBody(world, bulletAt({i % 8 * 0.52 - 2, 0.3 + 0.55 * (i / 8)}, {}), box(0.25, 0.25)); }
+    for (int i = 0; i < 40; ++i) {
+        addBody(world, bulletAt({i % 8 * 0.52 - 2, 0.3 + 0.55 * (i / 8)}, {}), box(0.25, 0.25));
+    }
     runFor(world, 0.5);
     EXPECT_EQ(world.counters().sweeps, 0U);
 }

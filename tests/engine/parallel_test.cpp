@@ -318,10 +318,13 @@ struct ShootOut {
             addStatic(world, segment(0, -kHalf, 0, kHalf), material(0.3, 1), turned({kHalf, 0}, turn), turn);
         }
         Random random(8);
-        const auto place = [&] { return DVec2{random.range(-kHalf + 1, kHalf - 1), random.range(-kHalf + 1, kHalf - 1)}; };
+        const auto place = [&] {
+            return DVec2{random.range(-kHalf + 1, kHalf - 1), random.range(-kHalf + 1, kHalf - 1)};
+        };
         for (int i = 0; i < 60; ++i) {
             const double speed = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : 60;
-            known.bodies.push_back(addBody(world, dynamicAt(place(), vec(speed, 0)), box(0.3, 0.3), material(0.3, 0.5)));
+            known.bodies.push_back(
+                addBody(world, dynamicAt(place(), vec(speed, 0)), box(0.3, 0.3), material(0.3, 0.5)));
         }
         ShapeDef surface = material(0.1, 1);
         for (int i = 0; i < 120; ++i) {
