@@ -168,6 +168,14 @@ void dropWhatIsLeft(const Flight& flight, const Sweep& sweep) {
 /// Impacts beyond `maxImpacts` are for a budget of lost time, up to this many times as many.
 constexpr std::int64_t kMostTimesMaxImpacts = 16;
 
+/// How much of a path the body did not go, by its centre and its turn.
+double shareMissed(const Body& body, const Sweep& asked, const BodyMotion& reached) {
+    const auto arm = static_cast<double>(body.radius);
+    const double way = length(asked.c1 - asked.c0) + arm * std::fabs(asked.a1 - asked.a0);
+    const double missed = length(asked.c1 - reached.center) + arm * std::fabs(asked.a1 - reached.angle);
+    return missed < way ? missed / way : 1;
+}
+
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
@@ -330,16 +338,19 @@ void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, 
                    FlightScratch& scratch) {
     const Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
-    const FirstImpact first = impactOfPath(world, slot, part.length, 1, scratch);
+    const Sweep asked = pathOf(world, slot);
+    FirstImpact first = impactOfPath(world, slot, part.length, 1, scratch);
     if (!first.hit) { return; }
+    const bool slides = slideAlongSunk(world, slot, part.length, first, scratch);
     const BodyMotion stopped = motionAt(pathOf(world, slot), first.fraction, body.localCenter);
     motion.center = stopped.center;
     motion.angle = stopped.angle;
     motion.pose = stopped.pose;
     ++scratch.impacts;
-    const double lost = (1 - first.fraction) * part.length;
+    const double lost = (slides ? shareMissed(body, asked, stopped) : 1 - first.fraction) * part.length;
     takeBackFall(world, slot, lost);
     scratch.lostTime.push_back({.body = world.bodies.idOf(slot), .seconds = lost, .reason = reason});
+    if (first.fraction >= 1) { return; }  // it went straight to where it is
     scratch.impactPoses.push_back({.body = world.bodies.idOf(slot),
                                    .position = motion.pose.position,
                                    .angle = motion.angle,

@@ -93,7 +93,8 @@ void fly(WorldState& world, std::uint32_t body, double dt, FlightScratch& scratc
 
 /// Sweeps a body from its start pose of this part of the step to its present pose; at an impact with something static
 /// or kinematic it stays there, keeps its velocity (less what it gained by falling in the time it lost), and the rest
-/// of the part enters the ledger.
+/// of the part enters the ledger. Along what it is sunk into, and out of it, it goes on (`slideAlongSunk`): then the
+/// share of its path that it missed does.
 void clampAtImpact(WorldState& world, std::uint32_t body, const StepPart& part, LostTimeReason reason,
                    FlightScratch& scratch);
 /// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it

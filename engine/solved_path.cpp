@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../toi/toi_polygon.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -117,6 +118,44 @@ void judge(const WorldState& world, SolvedPath& path, FlightObstacle& obstacle) 
     obstacle.isClear = clearance.atStart <= path.reachOf(world, obstacle.own) + contactReach(world, other);
 }
 
+/// One wall after the other: in a corner there are two, and setting off from one may lead back into the other.
+constexpr int kMostSlides = 3;
+
+/// How much deeper than it may be, along the normal of the obstacle, a body ends that is sunk into it, metres. What
+/// turns bulges on its way: it would get deeper there, unless it ends four times as much farther out, so that it leaves
+/// at once. But it need not leave what it is sunk into for that.
+double excessOf(const WorldState& world, const Sweep& path, const Sweep& ground, const FlightObstacle& obstacle) {
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const double lifted = length(obstacle.lift);
+    const double end = separationAlong(asToiPolygon(other.polygon), ground, asToiPolygon(own.polygon), path, 1,
+                                       (1 / lifted) * obstacle.lift);
+    const double bulge = std::min(4 * bulgeOf(own, path, ground), slackOf(own, other));
+    return obstacle.level + 2 * toleranceOf(world, obstacle) - lifted + bulge - end;
+}
+
+/// Sets the end of the path off what the body is sunk into, along the normal, as far as it may be sunk. A turn that
+/// would throw it out is left out.
+/// @return whether that changed anything
+bool setOff(WorldState& world, std::uint32_t slot, double time, const FlightObstacle& obstacle) {
+    const double lifted = length(obstacle.lift);
+    if (!obstacle.isSunkInto || !(lifted > 0)) { return false; }
+    BodyMotion& motion = world.motions[slot];
+    const DVec2 normal = (1 / lifted) * obstacle.lift;
+    const Sweep ground = obstacleSweep(world, world.shapes[obstacle.other].body, 0, time);
+    Sweep path = pathOf(world, slot);
+    double excess = excessOf(world, path, ground, obstacle);
+    if (!(excess > 0)) { return false; }
+    const double outward = dot((path.c1 - path.c0) - (ground.c1 - ground.c0), normal);
+    if (std::min(outward, 0.0) + excess > slackOf(world, obstacle)) {
+        path.a1 = motion.angle = path.a0;
+        excess = std::max(excessOf(world, path, ground, obstacle), 0.0);
+    }
+    motion.center += excess * normal;
+    updatePose(world, slot);
+    return true;
+}
+
 }  // namespace
 
 Sweep pathOf(const WorldState& world, std::uint32_t slot) {
@@ -153,6 +192,23 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
     if (areClear) { return {}; }
     allowSlack(world, path, time, scratch);
     return firstImpact(world, path, 0, time, scratch, limit, ignoresSunk);
+}
+
+bool slideAlongSunk(WorldState& world, std::uint32_t slot, double time, FirstImpact& first, FlightScratch& scratch) {
+    BodyMotion best = world.motions[slot];
+    bool slides = false;
+    FirstImpact next = first;
+    for (int i = 0; i < kMostSlides && next.hit; ++i) {
+        if (!setOff(world, slot, time, scratch.obstacles[next.obstacle])) { break; }
+        next = impactOfPath(world, slot, time, 1, scratch);
+        if (!next.hit || next.fraction > first.fraction) {
+            first = next;
+            best = world.motions[slot];
+            slides = true;
+        }
+    }
+    world.motions[slot] = best;
+    return slides;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

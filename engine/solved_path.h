@@ -13,4 +13,11 @@ bool movedFast(const WorldState& world, std::uint32_t body, double share = 1);
 FirstImpact impactOfPath(const WorldState& world, std::uint32_t body, double time, double limit, FlightScratch& scratch,
                          bool ignoresSunk = false);
 
+/// What would get deeper into what it is sunk into than it may goes on along it, and out of it, as far as nothing else
+/// is in the way: its present pose is set off along the normal. Held wholly, it would stand while all that it is joined
+/// to moves on.
+/// @param first  on the path to the present pose; then on that to the new one
+/// @return whether it gets farther so; otherwise nothing changes
+bool slideAlongSunk(WorldState& world, std::uint32_t body, double time, FirstImpact& first, FlightScratch& scratch);
+
 }  // namespace swept::inline SWEPT_PRECISION

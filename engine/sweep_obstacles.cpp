@@ -322,7 +322,7 @@ FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
         const FirstImpact impact =
             firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
-        if (impact.hit) { first = impact; }
+        if (impact.hit) { first = {true, impact.fraction, near.index}; }
     }
     return first;
 }

@@ -85,6 +85,7 @@ void allowSag(const WorldState& world, std::span<const Vec2> normals, FlightScra
 struct FirstImpact {
     bool hit = false;
     double fraction = 1;
+    std::uint32_t obstacle = kNoIndex;  ///< in `FlightScratch::obstacles`, of a hit of all of them
 };
 
 /// One obstacle: the first fraction, not after `limit`, at which the sweep meets it; see `firstImpact`.

@@ -376,4 +376,10 @@ Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, 
     return Search(a, sweepA, b, sweepB, settings).separationAt(fraction);
 }
 
+double separationAlong(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                       double fraction, DVec2 normal) {
+    const MovingPair pair(a, sweepA, b, sweepB);
+    return hold(pair, pair.poseAt(fraction), Vec2{normal.x, normal.y}, AxisOwner::world).gap - pair.radii;
+}
+
 }  // namespace swept

@@ -99,6 +99,11 @@ Toi shapeCast(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, con
 /// Separation of the two polygons at a fraction, with normal and witness points (state `separated` or `overlapped`).
 Toi separationAt(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB, double fraction);
 
+/// The same along a direction: lowest projection of B minus highest of A. Never more than their separation.
+/// @param normal  unit, world, from A to B
+double separationAlong(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
+                       double fraction, DVec2 normal);
+
 /// Whether a query may be asked: vertices 1 … 8, finite, convex, counter-clockwise; radius ≥ 0; 0 < tMax ≤ 1;
 /// tolerance > 0 and not below what double resolves at the pair's relative coordinates; target + rA + rB ≥ 0.
 Status validateToi(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,

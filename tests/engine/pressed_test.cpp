@@ -74,6 +74,48 @@ TEST(Pressed, AgainstAWallByARod) {
     }
 }
 
+/// Its axle runs along a wall, and nearer to it than the body may sink in, for a second; then away from it again. What
+/// is pressed as deep as it may be goes along: held where it is, it would stay behind by all the way.
+TEST(Pressed, AlongAWall) {
+    constexpr double kThickness = 0.24;
+    const std::array<Polygon, 3> shapes{box(0.3, kThickness / 2), capsule(0.2, kThickness / 2), circle(kThickness / 2)};
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const double speed : {0.5, 8.0, 30.0}) {
+            for (const Polygon& polygon : shapes) {
+                for (const bool isThin : {false, true}) {
+                    WorldSettings settings = awakeSettings(0);
+                    settings.profile = profile;
+                    Rest rest{makeWorld(settings), {}};
+                    addStatic(rest.world, isThin ? segment(0, -50, 0, 50) : box(1, 50), {}, {isThin ? 0.0 : -1.0, 0});
+                    BodyDef moving = bodyAt(BodyType::kinematic, {0.13, -20});
+                    moving.velocity = vec(-0.1, speed);
+                    BodyDef upright = bodyAt(BodyType::dynamic, moving.position, kPi / 2);
+                    rest.body = addBody(rest.world, upright, polygon);
+                    RevoluteJointDef hinge;
+                    const BodyId axle = must(rest.world.createBody(moving));
+                    hinge.base = between(axle, rest.body);
+                    hinge.anchor = moving.position;
+                    const JointId joint = must(rest.world.createJoint(hinge));
+                    double error = 0;
+                    double deepest = 0;
+                    for (int i = 0; i < 120; ++i) {
+                        if (i == 60) { must(rest.world.setVelocity(axle, vec(0.1, speed), 0)); }
+                        rest.go(1);
+                        error = std::max(error, static_cast<double>(rest.world.jointError(joint)));
+                        deepest = std::max(deepest, deepestOverlap(rest.world));
+                    }
+                    const std::string which = std::string(profile == Profile::fast ? "fast, " : "accurate, ") +
+                                              std::to_string(speed) + " m/s, " + std::to_string(polygon.count) +
+                                              " vertices" + (isThin ? ", thin" : "");
+                    EXPECT_LT(error, kThickness / 2) << which;
+                    EXPECT_LT(deepest, 1.001 * kThickness / 4) << which;
+                    EXPECT_LT(static_cast<double>(rest.world.jointError(joint)), 1e-4) << which;
+                }
+            }
+        }
+    }
+}
+
 /// What turns back and forth counts as fast, and is sunk into the wall by half of its radius. The box does not let go.
 TEST(Pressed, WhileItShakes) {
     for (const bool isThin : {true, false}) {
