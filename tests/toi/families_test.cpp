@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 
 #include "families.h"
@@ -106,6 +108,28 @@ TEST_P(ToiFamilies, SeparationAtAgreesWithTheOracle) {
                 << nameOf(GetParam()) << " seed " << seed << " at " << t << query;
             if (core > slack) { ASSERT_EQ(toi.state, ToiState::separated) << "seed " << seed << query; }
             if (core < -slack) { ASSERT_EQ(toi.state, ToiState::overlapped) << "seed " << seed << query; }
+        }
+    }
+}
+
+/// Along the normal it is the separation, along any other direction less.
+TEST_P(ToiFamilies, SeparationAlongTheNormalIsTheLargest) {
+    constexpr int kDirections = 16;
+    for (std::uint64_t seed = 0; seed < kCases; ++seed) {
+        const Query query = randomQuery(GetParam(), seed);
+        for (const double t : {0.0, 0.3125, 1.0}) {
+            const Toi toi = separationAt(query.a, query.sweepA, query.b, query.sweepB, t);
+            const double slack = query.settings.tolerance / 4;
+            const auto along = [&](DVec2 normal) {
+                return separationAlong(query.a, query.sweepA, query.b, query.sweepB, t, normal);
+            };
+            ASSERT_NEAR(along(toi.normal), toi.separation, slack)
+                << nameOf(GetParam()) << " seed " << seed << " at " << t << query;
+            for (int i = 0; i < kDirections; ++i) {
+                const double angle = 2 * std::numbers::pi * i / kDirections;
+                ASSERT_LE(along({std::cos(angle), std::sin(angle)}), toi.separation + slack)
+                    << nameOf(GetParam()) << " seed " << seed << " at " << t << query;
+            }
         }
     }
 }
