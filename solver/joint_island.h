@@ -98,7 +98,8 @@ struct IslandHold {
 /// A sub-step is one of RATTLE (Andersen 1983): half of the drive, impulses such that the motion ends where all holds
 /// are right, the motion, the other half, impulses that leave no speed against them. Solved to rounding it is symmetric
 /// in time and symplectic, so energy has no way to drift. Sub-steps are put together with lengths of both signs to a
-/// method of the fourth order (Suzuki 1990).
+/// method of the fourth order (Suzuki 1990). Where their number follows the motion that symmetry is lost, and the energy
+/// of what hangs on something fixed is put right after the step.
 ///
 /// The impulses are found as `DirectSolver` does, by a damper per row and the method of multipliers, with one
 /// factorisation for both solves at a place: errors of places are put in again until they are gone (Newton's method
