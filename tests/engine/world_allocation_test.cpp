@@ -53,11 +53,17 @@ std::vector<BodyId> addFlyers(World& world) {
     return flyers;
 }
 
+/// It swings to and fro: let go level it would crack like a whip, and find a new busiest step now and then.
 void addRope(World& world) {
-    BodyId previous = must(world.createBody(bodyAt(BodyType::fixed, {0, 11})));
+    const DVec2 top{0, 11};
+    const double angle = 0.3 - kPi / 2;
+    const DVec2 along{std::cos(angle), std::sin(angle)};
+    BodyId previous = must(world.createBody(bodyAt(BodyType::fixed, top)));
     for (int i = 0; i < 10; ++i) {
-        const BodyId link = addBody(world, dynamicAt({0.25 + 0.5 * i, 11}), capsule(0.2, 0.05));
-        RevoluteJointDef def{.base = {.bodyA = previous, .bodyB = link}, .anchor = {0.5 * i, 11}};
+        BodyDef body = dynamicAt(top + (0.25 + 0.5 * i) * along);
+        body.angle = angle;
+        const BodyId link = addBody(world, body, capsule(0.2, 0.05));
+        RevoluteJointDef def{.base = {.bodyA = previous, .bodyB = link}, .anchor = top + 0.5 * i * along};
         must(world.createJoint(def));
         previous = link;
     }
