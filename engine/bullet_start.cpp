@@ -119,8 +119,9 @@ void findEarly(WorldState& world, Real dt) {
         const Body& body = world.bodies[slot];
         if (!body.isDynamic()) { continue; }
         const bool isOne = isBullet(world, slot);
-        const Real way = wayOf(world, slot);
-        if (body.fast || (isOne && (body.role == BodyRole::flyer || way > kSlowRatio * body.extent))) {
+        const bool isEarly = body.fast || (isOne && body.role == BodyRole::flyer);
+        const Real way = isEarly ? 0 : wayOf(world, slot);
+        if (isEarly || (isOne && way > kSlowRatio * body.extent)) {
             work.early.push_back(slot);
             bullets += isOne ? 1 : 0;
         } else {

@@ -1,11 +1,10 @@
-#include <numeric>
 #include <string>
 
 #include <swept/samples/builtin_scenes.h>
 #include <swept/samples/world_builder.h>
 
 #include "../support/random.h"
-#include "../support/thread_tasks.h"
+#include "any_order_tasks.h"
 #include "mixed_scene.h"
 #include "world_digest.h"
 #include "world_support.h"
@@ -38,47 +37,6 @@ void expectSameSteps(World& serial, World& parallel, const KnownIds& known, int 
         ASSERT_EQ(serial.impactPoses().size(), parallel.impactPoses().size()) << name;
     }
 }
-
-/// Every range one element long, in an order that no two loops share, handed to three workers in turn: all on one
-/// thread, so that what is found wrong here is found again.
-class ShuffledTasks final : public TaskSystem {
-public:
-    int workerCount() const override { return kWorkers; }
-    double startSeconds() const override { return 0; }  // each loop as it is
-    void run(std::size_t count, std::size_t /*grain*/, FunctionRef<void(std::size_t, std::size_t, int)> body) override {
-        std::vector<std::size_t> order(count);
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        for (std::size_t i = count; i > 1; --i) {
-            std::swap(order[i - 1], order[static_cast<std::size_t>(random_.integer(0, static_cast<int>(i) - 1))]);
-        }
-        for (std::size_t i = 0; i < count; ++i) { body(order[i], order[i] + 1, static_cast<int>(i) % kWorkers); }
-    }
-
-private:
-    static constexpr int kWorkers = 3;
-    Random random_{5};
-};
-
-/// The last element first.
-class BackwardTasks final : public TaskSystem {
-public:
-    int workerCount() const override { return 2; }
-    double startSeconds() const override { return 0; }
-    void run(std::size_t count, std::size_t /*grain*/, FunctionRef<void(std::size_t, std::size_t, int)> body) override {
-        for (std::size_t i = count; i > 0; --i) { body(i - 1, i, static_cast<int>(i % 2)); }
-    }
-};
-
-/// All that may run a world in parallel, on threads and off.
-struct Crowds {
-    ThreadTasks one{1};
-    ThreadTasks two{2};
-    ThreadTasks three{3};
-    ThreadTasks eight{8};
-    ShuffledTasks shuffled;
-    BackwardTasks backward;
-    std::vector<TaskSystem*> all{&one, &two, &three, &eight, &shuffled, &backward};
-};
 
 /// One world on the calling thread, and the same on each task system, all step by step.
 void expectSameOnAll(const SceneDescription& scene, const std::vector<TaskSystem*>& systems, int steps) {
