@@ -44,12 +44,13 @@ struct FastIslands {
     std::vector<BodyMotion> triedMotions;     ///< of their members
     std::vector<HingeMemory> triedHinges;     ///< and of their joints
     std::size_t eventsBefore = 0;
-    IslandItems bodies;                     ///< slots, in order of waking
-    IslandItems contacts;                   ///< indices of their probes
-    IslandItems joints;                     ///< slots
-    std::vector<std::uint32_t> kinematics;  ///< awake ones
-    std::vector<std::uint32_t> waiting;     ///< islands that are still to advance
-    std::vector<Contact> found;             ///< scratch: what they found on their way, of all desks
+    IslandItems bodies;                                             ///< slots, in order of waking
+    IslandItems contacts;                                           ///< indices of their probes
+    std::vector<std::vector<IslandItems::Added>> contactsOfBlocks;  ///< scratch: likewise, by block of probes
+    IslandItems joints;                                             ///< slots
+    std::vector<std::uint32_t> kinematics;                          ///< awake ones
+    std::vector<std::uint32_t> waiting;                             ///< islands that are still to advance
+    std::vector<Contact> found;  ///< scratch: what they found on their way, of all desks
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -10,8 +10,14 @@ namespace swept {
 /// by counting, since there may be thousands of both. Kept for its capacity.
 class IslandItems {
 public:
+    struct Added {
+        std::uint32_t island = 0;
+        std::uint32_t item = 0;
+    };
+
     void clear() { added_.clear(); }
     void add(std::uint32_t island, std::uint32_t item) { added_.push_back({island, item}); }
+    void add(std::span<const Added> some) { added_.insert(added_.end(), some.begin(), some.end()); }
     /// Of all that was added since `clear`. @param islands  how many there are
     void sort(std::size_t islands) {
         begins_.assign(islands + 1, 0);
@@ -34,10 +40,6 @@ public:
     std::span<const std::uint32_t> all() const { return items_; }
 
 private:
-    struct Added {
-        std::uint32_t island = 0;
-        std::uint32_t item = 0;
-    };
     std::vector<Added> added_;
     std::vector<std::uint32_t> begins_;  ///< by island, and the end of the last one
     std::vector<std::uint32_t> items_;

@@ -24,6 +24,7 @@ struct alignas(kCacheLine) SolveDesk {
     Solver solver;
     RawVector<std::uint8_t> takesPart;        ///< in the present solve: by place among the bodies of the group
     RawVector<std::uint32_t> bodies;          ///< slots in the world of what does, by slot of the solve less one
+    std::vector<BodySlot> standing;           ///< slots of the solve that kinematic bodies have
     RawVector<Vec2> localCenters;             ///< of the bodies of the present solve, by their slot there
     RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`
     std::vector<std::uint32_t> energyRoots;   ///< likewise

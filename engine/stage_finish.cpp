@@ -67,6 +67,7 @@ void countRests(WorldState& world, double dt) {
 }
 
 bool movesKinematically(const WorldState& world, std::uint32_t slot) {
+    if ((world.traits[slot] & kIsDynamic) != 0) { return false; }  // as mostly: no body is asked
     const BodyMotion& motion = world.motions[slot];
     return world.bodies[slot].def.type == BodyType::kinematic &&
            (motion.velocity != Vec2{} || motion.angularVelocity != 0);
@@ -74,16 +75,21 @@ bool movesKinematically(const WorldState& world, std::uint32_t slot) {
 
 /// Marks the islands that a moving kinematic body or a belt keeps awake.
 void keepAwakeByDrives(WorldState& world) {
+    const bool mayMove = world.kinematicBodies > 0;
     for (const ContactProbe& probe : world.probes) {
         if (probe.isPlain && !probe.isBelt) { continue; }
+        const bool movesA = mayMove && movesKinematically(world, probe.bodyA);
+        const bool movesB = mayMove && movesKinematically(world, probe.bodyB);
+        if (!probe.isBelt && !movesA && !movesB) { continue; }
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
         if (contact.isBelt) {
             world.islandRestless[world.islands.find(contact.dynamicA ? contact.bodyA : contact.bodyB)] = 1;
         }
-        if (movesKinematically(world, contact.bodyA)) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
-        if (movesKinematically(world, contact.bodyB)) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
+        if (movesA) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
+        if (movesB) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
     }
+    if (!mayMove) { return; }
     for (const std::uint32_t i : world.activeJoints) {
         if (!world.joints.isAlive(i)) { continue; }  // broke in this step
         const auto bodies = world.joints[i].allBodies();

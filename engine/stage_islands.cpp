@@ -97,23 +97,48 @@ std::uint32_t memberOf(const WorldState& world, std::uint32_t joint) {
     return *std::find_if(bodies.begin(), bodies.end(), moves);
 }
 
-void listContactsAndJoints(WorldState& world) {
-    FastIslands& fast = world.fastIslands;
-    fast.contacts.clear();
-    fast.joints.clear();
+/// Probes per block, each of which one worker lists.
+constexpr std::size_t kProbesPerBlock = 1024;
+
+void listContactsOfBlock(const WorldState& world, std::uint32_t begin, std::uint32_t end,
+                         std::vector<IslandItems::Added>& contacts) {
+    const std::span<const std::uint32_t> numbers = world.fastIslands.numbers;
     const bool mayClash = world.bouncyShapes > 0 || world.bullets > 0;
-    for (std::uint32_t i = 0; i < world.probes.size(); ++i) {
+    contacts.clear();
+    for (std::uint32_t i = begin; i < end; ++i) {
         const ContactProbe& probe = world.probes[i];
         if (!mayClash && probe.isPlain && probe.isIdle) { continue; }  // see `isInside`
-        const std::uint32_t ofA = fast.numbers[probe.bodyA];
-        const std::uint32_t number = ofA != kNoIndex ? ofA : fast.numbers[probe.bodyB];
-        if (number != kNoIndex && !isSensor(world, probe)) { fast.contacts.add(number, i); }
+        const std::uint32_t ofA = numbers[probe.bodyA];
+        const std::uint32_t number = ofA != kNoIndex ? ofA : numbers[probe.bodyB];
+        if (number != kNoIndex && !isSensor(world, probe)) { contacts.push_back({number, i}); }
     }
+}
+
+void listFastContacts(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    const std::size_t count = world.probes.size();
+    const std::size_t blocks = (count + kProbesPerBlock - 1) / kProbesPerBlock;
+    fast.contactsOfBlocks.resize(std::max(blocks, fast.contactsOfBlocks.size()));
+    world.loops->run(blocks, 1, [&](std::size_t first, std::size_t last, int) {
+        for (std::size_t block = first; block < last; ++block) {
+            const std::size_t begin = block * kProbesPerBlock;
+            const std::size_t end = std::min(begin + kProbesPerBlock, count);
+            listContactsOfBlock(world, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+                                fast.contactsOfBlocks[block]);
+        }
+    });
+    fast.contacts.clear();
+    for (std::size_t block = 0; block < blocks; ++block) { fast.contacts.add(fast.contactsOfBlocks[block]); }
+    fast.contacts.sort(fast.isDone.size());
+}
+
+void listFastJoints(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    fast.joints.clear();
     for (const std::uint32_t i : world.activeJoints) {
         const std::uint32_t number = fast.numbers[memberOf(world, i)];
         if (number != kNoIndex) { fast.joints.add(number, i); }
     }
-    fast.contacts.sort(fast.isDone.size());
     fast.joints.sort(fast.isDone.size());
 }
 
@@ -280,7 +305,8 @@ void findFastIslands(WorldState& world) {
     if (world.fastIslands.any) {
         listBodies(world);
         promoteClashing(world);
-        listContactsAndJoints(world);
+        listFastContacts(world);
+        listFastJoints(world);
     }
 }
 

@@ -148,28 +148,20 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     TiedContacts contacts(world, group, part, h, scale);
     const bool isIterated = scope == DirectScope::none;
     const bool mayLink = isIterated && !world.watched;
-    const bool mayBounce = world.bouncyShapes > 0;
     const bool hasJoints = !group.joints.empty();
-    const bool areAlike = mayLink && !mayBounce && world.kinematicBodies == 0;
-    // Then links and colours are known without a look at the bodies.
-    const bool isPlain = areAlike && !hasJoints;
-    if (isPlain) {
-        addBodiesBeside(world, group, h, [&] {
-            contacts.link(false);
-            desk.solver.colourAhead(desk.batch);
-        });
-    } else {
-        addBodies(world, group, isIterated ? h : h / 2);
-    }
-    const std::size_t bouncing = mayBounce ? contacts.countBouncing() : 0;
     const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
-    const bool inTurn = mayLink && bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
-    const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
-    if (!areLinked) {
-        contacts.addConstraints();
-    } else if (!isPlain) {
-        contacts.link(inTurn);
-    }
+    std::size_t bouncing = 0;
+    bool inTurn = false;
+    bool areLinked = false;
+    // Links are known without a look at the bodies, and where no joint comes first, colours are, too.
+    addBodies(world, group, isIterated ? h : h / 2, [&] {
+        bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
+        inTurn = mayLink && bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
+        areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
+        if (areLinked) { contacts.link(inTurn); }
+        if (areLinked && !hasJoints) { desk.solver.colourAhead(desk.batch, desk.standing); }
+    });
+    if (!areLinked) { contacts.addConstraints(); }
     const SolverSettings settings{.dt = time,
                                   .subSteps = part.subSteps,
                                   .relaxPasses = relaxPassesFor(group.effort, relaxPassesOf(world.settings)),

@@ -36,7 +36,7 @@ void listUnparked(WorldState& world);
 /// Of some awake bodies: what the last step left is forgotten, and how fast each may be in this one is known. While
 /// contacts are noticed others may do that. @param awake  slots @pre `traits` were cleared for this step
 void resetBodies(WorldState& world, std::span<const std::uint32_t> awake, Real dt);
-/// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp).
+/// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp, note_touching.cpp).
 void assignRoles(WorldState& world, Real dt);
 void findIslands(WorldState& world);
 void findFastIslands(WorldState& world);

@@ -16,8 +16,7 @@ namespace {
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kListGrain = 128;
-constexpr std::size_t kAddGrain = 128;
-constexpr std::size_t kBesideGrain = 32;  ///< where one of them does something else
+constexpr std::size_t kAddGrain = 32;  ///< one of them does something else
 constexpr std::size_t kReadGrain = 128;
 
 /// Bodies that are fetched ahead, where a solve gives them back.
@@ -37,6 +36,10 @@ void setDrive(BodyDrive& drive, const WorldState& world, const Body& body, Real 
     drive.angularDecay = static_cast<Real>(angular.decay);
 }
 
+/// `SolveDesk::takesPart`
+constexpr std::uint8_t kIsMoved = 1;
+constexpr std::uint8_t kStands = 2;
+
 /// Gives those of the group that are solved, and the kinematic bodies that they may meet, their slots, in order. Each
 /// is looked at by any worker, which is what it costs: bodies are large.
 void listTaking(WorldState& world, const TiedGroup& group) {
@@ -45,10 +48,15 @@ void listTaking(WorldState& world, const TiedGroup& group) {
     desk.loops->run(group.bodies.size(), kListGrain, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             const Body& body = world.bodies[group.bodies[i]];
-            desk.takesPart[i] = isMember(body, group) || body.def.type == BodyType::kinematic ? 1 : 0;
+            if (body.def.type == BodyType::kinematic) {
+                desk.takesPart[i] = kStands;
+            } else {
+                desk.takesPart[i] = isMember(body, group) ? kIsMoved : 0;
+            }
         }
     });
     desk.bodies.resize(group.bodies.size());
+    desk.standing.clear();
     std::size_t count = 0;
     for (std::size_t i = 0; i < group.bodies.size(); ++i) {
         const std::uint32_t slot = group.bodies[i];
@@ -56,6 +64,7 @@ void listTaking(WorldState& world, const TiedGroup& group) {
         desk.bodies[count] = slot;
         world.solverSlots[slot] = static_cast<BodySlot>(count + 1) & maskOf<BodySlot>(takes);  // the fixed one if not
         count += takes ? 1 : 0;
+        if (desk.takesPart[i] == kStands) { desk.standing.push_back(static_cast<BodySlot>(count)); }
     }
     desk.bodies.resize(count);
 }
@@ -165,17 +174,10 @@ bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std
 
 }  // namespace
 
-void addBodies(WorldState& world, const TiedGroup& group, Real h) {
+void addBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<void()> beside) {
     makeRoom(world, group);
     SolveDesk& desk = group.desk;
-    desk.loops->run(desk.bodies.size(), kAddGrain,
-                    [&](std::size_t begin, std::size_t end, int) { setBodies(world, desk, begin, end, h); });
-}
-
-void addBodiesBeside(WorldState& world, const TiedGroup& group, Real h, FunctionRef<void()> beside) {
-    makeRoom(world, group);
-    SolveDesk& desk = group.desk;
-    runBeside(*desk.loops, beside, desk.bodies.size(), kBesideGrain,
+    runBeside(*desk.loops, beside, desk.bodies.size(), kAddGrain,
               [&](std::size_t begin, std::size_t end) { setBodies(world, desk, begin, end, h); });
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "../shapes/branchless.h"
 #include "../solver/contact_lanes.h"
 #include "effort_budget.h"
 #include "hit_event.h"
@@ -65,15 +66,14 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
 /// Of all contacts with points of which the group moves a body, in their order, with what is told about them.
 template <class Visit>
 void TiedContacts::forEachLink(Visit&& visit) const {
-    const std::span<const BodyInertia> inertias = group_.desk.batch.inertias;
-    const bool allMovable = world_.kinematicBodies == 0;  // that have slots
     const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB,
                                  const TouchTraits& traits) {
         link.slotA = world_.solverSlots[bodyA];
         link.slotB = world_.solverSlots[bodyB];
-        const bool isTied = allMovable ? (link.slotA | link.slotB) != kFixedSlot
-                                       : isMovable(inertias[link.slotA]) || isMovable(inertias[link.slotB]);
-        if (isTied) { visit(link, traits); }
+        // Kinematic bodies have slots, too.
+        const BodySlot moved =
+            (link.slotA & maskOf<BodySlot>(traits.dynamicA)) | (link.slotB & maskOf<BodySlot>(traits.dynamicB));
+        if (moved != kFixedSlot) { visit(link, traits); }
     };
     if (group_.role == BodyRole::solved) {
         for (const TouchingPair& pair : world_.touching) {
@@ -85,7 +85,11 @@ void TiedContacts::forEachLink(Visit&& visit) const {
         const Contact& contact = group_.contacts[i];
         if (contact.isSolid()) {
             visitIfTied({.source = i, .points = static_cast<std::uint8_t>(contact.manifold.count)}, contact.bodyA,
-                        contact.bodyB, {.bounces = contact.restitution > 0, .isBelt = contact.isBelt});
+                        contact.bodyB,
+                        {.dynamicA = contact.dynamicA,
+                         .dynamicB = contact.dynamicB,
+                         .bounces = contact.restitution > 0,
+                         .isBelt = contact.isBelt});
         }
     }
 }

@@ -177,9 +177,10 @@ void ConstraintGraph::colourContacts(const SolverBatch& batch) {
     finish(batch);
 }
 
-void ConstraintGraph::colourAhead(const SolverBatch& batch) {
+void ConstraintGraph::colourAhead(const SolverBatch& batch, std::span<const BodySlot> standing) {
     used_.assign(batch.states.size(), 0);
     used_[kFixedSlot] = kIsFixed;
+    for (const BodySlot slot : standing) { used_[slot] = kIsFixed; }
     noteFixed();
     colourHinges({});
     finish(batch);

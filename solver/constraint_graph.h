@@ -22,8 +22,9 @@ public:
     void colour(SolverBatch& batch);
     /// The same of a batch without joints, of which nothing must be asked then.
     void colourContacts(const SolverBatch& batch);
-    /// The same before the bodies of the batch are set: all can be moved but the fixed world.
-    void colourAhead(const SolverBatch& batch);
+    /// The same before the bodies of the batch are set. @param standing  those that cannot be moved, besides the fixed
+    /// world
+    void colourAhead(const SolverBatch& batch, std::span<const BodySlot> standing = {});
     /// Sorts the contacts, too. @pre just coloured
     void sortContacts(SolverBatch& batch);
 

@@ -378,8 +378,8 @@ SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& setti
     return report;
 }
 
-void Solver::colourAhead(const SolverBatch& batch) {
-    graph_.colourAhead(batch);
+void Solver::colourAhead(const SolverBatch& batch, std::span<const BodySlot> standing) {
+    graph_.colourAhead(batch, standing);
     isColoured_ = true;
 }
 

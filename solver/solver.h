@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "../shapes/task_system.h"
@@ -64,9 +65,9 @@ public:
     }
 
     /// Finds the colours of the links of a batch, as the next `solve` would, which spares it that. In the meantime
-    /// others may set its bodies; links stay as they are. @pre none of these is kinematic, so that all are taken for
-    /// movable; no joints, nothing is solved all at once
-    void colourAhead(const SolverBatch& batch);
+    /// others may set its bodies; links stay as they are. @param standing  bodies that cannot be moved: all others are
+    /// taken for movable. @pre no joints, nothing is solved all at once
+    void colourAhead(const SolverBatch& batch, std::span<const BodySlot> standing = {});
 
     /// `DirectSolver::tookLong` in the last solve. @pre its `SolveReport::isDirect`
     bool tookLong(BodySlot slot) const { return direct_.tookLong(slot); }
