@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "../broadphase/broadphase.h"
@@ -31,12 +29,6 @@ struct Shape {
     ClosedEnds closedEnds;   ///< of a chain segment
 };
 
-/// Of two surfaces that touch. Product of the roots: unlike the root of the product it cannot overflow, and scales the
-/// same.
-inline Real mixedFriction(const ShapeDef& a, const ShapeDef& b) {
-    return std::sqrt(a.friction) * std::sqrt(b.friction);
-}
-inline Real mixedRestitution(const ShapeDef& a, const ShapeDef& b) { return std::max(a.restitution, b.restitution); }
 /// Both run clockwise, and so apart from each other where they touch, like two gears.
 inline Real mixedSpeed(const ShapeDef& a, const ShapeDef& b) { return a.surfaceSpeed + b.surfaceSpeed; }
 

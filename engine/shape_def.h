@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "../shapes/real.h"
+#include "mixing_rule.h"
 
 namespace swept {
 
@@ -24,7 +25,8 @@ constexpr bool shouldCollide(const Filter& a, const Filter& b) {
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Surface and bulk of a shape. A pair mixes √(μ₁μ₂), max(e₁, e₂) and the sum of both surface speeds.
+/// Surface and bulk of a shape. A pair mixes √(μ₁μ₂), max(e₁, e₂), unless one of the two has another rule, and the sum
+/// of both surface speeds.
 struct ShapeDef {
     Real density = 1;           ///< kg/m², at least 0
     Real friction = Real(0.6);  ///< at least 0
@@ -33,6 +35,8 @@ struct ShapeDef {
     /// above 0, and on round clockwise; on a chain against its direction. Friction carries along what touches it, and
     /// keeps that awake (what sleeps it does not wake); the body stays where it is.
     Real surfaceSpeed = 0;
+    MixingRule frictionMixing = MixingRule::usual;
+    MixingRule restitutionMixing = MixingRule::usual;
     bool sensor = false;  ///< reports overlaps with what is no sensor (of fixed bodies: if it can move), never collides
     Filter filter{};
     std::uint64_t userData = 0;

@@ -121,8 +121,8 @@ public:
     void visitJoints(BodyId id, FunctionRef<void(JointId)> visit) const;
 
     // --- shapes
-    /// Errors: as of `validate` (polygon.h); `negative` (density, friction); `outOfRange` with "restitution";
-    /// `notFinite`.
+    /// Errors: as of `validate` (polygon.h); `negative` (density, friction); `outOfRange` with "restitution",
+    /// "frictionMixing" and "restitutionMixing"; `notFinite`.
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
     /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside. What comes from the

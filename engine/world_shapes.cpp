@@ -21,6 +21,8 @@ Status check(const ShapeDef& def) {
     if (def.friction < 0) { return {StatusCode::negative, "friction"}; }
     if (!isFinite(def.restitution)) { return {StatusCode::notFinite, "restitution"}; }
     if (def.restitution < 0 || def.restitution > 1) { return {StatusCode::outOfRange, "restitution"}; }
+    if (def.frictionMixing > MixingRule::maximum) { return {StatusCode::outOfRange, "frictionMixing"}; }
+    if (def.restitutionMixing > MixingRule::maximum) { return {StatusCode::outOfRange, "restitutionMixing"}; }
     return Status::success();
 }
 
@@ -281,7 +283,9 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     listSlots(world, id.index, slots);
     const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter);
     const bool isOtherSurface = def.friction != before.friction || def.restitution != before.restitution ||
-                                def.surfaceSpeed != before.surfaceSpeed;
+                                def.surfaceSpeed != before.surfaceSpeed ||
+                                def.frictionMixing != before.frictionMixing ||
+                                def.restitutionMixing != before.restitutionMixing;
     std::span<const std::uint32_t> places;
     if (meetsOthers || isOtherSurface) {
         places = pairsOfShape(world, slots);

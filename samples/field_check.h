@@ -77,6 +77,7 @@ protected:
     bool check(SceneContinuous, const Place&, const Range&) { return true; }
     bool check(SceneProfile, const Place&, const Range&) { return true; }
     bool check(SceneBroadphase, const Place&, const Range&) { return true; }
+    bool check(MixingRule, const Place&, const Range&) { return true; }
     bool check(const std::vector<ShapeDescription>&, const Place&, const Range&) { return true; }
     bool check(const std::vector<BodyDescription>&, const Place&, const Range&) { return true; }
     bool check(const std::vector<JointDescription>&, const Place&, const Range&) { return true; }

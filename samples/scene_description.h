@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "../engine/mixing_rule.h"
 #include "../shapes/dvec2.h"
 
 /// A scene as plain data, in double, for every backend: filled by the JSON reader and by the built-in samples, consumed
@@ -69,11 +70,18 @@ struct ShapeDescription {
     double friction = 0.6;
     double restitution = 0;
     double surfaceSpeed = 0;  ///< m/s, clockwise along the outline
+    MixingRule frictionMixing = MixingRule::usual;
+    MixingRule restitutionMixing = MixingRule::usual;
     bool sensor = false;
     FilterDescription filter;
 
     bool operator==(const ShapeDescription&) const = default;
 };
+
+/// Whether it mixes friction or restitution in another way than the usual one.
+inline bool hasMixingRule(const ShapeDescription& shape) {
+    return shape.frictionMixing != MixingRule::usual || shape.restitutionMixing != MixingRule::usual;
+}
 
 enum class SceneBodyType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is "static" in the format
 enum class SceneContinuous : std::uint8_t { off, speedLimit, speculative, stop, subStep };

@@ -136,6 +136,8 @@ inline constexpr auto kFields<ShapeDescription> =
                     field("friction", &ShapeDescription::friction, units::kNumber, bounds::kNotNegative),
                     field("restitution", &ShapeDescription::restitution, units::kNumber, bounds::kZeroToOne),
                     field("surfaceSpeed", &ShapeDescription::surfaceSpeed, units::kSpeed),
+                    field("frictionMixing", &ShapeDescription::frictionMixing),
+                    field("restitutionMixing", &ShapeDescription::restitutionMixing),
                     field("sensor", &ShapeDescription::sensor), field("filter", &ShapeDescription::filter));
 
 template <>

@@ -18,6 +18,8 @@ constexpr std::array<std::string_view, 5> kContinuous{"off", "speedLimit", "spec
 constexpr std::array<std::string_view, 2> kProfiles{"accurate", "fast"};
 constexpr std::array<std::string_view, 7> kBroadphases{"automatic", "allPairs", "sortAndSweep", "quadtree",
                                                        "grid",      "bvh",      "wideBvh"};
+constexpr std::array<std::string_view, 6> kMixingRules{"usual",   "geometricMean", "average",
+                                                       "minimum", "product",       "maximum"};
 constexpr std::array<std::string_view, 6> kGeometries{"box", "circle", "capsule", "segment", "polygon", "chain"};
 constexpr std::array<std::string_view, 10> kJointTypes{"revolute", "distance", "prismatic", "wheel",  "weld",
                                                        "motor",    "mouse",    "gear",      "pulley", "filter"};
@@ -64,6 +66,10 @@ std::span<const std::string_view> namesOf<SceneProfile>() {
 template <>
 std::span<const std::string_view> namesOf<SceneBroadphase>() {
     return kBroadphases;
+}
+template <>
+std::span<const std::string_view> namesOf<MixingRule>() {
+    return kMixingRules;
 }
 
 std::span<const std::string_view> geometryNames() { return kGeometries; }

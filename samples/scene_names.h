@@ -22,6 +22,8 @@ template <>
 std::span<const std::string_view> namesOf<SceneProfile>();
 template <>
 std::span<const std::string_view> namesOf<SceneBroadphase>();
+template <>
+std::span<const std::string_view> namesOf<MixingRule>();
 
 /// Keys that name the geometry of a shape, in the order of the alternatives of `Geometry`.
 std::span<const std::string_view> geometryNames();

@@ -134,6 +134,8 @@ ShapeDef shapeDefOf(const ShapeDescription& given, std::size_t body, std::size_t
     def.friction = real(given.friction);
     def.restitution = real(given.restitution);
     def.surfaceSpeed = real(given.surfaceSpeed);
+    def.frictionMixing = given.frictionMixing;
+    def.restitutionMixing = given.restitutionMixing;
     def.sensor = given.sensor;
     def.filter = {given.filter.category, given.filter.mask, given.filter.group};
     def.userData = (static_cast<std::uint64_t>(body) << kIndexBits) | shape;

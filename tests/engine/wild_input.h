@@ -80,8 +80,11 @@ public:
         def.sensor = random_.chance(0.1);
         def.filter.group = random_.chance(0.1) ? random_.integer(-2, 2) : 0;
         if (random_.chance(0.1)) { def.surfaceSpeed = realPositive(); }
+        if (random_.chance(0.1)) { def.frictionMixing = mixing(); }
+        if (random_.chance(0.1)) { def.restitutionMixing = mixing(); }
         return def;
     }
+    MixingRule mixing() { return static_cast<MixingRule>(random_.integer(0, random_.chance(0.1) ? 200 : 5)); }
     WorldSettings settings() {
         WorldSettings settings;
         settings.gravity = vector();

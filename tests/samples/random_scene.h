@@ -85,6 +85,8 @@ private:
         return {a, a + DVec2{size, 0}, a + DVec2{random_.range(0, size), size}};
     }
 
+    MixingRule mixing() { return static_cast<MixingRule>(random_.integer(0, 5)); }
+
     ShapeDescription shape(bool chainAllowed) {
         ShapeDescription s;
         s.geometry = geometry(chainAllowed);
@@ -95,6 +97,8 @@ private:
         if (often()) { s.friction = positive(); }
         if (often()) { s.restitution = random_.uniform(); }
         if (random_.chance(0.3)) { s.surfaceSpeed = number(); }
+        if (often()) { s.frictionMixing = mixing(); }
+        if (often()) { s.restitutionMixing = mixing(); }
         s.sensor = random_.chance(0.2);
         if (often()) { s.filter.category = static_cast<std::uint32_t>(random_.bits()); }
         if (often()) { s.filter.mask = static_cast<std::uint32_t>(random_.bits()); }

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -108,6 +109,7 @@ TEST(ScenePage, NamesEveryMemberWhereItBelongs) {
 TEST(ScenePage, NamesEveryWordWhereItBelongs) {
     expectNamed("### Body", namesOf<SceneBodyType>());
     expectNamed("### Shape", geometryNames());
+    expectNamed("### Shape", namesOf<MixingRule>());
     expectNamed("### Joint", jointTypeNames());
     expectNamed("### Settings", namesOf<SceneProfile>());
     expectNamed("### Settings", namesOf<SceneBroadphase>());
@@ -161,6 +163,10 @@ TEST(ScenePage, StatesTheDefaults) {
     expectDefault("### Shape", "friction", number(shape.friction));
     expectDefault("### Shape", "restitution", number(shape.restitution));
     expectDefault("### Shape", "surfaceSpeed", number(shape.surfaceSpeed));
+    for (const auto& [member, rule] :
+         {std::pair("frictionMixing", shape.frictionMixing), std::pair("restitutionMixing", shape.restitutionMixing)}) {
+        expectDefault("### Shape", member, "`\"" + std::string(namesOf<MixingRule>()[std::size_t(rule)]) + "\"`");
+    }
     expectDefault("### Settings", "dt", "1/" + number(1 / scene.settings.dt));
     expectDefault("### Settings", "maxImpacts", std::to_string(scene.settings.maxImpacts));
     expectDefault("### Settings", "sleep", scene.settings.sleep ? "true" : "false");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <swept/samples/builtin_scenes.h>
+#include <swept/samples/scene_names.h>
 #include <swept/samples/scene_reader.h>
 
 #include <algorithm>
@@ -51,6 +52,22 @@ TEST(SceneRoundTrip, TellsScenesApart) {
     other.bodies[0].shapes[0].friction = 0.25;
     EXPECT_NE(writeScene(scene), writeScene(other));
     EXPECT_FALSE(scene == other);
+}
+
+TEST(SceneRoundTrip, MixingRules) {
+    SceneDescription scene;
+    scene.bodies.resize(1);
+    const auto names = namesOf<MixingRule>();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        ShapeDescription shape;
+        shape.geometry = CircleGeometry{{0, 0}, 1};
+        shape.frictionMixing = static_cast<MixingRule>(i);
+        shape.restitutionMixing = static_cast<MixingRule>(names.size() - 1 - i);
+        scene.bodies[0].shapes = {shape};
+        expectRoundTrip(scene, std::string(names[i]));
+        const std::string text = writeScene(scene);
+        EXPECT_EQ(text.find("frictionMixing") == std::string::npos, i == 0) << "what is usual is left out: " << text;
+    }
 }
 
 TEST(SceneWriter, NumbersAreTheShortestThatReadBack) {

@@ -57,6 +57,7 @@ TEST(Inspect, SoundSceneHasNoFindings) {
     EXPECT_FALSE(needs(inspection, "continuous collision"));
     EXPECT_FALSE(needs(inspection, "restitution"));
     EXPECT_FALSE(needs(inspection, "surface speed"));
+    EXPECT_FALSE(needs(inspection, "mixing rules"));
     EXPECT_FALSE(needs(inspection, "joints"));
     EXPECT_FALSE(needs(inspection, "sensors"));
     EXPECT_FALSE(needs(inspection, "bullets"));
@@ -69,6 +70,27 @@ TEST(Inspect, FindsBelts) {
     SceneDescription scene = soundScene();
     scene.bodies[0].shapes[0].surfaceSpeed = -1;
     EXPECT_TRUE(needs(inspectScene(scene), "surface speed"));
+}
+
+TEST(Inspect, FindsMixingRules) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].shapes[0].restitutionMixing = MixingRule::product;
+    EXPECT_TRUE(needs(inspectScene(scene), "mixing rules"));
+    scene.bodies[1].shapes[0].sensor = true;
+    EXPECT_FALSE(needs(inspectScene(scene), "mixing rules"));
+}
+
+/// Who has no friction may get some from whom it touches.
+TEST(Inspect, FrictionIsThatOfAPair) {
+    SceneDescription scene = soundScene();
+    scene.bodies[0].shapes[0].friction = 0;
+    EXPECT_FALSE(needs(inspectScene(scene), "friction"));
+    scene.bodies[0].shapes[0].frictionMixing = MixingRule::average;
+    EXPECT_TRUE(needs(inspectScene(scene), "friction"));
+    scene.bodies[1].shapes[0].frictionMixing = MixingRule::minimum;
+    EXPECT_FALSE(needs(inspectScene(scene), "friction")) << "the later rule holds";
+    scene.bodies[0].shapes[0].frictionMixing = MixingRule::maximum;
+    EXPECT_TRUE(needs(inspectScene(scene), "friction"));
 }
 
 TEST(Inspect, BuiltinScenesAreInsideTheEnvelopeOrSayWhy) {

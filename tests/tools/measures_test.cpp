@@ -93,6 +93,8 @@ TEST(Measures, EnergyIsJudgedWhereItHasToStay) {
     scene.bodies[1].shapes[0].restitution = 1;
     scene.bodies[1].shapes[0].friction = 0;
     EXPECT_NEAR(measuredAlone(scene, recording)[Measure::energyDrift], 0.3, 1e-12);
+    scene.bodies[0].shapes[0].restitutionMixing = MixingRule::minimum;
+    EXPECT_TRUE(std::isnan(measuredAlone(scene, recording)[Measure::energyDrift])) << "the floor bounces nothing";
     scene.bodies[0].type = SceneBodyType::kinematic;
     EXPECT_TRUE(std::isnan(measuredAlone(scene, recording)[Measure::energyGain])) << "something pushes";
 }
@@ -211,6 +213,11 @@ TEST(ClosedForms, ABallBouncesToTheSquareOfItsRestitution) {
     EXPECT_NEAR(form->position(1, 1).y, 0.5, 1e-12);
     EXPECT_NEAR(form->position(1, 1.5).y, 1.5, 1e-12);
     EXPECT_NEAR(form->position(1, 2.25).y, 0.75, 1e-12);
+    EXPECT_LT(measured(scene, runOf(scene, 120), makeReference(scene, 120))[Measure::position], 0.004);
+    scene.bodies[0].shapes[0].restitution = 0.5;
+    scene.bodies[1].shapes[0].restitution = 1;
+    scene.bodies[0].shapes[0].restitutionMixing = MixingRule::product;  // 0.5 again
+    EXPECT_NEAR(closedFormOf(scene, 4)->position(1, 1.5).y, 1.5, 1e-12);
     EXPECT_LT(measured(scene, runOf(scene, 120), makeReference(scene, 120))[Measure::position], 0.004);
     scene.bodies[1].velocity.x = 1;  // then it would roll
     EXPECT_FALSE(closedFormOf(scene, 4));

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -156,6 +158,30 @@ TEST(PeerRunner, FrictionOfAPairIsThatOfItsShapes) {
     for (const PeerSettings& peer : peers()) {
         const BodyFrame end = run(scene, peer, 120).back().bodies[1];
         EXPECT_NEAR(dot(end.velocity, down) / 2 / exact, 1, 0.02) << nameOf(peer);
+    }
+}
+
+/// What mixes by rules of its own is mixed so by those engines that can, and refused by the other.
+TEST(PeerRunner, MixingRulesAreThoseOfTheScene) {
+    SceneDescription scene = emptyScene();
+    ShapeDescription& floor = add(scene, "floor", SceneBodyType::fixed, {0, -1}, {100, 1}).shapes[0];
+    floor.friction = 0.1;
+    floor.restitution = 1;
+    floor.frictionMixing = MixingRule::minimum;
+    floor.restitutionMixing = MixingRule::product;
+    add(scene, "slider", SceneBodyType::dynamic, {0, 0.5}, {0.5, 0.5}).velocity = {8, 0};
+    BodyDescription& ball = add(scene, "ball", SceneBodyType::dynamic, {-20, 5.5}, {0.5, 0.5});
+    ball.shapes[0].geometry = CircleGeometry{{0, 0}, 0.5};
+    ball.shapes[0].restitution = 0.6;
+    for (std::size_t i : {1U, 2U}) { scene.bodies[i].shapes[0].friction = 0.9; }
+    for (const PeerSettings& peer : peers()) {
+        EXPECT_EQ(peerLacks(peer.engine, scene).empty(), peer.engine != PeerEngine::chipmunk) << nameOf(peer);
+        if (peer.engine == PeerEngine::chipmunk) { continue; }
+        const std::vector<Frame> frames = run(scene, peer, 120);
+        EXPECT_NEAR(frames.back().bodies[1].velocity.x, 8 - 2 * 0.1 * kGravity, 0.05) << nameOf(peer);
+        double fastest = 0;  // upwards: it hits the floor at 10 m/s
+        for (const Frame& frame : frames) { fastest = std::max(fastest, frame.bodies[2].velocity.y); }
+        EXPECT_NEAR(fastest, 0.6 * 10, 0.2) << nameOf(peer);
     }
 }
 

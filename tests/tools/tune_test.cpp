@@ -285,6 +285,7 @@ TEST(TuneAblation, FeaturesAreGoneWhenTheyAreTakenAway) {
         scene.bodies[1].bullet = true;
         scene.bodies[2].angularVelocity = 3;  // which a body of fixed rotation may not have
         scene.bodies[0].shapes[0].surfaceSpeed = 1;
+        scene.bodies[0].shapes[0].frictionMixing = MixingRule::average;
         Config config = ownConfig(scene);
         EXPECT_TRUE(feature.isPresent(scene, config)) << feature.name;
         feature.remove(scene, config);

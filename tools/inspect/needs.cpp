@@ -66,7 +66,7 @@ Need restitutionNeed(const PlacedScene& placed) {
 }
 
 Need frictionNeed(const PlacedScene& placed) {
-    // Pairs mix √(μ₁μ₂): one shape without friction makes none.
+    // By default pairs mix √(μ₁μ₂): one shape without friction makes none.
     const RubbingBodies pair = firstRubbing(placed);
     if (pair.a < 0) { return {"friction", false, "no two shapes that may touch have any"}; }
     const auto nameOf = [&placed](int i) { return placed.bodies[static_cast<std::size_t>(i)].name; };
@@ -77,6 +77,12 @@ Need beltNeed(const PlacedScene& placed) {
     const PlacedBody* const body =
         bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor && shape.surfaceSpeed != 0; });
     return {"surface speed", body != nullptr, body != nullptr ? body->name + " is a belt" : "no shape is a belt"};
+}
+
+Need mixingNeed(const PlacedScene& placed) {
+    const PlacedBody* const body =
+        bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor && hasMixingRule(shape); });
+    return {"mixing rules", body != nullptr, body != nullptr ? body->name + " has its own" : "no shape has its own"};
 }
 
 Need rotationNeed(const PlacedScene& placed) {
@@ -130,9 +136,9 @@ Need precisionNeed(const PlacedScene& placed) {
 }  // namespace
 
 std::vector<Need> needsOf(const PlacedScene& placed) {
-    return {continuousNeed(placed), bulletNeed(placed),   restitutionNeed(placed), frictionNeed(placed),
-            beltNeed(placed),       rotationNeed(placed), jointNeed(placed),       sensorNeed(placed),
-            sleepNeed(placed),      precisionNeed(placed)};
+    return {continuousNeed(placed), bulletNeed(placed), restitutionNeed(placed), frictionNeed(placed),
+            beltNeed(placed),       mixingNeed(placed), rotationNeed(placed),    jointNeed(placed),
+            sensorNeed(placed),     sleepNeed(placed),  precisionNeed(placed)};
 }
 
 }  // namespace swept

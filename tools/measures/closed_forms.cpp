@@ -107,8 +107,7 @@ std::optional<ClosedForm> bouncingBall(const SceneDescription& scene, const Plac
     const double level = ground.position.y + box->center.y + box->half.y + ground.shapes[0].radius + circle->radius;
     if (!(side < box->half.x) || !(body.position.y >= level)) { return std::nullopt; }
     const Bounces bounces{body.position.y - level, body.velocity.y, gravity,
-                          std::max(body.shapes[0].restitution, ground.shapes[0].restitution),
-                          kShortestBounce * scene.settings.dt};
+                          mixedRestitution(body.shapes[0], ground.shapes[0]), kShortestBounce * scene.settings.dt};
     return ClosedForm{"bouncing ball", [=, at = ground.position, x = body.position.x](int index, double time) {
                           return index == ball ? DVec2{x, level + bounces.heightAt(time)} : at;
                       }};

@@ -47,7 +47,7 @@ bool isEnergyLostInContacts(const PlacedScene& placed) {
         for (std::size_t k = 0; k < i; ++k) {
             const ShapeDescription& a = shapeOf(placed, placed.pieces[i]);
             const ShapeDescription& b = shapeOf(placed, placed.pieces[k]);
-            const bool isLossless = std::max(a.restitution, b.restitution) >= 1 && a.friction * b.friction == 0;
+            const bool isLossless = mixedRestitution(a, b) >= 1 && mixedFriction(a, b) == 0;
             if (!isLossless && mayCollide(placed, placed.pieces[i], placed.pieces[k])) { return true; }
         }
     }

@@ -2,8 +2,10 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
@@ -174,12 +176,37 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     return definition;
 }
 
+/// Both rules of a shape are its material.
+constexpr unsigned kRuleBits = 8;
+std::uint64_t materialOf(const ShapeDescription& shape) {
+    return static_cast<std::uint64_t>(shape.frictionMixing) |
+           (static_cast<std::uint64_t>(shape.restitutionMixing) << kRuleBits);
+}
+MixingRule frictionRuleOf(std::uint64_t material) {
+    return static_cast<MixingRule>(material & ((1U << kRuleBits) - 1U));
+}
+MixingRule restitutionRuleOf(std::uint64_t material) { return static_cast<MixingRule>(material >> kRuleBits); }
+
+bool hasMixingRules(const SceneDescription& scene) {
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription& body) {
+        return std::any_of(body.shapes.begin(), body.shapes.end(), hasMixingRule);
+    });
+}
+
+float frictionOf(float a, std::uint64_t materialA, float b, std::uint64_t materialB) {
+    return mixed(ruleOfPair(frictionRuleOf(materialA), frictionRuleOf(materialB), kUsualFriction), a, b);
+}
+float restitutionOf(float a, std::uint64_t materialA, float b, std::uint64_t materialB) {
+    return mixed(ruleOfPair(restitutionRuleOf(materialA), restitutionRuleOf(materialB), kUsualRestitution), a, b);
+}
+
 b2ShapeDef definitionOf(const ShapeDescription& shape) {
     b2ShapeDef definition = b2DefaultShapeDef();
     definition.density = static_cast<float>(shape.density);
     definition.material.friction = static_cast<float>(shape.friction);
     definition.material.restitution = static_cast<float>(shape.restitution);
     definition.material.tangentSpeed = static_cast<float>(shape.surfaceSpeed);
+    definition.material.userMaterialId = materialOf(shape);
     definition.isSensor = shape.sensor;
     definition.filter = {shape.filter.category, shape.filter.mask, shape.filter.group};
     return definition;
@@ -199,6 +226,10 @@ public:
         definition.enableSleep = scene.settings.sleep;
         definition.enableContinuous = scene.settings.continuous != SceneContinuous::off;
         definition.contactHertz = settings.isStiff != 0 ? kStiffHertz : definition.contactHertz;
+        if (hasMixingRules(scene)) {  // else the engine's own mixing, to the bit
+            definition.frictionCallback = frictionOf;
+            definition.restitutionCallback = restitutionOf;
+        }
         tasks_.addTo(definition);
         world_ = b2CreateWorld(&definition);
         for (std::size_t i = 0; i < bodies_.size(); ++i) { addBody(i); }

@@ -112,9 +112,13 @@ void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFi
     std::visit(FixtureMaker(body, shape, notes), shape.geometry);
 }
 
-void Box2dBelts::PreSolve(b2Contact* contact, const b2Manifold*) {
-    const auto speedOf = [](const b2Fixture& fixture) { return noteOf(fixture).shape->surfaceSpeed; };
-    contact->SetTangentSpeed(static_cast<float>(speedOf(*contact->GetFixtureA()) + speedOf(*contact->GetFixtureB())));
+void Box2dSurfaces::PreSolve(b2Contact* contact, const b2Manifold*) {
+    const ShapeDescription& a = *noteOf(*contact->GetFixtureA()).shape;
+    const ShapeDescription& b = *noteOf(*contact->GetFixtureB()).shape;
+    contact->SetTangentSpeed(static_cast<float>(a.surfaceSpeed + b.surfaceSpeed));
+    if (!hasMixingRule(a) && !hasMixingRule(b)) { return; }  // Box2D's own mixing is the usual one
+    contact->SetFriction(static_cast<float>(mixedFriction(a, b)));
+    contact->SetRestitution(static_cast<float>(mixedRestitution(a, b)));
 }
 
 bool Box2dFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {

@@ -22,8 +22,8 @@ inline DVec2 fromBox2d(b2Vec2 v) { return {static_cast<double>(v.x), static_cast
 /// @param notes  gets one element for each fixture; a deque, as fixtures hold addresses of its elements.
 void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFixtureNote>& notes);
 
-/// Surface speeds: Box2D wants them told anew before each solve.
-class Box2dBelts : public b2ContactListener {
+/// Surface speeds, which Box2D wants told anew before each solve, and what pairs mix by rules of their own.
+class Box2dSurfaces : public b2ContactListener {
 public:
     void PreSolve(b2Contact* contact, const b2Manifold* before) override;
 };

@@ -74,7 +74,7 @@ struct Box2dWorld::Parts {
 
     const SceneDescription& scene;
     Box2dFilter filter;
-    Box2dBelts belts;
+    Box2dSurfaces surfaces;
     std::deque<Box2dFixtureNote> notes;
     b2World world;
     std::vector<b2Body*> bodies;   // null while taken away
@@ -174,11 +174,13 @@ Box2dWorld::Box2dWorld(const SceneDescription& scene, const Box2dIterations& ite
     : PeerWorld(scene), parts_(std::make_unique<Parts>(scene)) {
     parts_->iterations = iterations;
     parts_->world.SetContactFilter(&parts_->filter);
-    const auto runs = [](const ShapeDescription& shape) { return shape.surfaceSpeed != 0; };
-    const bool hasBelts = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyDescription& body) {
-        return std::any_of(body.shapes.begin(), body.shapes.end(), runs);
+    const auto isSpecial = [](const ShapeDescription& shape) {
+        return shape.surfaceSpeed != 0 || hasMixingRule(shape);
+    };
+    const bool hasSpecial = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyDescription& body) {
+        return std::any_of(body.shapes.begin(), body.shapes.end(), isSpecial);
     });
-    if (hasBelts) { parts_->world.SetContactListener(&parts_->belts); }
+    if (hasSpecial) { parts_->world.SetContactListener(&parts_->surfaces); }
     parts_->world.SetAllowSleeping(scene.settings.sleep);
     parts_->world.SetContinuousPhysics(scene.settings.continuous != SceneContinuous::off);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) { parts_->addBody(i); }

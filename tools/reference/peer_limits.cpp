@@ -24,6 +24,7 @@ std::string lackOfShape(PeerEngine engine, const ShapeDescription& shape) {
     }
     if (engine != PeerEngine::chipmunk) { return ""; }
     if (shape.filter.group > 0) { return "groups that always collide"; }
+    if (hasMixingRule(shape)) { return "mixing rules of single shapes"; }
     return shape.surfaceSpeed != 0 ? "surfaces that run along an outline" : "";
 }
 

@@ -29,7 +29,7 @@ void eachShape(SceneDescription& scene, const Change& change) {
 /// What profile `fast` stands for.
 constexpr int kFastSubSteps = 4;
 
-constexpr std::array<Feature, 11> kFeatures{{
+constexpr std::array<Feature, 12> kFeatures{{
     {"continuous collision", false,
      [](const SceneDescription& scene, const Config& config) {
          return config.continuous != SceneContinuous::off ||
@@ -71,6 +71,16 @@ constexpr std::array<Feature, 11> kFeatures{{
      },
      [](SceneDescription& scene, Config&) {
          eachShape(scene, [](ShapeDescription& shape) { shape.surfaceSpeed = 0; });
+     }},
+    {"mixing rules", true,
+     [](const SceneDescription& scene, const Config&) {
+         return anyShape(scene, [](const ShapeDescription& shape) { return !shape.sensor && hasMixingRule(shape); });
+     },
+     [](SceneDescription& scene, Config&) {
+         eachShape(scene, [](ShapeDescription& shape) {
+             shape.frictionMixing = MixingRule::usual;
+             shape.restitutionMixing = MixingRule::usual;
+         });
      }},
     {"rotation", true,
      [](const SceneDescription& scene, const Config&) {
