@@ -116,6 +116,11 @@ bool weighContact(WorldState& world, const TouchingPair& pair, const IslandRest&
     const Vec2 originFromA = toReal(a.pose.position - a.center);
     const Vec2 fromBToA = toReal(a.center - b.center);
     const Real radius = movedRadius(world, pair);
+    if (pair.rolls()) {
+        const Real twist = subSteps * contact.rollingImpulse();
+        if (pair.dynamicA) { world.islandPulls[pair.bodyA].torque -= twist; }
+        if (pair.dynamicB) { world.islandPulls[pair.bodyB].torque += twist; }
+    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         const Vec2 armA = rotate(a.pose.rotation, contact.manifold.points[i].point) + originFromA;
         const Vec2 armB = armA + fromBToA;

@@ -8,6 +8,7 @@ ContactConstraint constraintOf(const Manifold& manifold, const BodyMotion& a, Ve
     constraint.friction = surface.friction;
     constraint.restitution = surface.restitution;
     constraint.surfaceSpeed = surface.speed;
+    constraint.rolling = surface.rolling;
     constraint.maxPushSpeed = maxPushSpeed;
     constraint.count = manifold.count;
     const Vec2 fromAToB = toReal(b.center - a.center);

@@ -52,10 +52,11 @@ struct alignas(64) Contact : ContactRow {
     bool dynamicA : 1 = false;  ///< the body is
     bool dynamicB : 1 = false;
     bool sensor : 1 = false;
-    bool ofChain : 1 = false;  ///< A is a chain segment, and no sensor; what follows is of such ones alone
-    bool passes : 1 = false;   ///< it comes through from the back (chain_passage.h)
-    bool wasSeen : 1 = false;  ///< by a step before
-    bool isBelt : 1 = false;   ///< of any contact: friction drags along a surface, as the shapes tell
+    bool ofChain : 1 = false;         ///< A is a chain segment, and no sensor; what follows is of such ones alone
+    bool passes : 1 = false;          ///< it comes through from the back (chain_passage.h)
+    bool wasSeen : 1 = false;         ///< by a step before
+    bool isBelt : 1 = false;          ///< of any contact: friction drags along a surface, as the shapes tell
+    bool resistsRolling : 1 = false;  ///< likewise: where it has one point (`ShapeDef::rollingResistance`)
     BatchKind batch = BatchKind::none;
     bool touching = false;   ///< begin was reported, end was not
     bool pressed = false;    ///< carried an impulse in the last step
@@ -66,6 +67,11 @@ struct alignas(64) Contact : ContactRow {
     ManifoldMemory memory;  ///< of the shapes' last query: spares work, changes nothing
 
     bool isSolid() const { return !sensor && manifold.count > 0; }
+    bool rolls() const { return resistsRolling && manifold.count == 1; }
+    /// Warm start, N·m·s, on B; its opposite on A. It stands where the friction of a second point would, which there is
+    /// not: the row has no room for a number that few need. @pre `rolls()`
+    Real& rollingImpulse() { return tangentImpulse[1]; }
+    Real rollingImpulse() const { return tangentImpulse[1]; }
 };
 static_assert(sizeof(Contact) <= 48 * sizeof(Real), "a step reads most of some thousands");
 

@@ -39,8 +39,9 @@ inline void keepManifold(Contact& contact, const Transform& bInA) {
     contact.isKept = manifold.count == 2;
     // No branch would foretell whether there is one point or two.
     contact.normalImpulse[1] = orZero(manifold.count > 1, contact.normalImpulse[1]);
-    contact.tangentImpulse[1] = orZero(manifold.count > 1, contact.tangentImpulse[1]);
-    if (manifold.count < 1) { contact.normalImpulse[0] = contact.tangentImpulse[0] = 0; }
+    const bool hasOther = (int{manifold.count > 1} | int{contact.resistsRolling}) != 0;
+    contact.tangentImpulse[1] = orZero(hasOther, contact.tangentImpulse[1]);
+    if (manifold.count < 1) { contact.normalImpulse[0] = contact.tangentImpulse[0] = contact.tangentImpulse[1] = 0; }
 }
 /// The second half of that, of what it was found to be.
 void takeManifold(Contact& contact, const Transform& bInA, const Manifold& manifold);

@@ -154,7 +154,9 @@ std::int8_t doublingsForWhips(const IslandLoad& load, int subSteps) {
     return doublings;
 }
 
+/// What resists rolling is a third row of a contact, which only iteration knows.
 DirectScope scopeForContacts(const IslandLoad& load, bool rests) {
+    if (load.resistsRolling) { return DirectScope::none; }
     const bool isHigh = load.highest - load.lowest >= kHighStack * static_cast<double>(load.thinnest);
     const bool isHeavy = heaviestOf(load) >= kHeavyRatio * load.lightest;
     const bool isStack = load.bodies > 1 && load.thinnest > 0;

@@ -129,6 +129,7 @@ void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds
             }
             contact.normalImpulse[k] = now;
             contact.tangentImpulse[k] *= now / before;
+            if (contact.rolls()) { contact.rollingImpulse() *= now / before; }
         }
     }
 }

@@ -146,11 +146,18 @@ void addJoints(WorldState& world) {
     }
 }
 
+void noteRolling(WorldState& world) {
+    for (const TouchingPair& pair : world.touching) {
+        if (pair.rolls()) { world.islandLoads[world.islands.rootOf(pair.dynamicBody())].resistsRolling = true; }
+    }
+}
+
 }  // namespace
 
 void findIslandLoads(WorldState& world) {
     world.islandLoads.resize(std::max<std::size_t>(world.islandLoads.size(), world.bodies.slotCount()));
     addBodiesAndContacts(world);
+    if (world.rollingShapes > 0) { noteRolling(world); }
     if (!world.activeJoints.empty()) { addJoints(world); }
 }
 

@@ -22,13 +22,14 @@ struct IslandLoad {
     Real thinnest = 0;  ///< smallest extent, metres
     double lowest = 0;  ///< centre of mass against gravity, metres
     double highest = 0;
-    Real fastest = 0;          ///< square of the largest speed of a centre of mass, m²/s²
-    std::uint32_t moving = 0;  ///< bodies on the move: fast for their size
-    Real heaviestLoose = 0;    ///< kg, of the bodies that no joint holds
-    std::uint32_t driven = 0;  ///< joints with a motor or a spring
-    bool holdsAngles = false;  ///< some joint keeps its bodies from turning against each other
-    std::uint32_t debt = 0;    ///< largest `Body::searchDebt`
-    bool staysPut = true;      ///< each body was solved all at once in the last step, or does not move at all
+    Real fastest = 0;             ///< square of the largest speed of a centre of mass, m²/s²
+    std::uint32_t moving = 0;     ///< bodies on the move: fast for their size
+    Real heaviestLoose = 0;       ///< kg, of the bodies that no joint holds
+    std::uint32_t driven = 0;     ///< joints with a motor or a spring
+    bool holdsAngles = false;     ///< some joint keeps its bodies from turning against each other
+    std::uint32_t debt = 0;       ///< largest `Body::searchDebt`
+    bool resistsRolling = false;  ///< somewhere; known where contacts may be solved all at once
+    bool staysPut = true;         ///< each body was solved all at once in the last step, or does not move at all
     Effort effort{};
 };
 

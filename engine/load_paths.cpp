@@ -49,10 +49,11 @@ LoadPoint frameOf(const LoadSearch& search, const TouchingPair& pair, const Cont
     return frame;
 }
 
-/// @return false: something is in the way of a balance
+/// @return false: something is in the way of a balance, also what a torque holds that resists rolling
 bool addContact(const LoadSearch& search, const TouchingPair& pair, const IslandRest& rest) {
     const WorldState& world = search.world;
     const Contact& contact = world.contacts[pair.contact];
+    if (pair.rolls() && contact.rollingImpulse() != 0) { return false; }
     const BodyMotion& a = world.motions[pair.bodyA];
     const BodyMotion& b = world.motions[pair.bodyB];
     const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);

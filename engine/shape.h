@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "../broadphase/broadphase.h"
@@ -32,11 +33,27 @@ struct Shape {
 /// Both run clockwise, and so apart from each other where they touch, like two gears.
 inline Real mixedSpeed(const ShapeDef& a, const ShapeDef& b) { return a.surfaceSpeed + b.surfaceSpeed; }
 
+/// Of the shape that rolls on the other one, metres. A circle does, whatever the other's corners are rounded by; of two
+/// the smaller one, as a pebble on a boulder as large as a hill.
+inline Real rollingRadius(const Polygon& a, const Polygon& b) {
+    const bool isCircleA = a.count == 1;
+    const bool isCircleB = b.count == 1;
+    if (isCircleA && isCircleB) { return std::min(a.radius, b.radius); }
+    if (isCircleA || isCircleB) { return isCircleA ? a.radius : b.radius; }
+    return std::max(a.radius, b.radius);
+}
+/// Metres: the impulse of a torque that resists rolling, by the normal impulse.
+inline Real mixedRolling(const Shape& a, const Shape& b) {
+    const Real coefficient = std::max(a.def.rollingResistance, b.def.rollingResistance);
+    return coefficient > 0 ? coefficient * rollingRadius(a.polygon, b.polygon) : Real(0);
+}
+
 /// Of a contact.
 struct MixedSurface {
     Real friction = 0;
     Real restitution = 0;
-    Real speed = 0;  ///< of the surfaces, of that of A less that of B, along `rightPerp` of the normal, m/s
+    Real speed = 0;    ///< of the surfaces, of that of A less that of B, along `rightPerp` of the normal, m/s
+    Real rolling = 0;  ///< `mixedRolling`, of who solves for it
 };
 inline MixedSurface mixedSurface(const ShapeDef& a, const ShapeDef& b) {
     return {mixedFriction(a, b), mixedRestitution(a, b), mixedSpeed(a, b)};

@@ -25,12 +25,17 @@ constexpr bool shouldCollide(const Filter& a, const Filter& b) {
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Surface and bulk of a shape. A pair mixes √(μ₁μ₂), max(e₁, e₂), unless one of the two has another rule, and the sum
-/// of both surface speeds.
+/// Surface and bulk of a shape. A pair mixes √(μ₁μ₂), max(e₁, e₂), unless one of the two has another rule, max(c₁, c₂)
+/// of rolling resistances and the sum of both surface speeds.
 struct ShapeDef {
     Real density = 1;           ///< kg/m², at least 0
     Real friction = Real(0.6);  ///< at least 0
     Real restitution = 0;       ///< 0 … 1
+    /// At least 0, mostly much less than 1. Where a pair of shapes touches at one point, it resists that one turns in
+    /// the view of the other by a torque of up to this times the radius that rolls (a circle's, of two the smaller one;
+    /// without circles the larger radius; of sharp shapes 0) times the normal force: a ball stays where it is on slopes
+    /// whose tangent is no more. Blows of bodies in flight know nothing of it.
+    Real rollingResistance = 0;
     /// Of the surface along the outline, as of an endless belt, m/s. Where y is up, it runs to the right on top if
     /// above 0, and on round clockwise; on a chain against its direction. Friction carries along what touches it, and
     /// keeps that awake (what sleeps it does not wake); the body stays where it is.

@@ -238,6 +238,7 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
                              .dynamicB = contact.dynamicB,
                              .bounces = contact.restitution > 0,
                              .isBelt = contact.isBelt,
+                             .resistsRolling = contact.resistsRolling,
                              .isOpen = isOpen(contact),
                              .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
     return {traits, place, contact.bodyA, contact.bodyB};

@@ -51,16 +51,23 @@ BatchKind batchKindOf(const Shape& first, const Shape& second) {
 }  // namespace
 
 void mixSurfaces(const WorldState& world, Contact& contact) {
-    const ShapeDef& a = world.shapes[contact.shapeA].def;
-    const ShapeDef& b = world.shapes[contact.shapeB].def;
+    const Shape& shapeA = world.shapes[contact.shapeA];
+    const Shape& shapeB = world.shapes[contact.shapeB];
+    const ShapeDef& a = shapeA.def;
+    const ShapeDef& b = shapeB.def;
     contact.friction = mixedFriction(a, b);
     contact.restitution = mixedRestitution(a, b);
     contact.isBelt = contact.friction > 0 && mixedSpeed(a, b) != 0;
+    contact.resistsRolling = mixedRolling(shapeA, shapeB) > 0;
 }
 
 MixedSurface surfaceOf(const WorldState& world, const Contact& contact) {
-    if (!contact.isBelt) { return {contact.friction, contact.restitution, 0}; }
-    return mixedSurface(world.shapes[contact.shapeA].def, world.shapes[contact.shapeB].def);
+    if (!contact.isBelt && !contact.rolls()) { return {contact.friction, contact.restitution}; }
+    const Shape& a = world.shapes[contact.shapeA];
+    const Shape& b = world.shapes[contact.shapeB];
+    MixedSurface surface = mixedSurface(a.def, b.def);
+    if (contact.rolls()) { surface.rolling = mixedRolling(a, b); }
+    return surface;
 }
 
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second) {
@@ -162,6 +169,7 @@ void fillContact(WorldState& world, ContactProbe& probe, std::size_t place, std:
     probe.isUnseen = contact.sensor;
     probe.bounces = contact.restitution > 0;
     probe.isBelt = contact.isBelt;
+    probe.resistsRolling = contact.resistsRolling;
     probe.dynamicA = contact.dynamicA;
     probe.dynamicB = contact.dynamicB;
 }

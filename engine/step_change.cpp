@@ -37,6 +37,7 @@ void scaleContacts(WorldState& world, Real factor) {
             contact.normalImpulse[k] *= own;
             contact.tangentImpulse[k] *= own;
         }
+        if (contact.rolls()) { contact.rollingImpulse() *= own; }
     }
 }
 

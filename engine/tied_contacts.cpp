@@ -89,7 +89,8 @@ void TiedContacts::forEachLink(Visit&& visit) const {
                         {.dynamicA = contact.dynamicA,
                          .dynamicB = contact.dynamicB,
                          .bounces = contact.restitution > 0,
-                         .isBelt = contact.isBelt});
+                         .isBelt = contact.isBelt,
+                         .resistsRolling = contact.resistsRolling});
         }
     }
 }
@@ -112,6 +113,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
         constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
         if (group_.effort.isSettled) { holdAsItIs(constraint.points[k]); }
     }
+    if (contact.rolls()) { constraint.rollingImpulse = scale_ * contact.rollingImpulse(); }
     contact.approachSpeed = approachSpeedOf(constraint, group_.desk.batch);
     return constraint;
 }
@@ -194,8 +196,8 @@ void TiedContacts::link(bool inTurn) {
     SolverBatch& batch = group_.desk.batch;
     if (inTurn) { bounceSpeed_ = hitThreshold_; }
     forEachLink([&batch, inTurn](ContactLink link, const TouchTraits& traits) {
-        // Who bounces together is found contact by contact; blocks know no belts.
-        link.isAlone = (traits.bounces && !inTurn) || traits.isBelt;
+        // Who bounces together is found contact by contact; blocks know no belts, and nothing that resists rolling.
+        link.isAlone = (traits.bounces && !inTurn) || traits.isBelt || (traits.resistsRolling && link.points == 1);
         batch.links.push_back(link);
     });
     batch.store = this;
@@ -292,6 +294,7 @@ void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
         contact.totalImpulse[k] = point.totalNormalImpulse;
         contact.pressed = contact.pressed || point.totalNormalImpulse > 0;
     }
+    if (contact.rolls()) { contact.rollingImpulse() = kept(constraint.rollingImpulse); }
     contact.pressedOn = pressedBefore && contact.pressed;
     if (pressedBefore) { return; }
     noteHit(contact, constraint.normal, impactSpeed(constraint));

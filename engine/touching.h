@@ -9,12 +9,14 @@ struct TouchTraits {
     std::uint8_t points = 0;
     bool dynamicA : 1 = false;  ///< the body is
     bool dynamicB : 1 = false;
-    bool bounces : 1 = false;  ///< has restitution
-    bool isBelt : 1 = false;   ///< friction drags (`ShapeDef::surfaceSpeed`)
-    bool isOpen : 1 = false;   ///< its points are farther apart than those of touching shapes (`kEndRatio`)
-    bool isDeep : 1 = false;   ///< of what does not yield: overlaps too far to be swept out of it (`kShallowRatio`)
+    bool bounces : 1 = false;         ///< has restitution
+    bool isBelt : 1 = false;          ///< friction drags (`ShapeDef::surfaceSpeed`)
+    bool resistsRolling : 1 = false;  ///< at one point (`ShapeDef::rollingResistance`)
+    bool isOpen : 1 = false;          ///< its points are farther apart than those of touching shapes (`kEndRatio`)
+    bool isDeep : 1 = false;  ///< of what does not yield: overlaps too far to be swept out of it (`kShallowRatio`)
 
     bool areDynamic() const { return dynamicA && dynamicB; }
+    bool rolls() const { return resistsRolling && points == 1; }
 };
 
 /// A contact with points, as far as roles and islands are about it: most of what they ask they then find here, in

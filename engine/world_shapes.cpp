@@ -14,11 +14,13 @@ namespace {
 Status check(const ShapeDef& def) {
     for (const Status& status : {checkNumber(static_cast<double>(def.density), "density"),
                                  checkNumber(static_cast<double>(def.friction), "friction"),
+                                 checkNumber(static_cast<double>(def.rollingResistance), "rollingResistance"),
                                  checkNumber(static_cast<double>(def.surfaceSpeed), "surfaceSpeed")}) {
         if (!status.ok()) { return status; }
     }
     if (def.density < 0) { return {StatusCode::negative, "density"}; }
     if (def.friction < 0) { return {StatusCode::negative, "friction"}; }
+    if (def.rollingResistance < 0) { return {StatusCode::negative, "rollingResistance"}; }
     if (!isFinite(def.restitution)) { return {StatusCode::notFinite, "restitution"}; }
     if (def.restitution < 0 || def.restitution > 1) { return {StatusCode::outOfRange, "restitution"}; }
     if (def.frictionMixing > MixingRule::maximum) { return {StatusCode::outOfRange, "frictionMixing"}; }
@@ -169,9 +171,15 @@ void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
         mixSurfaces(world, contact);
         probe->bounces = contact.restitution > 0;
         probe->isBelt = contact.isBelt;
-        for (std::size_t i = 0; i < contact.tangentImpulse.size(); ++i) {  // or what slides now would be in balance
+        probe->resistsRolling = contact.resistsRolling;
+        // Or what slides or rolls now would be in balance.
+        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
             const Real most = contact.friction * std::max(contact.normalImpulse[i], Real(0));
             contact.tangentImpulse[i] = std::clamp(contact.tangentImpulse[i], -most, most);
+        }
+        if (contact.manifold.count == 1) {
+            const Real most = surfaceOf(world, contact).rolling * std::max(contact.normalImpulse[0], Real(0));
+            contact.rollingImpulse() = std::clamp(contact.rollingImpulse(), -most, most);
         }
     }
 }
@@ -181,6 +189,7 @@ void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
 void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign) {
     world.sensorShapes += def.sensor ? static_cast<std::uint32_t>(sign) : 0U;
     world.bouncyShapes += def.restitution > 0 ? static_cast<std::uint32_t>(sign) : 0U;
+    world.rollingShapes += def.rollingResistance > 0 ? static_cast<std::uint32_t>(sign) : 0U;
 }
 
 void removeShapeSlot(WorldState& world, std::uint32_t slot) {
@@ -282,10 +291,10 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     std::vector<std::uint32_t> slots;
     listSlots(world, id.index, slots);
     const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter);
-    const bool isOtherSurface = def.friction != before.friction || def.restitution != before.restitution ||
-                                def.surfaceSpeed != before.surfaceSpeed ||
-                                def.frictionMixing != before.frictionMixing ||
-                                def.restitutionMixing != before.restitutionMixing;
+    const bool isOtherSurface =
+        def.friction != before.friction || def.restitution != before.restitution ||
+        def.rollingResistance != before.rollingResistance || def.surfaceSpeed != before.surfaceSpeed ||
+        def.frictionMixing != before.frictionMixing || def.restitutionMixing != before.restitutionMixing;
     std::span<const std::uint32_t> places;
     if (meetsOthers || isOtherSurface) {
         places = pairsOfShape(world, slots);

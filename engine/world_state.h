@@ -170,7 +170,8 @@ struct WorldState : Workers {
     std::vector<MassProperties> shapeMasses;  ///< by shape slot: of those of dynamic bodies
     std::vector<MassProperties> massParts;    ///< scratch of `updateMass`
     std::uint32_t sensorShapes = 0;
-    std::uint32_t bouncyShapes = 0;  ///< with restitution: without any, nothing bounces
+    std::uint32_t bouncyShapes = 0;   ///< with restitution: without any, nothing bounces
+    std::uint32_t rollingShapes = 0;  ///< with rolling resistance
     SensorSweeps sensorSweeps;
     std::uint32_t kinematicBodies = 0;
     std::uint32_t fixedBodies = 0;

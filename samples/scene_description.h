@@ -69,6 +69,7 @@ struct ShapeDescription {
     double density = 1;
     double friction = 0.6;
     double restitution = 0;
+    double rollingResistance = 0;
     double surfaceSpeed = 0;  ///< m/s, clockwise along the outline
     MixingRule frictionMixing = MixingRule::usual;
     MixingRule restitutionMixing = MixingRule::usual;

@@ -130,15 +130,16 @@ inline constexpr auto kFields<FilterDescription> = std::make_tuple(field("catego
 
 /// Besides these, a shape has one key that names its geometry (`geometryNames`).
 template <>
-inline constexpr auto kFields<ShapeDescription> =
-    std::make_tuple(field("radius", &ShapeDescription::radius, units::kLength, bounds::kNotNegative),
-                    field("density", &ShapeDescription::density, units::kDensity, bounds::kNotNegative),
-                    field("friction", &ShapeDescription::friction, units::kNumber, bounds::kNotNegative),
-                    field("restitution", &ShapeDescription::restitution, units::kNumber, bounds::kZeroToOne),
-                    field("surfaceSpeed", &ShapeDescription::surfaceSpeed, units::kSpeed),
-                    field("frictionMixing", &ShapeDescription::frictionMixing),
-                    field("restitutionMixing", &ShapeDescription::restitutionMixing),
-                    field("sensor", &ShapeDescription::sensor), field("filter", &ShapeDescription::filter));
+inline constexpr auto kFields<ShapeDescription> = std::make_tuple(
+    field("radius", &ShapeDescription::radius, units::kLength, bounds::kNotNegative),
+    field("density", &ShapeDescription::density, units::kDensity, bounds::kNotNegative),
+    field("friction", &ShapeDescription::friction, units::kNumber, bounds::kNotNegative),
+    field("restitution", &ShapeDescription::restitution, units::kNumber, bounds::kZeroToOne),
+    field("rollingResistance", &ShapeDescription::rollingResistance, units::kNumber, bounds::kNotNegative),
+    field("surfaceSpeed", &ShapeDescription::surfaceSpeed, units::kSpeed),
+    field("frictionMixing", &ShapeDescription::frictionMixing),
+    field("restitutionMixing", &ShapeDescription::restitutionMixing), field("sensor", &ShapeDescription::sensor),
+    field("filter", &ShapeDescription::filter));
 
 template <>
 inline constexpr auto kFields<BodyDescription> = std::make_tuple(

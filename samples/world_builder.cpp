@@ -133,6 +133,7 @@ ShapeDef shapeDefOf(const ShapeDescription& given, std::size_t body, std::size_t
     def.density = real(given.density);
     def.friction = real(given.friction);
     def.restitution = real(given.restitution);
+    def.rollingResistance = real(given.rollingResistance);
     def.surfaceSpeed = real(given.surfaceSpeed);
     def.frictionMixing = given.frictionMixing;
     def.restitutionMixing = given.restitutionMixing;

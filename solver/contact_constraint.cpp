@@ -72,6 +72,14 @@ public:
         motion_.across += (inertiaA_.inverseMass + inertiaB_.inverseMass) * impulse;
         turn(impulse * point.tangentArmA, impulse * point.tangentArmB);
     }
+    /// @param most  that a torque may have done in all; it works against the turn of the bodies on each other
+    void resistRolling(ContactConstraint& contact, Real most) {
+        const Real turning = motion_.spinB - motion_.spinA;
+        const Real total = std::clamp(contact.rollingImpulse - contact.rollingMass * turning, -most, most);
+        const Real impulse = total - contact.rollingImpulse;
+        turn(impulse, impulse);
+        contact.rollingImpulse = total;
+    }
     /// Ends it. @param normals, tangents  all that was done
     void push(const Impulses<kPoints>& normals, const Impulses<kPoints>& tangents) const {
         const Vec2 impulse = sumOf(normals) * contact_.normal + sumOf(tangents) * rightPerp(contact_.normal);
@@ -223,6 +231,9 @@ void warmStart(const ContactConstraint& contact, const SolverBodies& bodies) {
         ofB[i] = normals[i] * point.normalArmB + tangents[i] * point.tangentArmB;
     }
     pair.turn(sumOf(ofA), sumOf(ofB));
+    if constexpr (kPoints == 1) {
+        if (contact.rolling > 0) { pair.turn(contact.rollingImpulse, contact.rollingImpulse); }
+    }
     pair.push(normals, tangents);
 }
 
@@ -274,6 +285,9 @@ void solve(ContactConstraint& contact, const SolverBodies& bodies, const Contact
         pair.slow(point, tangents[i]);
         point.tangentImpulse = total;
     }
+    if constexpr (kPoints == 1) {  // two points hold what would roll over them
+        if (contact.rolling > 0) { pair.resistRolling(contact, contact.rolling * totals[0]); }
+    }
     pair.push(normals, tangents);
 }
 
@@ -299,6 +313,7 @@ void prepareContact(ContactConstraint& contact, std::span<const BodyInertia> ine
         point.normalMass = inverseOrZero(kNormal);
         point.tangentMass = inverseOrZero(kTangent);
     }
+    if (contact.rolling > 0) { contact.rollingMass = inverseOrZero(a.inverseInertia + b.inverseInertia); }
     if (contact.count > 1) {
         const ContactConstraintPoint& one = contact.points[0];
         const ContactConstraintPoint& two = contact.points[1];

@@ -42,8 +42,11 @@ struct ContactConstraint {
     Real friction = 0;
     Real restitution = 0;
     Real surfaceSpeed = 0;  ///< friction works towards this speed of B beside A, along the tangent, m/s
-    bool isHeld = false;    ///< a direct solve takes care of overlaps and gaps: what presses just does not move
-    Real maxPushSpeed = 0;  ///< fastest push out of an overlap, m/s
+    Real rolling = 0;       ///< of one point: a torque that resists rolling is up to this times what presses, metres
+    Real rollingMass = 0;     ///< kg·m²
+    Real rollingImpulse = 0;  ///< accumulated like those of points, on B, N·m·s
+    bool isHeld = false;      ///< a direct solve takes care of overlaps and gaps: what presses just does not move
+    Real maxPushSpeed = 0;    ///< fastest push out of an overlap, m/s
     /// Of the rounded parts that touch, metres: those have no points that turn away from the contact as the body turns.
     Real radiusA = 0;
     Real radiusB = 0;
@@ -85,9 +88,9 @@ struct ContactPass {
     Real leastRestitution = 0;  ///< of contacts with more than that
 };
 
-/// As many as its block has; 0: it stands in none, for blocks know no surface speed.
+/// As many as its block has; 0: it stands in none, for blocks know neither surface speed nor what resists rolling.
 inline std::size_t pointsInBlock(const ContactConstraint& contact) {
-    return contact.surfaceSpeed != 0 ? 0 : static_cast<std::size_t>(contact.count);
+    return contact.surfaceSpeed != 0 || contact.rolling > 0 ? 0 : static_cast<std::size_t>(contact.count);
 }
 
 /// Kernels over contacts that share no movable body (one colour) or are solved one after the other. The wide ones

@@ -140,6 +140,48 @@ TEST(Parallel, Crowd) {
     }
 }
 
+/// Disks that roll down slopes and off each other, each contact solved on its own.
+struct RollingCrowd {
+    World world;
+    KnownIds known;
+    explicit RollingCrowd(Profile profile) {
+        WorldSettings settings = awakeSettings();
+        settings.profile = profile;
+        world = makeWorld(settings);
+        for (const double side : {-1.0, 1.0}) {
+            addStatic(world, box(30, 1), material(0.8), {side * 20, 5}, side * 0.25);
+        }
+        Random random(5);
+        for (int i = 0; i < 160; ++i) {
+            ShapeDef surface = material(0.6);
+            surface.rollingResistance = real(random.range(0, 0.3));
+            const DVec2 place{-12 + 1.3 * (i % 20), 9 + 1.3 * (i / 20)};
+            known.bodies.push_back(
+                addBody(world, dynamicAt(place, vec(random.range(-3, 3), 0)), circle(random.range(0.3, 0.6)), surface));
+        }
+    }
+};
+
+TEST(Parallel, WhatResistsRolling) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        RollingCrowd serial(profile);
+        RollingCrowd parallel(profile);
+        RollingCrowd shuffled(profile);
+        RollingCrowd shuffledAlone(profile);
+        ThreadTasks threads(4);
+        ShuffledTasks shuffle;
+        parallel.world.setTaskSystem(&threads);
+        shuffled.world.setTaskSystem(&shuffle);
+        run(serial.world, 60);
+        run(parallel.world, 60);
+        run(shuffled.world, 60);
+        run(shuffledAlone.world, 60);
+        expectSameSteps(serial.world, parallel.world, serial.known, kCrowdSteps, "rolling, threads");
+        expectSameSteps(shuffledAlone.world, shuffled.world, serial.known, kCrowdSteps, "rolling, shuffled");
+        EXPECT_GT(serial.world.counters().touching, 150u);
+    }
+}
+
 TEST(Parallel, AnyOrderOfTheSameWork) {
     for (const ContinuousMode mode : {ContinuousMode::subStep, ContinuousMode::stop}) {
         Crowd serial(mode);

@@ -79,6 +79,7 @@ public:
         if (random_.chance(0.2)) { def.restitution = realPositive(); }
         def.sensor = random_.chance(0.1);
         def.filter.group = random_.chance(0.1) ? random_.integer(-2, 2) : 0;
+        if (random_.chance(0.1)) { def.rollingResistance = realPositive(); }
         if (random_.chance(0.1)) { def.surfaceSpeed = realPositive(); }
         if (random_.chance(0.1)) { def.frictionMixing = mixing(); }
         if (random_.chance(0.1)) { def.restitutionMixing = mixing(); }

@@ -96,6 +96,7 @@ private:
         if (often()) { s.density = positive(); }
         if (often()) { s.friction = positive(); }
         if (often()) { s.restitution = random_.uniform(); }
+        if (random_.chance(0.3)) { s.rollingResistance = positive(); }
         if (random_.chance(0.3)) { s.surfaceSpeed = number(); }
         if (often()) { s.frictionMixing = mixing(); }
         if (often()) { s.restitutionMixing = mixing(); }

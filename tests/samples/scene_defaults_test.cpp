@@ -53,6 +53,7 @@ TEST(SceneDefaults, BodyAndShape) {
     EXPECT_EQ(shape.density, 1);
     EXPECT_EQ(shape.friction, 0.6);
     EXPECT_EQ(shape.restitution, 0);
+    EXPECT_EQ(shape.rollingResistance, 0);
     EXPECT_EQ(shape.surfaceSpeed, 0);
     EXPECT_EQ(shape.frictionMixing, MixingRule::usual);
     EXPECT_EQ(shape.restitutionMixing, MixingRule::usual);
@@ -136,8 +137,8 @@ TEST(SceneKeys, OfBodies) {
 TEST(SceneKeys, OfShapes) {
     const SceneDescription scene = readGood(R"({"bodies": [{"shapes": [
         {"box": {"half": [1, 2], "center": [3, 4], "angle": 5}, "radius": 0.1, "density": 2, "friction": 0.3,
-         "restitution": 1, "surfaceSpeed": -2.5, "frictionMixing": "minimum", "restitutionMixing": "product",
-         "sensor": true, "filter": {"category": 2, "mask": 3, "group": -4}},
+         "restitution": 1, "rollingResistance": 0.25, "surfaceSpeed": -2.5, "frictionMixing": "minimum",
+         "restitutionMixing": "product", "sensor": true, "filter": {"category": 2, "mask": 3, "group": -4}},
         {"circle": {"center": [1, 2], "radius": 3}},
         {"capsule": {"points": [[0, 1], [2, 3]], "radius": 4}},
         {"segment": [[0, 1], [2, 3]], "radius": 0.2},
@@ -152,6 +153,7 @@ TEST(SceneKeys, OfShapes) {
     expected.density = 2;
     expected.friction = 0.3;
     expected.restitution = 1;
+    expected.rollingResistance = 0.25;
     expected.surfaceSpeed = -2.5;
     expected.frictionMixing = MixingRule::minimum;
     expected.restitutionMixing = MixingRule::product;

@@ -162,6 +162,7 @@ TEST(ScenePage, StatesTheDefaults) {
     expectDefault("### Shape", "density", number(shape.density));
     expectDefault("### Shape", "friction", number(shape.friction));
     expectDefault("### Shape", "restitution", number(shape.restitution));
+    expectDefault("### Shape", "rollingResistance", number(shape.rollingResistance));
     expectDefault("### Shape", "surfaceSpeed", number(shape.surfaceSpeed));
     for (const auto& [member, rule] :
          {std::pair("frictionMixing", shape.frictionMixing), std::pair("restitutionMixing", shape.restitutionMixing)}) {

@@ -58,6 +58,7 @@ TEST(SceneUnits, AreThoseOfPhysics) {
         {"/bodies/*/shapes/*/density", "kg/m²"},
         {"/bodies/*/shapes/*/friction", "1"},
         {"/bodies/*/shapes/*/restitution", "1"},
+        {"/bodies/*/shapes/*/rollingResistance", "1"},
         {"/bodies/*/shapes/*/surfaceSpeed", "m/s"},
         {"/joints/*/breakForce", "kg·m/s²"},
         {"/joints/*/breakTorque", "kg·m²/s²"},

@@ -27,6 +27,7 @@ TEST(Box2dApproximations, TellsOnlyOfWhatTheSceneHolds) {
     SceneDescription scene;
     EXPECT_FALSE(mentions(scene, "Capsules"));
     EXPECT_FALSE(mentions(scene, "Rounded"));
+    EXPECT_FALSE(mentions(scene, "Rolling"));
     EXPECT_FALSE(mentions(scene, "Segments do not"));
     EXPECT_FALSE(mentions(scene, "revolute"));
     scene.bodies.resize(1);
@@ -34,12 +35,14 @@ TEST(Box2dApproximations, TellsOnlyOfWhatTheSceneHolds) {
     scene.bodies[0].shapes[0].geometry = CapsuleGeometry{{DVec2{0, 0}, DVec2{1, 0}}, 0.5};
     scene.bodies[0].shapes[1].geometry = BoxGeometry{{1, 1}, {0, 0}, 0};
     scene.bodies[0].shapes[1].radius = 0.1;
+    scene.bodies[0].shapes[1].rollingResistance = 0.1;
     scene.bodies[0].shapes[2].geometry = SegmentGeometry{{DVec2{0, 0}, DVec2{1, 0}}};
     JointDescription joint;
     joint.joint = RevoluteDescription{{0, 0}, {}, {}, {}, {}, 4.0, {}};
     scene.joints = {joint};
     EXPECT_TRUE(mentions(scene, "Capsules"));
     EXPECT_TRUE(mentions(scene, "Rounded"));
+    EXPECT_TRUE(mentions(scene, "Rolling"));
     EXPECT_TRUE(mentions(scene, "Segments do not"));
     EXPECT_TRUE(mentions(scene, "revolute"));
 }

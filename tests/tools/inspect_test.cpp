@@ -58,6 +58,7 @@ TEST(Inspect, SoundSceneHasNoFindings) {
     EXPECT_FALSE(needs(inspection, "restitution"));
     EXPECT_FALSE(needs(inspection, "surface speed"));
     EXPECT_FALSE(needs(inspection, "mixing rules"));
+    EXPECT_FALSE(needs(inspection, "rolling resistance"));
     EXPECT_FALSE(needs(inspection, "joints"));
     EXPECT_FALSE(needs(inspection, "sensors"));
     EXPECT_FALSE(needs(inspection, "bullets"));
@@ -70,6 +71,12 @@ TEST(Inspect, FindsBelts) {
     SceneDescription scene = soundScene();
     scene.bodies[0].shapes[0].surfaceSpeed = -1;
     EXPECT_TRUE(needs(inspectScene(scene), "surface speed"));
+}
+
+TEST(Inspect, FindsWhatResistsRolling) {
+    SceneDescription scene = soundScene();
+    scene.bodies[0].shapes[0].rollingResistance = 0.1;
+    EXPECT_TRUE(needs(inspectScene(scene), "rolling resistance"));
 }
 
 TEST(Inspect, FindsMixingRules) {

@@ -95,6 +95,9 @@ TEST(Measures, EnergyIsJudgedWhereItHasToStay) {
     EXPECT_NEAR(measuredAlone(scene, recording)[Measure::energyDrift], 0.3, 1e-12);
     scene.bodies[0].shapes[0].restitutionMixing = MixingRule::minimum;
     EXPECT_TRUE(std::isnan(measuredAlone(scene, recording)[Measure::energyDrift])) << "the floor bounces nothing";
+    scene.bodies[0].shapes[0].restitutionMixing = MixingRule::usual;
+    scene.bodies[1].shapes[0].rollingResistance = 0.1;
+    EXPECT_TRUE(std::isnan(measuredAlone(scene, recording)[Measure::energyDrift])) << "it may roll";
     scene.bodies[0].type = SceneBodyType::kinematic;
     EXPECT_TRUE(std::isnan(measuredAlone(scene, recording)[Measure::energyGain])) << "something pushes";
 }

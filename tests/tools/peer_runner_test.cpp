@@ -185,6 +185,26 @@ TEST(PeerRunner, MixingRulesAreThoseOfTheScene) {
     }
 }
 
+/// Of a ball that rolls out: Box2D 3 slows it down, Box2D leaves that out, Chipmunk is not asked.
+TEST(PeerRunner, RollingResistanceIsThatOfItsShapes) {
+    constexpr double kResistance = 0.06;
+    constexpr double kRadius = 0.5;
+    SceneDescription scene = emptyScene();
+    add(scene, "ground", SceneBodyType::fixed, {0, -1}, {100, 1});
+    BodyDescription& ball = add(scene, "ball", SceneBodyType::dynamic, {0, kRadius}, {0.5, 0.5});
+    ball.shapes[0].geometry = CircleGeometry{{0, 0}, kRadius};
+    ball.shapes[0].rollingResistance = kResistance;
+    ball.velocity = {3, 0};
+    ball.angularVelocity = -3 / kRadius;
+    for (const PeerSettings& peer : peers()) {
+        EXPECT_EQ(peerLacks(peer.engine, scene).empty(), peer.engine != PeerEngine::chipmunk) << nameOf(peer);
+        if (peer.engine == PeerEngine::chipmunk) { continue; }
+        const double lost = 3 - run(scene, peer, 120).back().bodies[1].velocity.x;
+        const double brake = peer.engine == PeerEngine::box2d3 ? kResistance * kGravity / 1.5 : 0;
+        EXPECT_NEAR(lost / 2, brake, 0.01) << nameOf(peer);
+    }
+}
+
 /// A bar between a hinge and a rod: both ends stay where the joints hold them, and what is filtered passes.
 TEST(PeerRunner, JointsHoldAndFiltersPass) {
     SceneDescription scene = emptyScene();

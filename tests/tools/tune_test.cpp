@@ -284,6 +284,7 @@ TEST(TuneAblation, FeaturesAreGoneWhenTheyAreTakenAway) {
         build::hinge(scene, "crate", "ball", {10, 1});
         scene.bodies[1].bullet = true;
         scene.bodies[2].angularVelocity = 3;  // which a body of fixed rotation may not have
+        scene.bodies[0].shapes[0].rollingResistance = 0.1;
         scene.bodies[0].shapes[0].surfaceSpeed = 1;
         scene.bodies[0].shapes[0].frictionMixing = MixingRule::average;
         Config config = ownConfig(scene);

@@ -85,6 +85,13 @@ Need mixingNeed(const PlacedScene& placed) {
     return {"mixing rules", body != nullptr, body != nullptr ? body->name + " has its own" : "no shape has its own"};
 }
 
+Need rollingNeed(const PlacedScene& placed) {
+    const PlacedBody* const body = bodyWithShape(
+        placed, [](const ShapeDescription& shape) { return !shape.sensor && shape.rollingResistance > 0; });
+    return {"rolling resistance", body != nullptr,
+            body != nullptr ? body->name + " resists rolling" : "nothing resists rolling"};
+}
+
 Need rotationNeed(const PlacedScene& placed) {
     const PlacedBody* const body =
         firstBody(placed, [](const PlacedBody& b) { return b.isDynamic() && !b.description->fixedRotation; });
@@ -136,9 +143,9 @@ Need precisionNeed(const PlacedScene& placed) {
 }  // namespace
 
 std::vector<Need> needsOf(const PlacedScene& placed) {
-    return {continuousNeed(placed), bulletNeed(placed), restitutionNeed(placed), frictionNeed(placed),
-            beltNeed(placed),       mixingNeed(placed), rotationNeed(placed),    jointNeed(placed),
-            sensorNeed(placed),     sleepNeed(placed),  precisionNeed(placed)};
+    return {continuousNeed(placed), bulletNeed(placed),  restitutionNeed(placed), frictionNeed(placed),
+            beltNeed(placed),       rollingNeed(placed), mixingNeed(placed),      rotationNeed(placed),
+            jointNeed(placed),      sensorNeed(placed),  sleepNeed(placed),       precisionNeed(placed)};
 }
 
 }  // namespace swept

@@ -41,13 +41,14 @@ bool isEnergyBroughtIn(const SceneDescription& scene, const PlacedScene& placed)
            });
 }
 
-/// Whether some pair that may collide loses energy by rubbing or by bouncing less than it came.
+/// Whether some pair that may collide loses energy by rubbing, by rolling or by bouncing less than it came.
 bool isEnergyLostInContacts(const PlacedScene& placed) {
     for (std::size_t i = 0; i < placed.pieces.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
             const ShapeDescription& a = shapeOf(placed, placed.pieces[i]);
             const ShapeDescription& b = shapeOf(placed, placed.pieces[k]);
-            const bool isLossless = mixedRestitution(a, b) >= 1 && mixedFriction(a, b) == 0;
+            const bool isLossless = mixedRestitution(a, b) >= 1 && mixedFriction(a, b) == 0 &&
+                                    std::max(a.rollingResistance, b.rollingResistance) == 0;
             if (!isLossless && mayCollide(placed, placed.pieces[i], placed.pieces[k])) { return true; }
         }
     }

@@ -205,6 +205,7 @@ b2ShapeDef definitionOf(const ShapeDescription& shape) {
     definition.density = static_cast<float>(shape.density);
     definition.material.friction = static_cast<float>(shape.friction);
     definition.material.restitution = static_cast<float>(shape.restitution);
+    definition.material.rollingResistance = static_cast<float>(shape.rollingResistance);
     definition.material.tangentSpeed = static_cast<float>(shape.surfaceSpeed);
     definition.material.userMaterialId = materialOf(shape);
     definition.isSensor = shape.sensor;

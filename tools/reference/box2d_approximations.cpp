@@ -91,6 +91,9 @@ void addWaysWithShapes(const SceneDescription& scene, std::vector<std::string>& 
             "Rounded polygons and chains are polygons with a thicker skin: against other polygons their corners are "
             "sharp, and a radius below 1 cm counts as 1 cm.");
     }
+    if (anyShape(scene, [](const ShapeDescription& shape) { return shape.rollingResistance > 0; })) {
+        sentences.push_back("Rolling resistance is left out.");
+    }
     if (anyShape(scene, isSegment)) { sentences.push_back("Segments do not collide with segments or chains."); }
     if (anyShape(scene, [](const ShapeDescription& shape) { return shape.sensor; })) {
         sentences.push_back("Sensors of static and kinematic bodies detect dynamic bodies only.");

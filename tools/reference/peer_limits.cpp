@@ -25,6 +25,7 @@ std::string lackOfShape(PeerEngine engine, const ShapeDescription& shape) {
     if (engine != PeerEngine::chipmunk) { return ""; }
     if (shape.filter.group > 0) { return "groups that always collide"; }
     if (hasMixingRule(shape)) { return "mixing rules of single shapes"; }
+    if (shape.rollingResistance > 0) { return "rolling resistance"; }
     return shape.surfaceSpeed != 0 ? "surfaces that run along an outline" : "";
 }
 

@@ -29,7 +29,7 @@ void eachShape(SceneDescription& scene, const Change& change) {
 /// What profile `fast` stands for.
 constexpr int kFastSubSteps = 4;
 
-constexpr std::array<Feature, 12> kFeatures{{
+constexpr std::array<Feature, 13> kFeatures{{
     {"continuous collision", false,
      [](const SceneDescription& scene, const Config& config) {
          return config.continuous != SceneContinuous::off ||
@@ -81,6 +81,14 @@ constexpr std::array<Feature, 12> kFeatures{{
              shape.frictionMixing = MixingRule::usual;
              shape.restitutionMixing = MixingRule::usual;
          });
+     }},
+    {"rolling resistance", true,
+     [](const SceneDescription& scene, const Config&) {
+         return anyShape(scene,
+                         [](const ShapeDescription& shape) { return !shape.sensor && shape.rollingResistance > 0; });
+     },
+     [](SceneDescription& scene, Config&) {
+         eachShape(scene, [](ShapeDescription& shape) { shape.rollingResistance = 0; });
      }},
     {"rotation", true,
      [](const SceneDescription& scene, const Config&) {
