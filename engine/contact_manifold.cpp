@@ -59,7 +59,6 @@ void carryImpulses(const OldPoints& before, Contact& now) {
         if (old < 0) { continue; }
         now.normalImpulse[i] = before.normalImpulse[static_cast<std::size_t>(old)];
         now.tangentImpulse[i] = before.tangentImpulse[static_cast<std::size_t>(old)];
-        if (now.rolls() && before.manifold.count == 1) { now.rollingImpulse() = before.tangentImpulse[1]; }
     }
 }
 
