@@ -25,7 +25,7 @@ TEST(SceneRoundTrip, RandomScenes) {
     std::size_t shapes = 0;
     std::size_t joints[std::variant_size_v<JointGeometry>] = {};
     std::size_t kinds[std::variant_size_v<Geometry>] = {};
-    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    for (std::uint64_t seed = 0; seed < 900; ++seed) {
         const SceneDescription scene = test::SceneMaker(seed).make();
         expectRoundTrip(scene, "seed " + std::to_string(seed));
         for (const JointDescription& joint : scene.joints) { ++joints[joint.joint.index()]; }
