@@ -66,7 +66,7 @@ TEST(Misuse, LeavesAUsableWorld) { vandalise(Sizes::usual, SWEPT_MISUSE_PROGRAMS
 
 /// Finite, but so large that sums and products of them are not. More worlds of shorter lives: a few grow old full of bodies
 /// that turn a million times in a step, and every step of those takes as long as all the rest.
-TEST(Misuse, ExtremeNumbersToo) { vandalise(Sizes::extreme, 2 * SWEPT_MISUSE_PROGRAMS, 625); }
+TEST(Misuse, ExtremeNumbersToo) { vandalise(Sizes::extreme, 5 * SWEPT_MISUSE_PROGRAMS, 625); }
 
 }  // namespace
 }  // namespace swept::test
