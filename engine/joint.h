@@ -41,6 +41,7 @@ struct HingeMemory {
     Real lower = 0;
     Real upper = 0;
     Real motor = 0;
+    Real spring = 0;
 };
 
 /// In the order of `JointType`.
@@ -56,7 +57,7 @@ inline constexpr std::size_t kMostJointBodies = 4;  ///< a gear's
 
 /// A joint between steps: its definition in body frames, and what the last step left.
 struct Joint {
-    // What each step asks of a hinge comes first and close together: 64 bytes in float.
+    // What each step asks of a hinge comes first and close together: 64 bytes in float, without its spring.
     std::uint32_t bodyA = 0;  ///< slots
     std::uint32_t bodyB = 0;
     double referenceAngle = 0;  ///< angle of B minus angle of A at creation

@@ -66,6 +66,7 @@ RevoluteConstraint rememberedOf(const Joint& joint, const HingePart&) {
     constraint.lowerImpulse = joint.hinge.lower;
     constraint.upperImpulse = joint.hinge.upper;
     constraint.motorImpulse = joint.hinge.motor;
+    constraint.springImpulse = joint.hinge.spring;
     return constraint;
 }
 
@@ -294,7 +295,8 @@ void takeReaction(Joint& joint, const JointReaction& total, Real dt) {
 }
 
 void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt) {
-    joint.hinge = {constraint.linearImpulse, constraint.lowerImpulse, constraint.upperImpulse, constraint.motorImpulse};
+    joint.hinge = {constraint.linearImpulse, constraint.lowerImpulse, constraint.upperImpulse, constraint.motorImpulse,
+                   constraint.springImpulse};
     takeReaction(joint, constraint.total, dt);
 }
 

@@ -22,6 +22,9 @@ inline bool isInRange(double x) { return std::fabs(x) <= kLargestNumber; }
 inline bool isInRange(DVec2 v) { return isInRange(v.x) && isInRange(v.y); }
 inline bool isInRange(Vec2 v) { return isInRange(toDouble(v)); }
 
+/// What has one beyond all numbers is as good as nothing.
+inline bool hasInverse(double x) { return x > 0 && 1 / x <= static_cast<double>(std::numeric_limits<Real>::max()); }
+
 inline Status checkNumber(double x, const char* field) {
     if (!std::isfinite(x)) { return {StatusCode::notFinite, field}; }
     if (!isInRange(x)) { return {StatusCode::outOfRange, field}; }

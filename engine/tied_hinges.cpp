@@ -20,6 +20,7 @@ HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {
         memory.lower = block.lowerImpulse[lane];
         memory.upper = block.upperImpulse[lane];
         memory.motor = block.motorImpulse[lane];
+        memory.spring = block.springImpulse[lane];
     }
     return memory;
 }

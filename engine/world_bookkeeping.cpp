@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "../shapes/room.h"
 #include "body_measures.h"
+#include "levers.h"
 #include "modes.h"
 #include "number_range.h"
 #include "pairs_of_shapes.h"
@@ -27,9 +27,6 @@ MassProperties massOfShapes(WorldState& world, const Body& body) {
     for (const std::uint32_t slot : body.shapes) { parts.push_back(world.shapeMasses[slot]); }
     return combine(parts);
 }
-
-/// What has one beyond all numbers is as good as nothing.
-bool hasInverse(double x) { return x > 0 && 1 / x <= static_cast<double>(std::numeric_limits<Real>::max()); }
 
 /// Of one of two bodies: ground may have thousands.
 std::span<const std::uint32_t> fewerJoints(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
@@ -169,8 +166,7 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     body.mass = body.isDynamic() && hasInverse(total.mass) ? total.mass : 0;
     body.inertia = body.isDynamic() ? total.inertia : 0;
     body.inverseMass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
-    const bool turns = hasInverse(body.inertia) && !body.def.fixedRotation;
-    body.inverseInertia = turns ? static_cast<Real>(1 / body.inertia) : Real(0);
+    resistTurns(world, slot);
     world.travels[slot].boxRoom = 0;
     measure(world, slot);
     if (!body.awake) { noteRest(world, slot); }
@@ -214,8 +210,10 @@ void removeJoint(WorldState& world, JointId id, std::uint32_t leaving) {
     world.jointTies[id.index] = {};
     world.jointChains.areCurrent = false;
     for (const std::uint32_t slot : joint.allBodies()) {
-        std::erase(world.bodies[slot].joints, id.index);
-        world.bodies[slot].holdingJoints -= joint.holds() ? 1 : 0;
+        Body& body = world.bodies[slot];
+        std::erase(body.joints, id.index);
+        body.holdingJoints -= joint.holds() ? 1 : 0;
+        if (isAtLever(body)) { resistTurns(world, slot); }
         wake(world, slot);
     }
     const bool mayMeet = joint.bodyA != leaving && joint.bodyB != leaving;

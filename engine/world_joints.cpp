@@ -4,6 +4,7 @@
 #include "../shapes/room.h"
 #include "joint_builder.h"
 #include "joint_checks.h"
+#include "levers.h"
 #include "number_range.h"
 #include "world_state.h"
 
@@ -71,6 +72,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
     for (const std::uint32_t body : placed.allBodies()) {
         world.bodies[body].joints.push_back(id->index);
         world.bodies[body].holdingJoints += placed.holds() ? 1 : 0;
+        resistTurns(world, body, placed);
         wake(world, body);
     }
     removePairs(world, pairs);

@@ -43,7 +43,8 @@ struct FreedomParts {
     bool hasLimits = false;
     bool hasMotor = false;
     bool hasSpring = false;
-    /// Accumulated; warm start in (but for the spring), result out. N·s or N·m·s per sub-step.
+    /// Accumulated; warm start in, result out. N·s or N·m·s per sub-step. That of the spring is made anew by each warm
+    /// start, but what is held holds an answer to the old one, and has to know it.
     Real lowerImpulse = 0;
     Real upperImpulse = 0;
     Real motorImpulse = 0;

@@ -28,7 +28,6 @@ void emptyBlock(WideRevolute& block, std::uint32_t lanes, HingeParts parts) {
     emptyJoints(block, lanes);
     block.parts = parts;
     block.totalX = block.totalY = block.totalTwist = {};
-    block.springImpulse = {};  // made anew by each warm start
 }
 
 }  // namespace

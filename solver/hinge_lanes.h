@@ -39,6 +39,7 @@ inline void fillParts(WideRevolute& block, std::size_t lane, const FreedomParts&
     block.lowerImpulse[lane] = parts.lowerImpulse;
     block.upperImpulse[lane] = parts.upperImpulse;
     block.motorImpulse[lane] = parts.motorImpulse;
+    block.springImpulse[lane] = parts.springImpulse;
 }
 
 /// Over the step.

@@ -11,34 +11,15 @@ const WeldKernels* weldKernels() { return nullptr; }
 
 namespace {
 
-/// The joint as it stands in this sub-step.
-struct Seam {
-    Vec2 armA;
-    Vec2 armB;
-    Vec2 gap;
-    Real angle;
-    HeldRows point;
-};
-
 Real angleOf(const WeldConstraint& joint, const JointPair& pair) {
     return joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
 }
 
-Seam seamOf(const WeldConstraint& joint, const JointPair& pair) {
-    const Vec2 armA = rotate(pair.a.deltaRotation, joint.anchorA);
-    const Vec2 armB = rotate(pair.b.deltaRotation, joint.anchorB);
-    return {armA, armB, joint.centerOffset + (pair.b.deltaPosition - pair.a.deltaPosition) + (armB - armA),
-            angleOf(joint, pair), heldPoint(pair, armA, armB)};
-}
+Real speedOfSpin(const JointPair& pair) { return pair.b.angularVelocity - pair.a.angularVelocity; }
 
 void turnBy(WeldConstraint& joint, const JointPair& pair, Real twist) {
     joint.angularImpulse += twist;
     turn(pair, twist);
-}
-
-void pushBy(WeldConstraint& joint, const Seam& seam, const JointPair& pair, Vec2 push) {
-    joint.linearImpulse += push;
-    apply(seam.point, pair, push);
 }
 
 /// All three rows: the point as if it were rigid, then the angle while the point stays; softness comes last, of all of
@@ -51,7 +32,7 @@ void solveRigid(WeldConstraint& joint, const JointPair& pair, bool useBias) {
     Vec2 speeds = speedsOf(pin, pair);
     if (useBias) { speeds += joint.softness.biasRate * gapOf(joint, pin, pair); }
     push(joint, pin, pair, -solve(pin.matrix, speeds));
-    Real turning = pair.b.angularVelocity - pair.a.angularVelocity;
+    Real turning = speedOfSpin(pair);
     if (useBias) { turning += joint.softness.biasRate * angleOf(joint, pair); }
     const Real twist = -spin.mass * turning;
     turnBy(joint, pair, twist);
@@ -62,37 +43,28 @@ void solveRigid(WeldConstraint& joint, const JointPair& pair, bool useBias) {
 }
 
 Real springDrag(const WeldConstraint& joint, const JointPair& pair, Real mass) {
-    return joint.angularSpring.drag * (joint.angularImpulse - mass * speedOf(kSpinRow, pair));
+    return joint.angularSpring.drag * (joint.angularImpulse - mass * speedOfSpin(pair));
 }
 
-Vec2 springDrag(const WeldConstraint& joint, const Seam& seam, const JointPair& pair, const PointMatrix& matrix) {
-    return joint.linearSpring.drag * (joint.linearImpulse - solve(matrix, speedsOf(seam.point, pair)));
+Vec2 springDrag(const WeldConstraint& joint, const Pin& pin, const JointPair& pair, const PointMatrix& matrix) {
+    return joint.linearSpring.drag * (joint.linearImpulse - solve(matrix, speedsOf(pin, pair)));
 }
 
 /// The point, then, once per sub-step, the drag of the angle's spring while the point stays.
-void solveTwisted(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
-    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, complianceOf(joint, useBias));
+void solveTwisted(WeldConstraint& joint, const Pin& pin, const JointPair& pair, bool useBias) {
+    const Spin spin = spinOf(pin, pair, complianceOf(joint, useBias));
     if (!joint.isHeld || !useBias) {
-        solveGuiding(spin, seam.point, pair, useBias ? joint.softness.biasRate * seam.gap : Vec2{},
-                     joint.linearImpulse);
+        Vec2 wanted = speedsOf(pin, pair) + product(spin.given, joint.linearImpulse);
+        if (useBias) { wanted += joint.softness.biasRate * gapOf(joint, pin, pair); }
+        push(joint, pin, pair, -solve(spin.pointMatrix, wanted));
     }
     if (!useBias) { return; }
     const Real twist = springDrag(joint, pair, spin.mass);
-    joint.angularImpulse += twist;
-    apply(spin, seam.point, pair, twist, joint.linearImpulse);
+    turnBy(joint, pair, twist);
+    push(joint, pin, pair, twist * spin.answer);
 }
 
-/// Response of the points while the angle is held: the bodies move as one, but for what their arms differ.
-PointMatrix matrixAtAngle(const Seam& seam, const JointPair& pair) {
-    const Real mass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
-    const Real turn = turnOf(pair);
-    const Real both = turn > 0 ? pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia / turn : Real(0);
-    const Vec2 arm = seam.armA - seam.armB;
-    return {mass + both * square(arm.y), -both * arm.x * arm.y, mass + both * square(arm.x),
-            mass * (mass + both * lengthSquared(arm))};
-}
-
-/// The angle, and the points that it guides: `GuidedRow` with the parts exchanged.
+/// The angle, and the points that it guides: `Spin` with the parts exchanged.
 struct StiffAngle {
     Real given = 0;      ///< γ·S
     Real response = 0;   ///< k + γ·S; 0 of bodies that cannot turn
@@ -100,13 +72,13 @@ struct StiffAngle {
     PointMatrix points;  ///< response of the points with the answer of the angle
 };
 
-StiffAngle stiffAngleOf(const Seam& seam, const JointPair& pair, Real compliance) {
-    const PointMatrix firm = matrixAtAngle(seam, pair);
+StiffAngle stiffAngleOf(const Pin& pin, const JointPair& pair, Real compliance) {
+    const PointMatrix firm = matrixAtAngle(pin, pair);
     const Real turn = turnOf(pair);
     if (!(turn > 0)) { return {0, 0, {}, firm}; }
-    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, 0);
+    const Spin spin = spinOf(pin, pair, 0);
     const Real given = spin.mass > 0 ? compliance / spin.mass : Real(0);
-    const Vec2 pull{coupling(kSpinRow, seam.point.first, pair), coupling(kSpinRow, seam.point.second, pair)};
+    const Vec2 pull = pullOf(pin, pair);
     const Real more = given / (turn * (turn + given));
     return {given,
             turn + given,
@@ -116,52 +88,51 @@ StiffAngle stiffAngleOf(const Seam& seam, const JointPair& pair, Real compliance
 }
 
 /// The angle, then, once per sub-step, the drag of the point's spring while the angle stays.
-void solveHung(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
-    const StiffAngle angle = stiffAngleOf(seam, pair, complianceOf(joint, useBias));
+void solveHung(WeldConstraint& joint, const Pin& pin, const JointPair& pair, bool useBias) {
+    const StiffAngle angle = stiffAngleOf(pin, pair, complianceOf(joint, useBias));
     const bool canTurn = angle.response > 0;
     if (canTurn && (!joint.isHeld || !useBias)) {
-        const Real bias = useBias ? joint.softness.biasRate * seam.angle : Real(0);
-        turnBy(joint, pair, -(speedOf(kSpinRow, pair) + bias + angle.given * joint.angularImpulse) / angle.response);
+        const Real bias = useBias ? joint.softness.biasRate * angleOf(joint, pair) : Real(0);
+        turnBy(joint, pair, -(speedOfSpin(pair) + bias + angle.given * joint.angularImpulse) / angle.response);
     }
     if (!useBias) { return; }
-    const Vec2 push = springDrag(joint, seam, pair, angle.points);
-    pushBy(joint, seam, pair, push);
-    if (canTurn) { turnBy(joint, pair, -dot(angle.pull, push) / angle.response); }
+    const Vec2 impulse = springDrag(joint, pin, pair, angle.points);
+    push(joint, pin, pair, impulse);
+    if (canTurn) { turnBy(joint, pair, -dot(angle.pull, impulse) / angle.response); }
 }
 
 /// Two springs that do not know of each other drag once per sub-step.
-void solveSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair, bool useBias) {
+void solveSprings(WeldConstraint& joint, const Pin& pin, const JointPair& pair, bool useBias) {
     if (!useBias) { return; }
     if (turnOf(pair) > 0) { turnBy(joint, pair, springDrag(joint, pair, 1 / turnOf(pair))); }
-    pushBy(joint, seam, pair, springDrag(joint, seam, pair, seam.point.matrix));
+    push(joint, pin, pair, springDrag(joint, pin, pair, pin.matrix));
 }
 
 /// The pushes of the springs take the place of their old impulses; what is rigid answers to the change.
-void pushSprings(WeldConstraint& joint, const Seam& seam, const JointPair& pair) {
+void pushSprings(WeldConstraint& joint, const Pin& pin, const JointPair& pair) {
     const Real turn = turnOf(pair);
     if (joint.hasLinearSpring) {
         // The points while the angle is held, or while it is a spring, too, as they like.
-        const PointMatrix matrix = joint.hasAngularSpring ? seam.point.matrix : matrixAtAngle(seam, pair);
+        const PointMatrix matrix = joint.hasAngularSpring ? pin.matrix : matrixAtAngle(pin, pair);
         const Vec2 before = joint.linearImpulse;
-        joint.linearImpulse = -joint.linearSpring.push * solve(matrix, seam.gap);
+        joint.linearImpulse = -joint.linearSpring.push * solve(matrix, gapOf(joint, pin, pair));
         if (!joint.hasAngularSpring && turn > 0) {
-            const Vec2 pull{coupling(kSpinRow, seam.point.first, pair), coupling(kSpinRow, seam.point.second, pair)};
-            joint.angularImpulse -= dot(pull, joint.linearImpulse - before) / turn;
+            joint.angularImpulse -= dot(pullOf(pin, pair), joint.linearImpulse - before) / turn;
         }
     }
     if (!joint.hasAngularSpring) { return; }
     const Real before = joint.angularImpulse;
-    const GuidedRow spin = guidedSpin(seam.point, pair, seam.armA, seam.armB, 0);
+    const Spin spin = spinOf(pin, pair, 0);
     const Real mass = joint.hasLinearSpring ? (turn > 0 ? 1 / turn : Real(0)) : spin.mass;
-    joint.angularImpulse = -mass * (joint.angularSpring.push * seam.angle);
+    joint.angularImpulse = -mass * (joint.angularSpring.push * angleOf(joint, pair));
     if (!joint.hasLinearSpring) { joint.linearImpulse += (joint.angularImpulse - before) * spin.answer; }
 }
 
 void solveOne(WeldConstraint& joint, const JointPair& pair, bool useBias) {
     if (!joint.hasLinearSpring && !joint.hasAngularSpring) { return solveRigid(joint, pair, useBias); }
-    const Seam seam = seamOf(joint, pair);
-    if (!joint.hasLinearSpring) { return solveTwisted(joint, seam, pair, useBias); }
-    joint.hasAngularSpring ? solveSprings(joint, seam, pair, useBias) : solveHung(joint, seam, pair, useBias);
+    const Pin pin = pinOf(joint, pair);
+    if (!joint.hasLinearSpring) { return solveTwisted(joint, pin, pair, useBias); }
+    joint.hasAngularSpring ? solveSprings(joint, pin, pair, useBias) : solveHung(joint, pin, pair, useBias);
 }
 
 }  // namespace
@@ -173,9 +144,10 @@ void warmStart(std::span<WeldConstraint> joints, const SolverBodies& bodies) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        if (joint.hasLinearSpring || joint.hasAngularSpring) { pushSprings(joint, seamOf(joint, pair), pair); }
-        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, rotate(a.deltaRotation, joint.anchorA));
-        applyImpulse(b, pair.inertiaB, joint.linearImpulse, rotate(b.deltaRotation, joint.anchorB));
+        const Pin pin = pinOf(joint, pair);
+        if (joint.hasLinearSpring || joint.hasAngularSpring) { pushSprings(joint, pin, pair); }
+        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, pin.armA);
+        applyImpulse(b, pair.inertiaB, joint.linearImpulse, pin.armB);
         turn(pair, joint.angularImpulse);
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }

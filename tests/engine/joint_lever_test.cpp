@@ -1,15 +1,16 @@
 #include "joint_support.h"
 
 #include "../../solver/softness.h"
+#include "../support/random.h"
 
 /// Joints whose anchor is far from the body that they hold, against its own size. What holds such a body and what turns
-/// it are strongly coupled: m·L²/I is 12800 for the longest arm here.
+/// it are strongly coupled: m·L²/I is 2·10¹⁰ for the longest arm here.
 
 namespace swept::test {
 namespace {
 
 constexpr Real kLeverRadius = Real(0.2);
-constexpr double kLeverArms[] = {0.2, 0.5, 1, 2, 4, 8, 16};
+constexpr double kLeverArms[] = {0.2, 0.5, 1, 2, 4, 8, 16, 64, 256, 1000, 20000};
 
 /// What holds a disc at the end of an arm along x, by its anchor at the origin. Nothing here gives energy.
 struct LeverCase {
@@ -112,9 +113,51 @@ LeverRun throwAt(const LeverCase& lever, double arm, Profile profile, bool hasFl
     return result;
 }
 
+/// @return  largest E − E₀, over what the disc has above its lowest place
+double gainOfThrow(Profile profile, double radii, int seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    WorldSettings settings = awakeSettings();
+    settings.profile = profile;
+    World world = makeWorld(settings);
+    const BodyId ground = anchorOf(world);
+    const double arm = radii * static_cast<double>(kLeverRadius);
+    if (seed % 2 == 1) { must(world.addShape(ground, must(makeBox(vec(20 * arm, 1), vec(0, -arm / 2 - 1))))); }
+    const double angle = random.range(0, 2 * kPi);
+    const DVec2 side{std::cos(angle), std::sin(angle)};
+    const double along = random.range(-10, 10);
+    const double across = random.range(-10, 10);
+    const BodyId disc = addBody(
+        world, dynamicAt(arm * side, toReal(along * side + across * DVec2{-side.y, side.x}), random.range(-5, 5)),
+        circle(kLeverRadius));
+    const double hertz = random.range(0.5, 20);
+    const auto lower = static_cast<Real>(random.range(-1, 0));
+    const auto upper = static_cast<Real>(random.range(0, 1));
+    RevoluteJointDef hinge;
+    hinge.base = between(ground, disc);
+    const int kind = seed / 2 % 6;  // each with ground and without
+    const bool hasSpring = kind == 1 || kind == 2;
+    if (kind == 0 || kind == 2 || kind == 4) { hinge.limits = AngleLimits{lower, upper}; }
+    if (hasSpring) { hinge.spring = Spring{static_cast<Real>(hertz), static_cast<Real>(random.range(0, 1))}; }
+    if (kind == 3 || kind == 4) { hinge.motor = AngularMotor{0, static_cast<Real>(random.range(0, 500))}; }
+    const JointId joint = must(world.createJoint(hinge));
+    const double stiffness =
+        hasSpring ? square(2 * kPi * hertz) * (world.inertia(disc) + world.mass(disc) * square(arm)) : 0;
+    const auto energy = [&] {
+        return energyOf(world, std::span(&disc, 1), kGravity) + 0.5 * stiffness * square(world.jointAngle(joint));
+    };
+    const double start = energy();
+    const double lowest = -world.mass(disc) * kGravity * arm;
+    double gain = 0;
+    for (int i = 0; i < 300; ++i) {
+        must(world.step(kStep));
+        gain = std::max(gain, (energy() - start) / (start - lowest));
+    }
+    return gain;
+}
+
 /// (Softness took back its part of the held rows before limits, motors and springs were solved, whose answer brought
 /// back m·L²/I times as much: 10¹⁶ m/s from an arm of eight metres on, and what did not fly apart sagged by 14 mm at
-/// two.)
+/// two. Later springs and limits did so from twenty metres on, for lack of digits: see `Spin` in pin.h.)
 TEST(JointLever, GivesNoEnergyAndHolds) {
     for (const LeverCase& lever : kLevers) {
         for (const double arm : kLeverArms) {
@@ -125,10 +168,52 @@ TEST(JointLever, GivesNoEnergyAndHolds) {
                                                                      << (profile == Profile::fast ? "fast" : "accurate")
                                                                      << (hasFloor ? ", floor" : "");
                     EXPECT_LE(result.gain, 0.02) << what;
-                    EXPECT_LE(result.jointGap, 0.002) << what;
+                    EXPECT_LE(result.jointGap, 0.002 + 2 * static_cast<double>(kEpsilon) * arm) << what;
                 }
             }
         }
+    }
+}
+
+/// Hinges with any parts, anywhere, that are thrown with whatever speed along their arms and across; of some the ground
+/// is in the way. What is stored in a spring counts as energy.
+TEST(JointLever, OfAnyLengthThrownAnyhowGivesNoEnergy) {
+    constexpr int kSeeds = 24;
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        for (const double radii : {10.0, 60.0, 150.0, 500.0, 1500.0, 6000.0, 20000.0}) {
+            for (int seed = 0; seed < kSeeds; ++seed) {
+                EXPECT_LE(gainOfThrow(profile, radii, seed), 0.005)
+                    << (profile == Profile::fast ? "fast, " : "accurate, ") << radii << " radii, seed " << seed;
+            }
+        }
+    }
+}
+
+/// About its anchor such a body turns as its mass asks for, and alone with the inertia that is its own, whether shapes
+/// come before its joints or after them.
+TEST(JointLever, LeavesABodyItsInertia) {
+    for (const bool isLate : {false, true}) {
+        World world = makeWorld(awakeSettings(0));
+        const double arm = 1000 * static_cast<double>(kLeverRadius);
+        BodyDef def = dynamicAt({arm, 0});
+        def.mass = 2;
+        const BodyId disc = must(world.createBody(def));
+        const auto addDisc = [&] { must(world.addShape(disc, circle(kLeverRadius))); };
+        if (!isLate) { addDisc(); }
+        RevoluteJointDef hinge;
+        hinge.base = between(anchorOf(world), disc);
+        const JointId joint = must(world.createJoint(hinge));
+        if (isLate) { addDisc(); }
+        const double inertia = 0.5 * 2 * static_cast<double>(kLeverRadius * kLeverRadius);
+        EXPECT_NEAR(world.inertia(disc) / inertia, 1, 1e-6);
+        must(world.applyImpulse(disc, vec(0, 10)));
+        for (int i = 0; i < 60; ++i) { must(world.step(kStep)); }
+        EXPECT_NEAR(spinOf(world, disc) * 2 * arm / 10, 1, 2e-5);
+        expectAtMost("gap", static_cast<double>(world.jointError(joint)), 1e-4);
+        must(world.destroyJoint(joint));
+        const double before = spinOf(world, disc);
+        must(world.applyAngularImpulse(disc, Real(0.1)));
+        EXPECT_NEAR((spinOf(world, disc) - before) * inertia / 0.1, 1, 1e-5);
     }
 }
 
@@ -138,7 +223,7 @@ TEST(JointLever, OfAMotorSagsAsMuchAsWithoutALever) {
     const Softness softness = softnessOfSubStep(kJointCycles, kJointDampingRatio, static_cast<Real>(kSubStep));
     const double compliance = static_cast<double>(softness.impulseScale / softness.massScale);
     const double expected = compliance * kGravity * kSubStep / static_cast<double>(softness.biasRate);
-    for (const double arm : kLeverArms) {
+    for (const double arm : std::span(kLeverArms).first(7)) {  // of longer ones float does not tell it
         WorldSettings settings = awakeSettings();
         settings.profile = Profile::fast;
         World world = makeWorld(settings);
