@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_demand.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
@@ -103,37 +105,6 @@ private:
     PairMotion motion_;
 };
 
-/// What one point asks for now: its relative velocity along the normal to grow by `speed`, as firmly as the scales say.
-struct NormalDemand {
-    bool any = false;
-    Real speed = 0;
-    Real massScale = 1;
-    Real impulseScale = 0;
-
-    /// Of the impulse at a point, by itself.
-    Real changeAt(const ContactConstraintPoint& point) const {
-        return point.normalMass * massScale * speed - impulseScale * point.normalImpulse;
-    }
-};
-
-/// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
-NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, const PairMotion& motion,
-                      Real inverseH, bool useBias, bool isCarrying) {
-    const Real separation = point.separation;
-    const Real closing = closingAt(point, motion);
-    // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
-    if (!useBias && closing > contact.bounceSpeed) { return {}; }
-    // Its overlap or gap is the direct solver's: see `DirectSolver::project`.
-    if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) { return {true, closing}; }
-    if (separation > 0) {
-        if (!useBias && !isCarrying) { return {}; }
-        return {true, closing - separation * inverseH};  // apart: may close the gap within this sub-step, no more
-    }
-    if (!useBias) { return {true, closing}; }
-    const Real bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
-    return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
-}
-
 /// What a rigid point gains where it shares with another one: `ContactConstraint::pairGain`.
 Real gainOf(Real oneByTwo, Real twoByOne) {
     const Real rest = 1 - oneByTwo * twoByOne;
@@ -150,9 +121,9 @@ std::array<Real, 2> totalsOf(const ContactConstraint& contact, const PairMotion&
     const bool carriesOne = one.normalImpulse > 0;
     const bool carriesTwo = two.normalImpulse > 0;
     const NormalDemand ofOne =
-        demandOf(contact, one, motion, inverseH, useBias, carriesOne || (contact.begins && carriesTwo));
+        demandOf(contact, one, closingAt(one, motion), inverseH, useBias, carriesOne || (contact.begins && carriesTwo));
     const NormalDemand ofTwo =
-        demandOf(contact, two, motion, inverseH, useBias, carriesTwo || (contact.begins && carriesOne));
+        demandOf(contact, two, closingAt(two, motion), inverseH, useBias, carriesTwo || (contact.begins && carriesOne));
     // What an impulse at the one takes from that at the other.
     const bool both = ofOne.any && ofTwo.any;
     const Real oneByTwo = both ? contact.sharedResponse * one.normalMass * ofOne.massScale : Real(0);
@@ -160,8 +131,8 @@ std::array<Real, 2> totalsOf(const ContactConstraint& contact, const PairMotion&
     const Real ofRigid = both ? contact.pairGain : Real(1);
     const Real gain = useBias ? gainOf(oneByTwo, twoByOne) : ofRigid;
     // What asks for nothing is pushed with nothing, as in the lanes of a block.
-    const Real aloneOne = ofOne.any ? ofOne.changeAt(one) : Real(0);
-    const Real aloneTwo = ofTwo.any ? ofTwo.changeAt(two) : Real(0);
+    const Real aloneOne = ofOne.any ? ofOne.changeAt(one, one.normalMass) : Real(0);
+    const Real aloneTwo = ofTwo.any ? ofTwo.changeAt(two, two.normalMass) : Real(0);
     // Totals where the other one carries nothing.
     const Real onlyOne = one.normalImpulse + aloneOne + oneByTwo * two.normalImpulse;
     const Real onlyTwo = two.normalImpulse + aloneTwo + twoByOne * one.normalImpulse;
@@ -176,8 +147,10 @@ std::array<Real, 2> totalsOf(const ContactConstraint& contact, const PairMotion&
 /// Of one point.
 Real totalOf(const ContactConstraint& contact, const PairMotion& motion, Real inverseH, bool useBias) {
     const ContactConstraintPoint& point = contact.points[0];
-    const NormalDemand demand = demandOf(contact, point, motion, inverseH, useBias, point.normalImpulse > 0);
-    return demand.any ? std::max(point.normalImpulse + demand.changeAt(point), Real(0)) : point.normalImpulse;
+    const NormalDemand demand =
+        demandOf(contact, point, closingAt(point, motion), inverseH, useBias, point.normalImpulse > 0);
+    if (!demand.any) { return point.normalImpulse; }
+    return std::max(point.normalImpulse + demand.changeAt(point, point.normalMass), Real(0));
 }
 
 /// By how much the relative velocity of a point along the normal has to change; 0 where it does not bounce.

@@ -28,10 +28,10 @@ constexpr double kWeakerOfPatient = 1.0 / 8;
 constexpr double kWeakest = kWeaker * kWeaker;
 /// Rounds in which the limits follow the normal impulses.
 constexpr int kMostLimitRounds = 8;
-/// Among many bodies a point of no known limit of friction may part as often in the search for its first impulses. (One of
-/// the 586 stones of a wall went to and fro until the rounds were used up, and the search began anew with weaker dampers; of
-/// 2000 stones it was given up.) Few bodies find their way with weaker dampers in fewer rounds: slender-and-tiny took 1.3
-/// times as many with this, in the mean of twenty strengths of gravity.
+/// Among many bodies a point of no known limit of friction may part as often in the search for its first impulses. (One
+/// of the 586 stones of a wall went to and fro until the rounds were used up, and the search began anew with weaker
+/// dampers; of 2000 stones it was given up.) Few bodies find their way with weaker dampers in fewer rounds:
+/// slender-and-tiny took 1.3 times as many with this, in the mean of twenty strengths of gravity.
 constexpr int kMostPartings = 2;
 /// Limits that are wrong by no more than this part are left to the next solve.
 constexpr double kLimitTolerance = 1.0 / 64;
@@ -44,14 +44,6 @@ constexpr double kBrinkRatio = 1.0 / (1 << 20);
 /// A search along a line ends when its slope has fallen to this part.
 constexpr double kSlopeRatio = 1.0 / 16;
 constexpr int kMostLineSteps = 12;
-
-DirectRow normalOf(const ContactConstraint& contact, const ContactConstraintPoint& point, Real bias) {
-    return {rowAlong(contact.normal, point.anchorA, point.anchorB), contact.slotA, contact.slotB, bias, nullptr};
-}
-DirectRow tangentOf(const ContactConstraint& contact, const ContactConstraintPoint& point) {
-    return {rowAlong(rightPerp(contact.normal), point.anchorA, point.anchorB), contact.slotA, contact.slotB,
-            -contact.surfaceSpeed, nullptr};
-}
 
 }  // namespace
 
@@ -70,8 +62,8 @@ void DirectSolver::listContacts(SolverBatch& batch) {
             contacts_.push_back({.contact = &contact,
                                  .point = &point,
                                  .island = island,
-                                 .normal = rowOf(batch, normalOf(contact, point, 0)),
-                                 .tangent = rowOf(batch, tangentOf(contact, point))});
+                                 .normal = rowOf(batch, normalRowOf(contact, point, 0)),
+                                 .tangent = rowOf(batch, tangentRowOf(contact, point))});
         }
     }
 }
@@ -115,8 +107,8 @@ void DirectSolver::gatherContacts(const SolverBatch& batch, Real h, bool useBias
         contact.normal.guess = isOut ? 0 : static_cast<double>(point.normalImpulse);
         contact.tangent.guess = isOut ? 0 : static_cast<double>(point.tangentImpulse);
         contact.normal.impulse = contact.tangent.impulse = 0;
-        contact.normal.excess = excessOf(batch, normalOf(constraint, point, bias));
-        contact.tangent.excess = excessOf(batch, tangentOf(constraint, point));
+        contact.normal.excess = excessOf(batch, normalRowOf(constraint, point, bias));
+        contact.tangent.excess = excessOf(batch, tangentRowOf(constraint, point));
         // What touches and does not part is guessed to press, and to stick: a stack that comes down comes down on all
         // its contacts.
         contact.limit = static_cast<double>(constraint.friction) * contact.normal.guess;
@@ -179,8 +171,8 @@ bool DirectSolver::classify(bool isFirm) {
         const double pressed = normal.guess - strength_ * normal.strength * changedExcess(normal);
         const bool presses = pressed > (contact.normalHold == Hold::held ? -brink : brink);
         if (isPatient_ && contact.normalHold == Hold::held && !presses && std::isinf(contact.limit)) {
-            // What holds without limit once it presses, and then carries much, parts its bodies, so that it does not press:
-            // no minimum lies between. It is taken to slide, until it is known how much it presses.
+            // What holds without limit once it presses, and then carries much, parts its bodies, so that it does not
+            // press: no minimum lies between. It is taken to slide, until it is known how much it presses.
             if (++contact.partings >= kMostPartings) { contact.limit = 0; }
         }
         set(contact.normalHold, presses ? Hold::held : Hold::forced);

@@ -24,8 +24,9 @@ constexpr Real kMostBendingTurn = Real(1) / 32;
 /// Adds rows of one joint after another.
 class RowWriter {
 public:
-    RowWriter(SolverBatch& batch, Real h, Real closing, bool useBias, std::vector<DirectRow>& rows)
-        : batch_(batch), h_(h), closing_(closing), useBias_(useBias), rows_(rows) {}
+    RowWriter(SolverBatch& batch, std::span<const Motion> motions, Real h, Real closing, bool useBias,
+              std::vector<DirectRow>& rows)
+        : batch_(batch), motions_(motions), h_(h), closing_(closing), useBias_(useBias), rows_(rows) {}
 
     void operator()(RevoluteConstraint& joint) {
         begin(joint);
@@ -64,8 +65,8 @@ private:
         b_ = &batch_.states[joint.slotB];
         armA_ = rotate(a_->deltaRotation, joint.anchorA);
         armB_ = rotate(b_->deltaRotation, joint.anchorB);
-        turnA_ = notableTurn(h_ * a_->angularVelocity);
-        const Real turnB = notableTurn(h_ * b_->angularVelocity);
+        turnA_ = notableTurn(h_ * motionOf(joint.slotA).spin);
+        const Real turnB = notableTurn(h_ * motionOf(joint.slotB).spin);
         if (std::fabs(turnA_) > kMostBendingTurn || std::fabs(turnB) > kMostBendingTurn) {
             turnA_ = 0;
             bend_ = {};
@@ -81,7 +82,15 @@ private:
         return -half * arm - (half * turn / 3) * leftPerp(arm);
     }
     /// First-order motion of B's anchor from A's within the sub-step.
-    Vec2 anchorMotion(Vec2 armA) const { return h_ * (velocityAt(*b_, armB_) - velocityAt(*a_, armA)); }
+    Vec2 anchorMotion(Vec2 armA) const {
+        const Motion a = motionOf(joint_->slotA);
+        const Motion b = motionOf(joint_->slotB);
+        return h_ * ((b.velocity + cross(b.spin, armB_)) - (a.velocity + cross(a.spin, armA)));
+    }
+    Motion motionOf(BodySlot slot) const {
+        const BodyState& state = batch_.states[slot];
+        return motions_.empty() ? Motion{state.velocity, state.angularVelocity} : motions_[slot];
+    }
     bool canTurn() const {
         return batch_.inertias[joint_->slotA].inverseInertia + batch_.inertias[joint_->slotB].inverseInertia > 0;
     }
@@ -131,6 +140,7 @@ private:
     }
 
     SolverBatch& batch_;
+    std::span<const Motion> motions_;
     Real h_;
     Real closing_;  ///< s
     bool useBias_;
@@ -146,8 +156,9 @@ private:
 
 }  // namespace
 
-void addJointRows(SolverBatch& batch, Real h, Real closing, bool useBias, std::vector<DirectRow>& rows) {
-    RowWriter writer(batch, h, closing, useBias, rows);
+void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, Real closing, bool useBias,
+                  std::vector<DirectRow>& rows) {
+    RowWriter writer(batch, motions, h, closing, useBias, rows);
     forEachHeldKind(batch, [&writer](auto& joints) {
         for (auto& joint : joints) { writer(joint); }
     });

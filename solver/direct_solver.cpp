@@ -24,8 +24,8 @@ constexpr double kLoopStrength = kJointStrength / 16;
 /// joints that hold the same against a motor would else work against each other more and more, each solve by what the
 /// motor gave: a weld and a slider went from 1 to 1350 N·m·s in a third of a second, and flew apart.
 constexpr double kForgottenPart = 1.0 / 64;
-/// Rounds of a step, or of a part of one, beyond the usual ones of its solves: so many at least, and so many bodies in all
-/// of them. What takes more is iterated. (Heaps of 256 bodies took 180 at times, 12 ms.)
+/// Rounds of a step, or of a part of one, beyond the usual ones of its solves: so many at least, and so many bodies in
+/// all of them. What takes more is iterated. (Heaps of 256 bodies took 180 at times, 12 ms.)
 constexpr std::size_t kFewestSpareRounds = 32;
 constexpr std::size_t kSpareBodyRounds = 8192;
 /// Changes this much smaller than the largest in the island are noise.
@@ -34,8 +34,6 @@ constexpr double kNoiseRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 36)
 int spareRoundsFor(std::size_t bodies) {
     return static_cast<int>(std::max(kFewestSpareRounds, kSpareBodyRounds / bodies));
 }
-
-double dot3(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Block3 velocityOf(const BodyState& state) {
     return {static_cast<double>(state.velocity.x), static_cast<double>(state.velocity.y),
@@ -60,10 +58,6 @@ void addOuter(Block33& block, double factor, const Block3& a, const Block3& b) {
     }
 }
 
-void addScaled(Block3& to, double factor, const Block3& a) {
-    for (std::size_t i = 0; i < 3; ++i) { to[i] += factor * a[i]; }
-}
-
 }  // namespace
 
 bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient, bool isTakenBack) {
@@ -75,6 +69,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     isTakenBack_ = isTakenBack;
     hasGivenUp_ = false;
     isFactorised_ = false;
+    motions_.clear();
     joints_.clear();
     contacts_.clear();
     listNodes(batch);
@@ -82,13 +77,15 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     spareRounds_ = spareRoundsFor(nodes_.size());
     takesLong_.assign(nodes_.size(), 0);
     if (scope == DirectScope::all) { listContacts(batch); }
+    if (scope == DirectScope::jointed) { listJointed(batch); }
     return true;
 }
 
 void DirectSolver::listNodes(const SolverBatch& batch) {
     constexpr std::uint32_t kIsTied = 0;
     // Where contacts are iterated, what no joint holds has no part in it.
-    nodeOf_.assign(batch.inertias.size(), scope_ == DirectScope::all ? kIsTied : kNoNode);
+    const bool areAllTied = scope_ == DirectScope::all || scope_ == DirectScope::jointed;
+    nodeOf_.assign(batch.inertias.size(), areAllTied ? kIsTied : kNoNode);
     forEachHeldKind(batch, [this](const auto& joints) {
         for (const auto& joint : joints) { nodeOf_[joint.slotA] = nodeOf_[joint.slotB] = kIsTied; }
     });
@@ -177,6 +174,11 @@ DirectSolver::Row DirectSolver::rowOf(const SolverBatch& batch, const DirectRow&
     return row;
 }
 
+void DirectSolver::noteMotions(const SolverBatch& batch) {
+    motions_.clear();
+    for (const BodyState& state : batch.states) { motions_.push_back({state.velocity, state.angularVelocity}); }
+}
+
 double DirectSolver::excessOf(const SolverBatch& batch, const DirectRow& held) const {
     const RowEnds ends = endsOf(held.row);
     double excess = static_cast<double>(held.bias);
@@ -187,7 +189,7 @@ double DirectSolver::excessOf(const SolverBatch& batch, const DirectRow& held) c
 
 void DirectSolver::gatherJoints(SolverBatch& batch, Real h, bool useBias, bool atRest) {
     jointRows_.clear();
-    addJointRows(batch, h, std::max(h, leastClosing_), useBias, jointRows_);
+    addJointRows(batch, motions_, h, std::max(h, leastClosing_), useBias, jointRows_);
     joints_.clear();
     for (const DirectRow& held : jointRows_) {
         Row row = rowOf(batch, held);
@@ -240,6 +242,7 @@ void DirectSolver::assemble(DirectReport& report, double tangentShare) {
     }
     matrix_.factorise();
     isFactorised_ = true;
+    areAnswersCurrent_ = false;
     ++report.factorisations;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "block_ldlt.h"
@@ -17,8 +18,12 @@ enum class DirectScope : std::uint8_t {
     islands,     ///< islands of rigid joints and nothing else, each on its own (`JointIslands`)
     freeJoints,  ///< what joints hold rigidly, as long as there are no contacts
     joints,      ///< what joints hold rigidly
-    all,         ///< that, and all contacts
+    jointed,     ///< that, always: contacts are iterated on what answers as the joints hold it together
+    all,         ///< what joints hold rigidly, and all contacts
 };
+
+/// Whether scope `jointed` is worth its time: each contact is answered by every body, twice in a sub-step.
+constexpr bool mayBeJointed(std::size_t contacts, std::size_t bodies) { return contacts * bodies <= 512; }
 
 /// Solves rigid rows of a batch at once, in place of iteration: those that joints hold, and contacts.
 ///
@@ -45,6 +50,11 @@ public:
     /// Of sub-steps to come: errors of joints are closed within so long, s, or one of them, whichever is longer.
     void setLeastClosing(Real seconds) { leastClosing_ = seconds; }
 
+    /// Before impulses of the sub-step before are applied: how bodies that are held move, which tells where they will
+    /// be better than what those impulses made of it. (Of joints that depend on each other they may be as large as they
+    /// like, and no longer cancel once the bodies have turned: two welds worked against each other more and more.)
+    void noteMotions(const SolverBatch& batch);
+
     /// Changes velocities and impulses. Contacts come with the impulses expected, not yet applied; joints with theirs
     /// applied.
     /// @param useBias  as in the kernels of the constraints
@@ -57,14 +67,19 @@ public:
     template <bool kJoints>
     void project(SolverBatch& batch, Real h, bool always, DirectReport& report);
 
+    /// Iterates over contacts of scope `jointed`: an impulse at a point moves all that joints tie to its bodies, so the
+    /// joints hold on, and need not take turns with contacts. Changes velocities and impulses, of joints as well.
+    /// @pre `solve` came before; impulses of contacts are applied
+    void solveJointed(SolverBatch& batch, const ContactPass& pass);
+
     // A sub-step solves contacts twice, each time for a half of what gravity does. These share out their impulses: each
     // solve expects half of what the sub-step before ended with, and at rest finds just that.
     void beginFirstHalf();
     void beginSecondHalf();
     void addHalves();
 
-    /// Whether contacts of the body's island took more rounds than usual in this step: what cost the others of the batch
-    /// theirs, too.
+    /// Whether contacts of the body's island took more rounds than usual in this step: what cost the others of the
+    /// batch theirs, too.
     bool tookLong(BodySlot slot) const;
 
 private:
@@ -97,6 +112,29 @@ private:
         Row row;
         Real* impulse = nullptr;
         double forgotten = 0;  ///< of the impulse, N·s or N·m·s; taken back, to be found again
+    };
+    /// A point of a contact of scope `jointed`. A tie is named by its root in `islands_`, a pile by its own.
+    struct JointedPoint {
+        ContactConstraint* contact = nullptr;
+        ContactConstraintPoint* point = nullptr;
+        std::uint32_t pile = 0;
+        std::uint32_t tieA = 0;
+        std::uint32_t tieB = 0;   ///< `kNoNode` where it is that of A, too
+        std::uint32_t round = 0;  ///< in which its answers are found
+        std::size_t nodes = 0;    ///< of its ties
+        std::size_t answers = 0;  ///< of these nodes to the normal, and after them to the tangent
+        double normalMass = 0;    ///< impulse per speed, 0 when nothing can move
+        double tangentMass = 0;
+        DirectRow heldNormal;
+        DirectRow heldTangent;
+        Row normal;
+        Row tangent;
+    };
+    /// Nodes that joints tie together, or one that none does.
+    struct Tie {
+        std::uint32_t first = 0;  ///< in `tieNodes_`
+        std::uint32_t nodes = 0;
+        std::uint32_t rounds = 0;
     };
     enum class Hold : std::uint8_t {
         free,    ///< carries nothing, whatever it does
@@ -160,6 +198,17 @@ private:
     double slopeAt(double part) const;
     double searchLine();
 
+    // direct_jointed.cpp
+    void listTies(const SolverBatch& batch);
+    void listJointed(SolverBatch& batch);
+    void findAnswers();
+    void readAnswers(JointedPoint& point, bool isTangent);
+    template <class Visit>
+    void forEachNode(const JointedPoint& point, const Visit& visit) const;
+    void pushTies(const JointedPoint& point, std::size_t answers, double impulse);
+    Real solvePoint(JointedPoint& point, const ContactPass& pass);
+    void solvePile(std::span<JointedPoint> points, const ContactPass& pass);
+
     // direct_projection.cpp
     bool gatherOverlaps(const SolverBatch& batch, Real h, bool isLast);
     void moveBodies(SolverBatch& batch) const;
@@ -167,24 +216,32 @@ private:
     DirectScope scope_ = DirectScope::none;
     bool isPatient_ = false;
     bool isTakenBack_ = false;
-    bool hasGivenUp_ = false;  ///< in this step
-    Real leastClosing_ = 0;    ///< s
+    bool hasGivenUp_ = false;            ///< in this step
+    Real leastClosing_ = 0;              ///< s
     std::vector<std::uint32_t> nodeOf_;  ///< by slot
     std::vector<Node> nodes_;
     IslandFinder islands_;         ///< of nodes
     std::vector<TiedLoad> loads_;  ///< by their first node
     std::vector<BlockEdge> edges_;
+    std::vector<Motion> motions_;  ///< by slot; empty: not noted
     std::vector<DirectRow> jointRows_;
     std::vector<HeldJoint> joints_;
     std::vector<ContactPoint> contacts_;
+    std::vector<JointedPoint> jointed_;  ///< pile by pile
+    std::uint32_t jointedRounds_ = 0;
+    IslandFinder piles_;     ///< of nodes
+    std::vector<Tie> ties_;  ///< by their root
+    std::vector<std::uint32_t> tieNodes_;
+    std::vector<Block3> answers_;      ///< velocities per impulse, row by row
+    bool areAnswersCurrent_ = false;   ///< those of the present matrix
     std::vector<std::uint8_t> holds_;  ///< which of them were held when the matrix was factorised
     bool isFactorised_ = false;
-    double factorised_ = 0;  ///< strength with which
-    int roundsLeft_ = 0;     ///< of this solve
-    int notedFrom_ = 0;      ///< from so many left on it is noted who takes them
-    int spareRounds_ = 0;    ///< since `prepare`, for what takes more than the usual
+    double factorised_ = 0;                ///< strength with which
+    int roundsLeft_ = 0;                   ///< of this solve
+    int notedFrom_ = 0;                    ///< from so many left on it is noted who takes them
+    int spareRounds_ = 0;                  ///< since `prepare`, for what takes more than the usual
     std::vector<std::uint8_t> takesLong_;  ///< by the first node of an island
-    double strength_ = 1;    ///< of all rows, in units of their own
+    double strength_ = 1;                  ///< of all rows, in units of their own
     BlockLdlt matrix_;
     std::vector<Block3> change_;   ///< of the velocities, by node
     std::vector<Block3> place_;    ///< where the search stands: the last change that was tried

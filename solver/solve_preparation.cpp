@@ -31,7 +31,7 @@ void prepareJoints(SolverBatch& batch) {
 }
 
 bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& settings) {
-    return batch.store == nullptr && (settings.bounces || settings.direct == DirectScope::all);
+    return batch.store == nullptr && (settings.bounces || looksAtContacts(settings.direct));
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

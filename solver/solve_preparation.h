@@ -8,6 +8,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Whether a direct solve has contacts in view: they stand in no blocks.
+constexpr bool looksAtContacts(DirectScope scope) { return scope == DirectScope::all || scope == DirectScope::jointed; }
 /// Bounces and direct solves look at contacts one by one. Of a store, what bounces is alone, and prepared there.
 bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& settings);
 /// Masses, and nothing added up yet.

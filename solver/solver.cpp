@@ -94,7 +94,7 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings, bool is
         graph_.colourContacts(batch);
     }
     // What is solved all at once is summed up in the order of the array.
-    if (settings.direct == DirectScope::all) { graph_.sortContacts(batch); }
+    if (looksAtContacts(settings.direct)) { graph_.sortContacts(batch); }
     if (batch.store == nullptr) { listBouncing(batch, settings); }
 }
 
@@ -181,8 +181,9 @@ void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
                 batch, colour, cut, [&](auto& blocks) { blocks.solve(batch, colour, cut, pass); },
                 [&pass, bodies = bodiesOf(batch)](auto joints) { swept::solve(joints, bodies, pass.h, pass.useBias); });
         }
-        contacts_.solve(batch, colour, cut, pass);
+        if (!areJointed_) { contacts_.solve(batch, colour, cut, pass); }
     });
+    if (areJointed_) { direct_.solveJointed(batch, pass); }
 }
 
 /// @pre drives of a whole sub-step, or of half a one, twice
@@ -224,6 +225,7 @@ void Solver::holdSettled(SolverBatch& batch, const SolverSettings& settings, Sol
 template <bool kJoints>
 void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    direct_.noteMotions(batch);
     warmStart<kJoints>(batch, true);
     direct_.solve<kJoints>(batch, h, true, report.direct);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = settings.relaxPasses == 0});
@@ -319,12 +321,14 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     if (move_ == nullptr) { move_ = moveBodies; }
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     direct_.setLeastClosing(settings.leastClosing);
-    report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct, settings.patient, settings.takenBack);
+    report.isDirect = settings.direct != DirectScope::none &&
+                      direct_.prepare(batch, settings.direct, settings.patient, settings.takenBack);
+    areJointed_ = report.isDirect && settings.direct == DirectScope::jointed;
     if (report.isDirect) {
         makeContactsRigid(batch, settings.direct);
         if constexpr (kJoints) { makeJointsRigid(batch); }
     }
-    const bool contactsAreDirect = report.isDirect && settings.direct == DirectScope::all;
+    const bool contactsAreDirect = report.isDirect && looksAtContacts(settings.direct);
     const bool isAtOnce = loops.startSeconds() < TaskSystem::kAtOnce;
     const bool hasMany = isAtOnce || graph_.contactColours().size() >= kFewestToFill;
     TaskSystem& ofMany = hasMany ? loops : serial_;
@@ -383,11 +387,30 @@ void Solver::colourAhead(const SolverBatch& batch, std::span<const BodySlot> sta
     isColoured_ = true;
 }
 
+namespace {
+
+/// What resists rolling is iterated as it is, and what joints tie to the ground contacts may contradict.
+bool mayBeJointed(SolverBatch& batch) {
+    bool isSound = swept::mayBeJointed(batch.contacts.size(), batch.states.size());
+    for (const ContactConstraint& contact : batch.contacts) { isSound = isSound && !(contact.rolling > 0); }
+    forEachHeldKind(batch, [&isSound](const auto& joints) {
+        for (const auto& joint : joints) {
+            isSound = isSound && joint.slotA != kFixedSlot && joint.slotB != kFixedSlot;
+        }
+    });
+    return isSound;
+}
+
+}  // namespace
+
 SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
     const bool isColoured = std::exchange(isColoured_, false);
-    // Parts of a step may meet contacts that the step did not begin with.
-    if (settings.direct == DirectScope::islands && batch.contacts.empty()) {
-        return solveIslands(batch, settings, loops);
+    if (settings.direct == DirectScope::islands) {
+        if (batch.contacts.empty()) { return solveIslands(batch, settings, loops); }
+        // Parts of a step may meet contacts that the step did not begin with.
+        SolverSettings touching = settings;
+        if (mayBeJointed(batch)) { touching.direct = DirectScope::jointed; }
+        return solveWith<true>(batch, touching, isColoured, loops);
     }
     return settings.joints ? solveWith<true>(batch, settings, isColoured, loops)
                            : solveWith<false>(batch, settings, isColoured, loops);

@@ -141,9 +141,9 @@ double gainOfThrow(Profile profile, double radii, int seed) {
     if (kind == 3 || kind == 4) { hinge.motor = AngularMotor{0, static_cast<Real>(random.range(0, 500))}; }
     const JointId joint = must(world.createJoint(hinge));
     const double stiffness =
-        hasSpring ? square(2 * kPi * hertz) * (world.inertia(disc) + world.mass(disc) * square(arm)) : 0;
+        hasSpring ? std::pow(2 * kPi * hertz, 2) * (world.inertia(disc) + world.mass(disc) * std::pow(arm, 2)) : 0;
     const auto energy = [&] {
-        return energyOf(world, std::span(&disc, 1), kGravity) + 0.5 * stiffness * square(world.jointAngle(joint));
+        return energyOf(world, std::span(&disc, 1), kGravity) + 0.5 * stiffness * std::pow(world.jointAngle(joint), 2);
     };
     const double start = energy();
     const double lowest = -world.mass(disc) * kGravity * arm;

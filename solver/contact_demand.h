@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+
+#include "contact_constraint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What one point asks for now: its relative velocity along the normal to grow by `speed`, as firmly as the scales say.
+struct NormalDemand {
+    bool any = false;
+    Real speed = 0;
+    Real massScale = 1;
+    Real impulseScale = 0;
+
+    /// Of the impulse at a point, by itself. @param mass  impulse per speed, kg
+    Real changeAt(const ContactConstraintPoint& point, Real mass) const {
+        return mass * massScale * speed - impulseScale * point.normalImpulse;
+    }
+};
+
+/// @param closing     speed at which the point closes, m/s. @pre its separation is the present one
+/// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
+inline NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, Real closing,
+                             Real inverseH, bool useBias, bool isCarrying) {
+    const Real separation = point.separation;
+    // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
+    if (!useBias && closing > contact.bounceSpeed) { return {}; }
+    // Its overlap or gap is the direct solver's: see `DirectSolver::project`.
+    if (contact.isHeld && (point.normalImpulse > 0 || !(separation > 0))) { return {true, closing}; }
+    if (separation > 0) {
+        if (!useBias && !isCarrying) { return {}; }
+        return {true, closing - separation * inverseH};  // apart: may close the gap within this sub-step, no more
+    }
+    if (!useBias) { return {true, closing}; }
+    const Real bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
+    return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
