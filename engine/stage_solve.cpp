@@ -159,7 +159,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
         inTurn = mayLink && bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
         areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
         if (areLinked) { contacts.link(inTurn); }
-        if (areLinked && !hasJoints) { desk.solver.colourAhead(desk.batch, desk.standing); }
+        const bool comesFirst = areLinked && !hasJoints;
+        if (comesFirst) { desk.solver.colourAhead(desk.batch, desk.standing); }
     });
     if (!areLinked) { contacts.addConstraints(); }
     const SolverSettings settings{.dt = time,
