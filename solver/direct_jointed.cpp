@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -17,6 +18,12 @@ constexpr Real kSmallChange = 16 * kEpsilon;
 /// Whether the other point of the contact carries something.
 bool otherCarries(const ContactConstraint& contact, const ContactConstraintPoint& point) {
     return contact.count > 1 && contact.points[&point == contact.points.data() ? 1 : 0].normalImpulse > 0;
+}
+
+/// 0 of what hardly moves: its inverse would be no number.
+double inverseOf(double answer) {
+    const bool moves = answer > 0 && 1 / answer <= static_cast<double>(std::numeric_limits<Real>::max());
+    return moves ? 1 / answer : 0;
 }
 
 }  // namespace
@@ -81,8 +88,9 @@ void DirectSolver::listJointed(SolverBatch& batch) {
         }
     }
     answers_.resize(answers);
-    std::stable_sort(jointed_.begin(), jointed_.end(),
-                     [](const JointedPoint& p, const JointedPoint& q) { return p.pile < q.pile; });
+    std::sort(jointed_.begin(), jointed_.end(), [](const JointedPoint& p, const JointedPoint& q) {
+        return p.pile != q.pile ? p.pile < q.pile : p.answers < q.answers;  // of a pile in the order of its contacts
+    });
 }
 
 /// Of each row while the joints hold. Ties do not answer to each other: a row of each is found at once.
@@ -109,7 +117,7 @@ void DirectSolver::readAnswers(JointedPoint& point, bool isTangent) {
     double answer = 0;
     if (row.nodeA != kNoNode) { answer += dot3(row.ofA, change_[row.nodeA]); }
     if (row.nodeB != kNoNode) { answer += dot3(row.ofB, change_[row.nodeB]); }
-    (isTangent ? point.tangentMass : point.normalMass) = answer > 0 ? 1 / answer : 0;
+    (isTangent ? point.tangentMass : point.normalMass) = inverseOf(answer);
 }
 
 template <class Visit>
@@ -186,6 +194,11 @@ void DirectSolver::solveJointed(SolverBatch& batch, const ContactPass& pass) {
     }
     dropNoise();
     applyToBodies(batch);
+}
+
+void DirectSolver::forgetBlows() {
+    for (const HeldJoint& joint : joints_) { *joint.impulse = 0; }
+    for (const JointedPoint& jointed : jointed_) { jointed.point->normalImpulse = jointed.point->tangentImpulse = 0; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

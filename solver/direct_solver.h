@@ -72,6 +72,10 @@ public:
     /// @pre `solve` came before; impulses of contacts are applied
     void solveJointed(SolverBatch& batch, const ContactPass& pass);
 
+    /// What a blow took in the last sub-step is nothing to start the next solve from. (A pair on a rod that had struck
+    /// a wall went back by six centimetres in the step after.) Totals stay.
+    void forgetBlows();
+
     // A sub-step solves contacts twice, each time for a half of what gravity does. These share out their impulses: each
     // solve expects half of what the sub-step before ended with, and at rest finds just that.
     void beginFirstHalf();

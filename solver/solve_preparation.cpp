@@ -8,6 +8,17 @@ void addUpImpulses(std::vector<ContactConstraint>& contacts) {
     }
 }
 
+bool mayBeJointed(const SolverBatch& batch) {
+    bool isSound = mayBeJointed(batch.contacts.size(), batch.states.size());
+    for (const ContactConstraint& contact : batch.contacts) { isSound = isSound && !(contact.rolling > 0); }
+    forEachHeldKind(batch, [&isSound](const auto& joints) {
+        for (const auto& joint : joints) {
+            isSound = isSound && joint.slotA != kFixedSlot && joint.slotB != kFixedSlot;
+        }
+    });
+    return isSound;
+}
+
 void makeContactsRigid(SolverBatch& batch, DirectScope scope) {
     for (ContactConstraint& contact : batch.contacts) {
         if (scope != DirectScope::all) { break; }

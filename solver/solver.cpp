@@ -361,6 +361,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     } else {
         runSubSteps<kJoints, true>(batch, settings, report);
     }
+    if (isMet_ && areJointed_) { direct_.forgetBlows(); }
     contacts_.readBack(batch, ofMany);
     if constexpr (kJoints) {
         hinges_.readBack(batch, ofManyHinges);
@@ -387,33 +388,18 @@ void Solver::colourAhead(const SolverBatch& batch, std::span<const BodySlot> sta
     isColoured_ = true;
 }
 
-namespace {
-
-/// What resists rolling is iterated as it is, and what joints tie to the ground contacts may contradict.
-bool mayBeJointed(SolverBatch& batch) {
-    bool isSound = swept::mayBeJointed(batch.contacts.size(), batch.states.size());
-    for (const ContactConstraint& contact : batch.contacts) { isSound = isSound && !(contact.rolling > 0); }
-    forEachHeldKind(batch, [&isSound](const auto& joints) {
-        for (const auto& joint : joints) {
-            isSound = isSound && joint.slotA != kFixedSlot && joint.slotB != kFixedSlot;
-        }
-    });
-    return isSound;
-}
-
-}  // namespace
-
 SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
     const bool isColoured = std::exchange(isColoured_, false);
+    isMet_ = false;
+    SolverSettings used = settings;
     if (settings.direct == DirectScope::islands) {
         if (batch.contacts.empty()) { return solveIslands(batch, settings, loops); }
         // Parts of a step may meet contacts that the step did not begin with.
-        SolverSettings touching = settings;
-        if (mayBeJointed(batch)) { touching.direct = DirectScope::jointed; }
-        return solveWith<true>(batch, touching, isColoured, loops);
+        isMet_ = mayBeJointed(batch);
+        if (isMet_) { used.direct = DirectScope::jointed; }
     }
-    return settings.joints ? solveWith<true>(batch, settings, isColoured, loops)
-                           : solveWith<false>(batch, settings, isColoured, loops);
+    return settings.joints ? solveWith<true>(batch, used, isColoured, loops)
+                           : solveWith<false>(batch, used, isColoured, loops);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

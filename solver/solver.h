@@ -140,7 +140,8 @@ private:
     JointIslands islands_;
     std::vector<Run> runs_;
     RawVector<std::array<Real, 4>> free_;  ///< by body slot: speeds in this sub-step without constraints
-    bool areJointed_ = false;               ///< the present solve: contacts are iterated by `DirectSolver`
+    bool areJointed_ = false;              ///< the present solve: contacts are iterated by `DirectSolver`
+    bool isMet_ = false;                   ///< likewise: of joints that met contacts within a step
     bool isRepeated_ = false;              ///< the present solve: see `integrateAndRepeat`
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;
