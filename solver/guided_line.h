@@ -76,7 +76,7 @@ struct GuidedPart {
     Real answer = 0;
 };
 
-/// See `guidedBy` of two held rows. @param inverse  speed per impulse while nothing moves across
+/// See `Spin` (pin.h), of two held rows. @param inverse  speed per impulse while nothing moves across
 /// @param own      speed per impulse, alone
 /// @param coupled  of the row on the one across
 /// @param given    γ·S of what is across, 1/kg

@@ -3,7 +3,7 @@
 #include "joint_constraint.h"
 #include "joint_rows.h"
 
-/// Rows that are moved while others are held: limits, motors and springs of a joint.
+/// Rows that are moved while others are held: limits, motors and springs of a joint. Names are those of `Spin` (pin.h).
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -43,12 +43,6 @@ constexpr void apply(const JointRow& row, const JointPair& pair, Real impulse) {
 /// Speed of the angle per impulse on it; 0 of bodies that cannot turn.
 constexpr Real turnOf(const JointPair& pair) { return pair.inertiaA.inverseInertia + pair.inertiaB.inverseInertia; }
 
-/// Speed of one row per impulse on the other.
-constexpr Real coupling(const JointRow& p, const JointRow& q, const JointPair& pair) {
-    return (pair.inertiaA.inverseMass + pair.inertiaB.inverseMass) * dot(p.linear, q.linear) +
-           pair.inertiaA.inverseInertia * p.spinA * q.spinA + pair.inertiaB.inverseInertia * p.spinB * q.spinB;
-}
-
 /// Two rows that are solved as one block.
 struct HeldRows {
     JointRow first;
