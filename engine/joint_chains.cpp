@@ -9,6 +9,25 @@ namespace {
 
 bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
 
+std::uint32_t firstAwakeOf(const WorldState& world, const JointTie& tie, std::uint32_t joint) {
+    if (isAwakeDynamic(world, tie.bodyA)) { return tie.bodyA; }
+    if (tie.isPair) { return tie.bodyB; }
+    const auto bodies = world.joints[joint].allBodies();
+    return *std::find_if(bodies.begin(), bodies.end(),
+                         [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); });
+}
+
+/// Of most only what all joints are asked first is looked at.
+template <class Visit>
+void forEachBodyOf(const WorldState& world, const JointTie& tie, std::uint32_t joint, const Visit& visit) {
+    if (tie.isPair) {
+        visit(tie.bodyA);
+        visit(tie.bodyB);
+        return;
+    }
+    for (const std::uint32_t body : world.joints[joint].allBodies()) { visit(body); }
+}
+
 /// All that hold something: where nothing sleeps, each has something dynamic.
 void listAllJoints(WorldState& world) {
     for (std::uint32_t i = 0; i < world.jointTies.size(); ++i) {
@@ -18,38 +37,30 @@ void listAllJoints(WorldState& world) {
 
 /// Those of what is awake, in the order of their slots: what follows costs nothing for those that sleep.
 void listJointsOfAwake(WorldState& world) {
-    const auto isAwake = [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); };
     for (const std::uint32_t slot : world.awake) {
-        if (!isAwake(slot)) { continue; }
+        if (!isAwakeDynamic(world, slot)) { continue; }
         for (const std::uint32_t index : world.bodies[slot].joints) {
-            const Joint& joint = world.joints[index];
-            const auto bodies = joint.allBodies();
-            const bool isFirst = *std::find_if(bodies.begin(), bodies.end(), isAwake) == slot;
-            if (joint.holds() && isFirst) { world.activeJoints.push_back(index); }
+            const JointTie& tie = world.jointTies[index];
+            if (tie.holds && firstAwakeOf(world, tie, index) == slot) { world.activeJoints.push_back(index); }
         }
     }
     std::sort(world.activeJoints.begin(), world.activeJoints.end());
 }
 
-std::uint32_t firstAwakeOf(const WorldState& world, const JointTie& tie, std::uint32_t joint) {
-    if (isAwakeDynamic(world, tie.bodyA)) { return tie.bodyA; }
-    if (tie.isPair) { return tie.bodyB; }
-    const auto bodies = world.joints[joint].allBodies();
-    return *std::find_if(bodies.begin(), bodies.end(),
-                         [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); });
-}
-
 /// Of joints that hold something.
 bool tieSleepers(const WorldState& world) {
     const auto sleeps = [&world](std::uint32_t slot) {
+        if ((world.traits[slot] & kIsAwake) != 0) { return false; }
         const Body& body = world.bodies[slot];
         return !body.awake && body.def.type != BodyType::fixed;
     };
     return std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t slot) {
         const std::vector<std::uint32_t>& joints = world.bodies[slot].joints;
         return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t index) {
-            const std::span<const std::uint32_t> bodies = world.joints[index].allBodies();
-            return world.joints[index].holds() && std::any_of(bodies.begin(), bodies.end(), sleeps);
+            const JointTie& tie = world.jointTies[index];
+            bool doesAny = false;
+            forEachBodyOf(world, tie, index, [&](std::uint32_t body) { doesAny = doesAny || sleeps(body); });
+            return tie.holds && doesAny;
         });
     });
 }
@@ -58,10 +69,11 @@ void tieBodies(WorldState& world) {
     JointChains& chains = world.jointChains;
     chains.finder.reset(world.bodies.slotCount(), world.awake);
     for (const std::uint32_t i : world.activeJoints) {
-        const std::uint32_t first = firstAwakeOf(world, world.jointTies[i], i);
-        for (const std::uint32_t other : world.joints[i].allBodies()) {
+        const JointTie& tie = world.jointTies[i];
+        const std::uint32_t first = firstAwakeOf(world, tie, i);
+        forEachBodyOf(world, tie, i, [&](std::uint32_t other) {
             if (isAwakeDynamic(world, other)) { chains.finder.unite(first, other); }
-        }
+        });
     }
 }
 
@@ -95,9 +107,11 @@ void sumUpJoints(WorldState& world) {
         chain.drivenJoints += tie.isDriven ? 1 : 0;
         chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;
         chain.isPassive = chain.isPassive && tie.isPassive;
-        const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
-        const auto isDynamic = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
-        chain.anchors += std::all_of(bodies.begin(), bodies.end(), isDynamic) ? 0 : 1;
+        bool areAllDynamic = true;
+        forEachBodyOf(world, tie, i, [&](std::uint32_t slot) {
+            areAllDynamic = areAllDynamic && (isAwakeDynamic(world, slot) || world.bodies[slot].isDynamic());
+        });
+        chain.anchors += areAllDynamic ? 0 : 1;
     }
     chains.isAnyLoose = std::any_of(chains.list.begin(), chains.list.end(),
                                     [](const JointChain& chain) { return chain.isPassive && chain.anchors == 0; });

@@ -12,20 +12,13 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Contact of a body with something static or kinematic, as far as it decides how the body is moved.
-struct Footing {
-    bool bounces = false;  ///< it will, or did and is on its way
-    bool rests = false;    ///< it is carried, at least at one point
-    bool strikes = false;  ///< a point gets there within this step, and not slowly
-};
-
 /// A bouncing body flies from impact to impact on a parabola, however slow it is: what comes down from the separation
 /// that there is now is faster than what does not bounce. A body that is carried is moved by the solver, however fast
 /// it slides, until it strikes something: the solver shares such a blow among the contacts less well, and may throw the
 /// body up.
-Footing footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact,
-                  Real dt) {
-    Footing footing;
+TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact,
+                        Real dt) {
+    TouchFindings footing;
     const Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
     const BodyMotion& other = world.motions[otherSlot];
@@ -75,45 +68,68 @@ bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
     return closingSpeed(world, contact, normal, dt) * dt < deepestSeparation(contact.manifold);
 }
 
-/// What passes stays without points, unless it turns out to be hemmed in.
-void passBy(WorldState& world, const TouchingPair& pair, bool areAwake) {
-    Contact& contact = world.contacts[pair.contact];
-    if (areAwake && deepestSeparation(contact.manifold) <= kHemRatio * contact.extent) {
-        world.hemmed.passing.push_back(pair);
-        return;
-    }
-    contact.manifold.count = 0;
-    --world.counters.touching;
+/// What of a pair only its contact tells. Mostly nothing, and then it is not looked at.
+bool asksForContact(const TouchingPair& pair, BodyTraits a, BodyTraits b) {
+    const std::uint32_t isOneFast = ((a | b) / kIsFast) & 1;
+    const std::uint32_t mayStrike = (std::uint32_t{pair.bounces} | isOneFast | std::uint32_t{pair.isDeep});
+    return (pair.areDynamic() ? std::uint32_t{pair.isOpen} & isOneFast : mayStrike) != 0;  // one branch for all
 }
 
-/// What a contact with something static or kinematic tells about a dynamic body. Mostly nothing, and then neither is
-/// looked at.
-void noteGround(WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const TouchingPair& pair, Real dt) {
-    const bool mayStrike = pair.bounces || (world.traits[slot] & kIsFast) != 0;
-    if (!mayStrike && !pair.isDeep) { return; }
-    Body& body = world.bodies[slot];
-    if (mayStrike) {
-        const Footing footing = footingOf(world, slot, otherSlot, world.contacts[pair.contact], dt);
-        body.bounces = body.bounces || footing.bounces;
-        body.rests = body.rests || footing.rests;
-        body.strikes = body.strikes || footing.strikes;
-    }
-    if (!pair.isDeep) { return; }
+/// Of bodies that are dynamic both. What passes stays without points, unless it turns out to be hemmed in.
+TouchFindings lookAtPassing(WorldState& world, const TouchingPair& pair, Real dt) {
+    Contact& contact = world.contacts[pair.contact];
+    if (!passEachOther(world, contact, dt)) { return {}; }
+    const bool areAwake = (world.traits[pair.bodyA] & world.traits[pair.bodyB] & kIsAwake) != 0;
+    if (areAwake && deepestSeparation(contact.manifold) <= kHemRatio * contact.extent) { return {.mayHem = true}; }
+    contact.manifold.count = 0;
+    return {.passes = true};
+}
+
+/// Of a dynamic body that is awake, and something static or kinematic.
+TouchFindings lookAtGround(const WorldState& world, const TouchingPair& pair, Real dt) {
+    const std::uint32_t slot = pair.dynamicBody();
+    if ((world.traits[slot] & kIsAwake) == 0) { return {}; }
     const Contact& contact = world.contacts[pair.contact];
-    body.deepContact = true;
-    body.sunk = body.sunk || deepestSeparation(contact.manifold) < -kSlackRatio * contact.extent;
+    const bool mayStrike = pair.bounces || (world.traits[slot] & kIsFast) != 0;
+    const std::uint32_t other = slot == pair.bodyA ? pair.bodyB : pair.bodyA;
+    TouchFindings found = mayStrike ? footingOf(world, slot, other, contact, dt) : TouchFindings{};
+    found.isSunken = pair.isDeep && deepestSeparation(contact.manifold) < -kSlackRatio * contact.extent;
+    return found;
 }
 
 /// Pairs whose contacts are fetched from memory ahead of time: they lie all over it.
 constexpr std::size_t kPairsAhead = 8;
+/// Pairs per block of a parallel loop.
+constexpr std::size_t kPairGrain = 256;
 
-/// Those that may pass each other are looked at (`passEachOther`).
-[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const TouchingPair> pairs,
-                                              std::size_t place) {
-    if (place + kPairsAhead >= pairs.size()) { return; }
-    const TouchingPair& coming = pairs[place + kPairsAhead];
-    const auto contact = coming.contact & maskOf<std::uint32_t>(coming.isOpen);  // the first one instead of a branch
+[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const TouchingPair> coming) {
+    if (coming.size() <= kPairsAhead) { return; }
+    const TouchingPair& pair = coming[kPairsAhead];
+    const bool asks = asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB]);
+    const auto contact = pair.contact & maskOf<std::uint32_t>(asks);  // the first one instead of a branch
     __builtin_prefetch(&world.contacts[contact].manifold);
+}
+
+/// Writes to the pairs and their contacts alone.
+void lookAtSome(WorldState& world, std::span<TouchingPair> pairs, Real dt) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        fetchAhead(world, pairs.subspan(i));
+        TouchingPair& pair = pairs[i];
+        if (!asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB])) { continue; }
+        pair.findings = pair.areDynamic() ? lookAtPassing(world, pair, dt) : lookAtGround(world, pair, dt);
+    }
+}
+
+/// What a contact with something static or kinematic tells about a dynamic body. @pre awake
+void noteGround(WorldState& world, const TouchingPair& pair) {
+    const TouchFindings found = pair.findings;
+    if (!(found.bounces || found.rests || found.strikes || pair.isDeep)) { return; }
+    Body& body = world.bodies[pair.dynamicBody()];
+    body.bounces = body.bounces || found.bounces;
+    body.rests = body.rests || found.rests;
+    body.strikes = body.strikes || found.strikes;
+    body.deepContact = body.deepContact || pair.isDeep;
+    body.sunk = body.sunk || found.isSunken;
 }
 
 }  // namespace
@@ -122,23 +138,22 @@ void noteTouching(WorldState& world, Real dt) {
     // Where they are does not change, but who writes bytes might have written that, too, as far as compilers know.
     const std::span<BodyTraits> traits = world.traits;
     const std::span<TouchingPair> pairs = world.touching;
+    world.loops->run(pairs.size(), kPairGrain, [&world, pairs, dt](std::size_t begin, std::size_t end, int) {
+        lookAtSome(world, pairs.subspan(begin, end - begin), dt);
+    });
     world.hemmed.passing.clear();
     auto keep = pairs.begin();
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        fetchAhead(world, pairs, i);
-        const TouchingPair pair = pairs[i];
+    for (const TouchingPair& pair : pairs) {
         BodyTraits& a = traits[pair.bodyA];
         BodyTraits& b = traits[pair.bodyB];
         const bool awakeA = (a & kIsAwake) != 0;
         const bool awakeB = (b & kIsAwake) != 0;
         if (!awakeA && !awakeB) { continue; }
-        const bool mayPass = (std::uint32_t{pair.isOpen} & ((a | b) / kIsFast)) != 0;  // one branch for both
+        if (pair.findings.mayHem) { world.hemmed.passing.push_back(pair); }
+        if (pair.findings.passes) { --world.counters.touching; }
+        if (pair.findings.mayHem || pair.findings.passes) { continue; }
         if (!pair.areDynamic()) {
-            if (pair.dynamicA && awakeA) { noteGround(world, pair.bodyA, pair.bodyB, pair, dt); }
-            if (pair.dynamicB && awakeB) { noteGround(world, pair.bodyB, pair.bodyA, pair, dt); }
-        } else if (mayPass && passEachOther(world, world.contacts[pair.contact], dt)) {
-            passBy(world, pair, awakeA && awakeB);
-            continue;
+            if ((traits[pair.dynamicBody()] & kIsAwake) != 0) { noteGround(world, pair); }
         } else if (awakeA && awakeB) {
             world.islands.unite(pair.bodyA, pair.bodyB);
         }

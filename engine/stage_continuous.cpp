@@ -3,6 +3,7 @@
 #include "bullets.h"
 #include "modes.h"
 #include "move_all.h"
+#include "shared_choice.h"
 #include "solved_path.h"
 #include "step.h"
 #include "tolerances.h"
@@ -12,6 +13,8 @@ namespace {
 
 /// Bodies per block: one sweep is work enough.
 constexpr std::size_t kFlyerGrain = 2;
+/// Likewise, where each is only looked at.
+constexpr std::size_t kLookGrain = 128;
 
 /// What is fast, or was flung: the solver moved it as far as only a fast body may, since something hit it within the
 /// step.
@@ -54,9 +57,10 @@ void sweepFastBodies(WorldState& world, double dt) {
         flyBullets(world, dt);
         if (world.watched) { limitWays(world, dt); }  // of whom they pushed
     }
-    for (const std::uint32_t slot : world.awake) {
-        if (isHeldAtImpacts(world, slot)) { world.flyers.push_back(slot); }
-    }
+    forEachMeant(
+        *world.loops, world.awake, kLookGrain, world.answers,
+        [&world](std::uint32_t slot) { return isHeldAtImpacts(world, slot); },
+        [&world](std::uint32_t slot) { world.flyers.push_back(slot); });
     if (world.flyers.empty() && !world.fastIslands.any && world.bulletBodies == 0) { return; }
     world.counters.sweeps += world.flyers.size();
     world.loops->run(world.flyers.size(), kFlyerGrain, [&](std::size_t begin, std::size_t end, int worker) {

@@ -190,11 +190,16 @@ void putToSleep(WorldState& world, double dt) {
         if (tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
     }
     keepAwakeByDrives(world);
-    for (const std::uint32_t slot : world.awake) {
-        const bool rests = world.bodies[slot].isDynamic() && world.islandRestless[world.islands.find(slot)] == 0;
-        if (rests) { fallAsleep(world, slot); }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        const std::uint32_t slot = world.awake[i];
+        if (tiredness[i] != Tiredness::driven && world.islandRestless[world.islands.find(slot)] == 0) {
+            fallAsleep(world, slot);
+        } else {
+            world.awake[kept++] = slot;
+        }
     }
-    std::erase_if(world.awake, [&world](std::uint32_t slot) { return !world.bodies[slot].awake; });
+    world.awake.resize(kept);
 }
 
 void countLostTime(WorldState& world) {

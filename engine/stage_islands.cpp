@@ -15,6 +15,9 @@ bool isFastTied(const WorldState& world, std::uint32_t slot) {
     return (world.traits[slot] & kIsFast) != 0 && modeOf(world, world.bodies[slot]) == ContinuousMode::subStep;
 }
 
+/// Bodies per block of a parallel loop.
+constexpr std::size_t kMemberGrain = 256;
+
 /// Of each island.
 void countMembers(WorldState& world) {
     std::vector<std::uint32_t>& members = world.fastIslands.members;
@@ -41,9 +44,10 @@ void numberIslands(WorldState& world) {
     std::vector<std::uint32_t>& roots = fast.roots;
     roots.clear();
     for (const std::uint32_t slot : world.tied) {
-        if (!isFast(slot)) { continue; }
+        if ((world.traits[slot] & kIsFast) == 0) { continue; }
         const std::uint32_t root = world.islands.find(slot);
         if (fast.members[root] > mostTogether(world.settings) || fast.numbers[root] != kNoIndex) { continue; }
+        if (!isFast(slot)) { continue; }  // last, since a body has to be fetched for it
         fast.numbers[root] = 0;
         roots.push_back(root);
     }
@@ -61,11 +65,14 @@ void listBodies(WorldState& world) {
     for (const std::uint32_t slot : world.tied) {
         const std::uint32_t number = fast.numbers[world.islands.find(slot)];
         if (number == kNoIndex) { continue; }
-        world.bodies[slot].role = BodyRole::together;
         fast.numbers[slot] = number;
         fast.bodies.add(number, slot);
     }
     fast.bodies.sort(fast.isDone.size());
+    const std::span<const std::uint32_t> members = fast.bodies.all();
+    world.loops->run(members.size(), kMemberGrain, [&world, members](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { world.bodies[members[i]].role = BodyRole::together; }
+    });
     if (world.kinematicBodies == 0) { return; }
     for (const std::uint32_t slot : world.awake) {
         if (isAwakeKinematic(world.traits[slot])) { fast.kinematics.push_back(slot); }

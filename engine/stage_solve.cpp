@@ -6,6 +6,7 @@
 #include "joint_builder.h"
 #include "modes.h"
 #include "profile.h"
+#include "shared_choice.h"
 #include "step.h"
 #include "tied_bodies.h"
 #include "tied_contacts.h"
@@ -37,6 +38,8 @@ constexpr std::size_t kMostAlone = 24;
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kFreeGrain = 64;
+/// Joints, likewise.
+constexpr std::size_t kJointGrain = 256;
 
 /// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its
 /// speed was cut
@@ -239,16 +242,15 @@ void solveTiedBodies(WorldState& world, double dt) {
             return world.bodies[slot].role == BodyRole::solved && world.bodies[slot].effort == effort;
         };
         world.tiedJoints.clear();
-        for (const std::uint32_t i : world.activeJoints) {
-            const JointTie& tie = world.jointTies[i];
-            if (isOfClass(tie.bodyA) || isOfClass(tie.bodyB)) {
-                world.tiedJoints.push_back(i);
-                continue;
-            }
-            if (tie.isPair) { continue; }
-            const std::span<const std::uint32_t> bodies = world.joints[i].allBodies();
-            if (std::any_of(bodies.begin(), bodies.end(), isOfClass)) { world.tiedJoints.push_back(i); }
-        }
+        const auto isJointOfClass = [&](std::uint32_t joint) {
+            const JointTie& tie = world.jointTies[joint];
+            if (isOfClass(tie.bodyA) || isOfClass(tie.bodyB)) { return true; }
+            if (tie.isPair) { return false; }
+            const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
+            return std::any_of(bodies.begin(), bodies.end(), isOfClass);
+        };
+        forEachMeant(*world.loops, world.activeJoints, kJointGrain, world.answers, isJointOfClass,
+                     [&world](std::uint32_t joint) { world.tiedJoints.push_back(joint); });
         const bool isSearch = effort.direct == DirectScope::all && !effort.isSettled;
         if (isTried || isSearch) { rememberClass(world, effort); }
         const bool isSolved =

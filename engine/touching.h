@@ -19,6 +19,16 @@ struct TouchTraits {
     bool rolls() const { return resistsRolling && points == 1; }
 };
 
+/// What a look at a contact with points finds that decides how its bodies are moved in this step.
+struct TouchFindings {
+    bool passes : 1 = false;    ///< its bodies pass each other: it has no points in this step
+    bool mayHem : 1 = false;    ///< they pass each other so near that they may be held up (hemmed_pairs.h)
+    bool bounces : 1 = false;   ///< of something static or kinematic: its body will bounce, or did and is on its way
+    bool rests : 1 = false;     ///< likewise: it is carried, at least at one point
+    bool strikes : 1 = false;   ///< likewise: a point gets there within this step, and not slowly
+    bool isSunken : 1 = false;  ///< likewise: overlaps so far that it has to be held (`kSlackRatio`)
+};
+
 /// A contact with points, as far as roles and islands are about it: most of what they ask they then find here, in
 /// order, instead of all over memory.
 struct TouchingPair : TouchTraits {
@@ -28,8 +38,9 @@ struct TouchingPair : TouchTraits {
     /// One of them that is dynamic: if both are, A.
     std::uint32_t dynamicBody() const { return dynamicA ? bodyA : bodyB; }
 
-    std::uint32_t contact;  ///< place in `WorldState::contacts`
-    std::uint32_t bodyA;    ///< slots
+    TouchFindings findings;  ///< of this step
+    std::uint32_t contact;   ///< place in `WorldState::contacts`
+    std::uint32_t bodyA;     ///< slots
     std::uint32_t bodyB;
 };
 static_assert(sizeof(TouchingPair) == 16, "a step makes thousands, and goes through them several times");

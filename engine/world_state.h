@@ -214,6 +214,7 @@ struct WorldState : Workers {
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
 
     std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
+    RawVector<std::uint8_t> answers;        ///< scratch of `forEachMeant`
     FastIslands fastIslands;
     SolveDesk mainDesk;  ///< of what no island advances: what it keeps is mostly that of the step before
     std::deque<SolveDesk> desks = std::deque<SolveDesk>(1);  ///< of islands, one per worker
