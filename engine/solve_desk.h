@@ -16,6 +16,12 @@ namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
 
+/// Of some pairs that touch.
+struct LinkCounts {
+    std::uint32_t links = 0;
+    std::uint32_t bouncing = 0;  ///< of these, with restitution
+};
+
 /// Where a group is solved. Several may be at the same time, each at a desk of its own, as long as no body moves in two
 /// of them. What a solve leaves for the whole step stays here until `clearDesk`. Kept for its capacity.
 struct alignas(kCacheLine) SolveDesk {
@@ -24,6 +30,7 @@ struct alignas(kCacheLine) SolveDesk {
     Solver solver;
     RawVector<std::uint8_t> takesPart;        ///< in the present solve: by place among the bodies of the group
     RawVector<std::uint32_t> bodies;          ///< slots in the world of what does, by slot of the solve less one
+    std::vector<LinkCounts> linkCounts;       ///< scratch, by block of pairs
     std::vector<BodySlot> standing;           ///< slots of the solve that kinematic bodies have
     RawVector<Vec2> localCenters;             ///< of the bodies of the present solve, by their slot there
     RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`

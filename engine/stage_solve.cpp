@@ -87,18 +87,21 @@ Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepP
     return static_cast<Real>(closing) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
 }
 
-SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings, Real dt) {
-    const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    SolverBatch& batch = group.desk.batch;
-    TiedHinges hinges(world, group, h, dt, settings.dt);
+/// @param h  seconds of a sub-step; @param dt  of the step
+/// @param areIterated  then hinges have links
+void addJoints(WorldState& world, const TiedGroup& group, TiedHinges& hinges, bool areIterated, Real h, Real dt) {
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
-        if (tie.isHinge && settings.direct == DirectScope::none) {
+        if (tie.isHinge && areIterated) {
             hinges.link(i, tie);
         } else {
-            addConstraint(batch, world, i, h, dt);
+            addConstraint(group.desk.batch, world, i, h, dt);
         }
     }
+}
+
+SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings) {
+    SolverBatch& batch = group.desk.batch;
     const SolveReport report = group.desk.solver.solve(batch, settings, *group.desk.loops);
     readConstraints(batch, world, settings.dt);
     batch.clearJoints();  // so that nobody need look for any in a solve without
@@ -153,17 +156,17 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const bool mayLink = isIterated && !world.watched;
     const bool hasJoints = !group.joints.empty();
     const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
-    std::size_t bouncing = 0;
-    bool inTurn = false;
-    bool areLinked = false;
-    // Links are known without a look at the bodies, and where no joint comes first, colours are, too.
-    addBodies(world, group, isIterated ? h : h / 2, [&] {
-        bouncing = world.bouncyShapes > 0 ? contacts.countBouncing() : 0;
-        inTurn = mayLink && bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
-        areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
-        if (areLinked) { contacts.link(inTurn); }
-        const bool comesFirst = areLinked && !hasJoints;
-        if (comesFirst) { desk.solver.colourAhead(desk.batch, desk.standing); }
+    giveSlots(world, group);
+    const std::size_t bouncing = mayLink ? contacts.link() : contacts.countBouncing();
+    const bool inTurn = mayLink && bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
+    const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
+    if (mayLink && !areLinked) { contacts.unlink(); }
+    if (areLinked && bouncing > 0) { contacts.letBounce(inTurn); }
+    TiedHinges hinges(world, group, h, dt, time);
+    // Links, and so colours, are known without a look at the bodies.
+    setBodies(world, group, isIterated ? h : h / 2, [&] {
+        if (hasJoints) { addJoints(world, group, hinges, isIterated, h, dt); }
+        if (areLinked) { desk.solver.colourAhead(desk.batch, hasJoints, desk.standing); }
     });
     if (!areLinked) { contacts.addConstraints(); }
     const SolverSettings settings{.dt = time,
@@ -180,7 +183,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .patient = group.effort.isLarge,
                                   .takenBack = group.role == BodyRole::solved,
                                   .settled = group.effort.isSettled};
-    const SolveReport report = settings.joints ? solveWithJoints(world, group, settings, dt)
+    const SolveReport report = settings.joints ? solveWithJoints(world, group, settings)
                                                : desk.solver.solve(desk.batch, settings, *desk.loops);
     if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group, time);

@@ -16,7 +16,7 @@ namespace {
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kListGrain = 128;
-constexpr std::size_t kAddGrain = 32;  ///< one of them does something else
+constexpr std::size_t kSetGrain = 32;  ///< one of them does something else
 constexpr std::size_t kReadGrain = 128;
 
 /// Bodies that are fetched ahead, where a solve gives them back.
@@ -85,21 +85,6 @@ void setBody(WorldState& world, SolveDesk& desk, BodySlot place, std::uint32_t s
     inertia.inverseMass = body.inverseMass;
     inertia.inverseInertia = body.inverseInertia;
     setDrive(desk.batch.drives[place], world, body, h);
-}
-
-void setBodies(WorldState& world, SolveDesk& desk, std::size_t begin, std::size_t end, Real h) {
-    for (std::size_t i = begin; i < end; ++i) { setBody(world, desk, static_cast<BodySlot>(i + 1), desk.bodies[i], h); }
-}
-
-void makeRoom(WorldState& world, const TiedGroup& group) {
-    SolveDesk& desk = group.desk;
-    listTaking(world, group);
-    const std::size_t slots = desk.bodies.size() + 1;
-    desk.batch.states.resize(slots);
-    desk.batch.inertias.resize(slots);
-    desk.batch.drives.resize(slots);
-    desk.localCenters.assign(1, {});
-    desk.localCenters.resize(slots);
 }
 
 /// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else
@@ -174,11 +159,24 @@ bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std
 
 }  // namespace
 
-void addBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<void()> beside) {
-    makeRoom(world, group);
+void giveSlots(WorldState& world, const TiedGroup& group) {
     SolveDesk& desk = group.desk;
-    runBeside(*desk.loops, beside, desk.bodies.size(), kAddGrain,
-              [&](std::size_t begin, std::size_t end) { setBodies(world, desk, begin, end, h); });
+    listTaking(world, group);
+    const std::size_t slots = desk.bodies.size() + 1;
+    desk.batch.states.resize(slots);
+    desk.batch.inertias.resize(slots);
+    desk.batch.drives.resize(slots);
+    desk.localCenters.assign(1, {});
+    desk.localCenters.resize(slots);
+}
+
+void setBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<void()> beside) {
+    SolveDesk& desk = group.desk;
+    runBeside(*desk.loops, beside, desk.bodies.size(), kSetGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            setBody(world, desk, static_cast<BodySlot>(i + 1), desk.bodies[i], h);
+        }
+    });
 }
 
 /// What each body did is found by any worker, and added up in order.

@@ -20,6 +20,8 @@ namespace {
 /// Contacts that are fetched from memory ahead of time: before a solve, and after it, which has displaced
 /// them.
 constexpr std::size_t kAhead = 8;
+/// Pairs per block that one worker links.
+constexpr std::size_t kPairsPerBlock = 512;
 
 void fetchRow(const Contact& contact) {
     constexpr std::size_t kLine = 64;
@@ -63,35 +65,44 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       hitThreshold_(length(world.settings.gravity) * dt_),
       softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
 
-/// Of all contacts with points of which the group moves a body, in their order, with what is told about them.
 template <class Visit>
-void TiedContacts::forEachLink(Visit&& visit) const {
-    const auto visitIfTied = [&](ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB,
-                                 const TouchTraits& traits) {
-        link.slotA = world_.solverSlots[bodyA];
-        link.slotB = world_.solverSlots[bodyB];
-        // Kinematic bodies have slots, too.
-        const BodySlot moved =
-            (link.slotA & maskOf<BodySlot>(traits.dynamicA)) | (link.slotB & maskOf<BodySlot>(traits.dynamicB));
-        if (moved != kFixedSlot) { visit(link, traits); }
-    };
-    if (group_.role == BodyRole::solved) {
-        for (const TouchingPair& pair : world_.touching) {
-            visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB, pair);
-        }
-        return;
+void TiedContacts::visitIfTied(ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, const TouchTraits& traits,
+                               const Visit& visit) const {
+    link.slotA = world_.solverSlots[bodyA];
+    link.slotB = world_.solverSlots[bodyB];
+    // Kinematic bodies have slots, too.
+    const BodySlot moved =
+        (link.slotA & maskOf<BodySlot>(traits.dynamicA)) | (link.slotB & maskOf<BodySlot>(traits.dynamicB));
+    if (moved == kFixedSlot) { return; }
+    // Blocks know no belts, and nothing that resists rolling.
+    link.isAlone = traits.isBelt || traits.rolls();
+    link.bounces = traits.bounces;
+    visit(link);
+}
+
+template <class Visit>
+void TiedContacts::forEachLinkOf(std::span<const TouchingPair> pairs, const Visit& visit) const {
+    for (const TouchingPair& pair : pairs) {
+        visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB, pair, visit);
     }
+}
+
+/// Of all contacts with points of which the group moves a body, in their order.
+template <class Visit>
+void TiedContacts::forEachLink(const Visit& visit) const {
+    if (group_.role == BodyRole::solved) { return forEachLinkOf(world_.touching, visit); }
     for (std::uint32_t i = 0; i < group_.contacts.size(); ++i) {
         const Contact& contact = group_.contacts[i];
-        if (contact.isSolid()) {
-            visitIfTied({.source = i, .points = static_cast<std::uint8_t>(contact.manifold.count)}, contact.bodyA,
-                        contact.bodyB,
-                        {.dynamicA = contact.dynamicA,
-                         .dynamicB = contact.dynamicB,
-                         .bounces = contact.restitution > 0,
-                         .isBelt = contact.isBelt,
-                         .resistsRolling = contact.resistsRolling});
-        }
+        if (!contact.isSolid()) { continue; }
+        const auto points = static_cast<std::uint8_t>(contact.manifold.count);
+        visitIfTied({.source = i, .points = points}, contact.bodyA, contact.bodyB,
+                    {.points = points,
+                     .dynamicA = contact.dynamicA,
+                     .dynamicB = contact.dynamicB,
+                     .bounces = contact.restitution > 0,
+                     .isBelt = contact.isBelt,
+                     .resistsRolling = contact.resistsRolling},
+                    visit);
     }
 }
 
@@ -188,24 +199,68 @@ Real TiedContacts::bounceSpeedOf(const Contact& contact) const {
 
 std::size_t TiedContacts::countBouncing() const {
     std::size_t count = 0;
-    forEachLink([&count](const ContactLink&, const TouchTraits& traits) { count += traits.bounces ? 1 : 0; });
+    forEachLink([&count](const ContactLink& link) { count += link.bounces ? 1 : 0; });
     return count;
 }
 
-void TiedContacts::link(bool inTurn) {
-    SolverBatch& batch = group_.desk.batch;
-    if (inTurn) { bounceSpeed_ = hitThreshold_; }
-    forEachLink([&batch, inTurn](ContactLink link, const TouchTraits& traits) {
-        // Who bounces together is found contact by contact; blocks know no belts, and nothing that resists rolling.
-        link.isAlone = (traits.bounces && !inTurn) || traits.isBelt || (traits.resistsRolling && link.points == 1);
-        batch.links.push_back(link);
+LinkCounts TiedContacts::linkSome(std::span<const TouchingPair> pairs, ContactLink* to) const {
+    LinkCounts counts;
+    forEachLinkOf(pairs, [to, &counts](const ContactLink& link) {
+        to[counts.links++] = link;
+        counts.bouncing += link.bounces ? 1 : 0;
     });
+    return counts;
+}
+
+/// Any worker links the pairs of a block, at the place that they have if all before them are linked, as mostly.
+std::size_t TiedContacts::link() {
+    SolverBatch& batch = group_.desk.batch;
     batch.store = this;
+    std::size_t bouncing = 0;
+    if (group_.role != BodyRole::solved) {
+        forEachLink([&batch, &bouncing](const ContactLink& link) {
+            batch.links.push_back(link);
+            bouncing += link.bounces ? 1 : 0;
+        });
+        return bouncing;
+    }
+    const std::span<const TouchingPair> pairs = world_.touching;
+    batch.links.resize(pairs.size());
+    std::vector<LinkCounts>& counts = group_.desk.linkCounts;
+    counts.resize((pairs.size() + kPairsPerBlock - 1) / kPairsPerBlock);
+    group_.desk.loops->run(counts.size(), 1, [&](std::size_t first, std::size_t last, int) {
+        for (std::size_t block = first; block < last; ++block) {
+            const std::size_t begin = block * kPairsPerBlock;
+            const std::size_t length = std::min(kPairsPerBlock, pairs.size() - begin);
+            counts[block] = linkSome(pairs.subspan(begin, length), &batch.links[begin]);
+        }
+    });
+    auto end = batch.links.begin();
+    for (std::size_t block = 0; block < counts.size(); ++block) {
+        const auto begin = batch.links.begin() + static_cast<std::ptrdiff_t>(block * kPairsPerBlock);
+        end = begin == end ? begin + counts[block].links : std::copy_n(begin, counts[block].links, end);
+        bouncing += counts[block].bouncing;
+    }
+    batch.links.erase(end, batch.links.end());
+    return bouncing;
+}
+
+void TiedContacts::letBounce(bool inTurn) {
+    if (inTurn) {
+        bounceSpeed_ = hitThreshold_;
+    } else {
+        for (ContactLink& link : group_.desk.batch.links) { link.isAlone = link.isAlone || link.bounces; }
+    }
+}
+
+void TiedContacts::unlink() {
+    group_.desk.batch.links.clear();
+    group_.desk.batch.store = nullptr;
 }
 
 void TiedContacts::addConstraints() {
     SolverBatch& batch = group_.desk.batch;
-    forEachLink([&](const ContactLink& link, const TouchTraits&) { batch.contacts.push_back(constraintFor(link)); });
+    forEachLink([&](const ContactLink& link) { batch.contacts.push_back(constraintFor(link)); });
     if (world_.watched) { anchorAhead(); }
 }
 

@@ -16,14 +16,17 @@ public:
     /// Holds on to the world and the group.
     TiedContacts(WorldState& world, const TiedGroup& group, const StepPart& part, Real h, Real scale);
 
-    /// Gives the batch links to contacts that it takes from here when it is solved; or makes constraints of them at
-    /// once. @pre the bodies of the group have their slots, and are set; without kinematic ones slots are enough for
-    /// links
-    /// @param inTurn  whether those with restitution bounce in turn (`SolverSettings::bouncesInTurn`); else together,
-    /// each a constraint on its own
-    void link(bool inTurn);
+    /// Gives the batch links to contacts that it takes from here when it is solved.
+    /// @pre the bodies of the group have their slots
+    /// @return how many have restitution: if there are any, it has to be said next how they bounce
+    std::size_t link();
+    /// @param inTurn  as `SolverSettings::bouncesInTurn`; else together, each a constraint on its own. @pre linked
+    void letBounce(bool inTurn);
+    /// Takes the links back.
+    void unlink();
+    /// Makes constraints of them at once. @pre the bodies of the group are set, and there are no links
     void addConstraints();
-    /// How many have restitution. Likewise.
+    /// How many have restitution. @pre the bodies of the group have their slots
     std::size_t countBouncing() const;
     /// What has more to be said about it than a link can tell has its constraint in the batch.
     void readConstraints();
@@ -38,7 +41,13 @@ public:
 
 private:
     template <class Visit>
-    void forEachLink(Visit&& visit) const;
+    void visitIfTied(ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, const TouchTraits& traits,
+                     const Visit& visit) const;
+    template <class Visit>
+    void forEachLinkOf(std::span<const TouchingPair> pairs, const Visit& visit) const;
+    template <class Visit>
+    void forEachLink(const Visit& visit) const;
+    LinkCounts linkSome(std::span<const TouchingPair> pairs, ContactLink* to) const;
     ContactConstraint constraintFor(const ContactLink& link);
     template <std::size_t kPoints>
     void fillBlocks(std::span<WideContact<kPoints>> blocks, Links links);

@@ -66,19 +66,42 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, C
     for (std::uint32_t i = 0; i < constraints.size(); ++i) { places_[next[colours_[i]]++] = i; }
 }
 
-/// What stands in blocks has its places there: no list by colour.
-void ConstraintGraph::colourLinks(const std::vector<ContactLink>& links) {
-    for (const int colour : active_) { pointCounts_[static_cast<std::size_t>(colour)] = {}; }  // others have none
-    colours_.resize(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i) {
-        const auto colour = static_cast<std::size_t>(colourFor(bodySlots(links[i])));
-        colours_[i] = static_cast<std::uint8_t>(colour);
-        isUsed_ |= std::uint64_t{1} << colour;
-        ++pointCounts_[colour][links[i].pointsInBlock()];
+void ConstraintGraph::forgetCounts() {
+    for (const int colour : active_) {  // others have none
+        pointCounts_[static_cast<std::size_t>(colour)] = {};
+        frontCounts_[static_cast<std::size_t>(colour)] = {};
     }
 }
 
-void ConstraintGraph::colourContactLinks(const std::vector<ContactLink>& links) {
+/// So that every worker can find the places of any contacts later. Without a branch: one in two would go wrong. @pre
+/// its colour is known, and those before it have their ranks
+template <class Contact>
+void ConstraintGraph::rank(const Contact& contact, std::size_t i) {
+    const std::size_t colour = colours_[i];
+    const std::size_t points = colour == kOverflowColour ? 0 : pointsInBlock(contact);
+    const bool isOfFirstHalf = 2 * std::size_t{std::max(contact.slotA, contact.slotB)} < used_.size();
+    const auto isFront = static_cast<std::uint32_t>(int{isOfFirstHalf} | int{points == 0});
+    const std::uint32_t before = pointCounts_[colour][points]++;
+    const std::uint32_t front = frontCounts_[colour][points];
+    frontCounts_[colour][points] = front + isFront;
+    const std::uint32_t back = (before - front) | ContactRank::kIsBack;
+    ranks_[i] = {back ^ ((front ^ back) & (0U - isFront))};
+}
+
+/// What stands in blocks has its places there: no list by colour.
+void ConstraintGraph::colourLinks(const RawVector<ContactLink>& links) {
+    forgetCounts();
+    colours_.resize(links.size());
+    ranks_.resize(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        const int colour = colourFor(bodySlots(links[i]));
+        colours_[i] = static_cast<std::uint8_t>(colour);
+        isUsed_ |= std::uint64_t{1} << colour;
+        rank(links[i], i);
+    }
+}
+
+void ConstraintGraph::colourContactLinks(const RawVector<ContactLink>& links) {
     places_.clear();
     ColourRanges& ranges = rangesOf<ContactConstraint>();
     if (ranges.back().end > 0) { ranges = {}; }
@@ -96,10 +119,6 @@ void ConstraintGraph::colourContactLinks(const std::vector<ContactLink>& links) 
     } else {
         before_.contacts.clear();
     }
-}
-
-void ConstraintGraph::countPoints(const std::vector<ContactConstraint>& contacts) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) { ++pointCounts_[colours_[i]][pointsInBlock(contacts[i])]; }
 }
 
 template <class Constraint>
@@ -144,11 +163,12 @@ void ConstraintGraph::finish(const SolverBatch& batch) {
     if (batch.store != nullptr) {
         colourContactLinks(batch.links);
     } else {
-        for (const int colour : active_) { pointCounts_[static_cast<std::size_t>(colour)] = {}; }  // others have none
+        forgetCounts();
         places_.clear();
         colours_.clear();
         listByColour(batch.contacts, rangesOf<ContactConstraint>());
-        countPoints(batch.contacts);
+        ranks_.resize(batch.contacts.size());
+        for (std::size_t i = 0; i < batch.contacts.size(); ++i) { rank(batch.contacts[i], i); }
         before_.contactCount = kUnknown;
     }
     before_.hasOthers = hasOthers_;
@@ -156,8 +176,7 @@ void ConstraintGraph::finish(const SolverBatch& batch) {
     for (std::uint64_t left = isUsed_; left != 0; left &= left - 1) { active_.push_back(std::countr_zero(left)); }
 }
 
-void ConstraintGraph::colour(SolverBatch& batch) {
-    begin(batch);
+void ConstraintGraph::colourJoints(SolverBatch& batch) {
     batch.forEachJointKind([&](auto& joints) {
         using Joint = typename std::remove_reference_t<decltype(joints)>::value_type;
         if constexpr (std::is_same_v<Joint, RevoluteConstraint>) {
@@ -168,6 +187,11 @@ void ConstraintGraph::colour(SolverBatch& batch) {
         sortAsListed(joints);
         hasOthers_ = hasOthers_ || !joints.empty();
     });
+}
+
+void ConstraintGraph::colour(SolverBatch& batch) {
+    begin(batch);
+    colourJoints(batch);
     finish(batch);
 }
 
@@ -177,12 +201,12 @@ void ConstraintGraph::colourContacts(const SolverBatch& batch) {
     finish(batch);
 }
 
-void ConstraintGraph::colourAhead(const SolverBatch& batch, std::span<const BodySlot> standing) {
+void ConstraintGraph::colourAhead(SolverBatch& batch, bool hasJoints, std::span<const BodySlot> standing) {
     used_.assign(batch.states.size(), 0);
     used_[kFixedSlot] = kIsFixed;
     for (const BodySlot slot : standing) { used_[slot] = kIsFixed; }
     noteFixed();
-    colourHinges({});
+    hasJoints ? colourJoints(batch) : colourHinges({});
     finish(batch);
 }
 
@@ -190,6 +214,8 @@ void ConstraintGraph::sortContacts(SolverBatch& batch) {
     sortAsListed(batch.contacts);
     std::iota(places_.begin(), places_.end(), 0U);
     std::sort(colours_.begin(), colours_.end());
+    forgetCounts();
+    for (std::size_t i = 0; i < batch.contacts.size(); ++i) { rank(batch.contacts[i], i); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

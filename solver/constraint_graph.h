@@ -11,8 +11,19 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// By colour: how many contacts there are with no point, one and two.
+/// By colour: how many contacts there are with no point in blocks, one and two. In the overflow none has any.
 using PointCounts = std::array<std::array<std::uint32_t, 3>, kColourCount>;
+
+/// Where a contact stands among those of its colour with as many points in blocks, in their order: from the front if it
+/// is about the first half of the bodies, or has no points there, else from the back.
+struct ContactRank {
+    static constexpr std::uint32_t kIsBack = std::uint32_t{1} << 31;
+    std::uint32_t value = 0;
+
+    bool isBack() const { return value >= kIsBack; }
+    std::uint32_t number() const { return value & ~kIsBack; }
+    bool operator==(const ContactRank&) const = default;
+};
 
 /// Greedy colouring in array order (deterministic), then a stable sort by colour: of the joints themselves, kind by
 /// kind, and of the places of the contacts. Colours of links follow from the links of the batch alone, and are kept as
@@ -22,9 +33,9 @@ public:
     void colour(SolverBatch& batch);
     /// The same of a batch without joints, of which nothing must be asked then.
     void colourContacts(const SolverBatch& batch);
-    /// The same before the bodies of the batch are set. @param standing  those that cannot be moved, besides the fixed
-    /// world
-    void colourAhead(const SolverBatch& batch, std::span<const BodySlot> standing = {});
+    /// The same as one of these before the bodies of the batch are set. @param standing  those that cannot be moved,
+    /// besides the fixed world
+    void colourAhead(SolverBatch& batch, bool hasJoints, std::span<const BodySlot> standing = {});
     /// Sorts the contacts, too. @pre just coloured
     void sortContacts(SolverBatch& batch);
 
@@ -35,6 +46,10 @@ public:
     /// By contact, or link.
     std::span<const std::uint8_t> contactColours() const { return colours_; }
     const PointCounts& pointCounts() const { return pointCounts_; }
+    /// Of these, as many as are counted from the front.
+    const PointCounts& frontCounts() const { return frontCounts_; }
+    /// By contact, or link.
+    std::span<const ContactRank> contactRanks() const { return ranks_; }
     /// By link of a hinge.
     std::span<const std::uint8_t> hingeColours() const { return hingeColours_; }
     /// Whether links of hinges, and their colours, are those of the time before.
@@ -61,7 +76,7 @@ private:
         RawVector<std::uint64_t> usedByHinges;
         std::uint64_t isUsedByHinges = 0;
         bool hasOthers = false;  ///< joints that have no links
-        std::vector<ContactLink> contacts;
+        RawVector<ContactLink> contacts;
         std::size_t contactCount = 0;
         std::uint64_t isUsed = 0;
     };
@@ -70,7 +85,8 @@ private:
     void noteFixed();
     void finish(const SolverBatch& batch);
     void colourHinges(const std::vector<HingeLink>& links);
-    void colourContactLinks(const std::vector<ContactLink>& links);
+    void colourJoints(SolverBatch& batch);
+    void colourContactLinks(const RawVector<ContactLink>& links);
     template <class Constraint>
     ColourRanges& rangesOf() {
         return std::get<Kind<Constraint>>(kinds_).ranges;
@@ -79,8 +95,10 @@ private:
     int colourFor(const std::array<BodySlot, kBodies>& slots);
     template <class Constraint>
     void listByColour(const std::vector<Constraint>& constraints, ColourRanges& ranges);
-    void colourLinks(const std::vector<ContactLink>& links);
-    void countPoints(const std::vector<ContactConstraint>& contacts);
+    void colourLinks(const RawVector<ContactLink>& links);
+    void forgetCounts();
+    template <class Contact>
+    void rank(const Contact& contact, std::size_t i);
     template <class Constraint>
     void sortAsListed(std::vector<Constraint>& constraints);
 
@@ -93,6 +111,8 @@ private:
     bool areHingesKept_ = false;
     bool hasOthers_ = false;  ///< joints that have no links
     PointCounts pointCounts_{};
+    PointCounts frontCounts_{};
+    RawVector<ContactRank> ranks_;
     std::uint64_t isUsed_ = 0;  ///< one bit per colour
     std::vector<int> active_;
     std::tuple<Kind<ContactConstraint>, Kind<RevoluteConstraint>, Kind<DistanceConstraint>, Kind<PrismaticConstraint>,

@@ -29,10 +29,14 @@ std::size_t lengthOf(std::span<const ColourRange> ranges) {
     return sum;
 }
 
+/// Contacts on their own that are worth handing over to be filled.
+constexpr std::size_t kRestGrain = 16;
+/// Links, or contacts, that are worth handing over to be listed.
+constexpr std::size_t kListGrain = 512;
+
 /// Of contacts of a colour, with as many points: those that make no block.
 std::uint32_t leftOver(std::uint32_t contacts) { return contacts % kLanes < kFewestLanes ? contacts % kLanes : 0; }
-
-std::size_t pointsInBlock(const ContactLink& link) { return link.pointsInBlock(); }
+static_assert(kFewestLanes == 2, "one at most");
 
 /// Of contacts of a colour, with as many points: the blocks that they make.
 std::uint32_t blocksFor(std::uint32_t contacts) {
@@ -66,16 +70,35 @@ void forEachLane(std::span<Block> blocks, std::span<const std::uint32_t> places,
 
 }  // namespace
 
-/// Empty blocks for contacts of one colour, all but the one that may be left over. @pre there are as many
+/// Blocks for contacts of one colour, all but the one that may be left over. @pre there are as many
 template <std::size_t kPoints>
 ColourRange ContactBlocks::reserve(std::uint32_t contacts, Blocks<kPoints>& blocks) {
     const std::uint32_t begin = blocks.count;
     while (contacts >= kFewestLanes) {
         const std::uint32_t lanes = std::min(contacts, kLanes);
-        emptyBlock(blocks.blocks[blocks.count++], lanes);
+        blocks.lanes[blocks.count++] = static_cast<std::uint8_t>(lanes);
         contacts -= lanes;
     }
     return {begin, blocks.count};
+}
+
+/// In each colour contacts among the first half of the bodies come first, and those of the second half last: so two
+/// workers that keep to their ends of the colours mostly meet bodies that they had before. (What another one wrote
+/// takes longer to fetch than to solve.)
+/// @param blocks  of the colour, with as many points
+/// @param inFront  contacts that are counted from the front
+/// @param alone  next place for who is left over
+ContactBlocks::Places ContactBlocks::placesFor(ColourRange blocks, std::uint32_t contacts, std::uint32_t inFront,
+                                               std::uint32_t& alone) {
+    const std::uint32_t begin = blocks.begin * kLanes;
+    const std::uint32_t inBlocks = contacts - leftOver(contacts);
+    Places places{.begin = begin, .end = begin + inBlocks};
+    if (inBlocks == contacts) { return places; }
+    places.isOneLeft = true;
+    places.alone = alone++;
+    places.leftOver =
+        inFront < contacts ? ContactRank{ContactRank::kIsBack | (contacts - inFront - 1)} : ContactRank{inFront - 1};
+    return places;
 }
 
 void ContactBlocks::layOut(const ConstraintGraph& graph) {
@@ -87,6 +110,8 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
     }
     makeRoom(one_.blocks, blocks[kOnePoint]);
     makeRoom(two_.blocks, blocks[kTwoPoints]);
+    one_.lanes.resize(blocks[kOnePoint]);
+    two_.lanes.resize(blocks[kTwoPoints]);
     one_.count = two_.count = 0;
     std::uint32_t rest = 0;
     for (const int active : graph.activeColours()) {
@@ -97,75 +122,65 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
         }
         colours_[c].two = reserve(counts[kTwoPoints], two_);
         colours_[c].one = reserve(counts[kOnePoint], one_);
-        next_[c] = {rest, colours_[c].one.begin * kLanes, colours_[c].two.begin * kLanes};
         colours_[c].rest.begin = rest;
-        rest += counts[kAlone] + leftOver(counts[kTwoPoints]) + leftOver(counts[kOnePoint]);
+        rest += counts[kAlone];
+        const auto placesOf = [&](ColourRange range, Kind kind) {
+            return placesFor(range, counts[kind], graph.frontCounts()[c][kind], rest);
+        };
+        places_[c] = {Places{.begin = colours_[c].rest.begin}, placesOf(colours_[c].one, kOnePoint),
+                      placesOf(colours_[c].two, kTwoPoints)};
         colours_[c].rest.end = rest;
     }
     rest_.resize(rest);
 }
 
-/// In each colour contacts among the first half of the bodies come first, and those of the second half last: so two
-/// workers that keep to their ends of the colours mostly meet bodies that they had before. (What another one wrote
-/// takes longer to fetch than to solve.) Those on their own are in the order of the contacts.
-/// @param bodies  of the solve
-/// @param list  called with the kind of place, the place, and which contact it is of
+/// @param list  called with the kind of place, the place, and which contact it is of; by several workers
 template <class Contacts, class List>
-void ContactBlocks::listPlaces(const ConstraintGraph& graph, const Contacts& contacts, std::size_t bodies,
-                               const List& list) {
-    std::array<KindCounts, kColourCount> ends;
-    std::array<KindCounts, kColourCount> kinds;  // by points
-    for (const int active : graph.activeColours()) {
-        const auto c = static_cast<std::size_t>(active);
-        const auto endOf = [&](Kind kind) {
-            const std::uint32_t count = mayHaveBlocks(active) ? graph.pointCounts()[c][kind] : 0;
-            return next_[c][kind] + count - leftOver(count);
-        };
-        ends[c] = {0, endOf(kOnePoint), endOf(kTwoPoints)};
-        kinds[c] = mayHaveBlocks(active) ? KindCounts{kAlone, kOnePoint, kTwoPoints} : KindCounts{};
-    }
+void ContactBlocks::listPlaces(const ConstraintGraph& graph, const Contacts& contacts, TaskSystem& loops,
+                               const List& list) const {
     const std::span<const std::uint8_t> colours = graph.contactColours();
-    for (std::uint32_t i = 0; i < colours.size(); ++i) {
-        const std::size_t c = colours[i];
-        const std::size_t kind = kinds[c][pointsInBlock(contacts[i])];
-        if (kind == kAlone || next_[c][kind] == ends[c][kind]) {  // or left over
-            list(kAlone, next_[c][kAlone]++, i);
-        } else {  // from the front or from the back, without a branch: one in two would go wrong
-            const std::uint32_t isFront =
-                2 * std::size_t{std::max(contacts[i].slotA, contacts[i].slotB)} < bodies ? 1 : 0;
-            const std::uint32_t front = next_[c][kind];
-            const std::uint32_t back = ends[c][kind] - 1;
-            list(kind, back + isFront * (front - back), i);
-            next_[c][kind] = front + isFront;
-            ends[c][kind] = back + isFront;
+    if (kernels_ == nullptr) {  // all on their own, in their order
+        std::array<std::uint32_t, kColourCount> next{};
+        for (const int active : graph.activeColours()) {
+            const auto c = static_cast<std::size_t>(active);
+            next[c] = colours_[c].rest.begin;
         }
+        for (std::uint32_t i = 0; i < colours.size(); ++i) { list(kAlone, next[colours[i]]++, i); }
+        return;
     }
+    const std::span<const ContactRank> ranks = graph.contactRanks();
+    loops.run(colours.size(), kListGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t c = colours[i];
+            const std::size_t kind = c == kOverflowColour ? std::size_t{kAlone} : pointsInBlock(contacts[i]);
+            const Places& places = places_[c][kind];
+            const ContactRank rank = ranks[i];
+            const auto contact = static_cast<std::uint32_t>(i);
+            if (places.isOneLeft && rank == places.leftOver) {
+                list(kAlone, places.alone, contact);
+            } else {
+                list(kind, rank.isBack() ? places.end - 1 - rank.number() : places.begin + rank.number(), contact);
+            }
+        }
+    });
 }
 
-void ContactBlocks::listContacts(const SolverBatch& batch, const ConstraintGraph& graph) {
+void ContactBlocks::listContacts(const SolverBatch& batch, const ConstraintGraph& graph, TaskSystem& loops) {
     one_.places.resize(one_.count * kBlockLanes);
     two_.places.resize(two_.count * kBlockLanes);
     const std::array<std::uint32_t*, kKindCount> lists{rest_.data(), one_.places.data(), two_.places.data()};
-    listPlaces(graph, batch.contacts, batch.states.size(),
+    listPlaces(graph, batch.contacts, loops,
                [&](std::size_t kind, std::uint32_t place, std::uint32_t i) { lists[kind][place] = i; });
 }
 
 /// Constraints of those on their own will stand in the batch in the order of their places.
-void ContactBlocks::listLinks(const SolverBatch& batch, const ConstraintGraph& graph) {
-    const auto resize = [&batch](auto& blocks) {
-        blocks.links.resize(blocks.count * kBlockLanes);
-        for (std::size_t i = 0; i < blocks.count; ++i) {  // of lanes that are not in use: any
-            const std::size_t begin = i * kBlockLanes;
-            for (std::size_t lane = blocks.blocks[i].lanes; lane < kBlockLanes; ++lane) {
-                blocks.links[begin + lane] = batch.links[0];
-            }
-        }
-    };
-    resize(one_);
-    resize(two_);
+void ContactBlocks::listLinks(const SolverBatch& batch, const ConstraintGraph& graph, TaskSystem& loops) {
+    const ContactLink any = batch.links.empty() ? ContactLink{} : batch.links.front();
+    one_.makeRoomForLinks(any);
+    two_.makeRoomForLinks(any);
     restLinks_.resize(rest_.size());
     const std::array<ContactLink*, kKindCount> lists{restLinks_.data(), one_.links.data(), two_.links.data()};
-    listPlaces(graph, batch.links, batch.states.size(),
+    listPlaces(graph, batch.links, loops,
                [&](std::size_t kind, std::uint32_t place, std::uint32_t i) { lists[kind][place] = batch.links[i]; });
     std::iota(rest_.begin(), rest_.end(), 0U);
 }
@@ -187,9 +202,12 @@ void ContactBlocks::listHalves(const ConstraintGraph& graph) {
     for (const int active : graph.activeColours()) {
         const auto c = static_cast<std::size_t>(active);
         Colour& colour = colours_[c];
-        // The places of the first half ended there.
-        colour.middleOfOne = next_[c][kOnePoint] / kLanes;
-        colour.middleOfTwo = next_[c][kTwoPoints] / kLanes;
+        const auto middleOf = [&](Kind kind) {  // where the places of the first half end
+            const Places& places = places_[c][kind];
+            return std::min(places.begin + graph.frontCounts()[c][kind], places.end) / kLanes;
+        };
+        colour.middleOfOne = middleOf(kOnePoint);
+        colour.middleOfTwo = middleOf(kTwoPoints);
         one_.halves.push_back({colour.one.begin, colour.middleOfOne});
         two_.halves.push_back({colour.two.begin, colour.middleOfTwo});
     }
@@ -200,6 +218,19 @@ void ContactBlocks::listHalves(const ConstraintGraph& graph) {
         one_.halves.push_back({colour.middleOfOne, colour.one.end});
         two_.halves.push_back({colour.middleOfTwo, colour.two.end});
     }
+}
+
+template <std::size_t kPoints>
+void ContactBlocks::Blocks<kPoints>::makeRoomForLinks(const ContactLink& unused) {
+    links.resize(count * kBlockLanes);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::fill(&links[i * kBlockLanes] + lanes[i], &links[i * kBlockLanes] + kBlockLanes, unused);
+    }
+}
+
+template <std::size_t kPoints>
+void ContactBlocks::Blocks<kPoints>::empty(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) { emptyBlock(blocks[i], lanes[i]); }
 }
 
 template <std::size_t kPoints>
@@ -219,6 +250,7 @@ void ContactBlocks::Blocks<kPoints>::share(TaskSystem& loops, const Take& take) 
 template <std::size_t kPoints>
 void ContactBlocks::fillFromStore(SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops) {
     blocks.share(loops, [&](std::size_t begin, std::size_t end) {
+        blocks.empty(begin, end);
         batch.store->fill(blocks.all().subspan(begin, end - begin), blocks.linksOf(begin, end));
     });
 }
@@ -227,6 +259,7 @@ void ContactBlocks::fillFromStore(SolverBatch& batch, Blocks<kPoints>& blocks, T
 template <std::size_t kPoints>
 void ContactBlocks::fillFromBatch(const SolverBatch& batch, Blocks<kPoints>& blocks, TaskSystem& loops) {
     blocks.share(loops, [&](std::size_t begin, std::size_t end) {
+        blocks.empty(begin, end);
         const std::span<WideContact<kPoints>> some = blocks.all().subspan(begin, end - begin);
         for (std::size_t i = begin; i < end; ++i) {
             const std::span<const std::uint32_t> places = blocks.placesOf(i, i + 1);
@@ -242,14 +275,17 @@ void ContactBlocks::build(SolverBatch& batch, const ConstraintGraph& graph, cons
     kernels_ = settings.wide ? contactKernels() : nullptr;
     layOut(graph);
     if (batch.store != nullptr) {
-        listLinks(batch, graph);
+        listLinks(batch, graph, loops);
         listHalves(graph);
         batch.contacts.resize(rest_.size());
         fillFromStore(batch, two_, loops);
         fillFromStore(batch, one_, loops);
-        batch.store->fill(std::span(batch.contacts), restLinks_);
+        loops.run(rest_.size(), kRestGrain, [&](std::size_t begin, std::size_t end, int) {
+            const std::span<ContactConstraint> some = std::span(batch.contacts).subspan(begin, end - begin);
+            batch.store->fill(some, std::span<const ContactLink>(restLinks_).subspan(begin, end - begin));
+        });
     } else {
-        listContacts(batch, graph);
+        listContacts(batch, graph, loops);
         listHalves(graph);
         fillFromBatch(batch, two_, loops);
         fillFromBatch(batch, one_, loops);

@@ -55,18 +55,30 @@ private:
     };
     /// What kind of place a contact gets within its colour: where there are blocks, by its points there.
     enum Kind : std::uint8_t { kAlone, kOnePoint, kTwoPoints, kKindCount };
-    /// By colour, or of one: as many contacts of each kind, or the next place for one.
     using KindCounts = std::array<std::uint32_t, kKindCount>;
+    /// Places for the contacts of a colour that have as many points in blocks.
+    struct Places {
+        std::uint32_t begin = 0;
+        std::uint32_t end = 0;
+        ContactRank leftOver{};   ///< who gets none of these, if anybody
+        bool isOneLeft = false;   ///< there is somebody
+        std::uint32_t alone = 0;  ///< the place that he gets among those on their own
+    };
 
     template <std::size_t kPoints>
     struct Blocks {
         std::vector<WideContact<kPoints>> blocks;  ///< keeps its size
+        RawVector<std::uint8_t> lanes;             ///< in use, by block
         RawVector<std::uint32_t> places;           ///< of lanes: in the batch
         RawVector<ContactLink> links;              ///< likewise, of a store: instead
         std::uint32_t count = 0;                   ///< in use
         std::vector<ColourRange> halves;           ///< of colours, those of the first half of the bodies first
         std::size_t middle = 0;                    ///< blocks of the first half
 
+        /// Room for the links of all lanes. @param unused  what lanes have that are not in use
+        void makeRoomForLinks(const ContactLink& unused);
+        /// Those of a range are empty then, each as long as it was laid out.
+        void empty(std::size_t begin, std::size_t end);
         /// Goes through all on several workers, each of which meets the same bodies as in the solve, if it can.
         /// @param take  called with ranges of blocks that cover them exactly once
         template <class Take>
@@ -85,10 +97,11 @@ private:
     template <std::size_t kPoints>
     ColourRange reserve(std::uint32_t contacts, Blocks<kPoints>& blocks);
     void layOut(const ConstraintGraph& graph);
+    static Places placesFor(ColourRange blocks, std::uint32_t contacts, std::uint32_t inFront, std::uint32_t& alone);
     template <class Contacts, class List>
-    void listPlaces(const ConstraintGraph& graph, const Contacts& contacts, std::size_t bodies, const List& list);
-    void listContacts(const SolverBatch& batch, const ConstraintGraph& graph);
-    void listLinks(const SolverBatch& batch, const ConstraintGraph& graph);
+    void listPlaces(const ConstraintGraph& graph, const Contacts& contacts, TaskSystem& loops, const List& list) const;
+    void listContacts(const SolverBatch& batch, const ConstraintGraph& graph, TaskSystem& loops);
+    void listLinks(const SolverBatch& batch, const ConstraintGraph& graph, TaskSystem& loops);
     template <class TakeOne, class TakeTwo, class TakeRest>
     void forEachList(int colour, RangeCut cut, const TakeOne& takeOne, const TakeTwo& takeTwo,
                      const TakeRest& takeRest);
@@ -105,9 +118,9 @@ private:
     std::array<Colour, kColourCount> colours_{};
     Blocks<1> one_;
     Blocks<2> two_;
-    std::vector<std::uint32_t> rest_;   ///< places in the batch
-    RawVector<ContactLink> restLinks_;  ///< of a store: likewise
-    std::array<KindCounts, kColourCount> next_{};
+    std::vector<std::uint32_t> rest_;                                    ///< places in the batch
+    RawVector<ContactLink> restLinks_;                                   ///< of a store: likewise
+    std::array<std::array<Places, kKindCount>, kColourCount> places_{};  ///< by points in blocks
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -14,12 +14,14 @@ struct ContactLink {
     std::uint32_t source = 0;  ///< the store's name for the contact
     std::uint8_t points = 0;   ///< 1 or 2
     bool isAlone = false;      ///< it is asked for as a constraint
+    bool bounces = false;      ///< has restitution
 
-    /// As many as its block has; 0: it stands in none.
-    std::size_t pointsInBlock() const { return isAlone ? 0 : points; }
     bool operator==(const ContactLink&) const = default;
 };
 static_assert(sizeof(ContactLink) == 16, "four links a cache line: colouring does little else than to read them");
+
+/// As many as its block has; 0: it stands in none.
+inline std::size_t pointsInBlock(const ContactLink& link) { return link.isAlone ? 0 : link.points; }
 
 /// Who keeps the contacts of a solve. They go straight from there into the blocks of the kernels and back: to write
 /// each down as a constraint first, and to read it again from there in the order of colours, takes longer than the

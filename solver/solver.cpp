@@ -87,12 +87,8 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings, bool is
     if (needsContactsPrepared(batch, settings)) {
         for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
     }
-    if constexpr (kJoints) {
-        prepareJoints(batch);
-        graph_.colour(batch);
-    } else if (!isColoured) {
-        graph_.colourContacts(batch);
-    }
+    if (!isColoured) { kJoints ? graph_.colour(batch) : graph_.colourContacts(batch); }
+    if constexpr (kJoints) { prepareJoints(batch); }
     // What is solved all at once is summed up in the order of the array.
     if (looksAtContacts(settings.direct)) { graph_.sortContacts(batch); }
     if (batch.store == nullptr) { listBouncing(batch, settings); }
@@ -383,8 +379,8 @@ SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& setti
     return report;
 }
 
-void Solver::colourAhead(const SolverBatch& batch, std::span<const BodySlot> standing) {
-    graph_.colourAhead(batch, standing);
+void Solver::colourAhead(SolverBatch& batch, bool hasJoints, std::span<const BodySlot> standing) {
+    graph_.colourAhead(batch, hasJoints, standing);
     isColoured_ = true;
 }
 

@@ -31,7 +31,7 @@ struct SolverBatch {
     std::vector<ContactConstraint> contacts;
     /// Instead of `contacts`, which the solver then fills with what stands in no block: contacts of a store. Only where
     /// nothing bounces, or in its turn, and nothing is solved all at once.
-    std::vector<ContactLink> links;
+    RawVector<ContactLink> links;
     ContactStore* store = nullptr;  ///< null: there are no links
     std::vector<RevoluteConstraint> revolutes;
     /// Instead of `revolutes`, as it is with contacts: hinges of a store. Only where nothing is solved all at once.

@@ -2,7 +2,10 @@
 #include <swept/solver/constraint_graph.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "../support/random.h"
@@ -12,6 +15,11 @@ namespace {
 
 bool isMovable(const SolverBatch& batch, BodySlot slot) {
     return batch.inertias[slot].inverseMass > 0 || batch.inertias[slot].inverseInertia > 0;
+}
+
+template <class Item>
+std::vector<Item> listOf(std::span<const Item> items) {
+    return {items.begin(), items.end()};
 }
 
 /// Bodies of all kinds and random constraints between them; the source names the place in the array.
@@ -164,15 +172,22 @@ TEST(ConstraintGraph, AheadItIsTheSame) {
             if (doAllMove) { batch.inertias[slot] = {1, 1}; }
             if (!isMovable(batch.inertias[slot])) { standing.push_back(static_cast<BodySlot>(slot)); }
         }
-        after.colourContacts(batch);
-        std::fill(batch.inertias.begin(), batch.inertias.end(), BodyInertia{});  // not set yet
-        ahead.colourAhead(batch, standing);
-        const auto coloursOf = [](const ConstraintGraph& graph) {
-            return std::vector<std::uint8_t>(graph.contactColours().begin(), graph.contactColours().end());
+        const bool hasJoints = seed % 3 != 0;
+        SolverBatch notSet = batch;
+        std::fill(notSet.inertias.begin(), notSet.inertias.end(), BodyInertia{});
+        hasJoints ? after.colour(batch) : after.colourContacts(batch);
+        ahead.colourAhead(notSet, hasJoints, standing);
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        ASSERT_EQ(listOf(ahead.contactColours()), listOf(after.contactColours()));
+        ASSERT_EQ(ahead.pointCounts(), after.pointCounts());
+        ASSERT_EQ(listOf(ahead.contactRanks()), listOf(after.contactRanks()));
+        ASSERT_EQ(ahead.activeColours(), after.activeColours());
+        const auto sourcesOf = [](const std::vector<DistanceConstraint>& joints) {
+            std::vector<std::uint32_t> sources;
+            for (const DistanceConstraint& joint : joints) { sources.push_back(joint.source); }
+            return sources;
         };
-        ASSERT_EQ(coloursOf(ahead), coloursOf(after)) << "seed " << seed;
-        ASSERT_EQ(ahead.pointCounts(), after.pointCounts()) << "seed " << seed;
-        ASSERT_EQ(ahead.activeColours(), after.activeColours()) << "seed " << seed;
+        ASSERT_EQ(sourcesOf(notSet.distances), sourcesOf(batch.distances));
     }
 }
 
@@ -246,6 +261,33 @@ void changeLinks(SolverBatch& batch, Random& random) {
     });
 }
 
+TEST(ConstraintGraph, CountsContactsOfAColourFromBothEnds) {
+    std::size_t fromTheBack = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        SolverBatch batch = randomBatch(seed);
+        linkAll(batch, random);
+        ConstraintGraph graph;
+        graph.colour(batch);
+        std::map<std::pair<std::size_t, std::size_t>, std::array<std::uint32_t, 2>> seen;  // by colour and points
+        for (std::size_t i = 0; i < batch.links.size(); ++i) {
+            const ContactLink& link = batch.links[i];
+            const std::size_t colour = graph.contactColours()[i];
+            const std::size_t points = colour == kOverflowColour ? 0 : pointsInBlock(link);
+            const bool isBack = points > 0 && 2 * std::max(link.slotA, link.slotB) >= batch.inertias.size();
+            const ContactRank rank = graph.contactRanks()[i];
+            ASSERT_EQ(rank.isBack(), isBack) << "seed " << seed << ", link " << i;
+            ASSERT_EQ(rank.number(), (seen[{colour, points}][isBack ? 1 : 0]++)) << "seed " << seed << ", link " << i;
+            fromTheBack += isBack ? 1 : 0;
+        }
+        for (const auto& [place, counts] : seen) {
+            ASSERT_EQ(graph.frontCounts()[place.first][place.second], counts[0]) << "seed " << seed;
+            ASSERT_EQ(graph.pointCounts()[place.first][place.second], counts[0] + counts[1]) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(fromTheBack, 1000U);
+}
+
 TEST(ConstraintGraph, KeepsTheColoursThatLinksWouldBeGivenAnew) {
     int keptHinges = 0;
     int changedHinges = 0;
@@ -267,13 +309,12 @@ TEST(ConstraintGraph, KeepsTheColoursThatLinksWouldBeGivenAnew) {
             fresh.colour(again);
             keptHinges += used.areHingesKept() && batch.hingeStore != nullptr ? 1 : 0;
             changedHinges += used.areHingesKept() ? 0 : 1;
-            const auto listOf = [](std::span<const std::uint8_t> colours) {
-                return std::vector<std::uint8_t>(colours.begin(), colours.end());
-            };
             SCOPED_TRACE(testing::Message() << "seed " << seed << ", round " << round);
             ASSERT_EQ(listOf(used.contactColours()), listOf(fresh.contactColours()));
             ASSERT_EQ(listOf(used.hingeColours()), listOf(fresh.hingeColours()));
             ASSERT_EQ(used.pointCounts(), fresh.pointCounts());
+            ASSERT_EQ(used.frontCounts(), fresh.frontCounts());
+            ASSERT_EQ(listOf(used.contactRanks()), listOf(fresh.contactRanks()));
             ASSERT_EQ(used.activeColours(), fresh.activeColours());
             changeLinks(batch, random);
         }
