@@ -94,15 +94,16 @@ template <class T>
     }
 }
 
-/// What is asked of a contact that begins or ends. @param coming  probes of such contacts, from that on which is next
-[[gnu::always_inline]] inline void fetchForEvents(const WorldState& world, std::span<const std::uint32_t> coming) {
+/// What is asked of a contact that may begin or end. @param coming  from that on which is next
+[[gnu::always_inline]] inline void fetchForEvents(const WorldState& world,
+                                                  std::span<const ContactLists::Other> coming) {
     if (coming.size() > kEventContactsAhead) {
-        const Contact& contact = world.contacts[world.probes[coming[kEventContactsAhead]].contact];
+        const Contact& contact = world.contacts[world.probes[coming[kEventContactsAhead].probe].contact];
         __builtin_prefetch(&contact);
         fetchToWrite(contact.touching);
     }
     if (coming.size() > kEventShapesAhead) {
-        const Contact& contact = world.contacts[world.probes[coming[kEventShapesAhead]].contact];
+        const Contact& contact = world.contacts[world.probes[coming[kEventShapesAhead].probe].contact];
         __builtin_prefetch(&world.shapes[contact.shapeA].head);
         __builtin_prefetch(&world.shapes[contact.shapeB].head);
         world.bodies.fetchId(contact.bodyA);

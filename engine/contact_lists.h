@@ -18,7 +18,6 @@ struct ContactLists {
     RawVector<std::uint32_t> ground;     ///< contacts of these, in the same order, that are not `isPlain`
     std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other (told by `collideContacts`)
     RawVector<std::uint32_t> apart;      ///< of these, probes whose boxes are apart
-    RawVector<std::uint32_t> turning;    ///< of those near, whose touching begins or ends (told likewise)
 
     /// Of a block of probes: how many are in each list.
     struct Counts {
@@ -28,6 +27,21 @@ struct ContactLists {
         std::uint32_t apart = 0;
     };
     std::vector<Counts> counts;  ///< scratch, by block
+
+    /// Of the noted ones, one whose probe does not tell all.
+    struct Other {
+        std::uint32_t probe = 0;
+        std::uint32_t place = 0;  ///< in `WorldState::touching`, that waits for it while these are listed by block
+    };
+    RawVector<Other> others;
+    /// Of a block of noted ones: how many are listed.
+    struct Listed {
+        std::uint32_t pairs = 0;
+        std::uint32_t others = 0;
+    };
+    std::vector<Listed> listed;      ///< scratch, by block
+    std::size_t listedPerBlock = 1;  ///< noted ones
+    bool isAnyFree = false;          ///< some place that waited has no points
 
     /// Of all lists that are made of the noted ones. A step that has nothing to list must not find those of another.
     void clear() {

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "../shapes/distance.h"
 #include "beside.h"
@@ -8,13 +6,12 @@
 #include "contact_batch.h"
 #include "contact_fetch.h"
 #include "contact_manifold.h"
-#include "ghosts.h"
+#include "contact_tests.h"
 #include "modes.h"
 #include "slides.h"
 #include "step.h"
 #include "tolerances.h"
 #include "travel.h"
-#include "waking.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -23,8 +20,6 @@ namespace {
 constexpr std::size_t kContactGrain = 32;
 /// Bodies, likewise.
 constexpr std::size_t kNoteGrain = 16;
-
-bool isAwake(const WorldState& world, std::uint32_t body) { return world.glances[body].isAwake(); }
 
 /// So that the contacts of a body need not ask it one by one. @param haveContacts  else a bound of its motion is all
 /// that is asked
@@ -54,7 +49,7 @@ void noteMotions(WorldState& world, bool haveContacts) {
 template <bool kWatched>
 Real reachOf(const WorldState& world, std::uint32_t body, std::uint32_t shape, Real extent) {
     // What sleeps or never moves is rare beside what moves, or cheap.
-    if (!kWatched && isAwake(world, body)) { return reachOfMotion(world.glances[body].motion, extent, false); }
+    if (!kWatched && isUp(world, body)) { return reachOfMotion(world.glances[body].motion, extent, false); }
     if (world.bodies[body].def.type == BodyType::fixed) { return 0; }
     return contactReach(world, world.shapes[shape]);
 }
@@ -89,17 +84,6 @@ ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const 
     if ((int{mayPass(probe, contact)} & int{bodies.canPass()}) == 0) { return {margin, margin}; }
     return {margin, bodies.passesBeyond(static_cast<Real>(world.lastDt))};
 }
-
-bool isTouching(const Contact& contact) {
-    if (contact.manifold.count == 0) { return false; }
-    if (contact.sensor) { return true; }
-    const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
-    return deepestSeparation(contact.manifold) <= limit;
-}
-
-bool isDeep(const Contact& contact) { return deepestSeparation(contact.manifold) < -kShallowRatio * contact.extent; }
-
-bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold) > kEndRatio * contact.extent; }
 
 /// A contact that may have points has its manifold.
 [[gnu::always_inline]] inline void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact,
@@ -142,8 +126,8 @@ public:
         }
         const Transform bInA = relativePoseOf(world_, contact);
         const ManifoldReach reach = reachOf<kWatched>(world_, probe, contact, asked_);
-        probe.areUp = areAllUp_ || ((isAwake(world_, contact.bodyA) || !probe.dynamicA) &&
-                                    (isAwake(world_, contact.bodyB) || !probe.dynamicB));
+        probe.areUp = areAllUp_ || ((isUp(world_, contact.bodyA) || !probe.dynamicA) &&
+                                    (isUp(world_, contact.bodyB) || !probe.dynamicB));
         probe.wasKept = mayKeepManifold(contact, bInA) && keepsManifold(contact, bInA, reach);
         if (!probe.wasKept) {
             if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
@@ -198,156 +182,11 @@ void updateContacts(WorldState& world, std::span<const std::uint32_t> near, Near
     });
 }
 
-ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begins) {
-    ContactEvent event;
-    if (contact.sensor) {
-        event.type = begins ? ContactEventType::sensorBegin : ContactEventType::sensorEnd;
-    } else {
-        event.type = begins ? ContactEventType::begin : ContactEventType::end;
-    }
-    event.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
-    event.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
-    event.bodyA = world.bodies.idOf(contact.bodyA);
-    event.bodyB = world.bodies.idOf(contact.bodyB);
-    if (contact.sensor || contact.manifold.count > 0) {
-        const WorldTransform& pose = world.motions[contact.bodyA].pose;
-        event.point = apply(pose, contact.manifold.points[0].point);
-        event.normal = rotate(pose.rotation, contact.manifold.normal);
-    }
-    return event;
-}
-
-/// Between parallel updates, in order of the contacts: events, and waking of what an awake body touches.
-void noticeTouching(WorldState& world, Contact& contact) {
-    const bool touching = isTouching(contact);
-    if (touching != contact.touching) {
-        world.contactEvents.push_back(eventOf(world, contact, touching));
-        contact.touching = touching;
-    }
-    if (!contact.isSolid()) { return; }
-    const bool sleepsA = contact.dynamicA && !isAwake(world, contact.bodyA);
-    const bool sleepsB = contact.dynamicB && !isAwake(world, contact.bodyB);
-    if (!sleepsA && !sleepsB) { return; }
-    if (disturbs(world, contact.bodyA) && world.bodies[contact.bodyB].isDynamic()) { wake(world, contact.bodyB); }
-    if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
-}
-
-TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
-    const TouchTraits traits{.points = static_cast<std::uint8_t>(contact.manifold.count),
-                             .dynamicA = contact.dynamicA,
-                             .dynamicB = contact.dynamicB,
-                             .bounces = contact.restitution > 0,
-                             .isBelt = contact.isBelt,
-                             .resistsRolling = contact.resistsRolling,
-                             .isOpen = isOpen(contact),
-                             .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
-    return {traits, place, contact.bodyA, contact.bodyB};
-}
-
-/// Of what `isTold`.
-TouchingPair touchingPair(const ContactProbe& probe) { return {probe, probe.contact, probe.bodyA, probe.bodyB}; }
-
-/// Few contacts lose their points to others of the same body: their probes tell what they had before.
-void distrustGhosts(WorldState& world) {
-    for (const std::uint32_t i : world.lists.near) {
-        ContactProbe& probe = world.probes[i];
-        if (!probe.isPlain && probe.points > 0 && !world.contacts[probe.contact].isSolid()) { probe.areUp = false; }
-    }
-}
-
-/// Whether the probe of a contact tells all: mostly.
-bool isTold(const ContactProbe& probe) {
-    return (int{probe.state == ContactState::near} & int{probe.areUp} & int{!probe.turns}) != 0;
-}
-
-/// @pre `isTold`
-[[gnu::always_inline]] inline void listTold(WorldState& world, ContactProbe& probe) {
-    probe.isIdle = probe.points == 0;
-    if (!probe.isIdle) { world.touching.push_back(touchingPair(probe)); }
-}
-
-/// Another contact whose manifold is new, or which sleeps with points.
-void listOther(WorldState& world, ContactProbe& probe) {
-    if (probe.state == ContactState::near) {
-        noticeTouching(world, world.contacts[probe.contact]);
-        probe.isIdle = world.contacts[probe.contact].manifold.count == 0 && !world.contacts[probe.contact].sensor;
-    }
-    const Contact& contact = world.contacts[probe.contact];
-    if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
-}
-
-/// Of what is near: probes whose touching begins or ends.
-void findTurning(WorldState& world) {
-    RawVector<std::uint32_t>& turning = world.lists.turning;
-    const std::span<const ContactProbe> probes = world.probes;
-    turning.resize(world.lists.near.size());
-    std::size_t count = 0;
-    for (const std::uint32_t place : world.lists.near) {  // no branch: nothing foretells which
-        turning[count] = place;
-        count += probes[place].turns ? 1 : 0;
-    }
-    turning.resize(count);
-}
-
-/// Events, waking, and the lists for the stages that follow.
-void listTouching(WorldState& world) {
-    findTurning(world);
-    const std::span<ContactProbe> probes = world.probes;
-    const std::span<const std::uint32_t> turning = world.lists.turning;
-    std::size_t told = 0;
-    for (const std::uint32_t i : world.lists.noted) {
-        ContactProbe& probe = probes[i];
-        if (isTold(probe)) {
-            listTold(world, probe);
-            continue;
-        }
-        if (told < turning.size() && turning[told] == i) { fetchForEvents(world, turning.subspan(told++)); }
-        if (probe.state == ContactState::near || probe.state == ContactState::asleep) {
-            listOther(world, probe);
-        } else if (probe.state == ContactState::passing) {
-            world.lists.passing.push_back(i);
-        }
-    }
-}
-
-void countAhead(WorldState& world) {
-    for (const std::uint32_t i : world.lists.near) {
-        const Contact& contact = world.contacts[world.probes[i].contact];
-        world.counters.aheadContacts += contact.isSolid() && isAhead(world, contact) ? 1 : 0;
-    }
-}
-
-bool hasContacts(const WorldState& world) { return !world.probes.empty() || !world.candidates.empty(); }
-
-void countContacts(WorldState& world) {
-    world.counters.contacts =
-        world.probes.size() + world.candidates.size() + world.parked.probes.size() + world.parked.candidates.size();
-    world.counters.touching = world.touching.size() + world.parked.touching;
-}
-
 }  // namespace
-
-void listUnparked(WorldState& world) {
-    const std::size_t count = unparkContacts(world);
-    for (const ContactProbe& probe : std::span(world.probes).last(count)) {
-        const Contact& contact = world.contacts[probe.contact];
-        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
-    }
-}
 
 void collideHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
     updateContacts<false>(world, probes, NearestPoints::all);
     world.counters.manifolds += probes.size();
-}
-
-void listHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
-    const std::size_t before = world.touching.size();
-    for (const std::uint32_t place : probes) {
-        ContactProbe& probe = world.probes[place];
-        probe.state = ContactState::near;
-        isTold(probe) ? listTold(world, probe) : listOther(world, probe);
-    }
-    world.counters.touching += world.touching.size() - before;
 }
 
 void collideContacts(WorldState& world) {
@@ -372,24 +211,6 @@ void collideContacts(WorldState& world) {
     }
     world.counters.manifolds += world.lists.near.size();
     letThrough(world);  // here, since others forget where the last step began while contacts are noticed
-}
-
-void noticeContacts(WorldState& world) {
-    const bool haveContacts = hasContacts(world);
-    const bool anyGhost = haveContacts && dropGhosts(world, world.contacts, world.slides, world.lists.ground,
-                                                     world.awake, world.nextGroundContact);
-    if (anyGhost || !world.chainPassers.empty()) { distrustGhosts(world); }
-    const bool mayJointsWake = !world.jointChains.areCurrent || world.jointChains.tieSleepers;
-    if (mayJointsWake && world.joints.size() > 0 && anyAsleep(world)) { wakeAcrossJoints(world, 0); }
-    const std::size_t before = world.awake.size();
-    if (haveContacts) {
-        if (world.watched) { countAhead(world); }
-        listTouching(world);
-        removeApartContacts(world);
-    }
-    wakeOnward(world, before);
-    if (!world.parked.woken.empty()) { listUnparked(world); }
-    countContacts(world);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

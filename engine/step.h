@@ -25,7 +25,9 @@ void releaseMet(WorldState& world);
 bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
 /// Manifolds of all contacts with something awake (stage_collide.cpp).
 void collideContacts(WorldState& world);
-/// What follows from them, in their order: without ghosts (ghosts.h), begin and end of touching; wakes what is touched.
+/// Which of them have points, without ghosts (ghosts.h), as far as their probes tell (stage_notice.cpp).
+void listTouching(WorldState& world);
+/// What follows from them, in their order: begin and end of touching; wakes what is touched.
 void noticeContacts(WorldState& world);
 /// Of probes that were told to pass each other: their manifolds, with whatever points are within reach; and, of those
 /// that hold all the same, that they are part of what touches.

@@ -113,6 +113,7 @@ void resetTraits(WorldState& world) {
 void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
     resetTraits(world);
     world.awake.reserve(world.bodies.size());  // so that nothing moves when something wakes
+    listTouching(world);
     const std::span<const std::uint32_t> before = world.awake;
     const auto notice = [&world, noticed] {
         noticeContacts(world);

@@ -205,7 +205,7 @@ struct WorldState : Workers {
     std::vector<Slide> slides;                      ///< by contact, of this step, until ghosts are dropped
     PairTable pairs;                                ///< of shape slots that have a contact
     std::vector<ContactPair> droppedPairs;          ///< scratch: of these, some to be dropped together
-    std::vector<TouchingPair> touching;             ///< in order of the probes; of this step, until the solve
+    RawVector<TouchingPair> touching;               ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                             ///< likewise
     std::vector<ChainPasser> chainPassers;          ///< of this step, in order
     std::vector<std::uint64_t> chainContacts;       ///< scratch of `letThrough`
@@ -266,7 +266,7 @@ struct WorldState : Workers {
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 
-// --- contacts (stage_pairs.cpp, stage_collide.cpp)
+// --- contacts (stage_pairs.cpp, stage_collide.cpp, stage_notice.cpp)
 
 /// A contact of two shapes, still without manifold; which of them is A is decided here.
 Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
