@@ -1,5 +1,6 @@
 #include "ghosts.h"
 
+#include <atomic>
 #include <cmath>
 
 #include "slides.h"
@@ -7,6 +8,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
+
+/// Bodies per block of a parallel loop.
+constexpr std::size_t kBodyGrain = 256;
 
 /// Two normals that are both so near to a third one are the same by `kSameNormal`: half of its angle, rounded down.
 constexpr Real kNearNormal = 1 - Real(1) / 4000;
@@ -113,14 +117,14 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
 
 bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
                 std::span<const std::uint32_t> renewed, std::span<const std::uint32_t> bodies,
-                std::vector<std::uint32_t>& next) {
+                std::vector<std::uint32_t>& next, TaskSystem& loops) {
     // Lists of the ground contacts of each body, through arrays that keep their capacity; empty before and after.
     std::vector<std::uint32_t>& firstOf = world.firstGroundContact;
     firstOf.resize(world.bodies.slotCount(), kNoIndex);
     next.resize(contacts.size());
     const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
-    bool anyGhost = false;
+    std::atomic<bool> anyGhost = false;
     for (const std::uint32_t i : renewed) {
         if (!isGroundContact(contacts[i]) && !(slides[i].impulse > 0)) { continue; }
         std::uint32_t& first = firstOf[bodyOf(contacts[i])];
@@ -128,15 +132,17 @@ bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide>
         next[i] = first;
         first = i;
     }
-    if (anyTwo) {
-        for (const std::uint32_t slot : bodies) {
-            const std::uint32_t first = firstOf[slot];
-            if (first != kNoIndex && next[first] != kNoIndex) {
-                const GroundContacts ofBody{contacts, slides, next, first};
-                anyGhost = dropGhostsOf(world, ofBody) || anyGhost;
-                carryAlong(world, ofBody);
-            }
-        }
+    const auto dropOf = [&](std::uint32_t slot) {
+        const std::uint32_t first = firstOf[slot];
+        if (first == kNoIndex || next[first] == kNoIndex) { return; }
+        const GroundContacts ofBody{contacts, slides, next, first};
+        if (dropGhostsOf(world, ofBody)) { anyGhost.store(true, std::memory_order_relaxed); }
+        carryAlong(world, ofBody);
+    };
+    if (anyTwo) {  // of each body its own
+        loops.run(bodies.size(), kBodyGrain, [&bodies, &dropOf](std::size_t begin, std::size_t end, int) {
+            for (const std::uint32_t slot : bodies.subspan(begin, end - begin)) { dropOf(slot); }
+        });
     }
     for (const std::uint32_t i : renewed) {
         if (contacts[i].dynamicA != contacts[i].dynamicB) { firstOf[bodyOf(contacts[i])] = kNoIndex; }

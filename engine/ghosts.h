@@ -49,6 +49,6 @@ Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygo
 /// @return whether there were any
 bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
                 std::span<const std::uint32_t> renewed, std::span<const std::uint32_t> bodies,
-                std::vector<std::uint32_t>& next);
+                std::vector<std::uint32_t>& next, TaskSystem& loops);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -108,7 +108,8 @@ void collideHeld(WorldState& world, SolveDesk& desk, double time) {
     while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
     const std::span<const std::uint32_t> renewed = std::span(all).first(island.held.size());
     letThrough(world, island.held, renewed, island.chainContacts);
-    dropGhosts(world, island.held, island.heldSlides, renewed, island.members, island.nextGroundContact);
+    dropGhosts(world, island.held, island.heldSlides, renewed, island.members, island.nextGroundContact,
+               world.serialTasks);
     desk.counters.manifolds += island.held.size();
 }
 

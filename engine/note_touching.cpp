@@ -110,14 +110,12 @@ constexpr std::size_t kPairGrain = 256;
     __builtin_prefetch(&world.contacts[contact].manifold);
 }
 
-/// Writes to the pairs and their contacts alone.
-void lookAtSome(WorldState& world, std::span<TouchingPair> pairs, Real dt) {
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        fetchAhead(world, pairs.subspan(i));
-        TouchingPair& pair = pairs[i];
-        if (!asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB])) { continue; }
-        pair.findings = pair.areDynamic() ? lookAtPassing(world, pair, dt) : lookAtGround(world, pair, dt);
-    }
+/// Of the first of some pairs: writes to it and its contact alone.
+[[gnu::always_inline]] inline void lookAtFirst(WorldState& world, std::span<TouchingPair> pairs, Real dt) {
+    fetchAhead(world, pairs);
+    TouchingPair& pair = pairs.front();
+    if (!asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB])) { return; }
+    pair.findings = pair.areDynamic() ? lookAtPassing(world, pair, dt) : lookAtGround(world, pair, dt);
 }
 
 /// What a contact with something static or kinematic tells about a dynamic body. @pre awake
@@ -138,12 +136,18 @@ void noteTouching(WorldState& world, Real dt) {
     // Where they are does not change, but who writes bytes might have written that, too, as far as compilers know.
     const std::span<BodyTraits> traits = world.traits;
     const std::span<TouchingPair> pairs = world.touching;
-    world.loops->run(pairs.size(), kPairGrain, [&world, pairs, dt](std::size_t begin, std::size_t end, int) {
-        lookAtSome(world, pairs.subspan(begin, end - begin), dt);
-    });
+    const bool isShared = world.loops->workerCount() > 1;
+    if (isShared) {
+        world.loops->run(pairs.size(), kPairGrain, [&world, pairs, dt](std::size_t begin, std::size_t end, int) {
+            const std::span<TouchingPair> some = pairs.first(end);
+            for (std::size_t i = begin; i < end; ++i) { lookAtFirst(world, some.subspan(i), dt); }
+        });
+    }
     world.hemmed.passing.clear();
     auto keep = pairs.begin();
-    for (const TouchingPair& pair : pairs) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!isShared) { lookAtFirst(world, pairs.subspan(i), dt); }
+        const TouchingPair& pair = pairs[i];
         BodyTraits& a = traits[pair.bodyA];
         BodyTraits& b = traits[pair.bodyB];
         const bool awakeA = (a & kIsAwake) != 0;

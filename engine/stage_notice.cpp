@@ -194,8 +194,8 @@ void listHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
 
 void listTouching(WorldState& world) {
     if (!hasContacts(world)) { return; }
-    const bool anyGhost =
-        dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake, world.nextGroundContact);
+    const bool anyGhost = dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake,
+                                     world.nextGroundContact, *world.loops);
     if (anyGhost || !world.chainPassers.empty()) { distrustGhosts(world); }
     ContactLists& lists = world.lists;
     const std::size_t count = lists.noted.size();

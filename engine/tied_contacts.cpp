@@ -65,44 +65,42 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       hitThreshold_(length(world.settings.gravity) * dt_),
       softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
 
-template <class Visit>
-void TiedContacts::visitIfTied(ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, const TouchTraits& traits,
-                               const Visit& visit) const {
-    link.slotA = world_.solverSlots[bodyA];
-    link.slotB = world_.solverSlots[bodyB];
-    // Kinematic bodies have slots, too.
-    const BodySlot moved =
-        (link.slotA & maskOf<BodySlot>(traits.dynamicA)) | (link.slotB & maskOf<BodySlot>(traits.dynamicB));
-    if (moved == kFixedSlot) { return; }
-    // Blocks know no belts, and nothing that resists rolling.
-    link.isAlone = traits.isBelt || traits.rolls();
+/// In place: what is written in pieces and copied has to wait for the pieces.
+[[gnu::always_inline]] inline bool TiedContacts::linkIfTied(ContactLink& link, std::uint32_t source,
+                                                            std::uint32_t bodyA, std::uint32_t bodyB,
+                                                            const TouchTraits& traits) const {
+    const BodySlot slotA = world_.solverSlots[bodyA];
+    const BodySlot slotB = world_.solverSlots[bodyB];
+    link.slotA = slotA;
+    link.slotB = slotB;
+    link.source = source;
+    link.points = traits.points;
+    link.isAlone = (int{traits.isBelt} | int{traits.rolls()}) != 0;  // blocks know neither
     link.bounces = traits.bounces;
-    visit(link);
-}
-
-template <class Visit>
-void TiedContacts::forEachLinkOf(std::span<const TouchingPair> pairs, const Visit& visit) const {
-    for (const TouchingPair& pair : pairs) {
-        visitIfTied({.source = pair.contact, .points = pair.points}, pair.bodyA, pair.bodyB, pair, visit);
-    }
+    // Kinematic bodies have slots, too.
+    return ((slotA & maskOf<BodySlot>(traits.dynamicA)) | (slotB & maskOf<BodySlot>(traits.dynamicB))) != kFixedSlot;
 }
 
 /// Of all contacts with points of which the group moves a body, in their order.
 template <class Visit>
 void TiedContacts::forEachLink(const Visit& visit) const {
-    if (group_.role == BodyRole::solved) { return forEachLinkOf(world_.touching, visit); }
+    ContactLink link;
+    if (group_.role == BodyRole::solved) {
+        for (const TouchingPair& pair : world_.touching) {
+            if (linkIfTied(link, pair.contact, pair.bodyA, pair.bodyB, pair)) { visit(link); }
+        }
+        return;
+    }
     for (std::uint32_t i = 0; i < group_.contacts.size(); ++i) {
         const Contact& contact = group_.contacts[i];
         if (!contact.isSolid()) { continue; }
-        const auto points = static_cast<std::uint8_t>(contact.manifold.count);
-        visitIfTied({.source = i, .points = points}, contact.bodyA, contact.bodyB,
-                    {.points = points,
-                     .dynamicA = contact.dynamicA,
-                     .dynamicB = contact.dynamicB,
-                     .bounces = contact.restitution > 0,
-                     .isBelt = contact.isBelt,
-                     .resistsRolling = contact.resistsRolling},
-                    visit);
+        const TouchTraits traits{.points = static_cast<std::uint8_t>(contact.manifold.count),
+                                 .dynamicA = contact.dynamicA,
+                                 .dynamicB = contact.dynamicB,
+                                 .bounces = contact.restitution > 0,
+                                 .isBelt = contact.isBelt,
+                                 .resistsRolling = contact.resistsRolling};
+        if (linkIfTied(link, i, contact.bodyA, contact.bodyB, traits)) { visit(link); }
     }
 }
 
@@ -203,12 +201,15 @@ std::size_t TiedContacts::countBouncing() const {
     return count;
 }
 
+/// Each is written down, and kept if it is tied.
 LinkCounts TiedContacts::linkSome(std::span<const TouchingPair> pairs, ContactLink* to) const {
     LinkCounts counts;
-    forEachLinkOf(pairs, [to, &counts](const ContactLink& link) {
-        to[counts.links++] = link;
-        counts.bouncing += link.bounces ? 1 : 0;
-    });
+    for (const TouchingPair& pair : pairs) {
+        ContactLink& link = to[counts.links];
+        const bool isTied = linkIfTied(link, pair.contact, pair.bodyA, pair.bodyB, pair);
+        counts.links += isTied ? 1 : 0;
+        counts.bouncing += (int{isTied} & int{link.bounces}) != 0 ? 1 : 0;
+    }
     return counts;
 }
 

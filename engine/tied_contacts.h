@@ -40,11 +40,8 @@ public:
     void take(std::span<const ContactConstraint> alone, Links links) override;
 
 private:
-    template <class Visit>
-    void visitIfTied(ContactLink link, std::uint32_t bodyA, std::uint32_t bodyB, const TouchTraits& traits,
-                     const Visit& visit) const;
-    template <class Visit>
-    void forEachLinkOf(std::span<const TouchingPair> pairs, const Visit& visit) const;
+    bool linkIfTied(ContactLink& link, std::uint32_t source, std::uint32_t bodyA, std::uint32_t bodyB,
+                    const TouchTraits& traits) const;
     template <class Visit>
     void forEachLink(const Visit& visit) const;
     LinkCounts linkSome(std::span<const TouchingPair> pairs, ContactLink* to) const;

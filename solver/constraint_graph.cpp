@@ -67,10 +67,7 @@ void ConstraintGraph::listByColour(const std::vector<Constraint>& constraints, C
 }
 
 void ConstraintGraph::forgetCounts() {
-    for (const int colour : active_) {  // others have none
-        pointCounts_[static_cast<std::size_t>(colour)] = {};
-        frontCounts_[static_cast<std::size_t>(colour)] = {};
-    }
+    for (const int colour : active_) { pointCounts_[static_cast<std::size_t>(colour)] = {}; }  // others have none
 }
 
 /// So that every worker can find the places of any contacts later. Without a branch: one in two would go wrong. @pre
@@ -79,13 +76,9 @@ template <class Contact>
 void ConstraintGraph::rank(const Contact& contact, std::size_t i) {
     const std::size_t colour = colours_[i];
     const std::size_t points = colour == kOverflowColour ? 0 : pointsInBlock(contact);
-    const bool isOfFirstHalf = 2 * std::size_t{std::max(contact.slotA, contact.slotB)} < used_.size();
-    const auto isFront = static_cast<std::uint32_t>(int{isOfFirstHalf} | int{points == 0});
-    const std::uint32_t before = pointCounts_[colour][points]++;
-    const std::uint32_t front = frontCounts_[colour][points];
-    frontCounts_[colour][points] = front + isFront;
-    const std::uint32_t back = (before - front) | ContactRank::kIsBack;
-    ranks_[i] = {back ^ ((front ^ back) & (0U - isFront))};
+    const bool isOfSecondHalf = 2 * std::size_t{std::max(contact.slotA, contact.slotB)} >= used_.size();
+    const auto side = static_cast<std::uint32_t>(int{isOfSecondHalf} & int{points > 0});
+    ranks_[i] = {side << ContactRank::kSideBit | pointCounts_[colour][points].ofSide[side]++};
 }
 
 /// What stands in blocks has its places there: no list by colour.

@@ -11,13 +11,22 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// By colour: how many contacts there are with no point in blocks, one and two. In the overflow none has any.
-using PointCounts = std::array<std::array<std::uint32_t, 3>, kColourCount>;
+/// Contacts of a colour with as many points in blocks.
+struct ContactCount {
+    std::array<std::uint32_t, 2> ofSide{};  ///< that are counted from the front, and from the back (`ContactRank`)
+
+    std::uint32_t front() const { return ofSide[0]; }
+    std::uint32_t all() const { return ofSide[0] + ofSide[1]; }
+    bool operator==(const ContactCount&) const = default;
+};
+/// By colour: of contacts with no point in blocks, one and two. In the overflow none has any.
+using PointCounts = std::array<std::array<ContactCount, 3>, kColourCount>;
 
 /// Where a contact stands among those of its colour with as many points in blocks, in their order: from the front if it
 /// is about the first half of the bodies, or has no points there, else from the back.
 struct ContactRank {
-    static constexpr std::uint32_t kIsBack = std::uint32_t{1} << 31;
+    static constexpr int kSideBit = 31;
+    static constexpr std::uint32_t kIsBack = std::uint32_t{1} << kSideBit;
     std::uint32_t value = 0;
 
     bool isBack() const { return value >= kIsBack; }
@@ -46,8 +55,6 @@ public:
     /// By contact, or link.
     std::span<const std::uint8_t> contactColours() const { return colours_; }
     const PointCounts& pointCounts() const { return pointCounts_; }
-    /// Of these, as many as are counted from the front.
-    const PointCounts& frontCounts() const { return frontCounts_; }
     /// By contact, or link.
     std::span<const ContactRank> contactRanks() const { return ranks_; }
     /// By link of a hinge.
@@ -111,7 +118,6 @@ private:
     bool areHingesKept_ = false;
     bool hasOthers_ = false;  ///< joints that have no links
     PointCounts pointCounts_{};
-    PointCounts frontCounts_{};
     RawVector<ContactRank> ranks_;
     std::uint64_t isUsed_ = 0;  ///< one bit per colour
     std::vector<int> active_;

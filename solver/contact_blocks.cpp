@@ -105,8 +105,8 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
     KindCounts blocks{};
     for (const int active : graph.activeColours()) {
         if (!mayHaveBlocks(active)) { continue; }
-        const KindCounts& contacts = graph.pointCounts()[static_cast<std::size_t>(active)];
-        for (const Kind kind : {kOnePoint, kTwoPoints}) { blocks[kind] += blocksFor(contacts[kind]); }
+        const auto& contacts = graph.pointCounts()[static_cast<std::size_t>(active)];
+        for (const Kind kind : {kOnePoint, kTwoPoints}) { blocks[kind] += blocksFor(contacts[kind].all()); }
     }
     makeRoom(one_.blocks, blocks[kOnePoint]);
     makeRoom(two_.blocks, blocks[kTwoPoints]);
@@ -118,14 +118,14 @@ void ContactBlocks::layOut(const ConstraintGraph& graph) {
         const auto c = static_cast<std::size_t>(active);
         KindCounts counts{};
         for (std::size_t points = 0; points < kKindCount; ++points) {
-            counts[mayHaveBlocks(active) ? points : std::size_t{kAlone}] += graph.pointCounts()[c][points];
+            counts[mayHaveBlocks(active) ? points : std::size_t{kAlone}] += graph.pointCounts()[c][points].all();
         }
         colours_[c].two = reserve(counts[kTwoPoints], two_);
         colours_[c].one = reserve(counts[kOnePoint], one_);
         colours_[c].rest.begin = rest;
         rest += counts[kAlone];
         const auto placesOf = [&](ColourRange range, Kind kind) {
-            return placesFor(range, counts[kind], graph.frontCounts()[c][kind], rest);
+            return placesFor(range, counts[kind], graph.pointCounts()[c][kind].front(), rest);
         };
         places_[c] = {Places{.begin = colours_[c].rest.begin}, placesOf(colours_[c].one, kOnePoint),
                       placesOf(colours_[c].two, kTwoPoints)};
@@ -204,7 +204,7 @@ void ContactBlocks::listHalves(const ConstraintGraph& graph) {
         Colour& colour = colours_[c];
         const auto middleOf = [&](Kind kind) {  // where the places of the first half end
             const Places& places = places_[c][kind];
-            return std::min(places.begin + graph.frontCounts()[c][kind], places.end) / kLanes;
+            return std::min(places.begin + graph.pointCounts()[c][kind].front(), places.end) / kLanes;
         };
         colour.middleOfOne = middleOf(kOnePoint);
         colour.middleOfTwo = middleOf(kTwoPoints);
