@@ -61,9 +61,9 @@ bool markRestless(WorldState& world) {
     world.islandRests.resize(world.bodies.slotCount());
     for (const std::uint32_t slot : world.awake) { world.islandRests[slot] = {}; }
     std::size_t moving = 0;
-    for (const std::uint32_t slot : world.tied) {
-        if (isStill(slot)) { continue; }
-        restOf(world, slot).isRestless = true;
+    for (std::size_t i = 0; i < world.tied.size(); ++i) {
+        if (isStill(world.tied[i])) { continue; }
+        world.islandRests[world.tiedRoots[i]].isRestless = true;
         ++moving;
     }
     for (const JointChain& chain : world.jointChains.list) { restOf(world, chain.lowest).isRestless = true; }

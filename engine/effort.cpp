@@ -252,7 +252,7 @@ void assignEfforts(WorldState& world, double dt) {
     world.loops->run(world.tied.size(), kEffortGrain, [&world, isByLoad](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t slot = world.tied[i];
-            const Effort effort = isByLoad ? world.islandLoads[world.islands.rootOf(slot)].effort : Effort{};
+            const Effort effort = isByLoad ? world.islandLoads[world.tiedRoots[i]].effort : Effort{};
             world.bodies[slot].effort = world.tiedEfforts[i] = effort;
         }
     });

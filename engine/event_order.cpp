@@ -172,8 +172,11 @@ void tellUserData(const WorldState& world, ContactEvent& event) {
     event.bodyUserDataB = world.bodies[event.bodyB.index].def.userData;
 }
 
+/// Events per block of a parallel loop: each asks for two shapes and two bodies all over memory.
+constexpr std::size_t kEventGrain = 16;
+
 /// By fraction, shapes, and the rest of `eventKey`. Most are of the start of the step, where shapes are the key.
-void sortContactEvents(WorldState& world) {
+void findOrder(WorldState& world) {
     const std::vector<ContactEvent>& events = world.contactEvents;
     std::vector<EventPlace>& ofChains = world.eventPlaces.ofChains;
     std::vector<EventPlace>& atStart = world.eventPlaces.atStart;
@@ -196,21 +199,14 @@ void sortContactEvents(WorldState& world) {
     mergeChainEvents(world, bits);
     for (const EventPlace& place : ofChains) { addPlace(place.index); }
     const auto isLess = [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); };
-    world.sortedEvents.clear();
-    for (std::vector<EventPlace>* places : {&atStart, &later}) {
-        sortPlaces(world, *places, isLess);
-        for (const EventPlace& place : *places) {
-            world.sortedEvents.push_back(events[place.index]);
-            if (place.index >= world.eventsBetween) { tellUserData(world, world.sortedEvents.back()); }
-        }
-    }
-    world.contactEvents.swap(world.sortedEvents);
+    sortPlaces(world, atStart, isLess);
+    sortPlaces(world, later, isLess);
 }
 
 }  // namespace
 
 void sortEvents(WorldState& world) {
-    sortContactEvents(world);
+    findOrder(world);
     std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
         return std::tie(a.body.index, a.seconds) < std::tie(b.body.index, b.seconds);
     });
@@ -218,6 +214,20 @@ void sortEvents(WorldState& world) {
         return std::tie(a.body.index, a.fraction, a.position.x, a.position.y) <
                std::tie(b.body.index, b.fraction, b.position.x, b.position.y);
     });
+}
+
+void putEventsInOrder(WorldState& world) {
+    const std::span<const EventPlace> atStart = world.eventPlaces.atStart;
+    const std::span<const EventPlace> later = world.eventPlaces.later;
+    world.sortedEvents.resize(atStart.size() + later.size());
+    world.loops->run(world.sortedEvents.size(), kEventGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const EventPlace& place = i < atStart.size() ? atStart[i] : later[i - atStart.size()];
+            world.sortedEvents[i] = world.contactEvents[place.index];
+            if (place.index >= world.eventsBetween) { tellUserData(world, world.sortedEvents[i]); }
+        }
+    });
+    world.contactEvents.swap(world.sortedEvents);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -102,6 +102,7 @@ void holdBalancedIslands(WorldState& world) {
     keepTotals(world);
     std::erase_if(world.awake, isHeld);
     std::erase_if(world.tied, isHeld);
+    findRoots(world);
     world.counters.solvedBodies = world.tied.size();
 }
 

@@ -141,7 +141,8 @@ void moveProxiesAndSortEvents(WorldState& world) {
         for (const std::uint32_t slot : world.awake) {
             if (!isInBoxOfStep(world, slot)) { updateProxies(world, slot); }
         }
-        return sortEvents(world);
+        sortEvents(world);
+        return putEventsInOrder(world);
     }
     const std::span<const std::uint32_t> awake = world.awake;
     world.broadphase->beginMoves();
@@ -153,6 +154,7 @@ void moveProxiesAndSortEvents(WorldState& world) {
         }
     });
     world.counters.proxiesMoved += world.broadphase->endMoves(*world.loops);
+    putEventsInOrder(world);
 }
 
 void breakJoints(WorldState& world) {

@@ -22,8 +22,8 @@ constexpr std::size_t kMemberGrain = 256;
 void countMembers(WorldState& world) {
     std::vector<std::uint32_t>& members = world.fastIslands.members;
     members.resize(world.bodies.slotCount());
-    for (const std::uint32_t slot : world.tied) { members[slot] = 0; }
-    for (const std::uint32_t slot : world.tied) { ++members[world.islands.find(slot)]; }
+    for (const std::uint32_t root : world.tiedRoots) { members[root] = 0; }
+    for (const std::uint32_t root : world.tiedRoots) { ++members[root]; }
 }
 
 /// Those of the last such step.
@@ -43,9 +43,10 @@ void numberIslands(WorldState& world) {
     forgetNumbers(world);
     std::vector<std::uint32_t>& roots = fast.roots;
     roots.clear();
-    for (const std::uint32_t slot : world.tied) {
+    for (std::size_t i = 0; i < world.tied.size(); ++i) {
+        const std::uint32_t slot = world.tied[i];
         if ((world.traits[slot] & kIsFast) == 0) { continue; }
-        const std::uint32_t root = world.islands.find(slot);
+        const std::uint32_t root = world.tiedRoots[i];
         if (fast.members[root] > mostTogether(world.settings) || fast.numbers[root] != kNoIndex) { continue; }
         if (!isFast(slot)) { continue; }  // last, since a body has to be fetched for it
         fast.numbers[root] = 0;
@@ -62,9 +63,10 @@ void listBodies(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.bodies.clear();
     fast.kinematics.clear();
-    for (const std::uint32_t slot : world.tied) {
-        const std::uint32_t number = fast.numbers[world.islands.find(slot)];
+    for (std::size_t i = 0; i < world.tied.size(); ++i) {
+        const std::uint32_t number = fast.numbers[world.tiedRoots[i]];
         if (number == kNoIndex) { continue; }
+        const std::uint32_t slot = world.tied[i];
         fast.numbers[slot] = number;
         fast.bodies.add(number, slot);
     }

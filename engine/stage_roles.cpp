@@ -16,6 +16,8 @@ namespace {
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kRoleGrain = 128;
+/// Of those that are asked for their islands alone.
+constexpr std::size_t kRootGrain = 512;
 
 /// Bodies that are fetched ahead: most of them are written, and others read them since.
 constexpr std::size_t kResetAhead = 16;
@@ -176,9 +178,23 @@ void findIslands(WorldState& world) {
     for (const JointChains::Member& member : world.jointChains.members) {
         world.islands.unite(member.body, member.lowest);
     }
-    std::uint64_t count = 0;
-    for (const std::uint32_t slot : world.tied) { count += world.islands.find(slot) == slot ? 1 : 0; }
-    world.counters.islands += count;
+    world.counters.islands += findRoots(world);
+}
+
+std::uint64_t findRoots(WorldState& world) {
+    world.tiedRoots.resize(world.tied.size());
+    std::atomic<std::uint64_t> count = 0;
+    world.loops->run(world.tied.size(), kRootGrain, [&world, &count](std::size_t begin, std::size_t end, int) {
+        std::uint64_t some = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t root = world.islands.rootOf(world.tied[i]);
+            world.tiedRoots[i] = root;
+            some += root == world.tied[i] ? 1 : 0;
+        }
+        count.fetch_add(some, std::memory_order_relaxed);
+    });
+    world.islands.flatten(world.tied, world.tiedRoots);
+    return count;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -41,6 +41,8 @@ void resetBodies(WorldState& world, std::span<const std::uint32_t> awake, Real d
 /// Decides which part each awake body plays, and groups what is tied together (stage_roles.cpp, note_touching.cpp).
 void assignRoles(WorldState& world, Real dt);
 void findIslands(WorldState& world);
+/// Of the bodies of `tied`, into `tiedRoots`. @return how many islands these are
+std::uint64_t findRoots(WorldState& world);
 void findFastIslands(WorldState& world);
 /// How the solver treats each island: sub-steps, method (effort.cpp).
 void assignEfforts(WorldState& world, double dt);
@@ -65,8 +67,10 @@ void putBackOverflown(WorldState& world);
 void breakJoints(WorldState& world);
 void moveProxiesAndSortEvents(WorldState& world);
 void putToSleep(WorldState& world, double dt);
-/// Events are put into their order, and chains become one shape in them (event_order.cpp).
+/// The order of the events is found, and which of them chains have as one shape (event_order.cpp): by one worker, which
+/// runs no loops. Then they are put into it.
 void sortEvents(WorldState& world);
+void putEventsInOrder(WorldState& world);
 /// Of each body, and who lost more than its budget.
 void countLostTime(WorldState& world);
 

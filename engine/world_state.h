@@ -213,6 +213,7 @@ struct WorldState : Workers {
     RawVector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
 
+    RawVector<std::uint32_t> tiedRoots;     ///< by place in `tied`: the root of its island
     std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
     RawVector<std::uint8_t> answers;        ///< scratch of `forEachMeant`
     FastIslands fastIslands;

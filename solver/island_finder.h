@@ -53,6 +53,11 @@ public:
         return member;
     }
 
+    /// Hangs members below their roots, as found: the next to ask finds them at once.
+    void flatten(std::span<const std::uint32_t> members, std::span<const std::uint32_t> roots) {
+        for (std::size_t i = 0; i < members.size(); ++i) { parents_[members[i]] = roots[i]; }
+    }
+
     /// Without a branch: whether two that touch were united already, and which root is lower, nothing foretells. What
     /// was asked for hangs below the root at once.
     void unite(std::uint32_t a, std::uint32_t b) {
