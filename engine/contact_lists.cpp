@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "beside.h"
+#include "join_blocks.h"
 #include "pair_boxes.h"
 #include "travel.h"
 #include "world_state.h"
@@ -82,14 +83,9 @@ void listBlocks(WorldState& world) {
         *world.loops, [&world] { closeCandidates(world); }, blocks, 1, listSome);
 }
 
-/// One block behind the other.
-void joinBlocks(const ContactLists& lists, std::uint32_t ContactLists::Counts::*count, RawVector<std::uint32_t>& list) {
-    auto end = list.begin();
-    for (std::size_t block = 0; block < lists.counts.size(); ++block) {
-        const auto first = list.begin() + static_cast<std::ptrdiff_t>(block * kProbesPerBlock);
-        end = std::copy(first, first + lists.counts[block].*count, end);
-    }
-    list.resize(static_cast<std::size_t>(end - list.begin()));
+void join(const ContactLists& lists, std::uint32_t ContactLists::Counts::*count, RawVector<std::uint32_t>& list) {
+    joinBlocks(list, lists.counts.size(), kProbesPerBlock,
+               [&lists, count](std::size_t block) { return lists.counts[block].*count; });
 }
 
 }  // namespace
@@ -101,10 +97,10 @@ void listContacts(WorldState& world) {
         listBlocks<false>(world);
     }
     ContactLists& lists = world.lists;
-    joinBlocks(lists, &ContactLists::Counts::noted, lists.noted);
-    joinBlocks(lists, &ContactLists::Counts::near, lists.near);
-    joinBlocks(lists, &ContactLists::Counts::ground, lists.ground);
-    joinBlocks(lists, &ContactLists::Counts::apart, lists.apart);
+    join(lists, &ContactLists::Counts::noted, lists.noted);
+    join(lists, &ContactLists::Counts::near, lists.near);
+    join(lists, &ContactLists::Counts::ground, lists.ground);
+    join(lists, &ContactLists::Counts::apart, lists.apart);
     lists.passing.clear();
 }
 

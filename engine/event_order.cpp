@@ -217,6 +217,7 @@ void sortEvents(WorldState& world) {
 }
 
 void putEventsInOrder(WorldState& world) {
+    if (world.contactEvents.empty()) { return; }
     const std::span<const EventPlace> atStart = world.eventPlaces.atStart;
     const std::span<const EventPlace> later = world.eventPlaces.later;
     world.sortedEvents.resize(atStart.size() + later.size());

@@ -3,6 +3,7 @@
 #include "contact_fetch.h"
 #include "contact_tests.h"
 #include "ghosts.h"
+#include "join_blocks.h"
 #include "modes.h"
 #include "step.h"
 #include "waking.h"
@@ -114,18 +115,6 @@ ContactLists::Listed listTold(WorldState& world, std::size_t begin, std::size_t 
     return listed;
 }
 
-/// One block behind the other.
-template <class Item>
-void joinBlocks(const ContactLists& lists, std::uint32_t ContactLists::Listed::*count, RawVector<Item>& list) {
-    auto end = list.begin();
-    for (std::size_t block = 0; block < lists.listed.size(); ++block) {
-        const auto first = list.begin() + static_cast<std::ptrdiff_t>(block * lists.listedPerBlock);
-        const std::uint32_t length = lists.listed[block].*count;
-        end = first == end ? first + length : std::copy_n(first, length, end);
-    }
-    list.erase(end, list.end());
-}
-
 /// Those that have to be asked, in order. What turns out to have no points keeps its place, with none.
 void noticeOthers(WorldState& world) {
     const std::span<const ContactLists::Other> others = world.lists.others;
@@ -149,8 +138,10 @@ void noticeOthers(WorldState& world) {
 
 /// So that the pairs that touch stand side by side.
 void closeFreePlaces(WorldState& world) {
-    joinBlocks(world.lists, &ContactLists::Listed::pairs, world.touching);
-    if (!world.lists.isAnyFree) { return; }
+    const ContactLists& lists = world.lists;
+    joinBlocks(world.touching, lists.listed.size(), lists.listedPerBlock,
+               [&lists](std::size_t block) { return lists.listed[block].pairs; });
+    if (!lists.isAnyFree) { return; }
     std::erase_if(world.touching, [](const TouchingPair& pair) { return pair.points == 0; });
 }
 
@@ -211,7 +202,8 @@ void listTouching(WorldState& world) {
             lists.listed[block] = listTold(world, begin, std::min(begin + lists.listedPerBlock, count));
         }
     });
-    joinBlocks(lists, &ContactLists::Listed::others, lists.others);
+    joinBlocks(lists.others, lists.listed.size(), lists.listedPerBlock,
+               [&lists](std::size_t block) { return lists.listed[block].others; });
 }
 
 void noticeContacts(WorldState& world) {

@@ -183,6 +183,7 @@ void findIslands(WorldState& world) {
 
 std::uint64_t findRoots(WorldState& world) {
     world.tiedRoots.resize(world.tied.size());
+    if (world.tied.empty()) { return 0; }
     std::atomic<std::uint64_t> count = 0;
     world.loops->run(world.tied.size(), kRootGrain, [&world, &count](std::size_t begin, std::size_t end, int) {
         std::uint64_t some = 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "effort_budget.h"
 #include "joint_builder.h"
@@ -155,6 +156,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const bool isIterated = scope == DirectScope::none;
     const bool mayLink = isIterated && !world.watched;
     const bool hasJoints = !group.joints.empty();
+    const bool onlyContacts = !hasJoints;
     const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
     giveSlots(world, group);
     const std::size_t bouncing = mayLink ? contacts.link() : contacts.countBouncing();
@@ -162,11 +164,14 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
     if (mayLink && !areLinked) { contacts.unlink(); }
     if (areLinked && bouncing > 0) { contacts.letBounce(inTurn); }
-    TiedHinges hinges(world, group, h, dt, time);
+    std::optional<TiedHinges> hinges;
     // Links, and so colours, are known without a look at the bodies.
     setBodies(world, group, isIterated ? h : h / 2, [&] {
-        if (hasJoints) { addJoints(world, group, hinges, isIterated, h, dt); }
-        if (areLinked) { desk.solver.colourAhead(desk.batch, hasJoints, desk.standing); }
+        if (!onlyContacts) {
+            hinges.emplace(world, group, h, dt, time);
+            addJoints(world, group, *hinges, isIterated, h, dt);
+        }
+        if (areLinked) { desk.solver.colourAhead(desk.batch, onlyContacts, desk.standing); }
     });
     if (!areLinked) { contacts.addConstraints(); }
     const SolverSettings settings{.dt = time,
@@ -183,8 +188,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
                                   .patient = group.effort.isLarge,
                                   .takenBack = group.role == BodyRole::solved,
                                   .settled = group.effort.isSettled};
-    const SolveReport report = settings.joints ? solveWithJoints(world, group, settings)
-                                               : desk.solver.solve(desk.batch, settings, *desk.loops);
+    const SolveReport report =
+        onlyContacts ? desk.solver.solve(desk.batch, settings, *desk.loops) : solveWithJoints(world, group, settings);
     if (!areLinked) { contacts.readConstraints(); }
     readBodies(world, group, time);
     const bool isSolved = scope != DirectScope::all || (report.isDirect && report.direct.givenUp == 0);

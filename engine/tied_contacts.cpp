@@ -9,6 +9,7 @@
 #include "../solver/contact_lanes.h"
 #include "effort_budget.h"
 #include "hit_event.h"
+#include "join_blocks.h"
 #include "modes.h"
 #include "profile.h"
 #include "step_change.h"
@@ -236,13 +237,9 @@ std::size_t TiedContacts::link() {
             counts[block] = linkSome(pairs.subspan(begin, length), &batch.links[begin]);
         }
     });
-    auto end = batch.links.begin();
-    for (std::size_t block = 0; block < counts.size(); ++block) {
-        const auto begin = batch.links.begin() + static_cast<std::ptrdiff_t>(block * kPairsPerBlock);
-        end = begin == end ? begin + counts[block].links : std::copy_n(begin, counts[block].links, end);
-        bouncing += counts[block].bouncing;
-    }
-    batch.links.erase(end, batch.links.end());
+    joinBlocks(batch.links, counts.size(), kPairsPerBlock,
+               [&counts](std::size_t block) { return counts[block].links; });
+    for (const LinkCounts& some : counts) { bouncing += some.bouncing; }
     return bouncing;
 }
 

@@ -194,12 +194,16 @@ void ConstraintGraph::colourContacts(const SolverBatch& batch) {
     finish(batch);
 }
 
-void ConstraintGraph::colourAhead(SolverBatch& batch, bool hasJoints, std::span<const BodySlot> standing) {
+void ConstraintGraph::colourAhead(SolverBatch& batch, bool onlyContacts, std::span<const BodySlot> standing) {
     used_.assign(batch.states.size(), 0);
     used_[kFixedSlot] = kIsFixed;
     for (const BodySlot slot : standing) { used_[slot] = kIsFixed; }
     noteFixed();
-    hasJoints ? colourJoints(batch) : colourHinges({});
+    if (!onlyContacts) {
+        colourJoints(batch);
+    } else {
+        colourHinges({});
+    }
     finish(batch);
 }
 

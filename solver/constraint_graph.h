@@ -44,7 +44,7 @@ public:
     void colourContacts(const SolverBatch& batch);
     /// The same as one of these before the bodies of the batch are set. @param standing  those that cannot be moved,
     /// besides the fixed world
-    void colourAhead(SolverBatch& batch, bool hasJoints, std::span<const BodySlot> standing = {});
+    void colourAhead(SolverBatch& batch, bool onlyContacts, std::span<const BodySlot> standing = {});
     /// Sorts the contacts, too. @pre just coloured
     void sortContacts(SolverBatch& batch);
 

@@ -87,8 +87,12 @@ void Solver::prepare(SolverBatch& batch, const SolverSettings& settings, bool is
     if (needsContactsPrepared(batch, settings)) {
         for (ContactConstraint& contact : batch.contacts) { prepareContact(contact, batch.inertias); }
     }
-    if (!isColoured) { kJoints ? graph_.colour(batch) : graph_.colourContacts(batch); }
-    if constexpr (kJoints) { prepareJoints(batch); }
+    if constexpr (kJoints) {
+        if (!isColoured) { graph_.colour(batch); }
+        prepareJoints(batch);
+    } else if (!isColoured) {
+        graph_.colourContacts(batch);
+    }
     // What is solved all at once is summed up in the order of the array.
     if (looksAtContacts(settings.direct)) { graph_.sortContacts(batch); }
     if (batch.store == nullptr) { listBouncing(batch, settings); }
@@ -379,8 +383,8 @@ SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& setti
     return report;
 }
 
-void Solver::colourAhead(SolverBatch& batch, bool hasJoints, std::span<const BodySlot> standing) {
-    graph_.colourAhead(batch, hasJoints, standing);
+void Solver::colourAhead(SolverBatch& batch, bool onlyContacts, std::span<const BodySlot> standing) {
+    graph_.colourAhead(batch, onlyContacts, standing);
     isColoured_ = true;
 }
 

@@ -67,7 +67,7 @@ public:
     /// Finds the colours of the links of a batch, as the next `solve` would, which spares it that. In the meantime
     /// others may set its bodies; links stay as they are. @param standing  bodies that cannot be moved: all others are
     /// taken for movable. @pre nothing is solved all at once; the batch has its joints, if there are any
-    void colourAhead(SolverBatch& batch, bool hasJoints, std::span<const BodySlot> standing = {});
+    void colourAhead(SolverBatch& batch, bool onlyContacts, std::span<const BodySlot> standing = {});
 
     /// `DirectSolver::tookLong` in the last solve. @pre its `SolveReport::isDirect`
     bool tookLong(BodySlot slot) const { return direct_.tookLong(slot); }

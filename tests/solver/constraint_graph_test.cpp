@@ -176,7 +176,7 @@ TEST(ConstraintGraph, AheadItIsTheSame) {
         SolverBatch notSet = batch;
         std::fill(notSet.inertias.begin(), notSet.inertias.end(), BodyInertia{});
         hasJoints ? after.colour(batch) : after.colourContacts(batch);
-        ahead.colourAhead(notSet, hasJoints, standing);
+        ahead.colourAhead(notSet, !hasJoints, standing);
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         ASSERT_EQ(listOf(ahead.contactColours()), listOf(after.contactColours()));
         ASSERT_EQ(ahead.pointCounts(), after.pointCounts());
