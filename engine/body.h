@@ -43,7 +43,7 @@ struct Body {
     Vec2 localCenter{};
     Vec2 force{};  ///< for the next step
     Real torque = 0;
-    std::uint32_t holdingJoints = 0;  ///< of `joints`, all but filters
+    std::uint32_t holdingJoints = 0;  ///< of `joints`, those that hold (`Joint::holds`)
 
     bool awake = false;
     bool fresh = true;            ///< was in no step yet: asleep or awake, and as fast, as it was made

@@ -71,14 +71,16 @@ struct Joint {
     Vec2 localAxis;                                        ///< unit, in the frame of A
     std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
     std::size_t bodyCount = 0;
+    bool isOff = false;       ///< one of them is disabled
     double gearConstant = 0;  ///< metres or radians
     JointDef base;
 
     JointType type() const { return static_cast<JointType>(parts.index()); }
+    bool isFilter() const { return type() == JointType::filter; }
     /// Whether it holds its bodies at all.
-    bool holds() const { return type() != JointType::filter; }
+    bool holds() const { return !isFilter() && !isOff; }
     /// Whether A and B do not collide with each other.
-    bool keepsApart() const { return !base.collideConnected || !holds(); }
+    bool keepsApart() const { return !base.collideConnected || isFilter(); }
     std::span<const std::uint32_t> allBodies() const { return {bodies.data(), bodyCount}; }
 };
 
@@ -86,7 +88,7 @@ struct Joint {
 struct JointTie {
     std::uint32_t bodyA = 0;  ///< slots
     std::uint32_t bodyB = 0;
-    bool holds : 1 = false;     ///< a joint is there, and is no filter
+    bool holds : 1 = false;     ///< a joint is there, and `Joint::holds`
     bool isPair : 1 = true;     ///< it ties no other bodies
     bool mayBreak : 1 = false;  ///< it has a limit
     bool isHinge : 1 = false;

@@ -30,7 +30,8 @@ Real thinnestWall(WorldState& world) {
     for (std::uint32_t slot = 0; slot < world.shapes.slotCount(); ++slot) {
         if (!world.shapes.isAlive(slot)) { continue; }
         const Shape& shape = world.shapes[slot];
-        if (shape.def.sensor || world.bodies[shape.body].isDynamic()) { continue; }
+        const Body& body = world.bodies[shape.body];
+        if (shape.def.sensor || body.isDynamic() || !body.def.enabled) { continue; }
         thinnest = std::min(thinnest, widthOf(shape));
     }
     world.thinnestWall = thinnest;

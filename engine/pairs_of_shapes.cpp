@@ -85,6 +85,7 @@ void addParked(WorldState& world, std::uint32_t shape, FunctionRef<bool(const Co
 /// Of the pairs of a shape that are not parked. @pre listed
 void addListed(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant) {
     PairsOfShapes& lists = world.pairsOfShapes;
+    if (world.shapes[shape].proxy == kNoProxy) { return; }
     const auto proxy = static_cast<std::size_t>(world.shapes[shape].proxy);
     if (proxy + 1 >= lists.begins.size()) { return; }  // made since: it has no pairs yet
     for (std::uint32_t i = lists.begins[proxy]; i < lists.begins[proxy + 1]; ++i) {

@@ -11,6 +11,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
+inline constexpr auto kNoProxy = static_cast<ProxyId>(kNoIndex);
 
 /// A convex polygon on a body, or one segment of a chain. The segments of a chain are shapes of their own, linked in
 /// order; the first one carries the id that the user knows.
@@ -24,7 +25,7 @@ struct Shape {
     std::uint32_t body = kNoIndex;
     std::uint32_t head = kNoIndex;  ///< slot of the shape that the user knows
     std::uint32_t nextInChain = kNoIndex;
-    ProxyId proxy{};
+    ProxyId proxy = kNoProxy;  ///< none while its body is disabled
     bool isChainSegment = false;
     bool isBatched = false;  ///< `collidesInBatches`
     ClosedEnds closedEnds;   ///< of a chain segment

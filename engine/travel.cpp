@@ -53,7 +53,7 @@ void noteRest(WorldState& world, std::uint32_t slot) {
     // How far contacts reach beyond what sleeps depends on the coming steps.
     const Real ahead = isFixed ? 0 : kMaxReachRatio * body.widest;
     glance.reach = reachFrom(body, glance.center, ahead);
-    if (isFixed) { return; }
+    if (isFixed || !body.def.enabled) { return; }
     glance.ahead = ahead;
     for (const std::uint32_t index : body.shapes) {
         const Shape& shape = world.shapes[index];

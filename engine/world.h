@@ -77,15 +77,16 @@ public:
     Vec2 velocity(BodyId id) const;                 ///< of the centre of mass, m/s
     Vec2 velocityAt(BodyId id, DVec2 point) const;  ///< of the point of the body that is there now, world, m/s
     Real angularVelocity(BodyId id) const;          ///< rad/s
-    bool isAwake(BodyId id) const;                  ///< static bodies never are
+    bool isAwake(BodyId id) const;                  ///< static and disabled bodies never are
     double mass(BodyId id) const;                   ///< kg; 0 unless dynamic
     double inertia(BodyId id) const;                ///< kg·m² about the centre of mass; 0 unless dynamic
     std::uint64_t userData(BodyId id) const;
-    /// As it was made or redefined; pose, velocities and `awake` as they are now.
+    /// As it was made or redefined; pose, velocities, `awake` and `enabled` as they are now.
     BodyDef definition(BodyId id) const;
     /// Gives a body another definition; its pose and velocities stay as they are (but for those that the new one does
-    /// not allow), and so do its shapes and joints. Wakes it. A new type ends its contacts. Errors: as of createBody;
-    /// `wrongBodyType` with "type" where it has joints and would be of another type, or chains and would be dynamic.
+    /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it. A new type ends its contacts.
+    /// Errors: as of createBody; `wrongBodyType` with "type" where it has joints and would be of another type, or
+    /// chains and would be dynamic.
     Status redefine(BodyId id, const BodyDef& def);
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
     /// end, and begin anew where it is. Wakes the body and what it touched. What is to push others on its way (a lift)
@@ -98,8 +99,15 @@ public:
     /// (rad) in a step of `dt` seconds; they stay until others are given. Errors: `wrongBodyType` of others;
     /// `notPositive` dt; `outOfRange` with "position" or "angle" where that is farther than a body may be fast.
     Status driveTo(BodyId id, DVec2 position, double angle, double dt);
-    // The calls below, up to impulses, are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange`
-    // when the sum of the forces or the new velocity is beyond that range.
+    /// What is disabled takes no part: it does not move, meets nothing, no query finds it, and its joints are off. It
+    /// keeps its id, shapes, joints, pose and velocities, all of which may be changed meanwhile. To disable it ends its
+    /// contacts, forgets its forces, and wakes what touched it and what its joints held; enabled again it is awake, and
+    /// moves on from where it is. For bodies that come and go, without making them anew.
+    Status setEnabled(BodyId id, bool enabled);
+    bool isEnabled(BodyId id) const;
+    // The calls below are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange` when the sum of the
+    // forces or the new velocity is beyond that range, `disabled` where that is for bodies that take part (forces,
+    // `setAwake`).
     /// N at `point` (world), for the next step only, with what was applied before; wakes the body.
     Status applyForce(BodyId id, Vec2 force, DVec2 point);
     Status applyForce(BodyId id, Vec2 force);    ///< likewise, at the centre of mass

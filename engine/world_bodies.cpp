@@ -39,32 +39,6 @@ Status check(const BodyDef& def) {
     return Status::success();
 }
 
-/// Contacts of a body that was teleported or destroyed say nothing any more; what rested on it wakes.
-void dropContacts(WorldState& world, std::uint32_t slot) {
-    const std::span<const std::uint32_t> places =
-        pairsOf(world, world.bodies[slot].shapes,
-                [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
-    wakeAcross(world, slot, places);
-    wakeJoined(world, slot);
-    removePairs(world, places);
-}
-
-/// Leaves the ring of bodies it sleeps with by waking them all.
-void removeFromAwake(WorldState& world, std::uint32_t slot) {
-    wake(world, slot);
-    leaveAwake(world, slot);
-}
-
-/// Counts a body among those of its kind. @param sign  1, or −1 when it is one of them no longer
-void count(WorldState& world, const Body& body, std::int32_t sign) {
-    const auto add = [sign](std::uint32_t& sum, bool isOne) { sum += isOne ? static_cast<std::uint32_t>(sign) : 0U; };
-    add(world.kinematicBodies, body.def.type == BodyType::kinematic);
-    add(world.fixedBodies, body.def.type == BodyType::fixed);
-    add(world.bulletBodies, body.isDynamic() && body.def.bullet);
-    add(world.watchedBodies, isWatched(body.def.continuous.value_or(ContinuousMode::off)));
-    add(world.masslessBodies, body.isDynamic() && body.mass <= 0);
-}
-
 /// @pre it is awake, if it can be; nothing holds it to others
 void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
     dropContacts(world, slot);
@@ -104,6 +78,7 @@ BodyDef atPresent(const WorldState& world, std::uint32_t slot, BodyDef def) {
     def.velocity = motion.velocity;
     def.angularVelocity = motion.angularVelocity;
     def.awake = body.awake || body.heldIn != kNoIndex;
+    def.enabled = body.def.enabled;
     return def;
 }
 
@@ -132,9 +107,9 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     world.glances.resize(world.bodies.slotCount());
     world.glances[id->index] = {.center = def.position};
     updatePose(world, id->index);
-    count(world, world.bodies[id->index], 1);
+    countBody(world, world.bodies[id->index], 1);
     if (def.type == BodyType::dynamic) { updateMass(world, id->index); }  // it may have one of its own
-    if (def.awake || def.type == BodyType::kinematic) {
+    if (def.awake || def.type == BodyType::kinematic) {                   // unless it is disabled
         const std::uint64_t woken = world.counters.wokeUp;
         wake(world, id->index);
         world.counters.wokeUp = woken;  // born awake
@@ -151,8 +126,8 @@ Status World::destroyBody(BodyId id) {
     }
     Body& body = world.bodies[id.index];
     for (const std::uint32_t slot : body.shapes) { removeShapeSlot(world, slot); }
-    count(world, body, -1);
-    if (body.def.type != BodyType::fixed) { removeFromAwake(world, id.index); }
+    countBody(world, body, -1);
+    removeFromAwake(world, id.index);
     world.bodies.erase(id);
     return Status::success();
 }
@@ -179,12 +154,12 @@ Status World::redefine(BodyId id, const BodyDef& given) {
         return {StatusCode::wrongBodyType, "type"};
     }
     wake(world, slot);
-    count(world, body, -1);
+    countBody(world, body, -1);
     if (isOtherType) { changeType(world, slot, def.type); }
     body.def = def;
     world.motions[slot].velocity = def.velocity;
     world.motions[slot].angularVelocity = def.angularVelocity;
-    count(world, body, 1);
+    countBody(world, body, 1);
     updateMass(world, slot);
     wake(world, slot);
     if (isOtherType) { renewKinds(world, body.shapes); }
@@ -291,6 +266,7 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
     Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    if (!body->def.enabled) { return {StatusCode::disabled, "body"}; }
     for (const Status& status : {checkNumber(force, "force"), checkNumber(point, "point")}) {
         if (!status.ok()) { return status; }
     }
@@ -309,6 +285,7 @@ Status World::applyTorque(BodyId id, Real torque) {
     Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    if (!body->def.enabled) { return {StatusCode::disabled, "body"}; }
     const Status number = checkNumber(static_cast<double>(torque), "torque");
     if (!number.ok()) { return number; }
     const Real sum = body->torque + torque;
@@ -360,6 +337,7 @@ Status World::setAwake(BodyId id, bool awake) {
     Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    if (!body->def.enabled) { return {StatusCode::disabled, "body"}; }
     if (awake || body->heldIn != kNoIndex) { wake(world, id.index); }
     if (!awake && body->awake) {
         body->awake = false;

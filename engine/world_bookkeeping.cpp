@@ -20,6 +20,8 @@ void startResting(Body& body, const BodyMotion& motion) {
     body.restSteps = 0;
 }
 
+bool isMassless(const Body& body) { return body.isDynamic() && body.mass <= 0; }
+
 /// @pre the body is dynamic, and its shapes are weighed
 MassProperties massOfShapes(WorldState& world, const Body& body) {
     std::vector<MassProperties>& parts = world.massParts;
@@ -66,7 +68,8 @@ bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
 }
 
 void wake(WorldState& world, std::uint32_t start) {
-    if (world.bodies[start].awake || world.bodies[start].def.type == BodyType::fixed) { return; }
+    const BodyDef& def = world.bodies[start].def;
+    if (world.bodies[start].awake || def.type == BodyType::fixed || !def.enabled) { return; }
     if (world.bodies[start].heldIn != kNoIndex) { return releaseHeld(world, start); }
     std::uint32_t slot = start;
     do {
@@ -124,6 +127,12 @@ void restAnew(WorldState& world) {
     for (const std::uint32_t slot : world.awake) { startResting(world.bodies[slot], world.motions[slot]); }
 }
 
+bool tiesDisabled(const WorldState& world, const Joint& joint) {
+    const std::span<const std::uint32_t> bodies = joint.allBodies();
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&world](std::uint32_t body) { return !world.bodies[body].def.enabled; });
+}
+
 void wakeJoined(WorldState& world, std::uint32_t body) {
     for (const std::uint32_t slot : world.bodies[body].joints) {
         const Joint& joint = world.joints[slot];
@@ -131,6 +140,30 @@ void wakeJoined(WorldState& world, std::uint32_t body) {
             if (other != body && joint.holds()) { wake(world, other); }
         }
     }
+}
+
+void dropContacts(WorldState& world, std::uint32_t slot) {
+    const std::span<const std::uint32_t> places =
+        pairsOf(world, world.bodies[slot].shapes,
+                [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
+    wakeAcross(world, slot, places);
+    wakeJoined(world, slot);
+    removePairs(world, places);
+}
+
+void removeFromAwake(WorldState& world, std::uint32_t slot) {
+    wake(world, slot);
+    if (world.bodies[slot].awake) { leaveAwake(world, slot); }
+}
+
+void countBody(WorldState& world, const Body& body, std::int32_t sign) {
+    const auto add = [sign](std::uint32_t& sum, bool isOne) { sum += isOne ? static_cast<std::uint32_t>(sign) : 0U; };
+    const bool isIn = body.def.enabled;
+    add(world.fixedBodies, body.def.type == BodyType::fixed || !isIn);
+    add(world.kinematicBodies, isIn && body.def.type == BodyType::kinematic);
+    add(world.bulletBodies, isIn && body.isDynamic() && body.def.bullet);
+    add(world.watchedBodies, isIn && isWatched(body.def.continuous.value_or(ContinuousMode::off)));
+    add(world.masslessBodies, isIn && isMassless(body));
 }
 
 void weigh(WorldState& world, std::span<const std::uint32_t> shapes) {
@@ -143,7 +176,7 @@ void weigh(WorldState& world, std::span<const std::uint32_t> shapes) {
 void updateMass(WorldState& world, std::uint32_t slot) {
     Body& body = world.bodies[slot];
     noteTravel(world, slot);  // with the radius of before
-    const bool wasMassless = body.isDynamic() && body.mass <= 0;
+    const bool wasMassless = isMassless(body);
     MassProperties total;
     if (body.isDynamic()) { total = massOfShapes(world, body); }
     if (body.def.mass > 0) {
@@ -170,9 +203,9 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     world.travels[slot].boxRoom = 0;
     measure(world, slot);
     if (!body.awake) { noteRest(world, slot); }
-    const bool isMassless = body.isDynamic() && body.mass <= 0;
-    if (isMassless && !wasMassless) { ++world.masslessBodies; }
-    if (!isMassless && wasMassless) { --world.masslessBodies; }
+    if (!body.def.enabled) { return; }
+    world.masslessBodies += isMassless(body) ? 1 : 0;
+    world.masslessBodies -= wasMassless ? 1 : 0;
 }
 
 void updatePose(WorldState& world, std::uint32_t slot) {

@@ -157,10 +157,12 @@ void renewBoxes(WorldState& world, std::uint32_t body) {
 }
 
 void updateProxies(WorldState& world, std::uint32_t body) {
+    if (!world.bodies[body].def.enabled) { return; }
     visitOutgrown(world, body, [&world](ProxyId proxy, const Aabb& box) { moveProxy(world, proxy, box); });
 }
 
 void updateProxiesFrom(WorldState& world, std::uint32_t body, std::size_t first, const BodyTravel& before) {
+    if (!world.bodies[body].def.enabled) { return; }
     const Real motion = noteBoxes(world, body);
     // What was in no step yet is where its boxes were made: of the same motion, and with the same room, they are these.
     const BodyTravel& now = world.travels[body];
@@ -172,6 +174,7 @@ void updateProxiesFrom(WorldState& world, std::uint32_t body, std::size_t first,
 }
 
 void renewProxies(WorldState& world, std::uint32_t body) {
+    if (!world.bodies[body].def.enabled) { return; }
     const Real motion = noteBoxes(world, body);
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];

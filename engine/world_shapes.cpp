@@ -49,6 +49,11 @@ ProxyKind kindOf(const Shape& shape, BodyType type) {
     return ProxyKind::fixed;  // unreachable, but GCC cannot know
 }
 
+/// @pre its body is enabled
+Result<ProxyId> makeProxy(WorldState& world, const Shape& shape) {
+    return world.broadphase->insert(fatBox(world, shape), kindOf(shape, world.bodies[shape.body].def.type));
+}
+
 void remember(WorldState& world, ProxyId proxy, std::uint32_t shape) {
     const auto index = static_cast<std::size_t>(proxy);
     if (world.proxyShapes.size() <= index) { world.proxyShapes.resize(index + 1, kNoIndex); }
@@ -79,21 +84,21 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     if (shape.isBatched && shape.isChainSegment) { shape.closedEnds = closedEndsOf(shape.segment); }
     world.thinnestWall.reset();
     makeRoomForShape(world, world.bodies[body]);
-    const ProxyKind kind = kindOf(shape, world.bodies[body].def.type);
-    const Result<ProxyId> proxy = world.broadphase->insert(fatBox(world, shape), kind);
+    const bool hasProxy = world.bodies[body].def.enabled;
+    const Result<ProxyId> proxy = hasProxy ? makeProxy(world, shape) : kNoProxy;
     if (!proxy.ok()) { return proxy.status(); }
     const std::optional<ShapeId> id = world.shapes.insert(std::move(shape));
     if (!id) {
-        (void)world.broadphase->remove(proxy.value());
+        if (hasProxy) { (void)world.broadphase->remove(proxy.value()); }
         return Status{StatusCode::outOfMemory, "shape"};
     }
     Shape& stored = world.shapes[id->index];
     stored.proxy = proxy.value();
     stored.head = id->index;
+    if (hasProxy) { remember(world, stored.proxy, id->index); }
     world.chainSegments.resize(world.shapes.slotCount());
     world.chainSegments[id->index] = stored.isChainSegment ? 1 : 0;
     world.shapeMasses.resize(world.shapes.slotCount());
-    remember(world, proxy.value(), id->index);
     world.bodies[body].shapes.push_back(id->index);
     if (world.bodies[body].isDynamic()) { weigh(world, std::span(&id->index, 1)); }
     countTraits(world, stored.def, 1);
@@ -192,9 +197,26 @@ void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign) {
     world.rollingShapes += def.rollingResistance > 0 ? static_cast<std::uint32_t>(sign) : 0U;
 }
 
-void removeShapeSlot(WorldState& world, std::uint32_t slot) {
-    (void)world.broadphase->remove(world.shapes[slot].proxy);  // it is there: the shape owns it
+Status addProxy(WorldState& world, std::uint32_t slot) {
+    Shape& shape = world.shapes[slot];
+    const Result<ProxyId> proxy = makeProxy(world, shape);
+    if (!proxy.ok()) { return proxy.status(); }
+    shape.proxy = proxy.value();
+    remember(world, shape.proxy, slot);
     world.thinnestWall.reset();
+    return Status::success();
+}
+
+void removeProxy(WorldState& world, std::uint32_t slot) {
+    Shape& shape = world.shapes[slot];
+    if (shape.proxy == kNoProxy) { return; }
+    (void)world.broadphase->remove(shape.proxy);  // it is there: the shape owns it
+    shape.proxy = kNoProxy;
+    world.thinnestWall.reset();
+}
+
+void removeShapeSlot(WorldState& world, std::uint32_t slot) {
+    removeProxy(world, slot);
     countTraits(world, world.shapes[slot].def, -1);
     world.shapes.erase(world.shapes.idOf(slot));
 }
@@ -202,6 +224,7 @@ void removeShapeSlot(WorldState& world, std::uint32_t slot) {
 void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes) {
     for (const std::uint32_t slot : shapes) {
         Shape& shape = world.shapes[slot];
+        if (shape.proxy == kNoProxy) { continue; }
         const Aabb box = world.broadphase->box(shape.proxy);  // which was good before
         (void)world.broadphase->remove(shape.proxy);
         shape.proxy = world.broadphase->insert(box, kindOf(shape, world.bodies[shape.body].def.type)).value();

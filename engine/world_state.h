@@ -174,7 +174,7 @@ struct WorldState : Workers {
     std::uint32_t rollingShapes = 0;  ///< with rolling resistance
     SensorSweeps sensorSweeps;
     std::uint32_t kinematicBodies = 0;
-    std::uint32_t fixedBodies = 0;
+    std::uint32_t fixedBodies = 0;  ///< never awake: static, or disabled
     std::uint32_t bulletBodies = 0;
     std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
     std::vector<std::uint32_t>
@@ -294,7 +294,8 @@ void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)
 
 /// Whether two shapes may collide at all: bodies, filters, joints.
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
-/// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake and static bodies.
+/// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake, static and disabled
+/// bodies.
 void wake(WorldState& world, std::uint32_t body);
 /// Wakes all that fell asleep; what was made asleep, and nothing woke yet, sleeps on.
 void wakeAll(WorldState& world);
@@ -309,8 +310,16 @@ void leaveAwake(WorldState& world, std::uint32_t body);
 void closeUpAwake(WorldState& world);
 /// For all that sleeps, and one more body: then to wake any of it asks for no memory.
 void makeRoomToWake(WorldState& world);
+/// Contacts of a body that is put elsewhere, or leaves, say nothing any more; what rested on it, or is joined, wakes.
+void dropContacts(WorldState& world, std::uint32_t body);
+/// Leaves the ring of bodies it sleeps with by waking them all.
+void removeFromAwake(WorldState& world, std::uint32_t body);
+/// Counts a body among those of its kind. @param sign  1, or −1 when it is one of them no longer
+void countBody(WorldState& world, const Body& body, std::int32_t sign);
 /// All that is awake counts its rest from now on: nothing counts while sleep is off.
 void restAnew(WorldState& world);
+/// Whether one of its bodies is disabled: then it is off.
+bool tiesDisabled(const WorldState& world, const Joint& joint);
 /// Wakes everything that a joint holds to the body.
 void wakeJoined(WorldState& world, std::uint32_t body);
 /// Notes the masses of shapes that came to a dynamic body, or have another density.
@@ -319,6 +328,10 @@ void weigh(WorldState& world, std::span<const std::uint32_t> shapes);
 void updateMass(WorldState& world, std::uint32_t body);
 /// Counts a shape among those of which there may be none. @param sign  1, or −1 when it goes
 void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign);
+/// Shapes of bodies that are enabled have one. It refuses what the broadphase does.
+Status addProxy(WorldState& world, std::uint32_t shape);
+/// No effect on those that have none. @pre it has no contacts
+void removeProxy(WorldState& world, std::uint32_t shape);
 /// Frees the slot of a shape, and its proxy. @pre it has no contacts, and its body lists it no longer, or goes as well
 void removeShapeSlot(WorldState& world, std::uint32_t shape);
 /// Shapes that may meet other ones than before (their body's type, sensors, filters) have new proxies, whose pairs are

@@ -35,8 +35,8 @@ void World::visitBodies(FunctionRef<void(BodyId)> visit) const { visitAll<BodyId
 BodyId World::bodyWithoutMass() const {
     const auto& bodies = state_->bodies;
     for (std::uint32_t slot = 0; state_->masslessBodies > 0 && slot < bodies.slotCount(); ++slot) {
-        const bool isAlive = bodies.isAlive(slot);
-        if (isAlive && bodies[slot].isDynamic() && bodies[slot].mass <= 0) { return bodies.idOf(slot); }
+        const bool takesPart = bodies.isAlive(slot) && bodies[slot].def.enabled;
+        if (takesPart && bodies[slot].isDynamic() && bodies[slot].mass <= 0) { return bodies.idOf(slot); }
     }
     return {};
 }
@@ -59,7 +59,7 @@ std::uint64_t World::stateHash() const {
         for (const Real number : {motion.velocity.x, motion.velocity.y, motion.angularVelocity}) {
             hash.add(static_cast<double>(number));
         }
-        hash.add(std::uint64_t{isAwake(id)});
+        hash.add(std::uint64_t{isAwake(id)} + (isEnabled(id) ? 0U : 2U));
     });
     return hash.sum();
 }

@@ -26,6 +26,7 @@ enum class StatusCode : std::uint8_t {
     wrongJointType,   ///< the call does not fit the joint's type (a target for a hinge, a gear of a rod)
     sameBody,         ///< a joint needs two different bodies
     outOfMemory,      ///< an id space is used up; not of memory itself
+    disabled,         ///< the call is for bodies that take part (`World::setEnabled`)
 };
 
 /// What went wrong, and with which argument. The name is that of the argument or member, with these exceptions: an id
@@ -74,6 +75,8 @@ constexpr const char* describe(StatusCode code) {
             return "must be two different bodies";
         case StatusCode::outOfMemory:
             return "has no ids left";
+        case StatusCode::disabled:
+            return "is disabled";
     }
     return "";  // unreachable, but GCC cannot know
 }

@@ -57,15 +57,16 @@ void vandalise(Sizes sizes, int seeds, int actions) {
     for (const StatusCode code :
          {StatusCode::notFinite, StatusCode::negative, StatusCode::notPositive, StatusCode::outOfRange,
           StatusCode::staleId, StatusCode::degenerate, StatusCode::notConvex, StatusCode::tooFewVertices,
-          StatusCode::tooManyVertices, StatusCode::wrongBodyType, StatusCode::missingMass, StatusCode::sameBody}) {
+          StatusCode::tooManyVertices, StatusCode::wrongBodyType, StatusCode::missingMass, StatusCode::sameBody,
+          StatusCode::disabled}) {
         EXPECT_GT(codes[static_cast<std::size_t>(code)], 0) << describe(code) << " was never the answer";
     }
 }
 
 TEST(Misuse, LeavesAUsableWorld) { vandalise(Sizes::usual, SWEPT_MISUSE_PROGRAMS, 1'250); }
 
-/// Finite, but so large that sums and products of them are not. More worlds of shorter lives: a few grow old full of bodies
-/// that turn a million times in a step, and every step of those takes as long as all the rest.
+/// Finite, but so large that sums and products of them are not. More worlds of shorter lives: a few grow old full of
+/// bodies that turn a million times in a step, and every step of those takes as long as all the rest.
 TEST(Misuse, ExtremeNumbersToo) { vandalise(Sizes::extreme, 5 * SWEPT_MISUSE_PROGRAMS, 625); }
 
 }  // namespace

@@ -95,6 +95,7 @@ private:
         if (random().chance(0.1)) { def.inertia = realPositive(); }
         def.fixedRotation = random().chance(0.1);
         def.awake = random().chance(0.9);
+        def.enabled = random().chance(0.95);
         if (random().chance(0.2)) { def.continuous = static_cast<ContinuousMode>(random().integer(0, 5)); }
         return def;
     }
@@ -211,7 +212,7 @@ private:
     }
     Status pushBody() {
         const BodyId body = any(known_.bodies);
-        switch (random().integer(0, 5)) {
+        switch (random().integer(0, 6)) {
             case 0:
                 return world_.setPose(body, place(), number());
             case 1:
@@ -222,6 +223,8 @@ private:
                 return world_.applyTorque(body, realNumber());
             case 4:
                 return world_.applyImpulse(body, vector(), place());
+            case 5:
+                return world_.setEnabled(body, random().chance(0.7));
             default:
                 return world_.setAwake(body, random().chance(0.5));
         }

@@ -44,6 +44,7 @@ inline void addBody(Digest& digest, const World& world, BodyId id) {
     digest.add(world.velocity(id));
     digest.add(static_cast<double>(world.angularVelocity(id)));
     digest.add(std::uint64_t{world.isAwake(id)});
+    digest.add(std::uint64_t{world.isEnabled(id)});
     digest.add(world.mass(id));
     digest.add(world.inertia(id));
     digest.add(world.userData(id));
