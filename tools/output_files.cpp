@@ -65,7 +65,7 @@ bool OutputFiles::refuseClashes(std::string& error) const {
     // There it would be mixed with what the command tells.
     const auto refuseStandardOutput = [&error](const Place& place) {
         if (place.path != "-") { return false; }
-        error = place.flag + " -: nothing is written to standard output; name a place (\"./-\" to call it so)";
+        error = place.flag + " -: cannot write to standard output; give a name (\"./-\" for a file called \"-\")";
         return true;
     };
     if (std::any_of(files_.begin(), files_.end(), refuseStandardOutput) ||

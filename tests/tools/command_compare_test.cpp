@@ -16,7 +16,7 @@ TEST(CommandCompare, TellsHowFarTheEnginesDriftApart) {
                                   scratch.path("out.png"), "--size", "160x90", "--scale", "0.02"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     // In free fall Box2D is behind the parabola by g t dt / 2: 0.0625 m/s² s · t, above 0.02 m from t = 0.32 s on.
-    EXPECT_NE(result.out.find("Deviation above 0.02 m: from step 21"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("Deviation above 0.02 m (--scale): from step 21"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("ball"), std::string::npos);
     EXPECT_NE(result.out.find("skin"), std::string::npos) << "the adapter says what it approximates";
     EXPECT_EQ(scratch.read("out.png").substr(1, 3), "PNG");

@@ -76,12 +76,12 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
     expectRunRefused({scene_, "--png", scene_ + "/below"}, "--png");
     for (const char* const flag : {"--csv", "--events", "--report", "--png", "--webp"}) {
         expectRunRefused({scene_, flag, "-"},
-                         "swept: " + std::string(flag) + " -: nothing is written to standard output");
+                         "swept: " + std::string(flag) + " -: cannot write to standard output");
     }
-    expectRefused({"inspect", scene_, "--json", "-"}, "--json -: nothing is written to standard output");
+    expectRefused({"inspect", scene_, "--json", "-"}, "--json -: cannot write to standard output");
     expectRefused({"tune", scene_, "--max-error", "penetration=1", "--out", "-"},
-                  "--out -: nothing is written to standard output");
-    expectRefused({"envelope", "--coarse", "--out", "-"}, "--out -: nothing is written to standard output");
+                  "--out -: cannot write to standard output");
+    expectRefused({"envelope", "--coarse", "--out", "-"}, "--out -: cannot write to standard output");
     expectRunRefused({scene_, "--csv", scene_}, "would overwrite the input");
     EXPECT_EQ(in_.read("ball.json"), kBallScene);
     expectRefused({"modes", scene_, "--png", scene_}, "would overwrite the input");

@@ -52,7 +52,7 @@ void printHead() {
     printCell("worst", 9);
     printCell("mean", 9);
     printCell("angle", 9);
-    printCell("energy", 10);
+    printCell("our energy", 10);
     printCell("Box2D's", 10);
     std::cout << "worst body\n";
     printCell("s", 7);
@@ -145,7 +145,7 @@ bool writeOverlay(SceneRenderer& renderer, const Comparison& found, const std::s
 
 void printFindings(const LoadedScene& loaded, const Comparison& found, const Runner& ours, const Box2dRunner& theirs) {
     const double dt = loaded.scene.settings.dt;
-    std::cout << "\nDeviation above " << roundedText(found.scale) << " m: ";
+    std::cout << "\nDeviation above " << roundedText(found.scale) << " m (--scale): ";
     if (found.firstBeyond < 0) {
         std::cout << "never in " << countText(found.steps, "step") << '\n';
     } else {

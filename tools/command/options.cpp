@@ -80,7 +80,9 @@ std::string faultOfLeftOver(const CLI::App& program, const std::vector<std::stri
     const auto first = std::find_if(arguments.begin(), arguments.end(), isLeftOver);
     if (first == arguments.end()) { return ""; }
     const bool isOption = first->size() > 1 && first->starts_with('-');
-    return isOption ? first->substr(0, first->find('=')) + ": no such option" : *first + ": one argument too many";
+    if (isOption) { return first->substr(0, first->find('=')) + ": no such option"; }
+    return *first + ": one argument too many" +
+           (program.get_subcommands().empty() ? "" : " (--help tells which there are)");
 }
 
 /// What was written to a pipe that nobody reads, or to a disk that is full, is lost: a success must not be claimed.

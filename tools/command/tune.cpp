@@ -60,6 +60,10 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
         error = "standard input: mpirun hands it to one process alone; name a file";
         return false;
     }
+    if (arguments.limits.empty()) {
+        error = "--max-error is required: an error that you accept, such as --max-error penetration=0.002";
+        return false;
+    }
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded || !tune::parseLimits(arguments.limits, task.options.limits, error)) { return false; }
     if (!arguments.shard.empty() && !tune::parseShard(arguments.shard, task.options.shard, error)) { return false; }
@@ -117,6 +121,15 @@ bool writeFile(const std::string& path, const std::string& text, std::string& er
     return error.empty();
 }
 
+/// Of two runs, by a clock that others disturb. Empty: nothing could be timed.
+std::string costText(double cost, double now) {
+    constexpr double kNoise = 0.1;
+    if (!(cost > 0) || !(now > 0)) { return ""; }
+    const double part = cost / now;
+    if (part > 1 - kNoise) { return ": no saving that could be measured"; }
+    return ": " + roundedText(part, 2) + " of what the scene costs now";
+}
+
 int printAdvice(const Task& task, const tune::Knowledge& known, std::string& error) {
     const tune::Subject& subject = task.options.subject;
     const tune::Verdict verdict = tune::judge(subject, known, task.options.limits);
@@ -137,9 +150,7 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
     const tune::Row& row = known.rows[static_cast<std::size_t>(verdict.recommended)];
     std::cout << "Recommended: " << tune::settingsText(subject, row.config);
     const tune::Row* const own = known.find(tune::ownConfig(subject.scene));
-    if (own != nullptr && own->cost > 0 && row.cost > 0) {
-        std::cout << ": " << roundedText(row.cost / own->cost, 2) << " of what the scene costs now";
-    }
+    if (own != nullptr) { std::cout << costText(row.cost, own->cost); }
     std::cout << '\n';
     const std::string tuned = writeScene(tune::withConfig(subject.scene, row.config));
     if (!writeFile(task.directory + kTuned, tuned, error)) { return kExitBadInput; }
@@ -190,9 +201,8 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
     }
     if (ablation.lean.features.empty()) {
         std::cout << "the scene as it is";
-    } else if (ablation.whole.cost > 0) {
-        std::cout << ": " << roundedText(ablation.lean.row.cost / ablation.whole.cost, 2)
-                  << " of what the scene costs now";
+    } else {
+        std::cout << costText(ablation.lean.row.cost, ablation.whole.cost);
     }
     std::cout << "\nscene  " << task.directory << kLean << "\nrows   " << task.directory << kAblation << "\n";
     if (!tune::holds(tune::strain(ablation.whole, limits, reference.get().uncertainty))) {
@@ -266,7 +276,6 @@ void addTuneCommand(Command app) {
     }
     command.option("--max-error", arguments->limits, "An error that you accept; may be repeated. Measures: " + measures)
         .type("MEASURE=VALUE")
-        .required()
         .oneValueEach();
     command.option("--out", arguments->out, "Directory for rows, plot and tuned scene [tune-NAME]").type("DIR");
     command.option("--threads", arguments->threads, "Runs at a time [all cores]").type("N").within(1, kMostThreads);

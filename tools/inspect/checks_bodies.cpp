@@ -128,7 +128,7 @@ void checkSpeed(const PlacedScene& placed, const PlacedBody& body, const Wall& w
     findings.push_back({Severity::warning, "tunnelling", pointerOf(body),
                         body.name + " may move " + metres(travel) +
                             " in a step, and nothing sweeps it (continuous: off); it is " + metres(body.extent) +
-                            " thin, " + wall.body + " " + metres(wall.width),
+                            " thick, " + wall.body + " " + metres(wall.width),
                         "\"continuous\": \"subStep\", or walls thicker than " + metres(2 * travel - body.extent)});
 }
 

@@ -44,7 +44,7 @@ Need continuousNeed(const PlacedScene& placed) {
     const bool needed = hasObstacles(placed) && worstRatio > envelope::kFastRatio;
     if (worst == nullptr) { return {"continuous collision", false, "nothing moves by itself"}; }
     const std::string way = worstRatio < 1     ? roundedText(worstRatio, 2) + " of its width"
-                            : worstRatio < 1e6 ? std::to_string(std::lround(worstRatio)) + " times its width"
+                            : worstRatio < 1e6 ? roundedText(worstRatio, 2) + " times its width"
                                                : "more than a million times its width";
     return {"continuous collision", needed,
             worst->name + " may move " + way + " in a step, by its start, motors and the fall alone (swept from " +

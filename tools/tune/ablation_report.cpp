@@ -64,9 +64,14 @@ void writeAblation(std::ostream& out, const std::vector<Limit>& limits, const Ab
     for (const Ablated& one : ablation.single) {
         if (!one.refusal.empty()) { out << one.features.front() << " could not be tried: " << one.refusal << '\n'; }
     }
-    out << "change: farthest that a body gets from where it is with the feature; up to "
+    out << "change: farthest that a body gets from where it is with the feature. Parts of the model may go where that "
+           "is "
         << roundedText(ablation.visible, 2)
-        << " m nobody sees it\nms per s: processor time of the steps of a simulated second\n";
+        << " m at most,\nwhich nobody sees; parts of the method (continuous collision, bullets, sub-steps, relaxation, "
+           "sleep) "
+           "where the accepted\nerrors allow it. What would be more work without it stays.\nms per s: processor time "
+           "of the "
+           "steps of a simulated second\n";
 }
 
 void writeAblationCsv(std::ostream& out, const Ablation& ablation) {

@@ -27,6 +27,12 @@ std::string hertz(const Subject& subject, const Config& config) {
 
 std::string errorText(double value) { return std::isnan(value) ? "-" : roundedText(value, 2); }
 
+/// "37 %", "41 times".
+std::string partText(double part) {
+    constexpr double kMostPercent = 10;
+    return part < kMostPercent ? roundedText(100 * part, 3) + " %" : roundedText(part, 2) + " times";
+}
+
 std::vector<std::string> cellsOf(const Subject& subject, const std::vector<Limit>& limits, const Row& row, double part,
                                  char mark) {
     const Config& config = row.config;
@@ -42,7 +48,7 @@ std::vector<std::string> cellsOf(const Subject& subject, const std::vector<Limit
     for (const Limit& limit : limits) {
         cells.push_back(row.verdict.empty() ? errorText(row.errors[limit.measure]) : row.verdict);
     }
-    cells.push_back(std::isinf(part) ? "-" : roundedText(100 * part, 3) + " %");
+    cells.push_back(std::isinf(part) ? "-" : partText(part));
     return cells;
 }
 
