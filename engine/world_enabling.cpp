@@ -1,6 +1,11 @@
+#include <cmath>
+#include <numbers>
+#include <variant>
+
 #include "../shapes/room.h"
 #include "joint_builder.h"
 #include "levers.h"
+#include "number_range.h"
 #include "travel.h"
 #include "world_state.h"
 
@@ -8,6 +13,19 @@
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
+
+/// A joint takes hold of its bodies as they are by then: nothing is turned back by whole turns, and a gear goes on from
+/// where its wheels are.
+void takeHold(const WorldState& world, Joint& joint) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    joint.referenceAngle += kTurn * std::round(angleOf(world, joint) / kTurn);
+    const auto* const gear = std::get_if<JointPart<GearJointDef, GearConstraint>>(&joint.parts);
+    if (gear == nullptr) { return; }
+    const double constant =
+        coordinateOf(world, world.joints[gear->def.jointA.index]) +
+        static_cast<double>(gear->def.ratio) * coordinateOf(world, world.joints[gear->def.jointB.index]);
+    if (isInRange(constant)) { joint.gearConstant = constant; }
+}
 
 /// A joint is off as long as any of its bodies is disabled.
 void switchJoint(WorldState& world, std::uint32_t slot) {
@@ -17,14 +35,37 @@ void switchJoint(WorldState& world, std::uint32_t slot) {
     const bool held = joint.holds();
     joint.isOff = isOff;
     forgetImpulses(joint);
+    if (!isOff) { takeHold(world, joint); }
     world.jointTies[slot] = tieOf(joint);
     world.jointChains.areCurrent = false;
     for (const std::uint32_t body : joint.allBodies()) {
         world.bodies[body].holdingJoints += joint.holds() ? 1 : 0;
         world.bodies[body].holdingJoints -= held ? 1 : 0;
-        resistTurns(world, body);
         wake(world, body);
     }
+}
+
+/// All joints of a body that was enabled, or disabled. A hub may have thousands.
+void switchJoints(WorldState& world, std::uint32_t body) {
+    for (const std::uint32_t slot : world.bodies[body].joints) {
+        switchJoint(world, slot);
+        for (const std::uint32_t other : world.joints[slot].allBodies()) {
+            if (other != body) { resistTurns(world, other); }
+        }
+    }
+    resistTurns(world, body);
+}
+
+/// What the steps so far left to the next one: nothing of it is about the time when the body comes back.
+void forgetSteps(Body& body) {
+    body.hasContact = false;
+    body.touchesDynamic = false;
+    body.fast = false;
+    body.effort = {};
+    body.searchDebt = 0;
+    body.soughtSteps = 0;
+    body.force = {};
+    body.torque = 0;
 }
 
 void disable(WorldState& world, std::uint32_t slot) {
@@ -38,9 +79,8 @@ void disable(WorldState& world, std::uint32_t slot) {
     body.awake = false;
     body.role = BodyRole::idle;
     body.nextAsleep = slot;
-    body.force = {};
-    body.torque = 0;
-    for (const std::uint32_t joint : body.joints) { switchJoint(world, joint); }
+    forgetSteps(body);
+    switchJoints(world, slot);
     noteRest(world, slot);
 }
 
@@ -64,7 +104,7 @@ Status enable(WorldState& world, std::uint32_t slot) {
     countBody(world, body, -1);
     body.def.enabled = true;
     countBody(world, body, 1);
-    for (const std::uint32_t joint : body.joints) { switchJoint(world, joint); }
+    switchJoints(world, slot);
     wake(world, slot);
     updateProxies(world, slot);
     if (!body.awake) { noteRest(world, slot); }  // no step does it for what is fixed
