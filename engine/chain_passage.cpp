@@ -80,14 +80,18 @@ OnChain othersOf(const WorldState& world, const Contact& contact, ChainContacts&
     return others;
 }
 
+/// Whether the middle of the shape was behind as the last step began.
+bool wasBehindBefore(const WorldState& world, const Contact& contact) {
+    return isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+}
+
 /// @param anyPasses  whether one of the renewed does; if not, the others need not be asked
 /// @pre it has points
-bool comesThrough(const WorldState& world, const Contact& contact, ChainContacts& contacts,
+bool comesThrough(const WorldState& world, const Contact& contact, Moment moment, ChainContacts& contacts,
                   FunctionRef<bool()> anyPasses) {
     if (contact.touching || !(deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent)) { return false; }
     // A contact that is new was put there, and what was put into the ground comes out of it.
-    const bool wasBehind =
-        contact.wasSeen && isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+    const bool wasBehind = moment == Moment::stepBegins && contact.wasSeen && wasBehindBefore(world, contact);
     if (!wasBehind && !anyPasses()) { return false; }
     const OnChain others = othersOf(world, contact, contacts);
     if (others.stands) { return false; }  // it goes over a corner
@@ -119,7 +123,7 @@ Vec2 middleOf(const Polygon& core) {
 }
 
 bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                std::vector<std::uint64_t>& byBody) {
+                Moment moment, std::vector<std::uint64_t>& byBody) {
     ChainContacts ofChains(contacts, renewed, byBody);
     bool any = false;
     std::optional<bool> passed;  // any in the last step: as good as never asked
@@ -136,7 +140,7 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
         if (contact.passes) {
             contact.passes = isStillInside(world, contact);
         } else if (contact.manifold.count > 0) {
-            contact.passes = comesThrough(world, contact, ofChains, anyPasses);
+            contact.passes = comesThrough(world, contact, moment, ofChains, anyPasses);
         }
         contact.wasSeen = true;
         if (contact.passes) { takePoints(contact); }
@@ -147,7 +151,7 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
 
 void letThrough(WorldState& world) {
     world.chainPassers.clear();
-    if (!letThrough(world, world.contacts, world.lists.ground, world.chainContacts)) { return; }
+    if (!letThrough(world, world.contacts, world.lists.ground, Moment::stepBegins, world.chainContacts)) { return; }
     for (const std::uint32_t i : world.lists.ground) {
         const Contact& contact = world.contacts[i];
         if (contact.passes) { world.chainPassers.push_back({contact.shapeA, contact.shapeB}); }

@@ -18,13 +18,16 @@ inline bool isBehind(const Shape& segment, Vec2 place) {
     return dot(place - segment.segment.p, segment.polygon.normals[0]) < 0;
 }
 
+/// When it is asked. `startCenter` and `startAngle` of bodies tell where they were before as a step begins, and only
+/// then: parts of a step begin with those of their members set to where these are, and of chains that move they do not.
+enum class Moment : std::uint8_t { stepBegins, partBegins };
+
 /// Takes the points of contacts that pass a chain.
-/// @pre `startCenter` and `startAngle` of bodies tell where they were before
 /// @param renewed  indices of the contacts whose manifold is new, in their order
 /// @param byBody  scratch: those with chains
 /// @return whether there were any
 bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                std::vector<std::uint64_t>& byBody);
+                Moment moment, std::vector<std::uint64_t>& byBody);
 /// Those of the world, which are listed for the sweeps of this step.
 void letThrough(WorldState& world);
 /// Whether a shape passes a chain segment (slots) in this step.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carry_along.h"
 #include "constraint_builder.h"
 #include "flight_state.h"
 #include "free_path.h"
@@ -176,6 +177,12 @@ double shareMissed(const Body& body, const Sweep& asked, const BodyMotion& reach
     return missed < way ? missed / way : 1;
 }
 
+/// For the rest of the step, which is lost.
+void holdHere(Flight& flight, LostTimeReason reason) {
+    enterLedger(flight, reason);
+    carryAlong(*flight.world, flight.slot, flight.motion, flight.elapsed, flight.dt, *flight.scratch);
+}
+
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
@@ -188,18 +195,12 @@ void flyThrough(Flight& flight) {
             return;
         }
         const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
-        if (isExhausted(flight, impacts, reason)) {
-            enterLedger(flight, reason);
-            return;
-        }
+        if (isExhausted(flight, impacts, reason)) { return holdHere(flight, reason); }
         advance(flight, sweep, first.fraction);
         const bool isHit = resolveHere(flight);
         notePose(flight);
         ++scratch.impacts;
-        if (isHit && flight.stops) {
-            enterLedger(flight, LostTimeReason::stop);
-            return;
-        }
+        if (isHit && flight.stops) { return holdHere(flight, LostTimeReason::stop); }
     }
 }
 
@@ -231,10 +232,10 @@ void advance(Flight& flight, const Sweep& sweep, double fraction) {
 }
 
 FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
-    findObstacles(*flight.world, flight.slot, sweep, *flight.scratch);
+    findObstacles(*flight.world, flight.slot, sweep, flight.elapsed, *flight.scratch);
     dropWhatIsLeft(flight, sweep);
     const auto count = static_cast<std::size_t>(flight.carrierCount);
-    if (count > 0) { allowSag(*flight.world, {flight.carriers.data(), count}, *flight.scratch); }
+    if (count > 0) { allowSag(*flight.world, {flight.carriers.data(), count}, flight.elapsed, *flight.scratch); }
     return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch, limit);
 }
 
@@ -281,7 +282,7 @@ bool resolveStanding(Flight& flight) {
     const double angle = flight.motion.angle;
     const Sweep standing{
         .localCenter = toDouble(flight.body().localCenter), .c0 = center, .c1 = center, .a0 = angle, .a1 = angle};
-    findObstacles(*flight.world, flight.slot, standing, *flight.scratch);
+    findObstacles(*flight.world, flight.slot, standing, flight.elapsed, *flight.scratch);
     return resolveHere(flight);
 }
 
@@ -355,6 +356,7 @@ void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, 
                                    .position = motion.pose.position,
                                    .angle = motion.angle,
                                    .fraction = (part.begin + first.fraction * part.length) / part.dt});
+    carryAlong(world, slot, motion, first.fraction * part.length, part.length, scratch);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -107,7 +107,7 @@ void collideHeld(WorldState& world, SolveDesk& desk, double time) {
     std::vector<std::uint32_t>& all = island.heldIndices;
     while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
     const std::span<const std::uint32_t> renewed = std::span(all).first(island.held.size());
-    letThrough(world, island.held, renewed, island.chainContacts);
+    letThrough(world, island.held, renewed, Moment::partBegins, island.chainContacts);
     dropGhosts(world, island.held, island.heldSlides, renewed, island.members, island.nextGroundContact,
                world.serialTasks);
     desk.counters.manifolds += island.held.size();

@@ -134,6 +134,16 @@ double excessOf(const WorldState& world, const Sweep& path, const Sweep& ground,
     return obstacle.level + 2 * toleranceOf(world, obstacle) - lifted + bulge - end;
 }
 
+/// What is sunk in, and turns with one end out of a wall and with the other one into it, does not press where it is
+/// deep: no contact takes its turn, and it would hang there for ever, held in each step.
+void stopTurn(const WorldState& world, BodyMotion& motion, const FlightObstacle& obstacle, DVec2 normal) {
+    const BodyMotion& ground = world.motions[world.shapes[obstacle.other].body];
+    motion.angularVelocity = ground.angularVelocity;
+    const Vec2 outward = toReal(normal);
+    const Real speed = dot(motion.velocity - ground.velocity, outward);
+    motion.velocity -= std::min(speed, Real(0)) * outward;
+}
+
 /// Sets the end of the path off what the body is sunk into, along the normal, as far as it may be sunk. A turn that
 /// would throw it out is left out.
 /// @return whether that changed anything
@@ -150,6 +160,7 @@ bool setOff(WorldState& world, std::uint32_t slot, double time, const FlightObst
     if (std::min(outward, 0.0) + excess > slackOf(world, obstacle)) {
         path.a1 = motion.angle = path.a0;
         excess = std::max(excessOf(world, path, ground, obstacle), 0.0);
+        stopTurn(world, motion, obstacle, normal);
     }
     motion.center += excess * normal;
     updatePose(world, slot);
@@ -177,10 +188,10 @@ bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
     return extent > 0 && length(motion.center - body.startCenter) + turned > slow;
 }
 
-FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit,
-                         FlightScratch& scratch, bool ignoresSunk) {
+FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit, FlightScratch& scratch,
+                         bool ignoresSunk) {
     const Sweep path = pathOf(world, slot);
-    findObstacles(world, slot, path, scratch);
+    findObstacles(world, slot, path, 0, scratch);
     if (scratch.obstacles.empty()) { return {}; }
     // Most of what is fast slides along something, or leaves it: that takes no search.
     SolvedPath solved{path, scratch.startPose, world.motions[slot].pose, time};

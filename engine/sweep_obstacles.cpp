@@ -17,16 +17,23 @@ bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
     return !world.bodies[other.body].isDynamic() && !other.def.sensor && mayTouch(world, own, other);
 }
 
+/// Of a static or kinematic body so many seconds after the start of the step.
+WorldTransform groundPose(const WorldState& world, std::uint32_t body, double seconds) {
+    const bool isThere = seconds == 0 || world.bodies[body].def.type == BodyType::fixed;
+    if (isThere) { return world.motions[body].pose; }
+    return motionAt(obstacleSweep(world, body, seconds, seconds), 0, world.bodies[body].localCenter).pose;
+}
+
 /// Where the centre of a shape's core is at the start of a sweep, once a chain asks: what is near one piece of it is
 /// near several.
 class StartOfCore {
 public:
-    StartOfCore(const Shape& own, const WorldTransform& pose) : own_(own), pose_(pose) {}
+    StartOfCore(const Shape& own, const WorldTransform& pose, double from) : own_(own), pose_(pose), from_(from) {}
 
     /// In the frame of the body of a chain.
     Vec2 placeIn(const WorldState& world, std::uint32_t body) {
         if (body != body_) {
-            place_ = applyInverse(world.motions[body].pose, apply(pose_, middleOf(own_.polygon)));
+            place_ = applyInverse(groundPose(world, body, from_), apply(pose_, middleOf(own_.polygon)));
             body_ = body;
         }
         return place_;
@@ -35,6 +42,7 @@ public:
 private:
     const Shape& own_;
     const WorldTransform& pose_;
+    double from_;
     Vec2 place_{};
     std::uint32_t body_ = kNoIndex;
 };
@@ -119,15 +127,19 @@ StartContact contactAtStart(const WorldState& world, const FlightObstacle& obsta
 }
 
 /// Ground flush with what the body stands on, along any of these normals: it may sink into it along the same normal, or
-/// the side of the next piece would stop it. @param slops  how far
-void liftFlush(const WorldState& world, double slops, std::span<const Vec2> normals, FlightScratch& scratch) {
+/// the side of the next piece would stop it.
+/// @param slops  how far
+/// @param from  seconds of the step at which the sweep begins
+void liftFlush(const WorldState& world, double slops, std::span<const Vec2> normals, double from,
+               FlightScratch& scratch) {
     for (FlightObstacle& obstacle : scratch.obstacles) {
         if (obstacle.isClear) { continue; }  // nobody sweeps against it
         const Shape& other = world.shapes[obstacle.other];
         const Real slop = slopOf(world, obstacle);
+        const WorldTransform pose = groundPose(world, other.body, from);
         for (const Vec2 normal : normals) {
-            const Real clear = separationAlong(other.polygon, world.motions[other.body].pose,
-                                               world.shapes[obstacle.own].polygon, scratch.startPose, normal);
+            const Real clear =
+                separationAlong(other.polygon, pose, world.shapes[obstacle.own].polygon, scratch.startPose, normal);
             if (clear < -slop) { continue; }
             obstacle.lift = slops * static_cast<double>(slop) * toDouble(normal);
             break;
@@ -233,7 +245,8 @@ Aabb boxOfPath(const Sweep& sweep, double reach) {
     return roundedOutward({lower.x - reach, lower.y - reach}, {upper.x + reach, upper.y + reach});
 }
 
-void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch) {
+void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from,
+                   FlightScratch& scratch) {
     scratch.obstacles.clear();
     bool isPlaced = false;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
@@ -248,7 +261,7 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
         std::sort(scratch.found.begin(), scratch.found.end());
         if (!isPlaced) { scratch.startPose = poseOf(sweep.c0, sweep.a0, world.bodies[body].localCenter); }
         isPlaced = true;
-        StartOfCore core(own, scratch.startPose);
+        StartOfCore core(own, scratch.startPose, from);
         for (const std::uint32_t found : scratch.found) {
             const Shape& other = world.shapes[found];
             if (!isObstacle(world, own, other) || isBehindChain(world, other, core)) { continue; }
@@ -289,11 +302,11 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
             scratch.normals.push_back(contact.normal);
         }
     }
-    liftFlush(world, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, scratch);
+    liftFlush(world, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, 0, scratch);
 }
 
-void allowSag(const WorldState& world, std::span<const Vec2> normals, FlightScratch& scratch) {
-    liftFlush(world, kSagSlops, normals, scratch);
+void allowSag(const WorldState& world, std::span<const Vec2> normals, double from, FlightScratch& scratch) {
+    liftFlush(world, kSagSlops, normals, from, scratch);
 }
 
 FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,

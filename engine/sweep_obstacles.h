@@ -53,7 +53,9 @@ Aabb boxOfPath(const Shape& own, const Sweep& sweep);
 /// Likewise of all that is no farther from the centre than that, metres.
 Aabb boxOfPath(const Sweep& sweep, double reach);
 /// Static and kinematic shapes in the way of a sweep of the body, in order of their slots.
-void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, FlightScratch& scratch);
+/// @param from  seconds of the step at which it begins: a chain that moves is where it is by then
+void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from,
+                   FlightScratch& scratch);
 
 /// Manifold of an obstacle (as A) and the swept shape (as B) at given poses.
 Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& other,
@@ -79,8 +81,8 @@ inline constexpr int kImpactsPerDoubling = 4;
 double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts);
 
 /// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of
-/// the slop.
-void allowSag(const WorldState& world, std::span<const Vec2> normals, FlightScratch& scratch);
+/// the slop. @param from  seconds of the step at which the sweep begins
+void allowSag(const WorldState& world, std::span<const Vec2> normals, double from, FlightScratch& scratch);
 
 struct FirstImpact {
     bool hit = false;

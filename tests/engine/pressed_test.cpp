@@ -183,6 +183,34 @@ TEST(Pressed, BulletsIntoTheWallOfAWedge) {
     }
 }
 
+/// A plank that is sunk into a steep wall with one end, which turns out of it, while the other one turns into it: its
+/// turn was left out of each step, but not taken from it, and it hung there for ever.
+TEST(Pressed, WhatTurnsIntoAWallComesOutOfItAndSlidesDown) {
+    constexpr double kSlope = 2.5;
+    constexpr double kTilt = -4.742;
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        for (const bool isBox : {false, true}) {
+            for (const double depth : {0.002, 0.0035, 0.005, 0.006256, 0.008}) {
+                for (const double rate : {30.0, 60.0, 240.0}) {
+                    WorldSettings settings = awakeSettings(9.81);
+                    settings.profile = profile;
+                    World world = makeWorld(settings);
+                    const Polygon wall = isBox ? must(makeBox(vec(0.1, 50), vec(-4.1, 0))) : segment(-4, -50, -4, 50);
+                    addStatic(world, wall, {}, {}, kSlope);
+                    const double out = 0.0125 * std::fabs(std::sin(kTilt)) + 0.316 * std::fabs(std::cos(kTilt)) - depth;
+                    BodyDef def = dynamicAt(turned({-4 + out, 0}, kSlope), vec(0.5234, -0.1829), 2.2919);
+                    def.angle = kSlope + kTilt;
+                    const BodyId plank = addBody(world, def, box(0.316, 0.0125));
+                    const double before = world.position(plank).y;
+                    runFor(world, 3, 1 / rate);
+                    EXPECT_LT(world.position(plank).y, before - 3)
+                        << "depth " << depth << ", " << rate << " Hz" << (isBox ? ", box" : ", segment");
+                }
+            }
+        }
+    }
+}
+
 /// Rods that are put between bodies in flight, and jam between them and the walls.
 TEST(Pressed, ByRodsInAClosedChamber) {
     constexpr double kHalf = 10;
