@@ -278,7 +278,9 @@ struct Scene {
         addStatic(world, box(1, 12), {}, {9, 6});
         for (int i = 0; i < 60; ++i) {
             const double x = -6 + 1.5 * (i % 9) + in(-0.2, 0.2);
-            BodyDef def = dynamicAt({x, 0.8 + 1.3 * (i / 9)}, vec(in(-3, 3), in(-3, 3)));
+            const double along = in(-3, 3);
+            const double up = in(-3, 3);
+            BodyDef def = dynamicAt({x, 0.8 + 1.3 * (i / 9)}, vec(along, up));
             def.type = i % 20 == 7 ? BodyType::kinematic : i % 20 == 13 ? BodyType::fixed : BodyType::dynamic;
             if (def.type != BodyType::dynamic) { def.velocity = {}; }
             def.bullet = i % 10 == 4;

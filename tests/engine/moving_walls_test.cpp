@@ -55,7 +55,7 @@ bool isOut(const World& world, BodyId room, BodyId body, double reach) {
 
 constexpr double kReach = 0.32;
 Polygon shapeOf(std::uint32_t kind) {
-    switch (kind % 4) {
+    switch (kind) {
         case 0:
             return capsule(0.3, 0.006);
         case 1:
@@ -78,7 +78,9 @@ TEST(MovingWalls, LiftsOfChainsHoldThinPlanks) {
             const std::array<Vec2, 2> floor{vec(50, 0), vec(-50, 0)};
             must(world.addChain(lift, floor, false));
             must(world.setVelocity(lift, vec(0, speed), 0));
-            BodyDef def = dynamicAt({0, 1}, vec(in(random, -2, 2), speed + in(random, -4, 0)), in(random, -6, 6));
+            const double along = in(random, -2, 2);
+            const double down = in(random, -4, 0);
+            BodyDef def = dynamicAt({0, 1}, vec(along, speed + down), in(random, -6, 6));
             def.angle = in(random, -kPi, kPi);
             const BodyId plank = addBody(world, def, box(0.4, seed % 2 == 0 ? 0.006 : 0.02));
             run(world, 120);
@@ -126,12 +128,14 @@ TEST(MovingWalls, RoomsThatAreShakenHoldACrowd) {
                     BodyDef def = dynamicAt({in(random, -3.5, 3.5), 0});
                     def.position.y = in(random, -2.5, 2.5);
                     def.angle = in(random, -kPi, kPi);
-                    bodies.push_back(addBody(world, def, shapeOf(seed % 3 == 0 ? 0 : random())));
+                    const auto kind = static_cast<std::uint32_t>(random() % 4);
+                    bodies.push_back(addBody(world, def, shapeOf(seed % 3 == 0 ? 0 : kind)));
                 }
                 for (int step = 0; step < 200; ++step) {
                     if (step % 10 == 0) {
                         const double along = in(random, -speed, speed);
-                        must(world.setVelocity(room, vec(along, in(random, -speed, speed)), 0));
+                        const double up = in(random, -speed, speed);
+                        must(world.setVelocity(room, vec(along, up), 0));
                     }
                     run(world, 1);
                     for (const BodyId body : bodies) {
