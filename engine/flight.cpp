@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "carry_along.h"
 #include "constraint_builder.h"
 #include "flight_state.h"
 #include "free_path.h"
@@ -12,6 +11,7 @@
 #include "modes.h"
 #include "solved_path.h"
 #include "sweep_obstacles.h"
+#include "take_along.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -180,7 +180,7 @@ double shareMissed(const Body& body, const Sweep& asked, const BodyMotion& reach
 /// For the rest of the step, which is lost.
 void holdHere(Flight& flight, LostTimeReason reason) {
     enterLedger(flight, reason);
-    carryAlong(*flight.world, flight.slot, flight.motion, flight.elapsed, flight.dt, *flight.scratch);
+    takeAlong(*flight.world, flight.slot, flight.motion, flight.elapsed, flight.dt, *flight.scratch);
 }
 
 /// Flies until the step is used up or the budget is.
@@ -356,7 +356,7 @@ void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, 
                                    .position = motion.pose.position,
                                    .angle = motion.angle,
                                    .fraction = (part.begin + first.fraction * part.length) / part.dt});
-    carryAlong(world, slot, motion, first.fraction * part.length, part.length, scratch);
+    takeAlong(world, slot, motion, first.fraction * part.length, part.length, scratch);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -138,10 +138,10 @@ double excessOf(const WorldState& world, const Sweep& path, const Sweep& ground,
 /// deep: no contact takes its turn, and it would hang there for ever, held in each step.
 void stopTurn(const WorldState& world, BodyMotion& motion, const FlightObstacle& obstacle, DVec2 normal) {
     const BodyMotion& ground = world.motions[world.shapes[obstacle.other].body];
-    motion.angularVelocity = ground.angularVelocity;
+    const Vec2 velocityThere = ground.velocity + cross(ground.angularVelocity, toReal(motion.center - ground.center));
+    if (motion.angularVelocity != 0) { motion.angularVelocity = ground.angularVelocity; }  // what turns at all
     const Vec2 outward = toReal(normal);
-    const Real speed = dot(motion.velocity - ground.velocity, outward);
-    motion.velocity -= std::min(speed, Real(0)) * outward;
+    motion.velocity -= std::min(dot(motion.velocity - velocityThere, outward), Real(0)) * outward;
 }
 
 /// Sets the end of the path off what the body is sunk into, along the normal, as far as it may be sunk. A turn that

@@ -1,4 +1,4 @@
-#include "carry_along.h"
+#include "take_along.h"
 
 #include "sweep_obstacles.h"
 
@@ -39,8 +39,8 @@ Sweep carriedWay(const Body& body, const BodyMotion& motion, const Sweep& carrie
 
 }  // namespace
 
-void carryAlong(const WorldState& world, std::uint32_t slot, BodyMotion& motion, double from, double to,
-                FlightScratch& scratch) {
+void takeAlong(const WorldState& world, std::uint32_t slot, BodyMotion& motion, double from, double to,
+               FlightScratch& scratch) {
     if (world.kinematicBodies == 0 || !(from < to)) { return; }
     const Body& body = world.bodies[slot];
     const Sweep stands = standing(body, motion);

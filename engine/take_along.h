@@ -9,7 +9,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// through it.
 /// @param motion  of the body, standing; its velocities stay as they are
 /// @param from, to  seconds after the poses that kinematic bodies have now
-void carryAlong(const WorldState& world, std::uint32_t body, BodyMotion& motion, double from, double to,
-                FlightScratch& scratch);
+void takeAlong(const WorldState& world, std::uint32_t body, BodyMotion& motion, double from, double to,
+               FlightScratch& scratch);
 
 }  // namespace swept::inline SWEPT_PRECISION
