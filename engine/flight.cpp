@@ -9,6 +9,7 @@
 #include "ghosts.h"
 #include "hit_event.h"
 #include "modes.h"
+#include "set_back.h"
 #include "solved_path.h"
 #include "sweep_obstacles.h"
 #include "take_along.h"
@@ -19,27 +20,33 @@ namespace {
 
 constexpr BodySlot kFlyerSlot = 1;
 
+Real deepestOf(const ContactConstraint& constraint) {
+    const Real first = constraint.points[0].baseSeparation;
+    return constraint.count > 1 ? std::min(first, constraint.points[1].baseSeparation) : first;
+}
+
 /// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
 /// between two impacts of a sliding body is undone by it. What something kinematic holds deeper than that is squeezed,
 /// and stays in it: behind it may be a wall.
-void setBack(Flight& flight, const Manifold& manifold, Vec2 normal, const FlightObstacle& obstacle) {
+void setBack(Flight& flight, const ContactConstraint& contact, const FlightObstacle& obstacle) {
     const auto target = static_cast<Real>(targetOf(*flight.world, obstacle));
     const auto tolerance = static_cast<Real>(toleranceOf(*flight.world, obstacle));
-    Real deepest = target;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        deepest = std::min(deepest, manifold.points[i].separation);
-    }
+    const Real deepest = std::min(target, deepestOf(contact));
     if (deepest >= target - tolerance - roundingOf(*flight.world, obstacle)) { return; }
     const Body& other = flight.world->bodies[flight.world->shapes[obstacle.other].body];
     const bool isSqueezed = static_cast<double>(target - deepest) > slackOf(*flight.world, obstacle);
     if (isSqueezed && other.def.type == BodyType::kinematic) { return; }
-    flight.motion.center += toDouble((target - deepest) * normal);
-    flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
-}
-
-Real deepestOf(const ContactConstraint& constraint) {
-    const Real first = constraint.points[0].baseSeparation;
-    return constraint.count > 1 ? std::min(first, constraint.points[1].baseSeparation) : first;
+    const auto lowPoint = [&](std::size_t i) {
+        const ContactConstraintPoint& point = contact.points[i];
+        return LowPoint{cross(point.anchorB, contact.normal), target - point.baseSeparation};
+    };
+    const Body& body = flight.body();
+    const LowPoint first = lowPoint(0);
+    const SetBack back =
+        setBackOf({first, contact.count > 1 ? lowPoint(1) : first}, {body.inverseMass, body.inverseInertia});
+    flight.motion.center += toDouble(back.along * contact.normal);
+    flight.motion.angle += static_cast<double>(back.turn);
+    flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, body.localCenter);
 }
 
 /// Faces that meet flush meet at all their points: what the slop tells from touching takes part in the impact of
@@ -82,7 +89,7 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
         flight.scratch->states.push_back({.velocity = moving.velocity, .angularVelocity = moving.angularVelocity});
         flight.scratch->inertias.push_back({});
     }
-    setBack(flight, manifold, constraint.normal, obstacle);
+    setBack(flight, constraint, obstacle);
     flight.scratch->constraints.push_back(constraint);
 }
 

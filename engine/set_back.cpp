@@ -1,0 +1,26 @@
+#include "set_back.h"
+
+#include <algorithm>
+
+#include "../solver/contact_constraint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia) {
+    const auto [one, two] = points;
+    // By unit mass: responses of the points to an impulse at each.
+    const Real ratio = inertia.inverseMass > 0 ? inertia.inverseInertia / inertia.inverseMass : Real(0);
+    const Real own1 = 1 + ratio * one.arm * one.arm;
+    const Real own2 = 1 + ratio * two.arm * two.arm;
+    const Real shared = 1 + ratio * one.arm * two.arm;
+    const auto withPushes = [&](Real p1, Real p2) { return SetBack{p1 + p2, ratio * (one.arm * p1 + two.arm * p2)}; };
+    const Real alone1 = std::max(one.depth, Real(0)) / own1;
+    const Real alone2 = std::max(two.depth, Real(0)) / own2;
+    if (!(two.depth - shared * alone1 > 0)) { return withPushes(alone1, 0); }
+    if (!(one.depth - shared * alone2 > 0)) { return withPushes(0, alone2); }
+    const Real rest = own1 * own2 - shared * shared;
+    if (!(rest > kTwoPointsRatio * own1 * own2)) { return withPushes(std::max(one.depth, two.depth), 0); }
+    return withPushes((own2 * one.depth - shared * two.depth) / rest, (own1 * two.depth - shared * one.depth) / rest);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

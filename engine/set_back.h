@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "../solver/body_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A point of a body that is too low.
+struct LowPoint {
+    Real arm = 0;    ///< cross(point − centre, normal), metres
+    Real depth = 0;  ///< below where it is to be, metres; negative: above
+};
+
+/// A small displacement.
+struct SetBack {
+    Real along = 0;  ///< of the centre along the normal, metres
+    Real turn = 0;   ///< radians
+};
+
+/// The displacement that raises two points (of one point: twice the same) to where they are to be, as impulses along
+/// the normal would: of all that do, the least one by the inertia of the body. What a body fell through while nothing
+/// held it is paid back so with the energy that the stop of its fall took, and no more; raised without a turn, a box on
+/// one of its corners would gain height with every step.
+SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia);
+
+}  // namespace swept::inline SWEPT_PRECISION
