@@ -31,6 +31,18 @@ struct CastHit {
     constexpr explicit operator bool() const { return hit; }
 };
 
+/// The shape that is nearest to a point or polygon.
+struct NearestShape {
+    bool found = false;
+    ShapeId shape{};
+    BodyId body{};
+    Real distance = 0;  ///< metres, radii included; negative: how deep they overlap
+    DVec2 point{};      ///< on the surface of the shape, world: that is where it is nearest
+    Vec2 normal{};      ///< unit, outward from the shape there, towards what asks
+
+    constexpr explicit operator bool() const { return found; }
+};
+
 /// One contact as the world sees it now.
 struct ContactView {
     ShapeId shapeA{};

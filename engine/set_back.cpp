@@ -7,7 +7,8 @@
 namespace swept::inline SWEPT_PRECISION {
 
 SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia) {
-    const auto [one, two] = points;
+    const LowPoint& one = points[0];
+    const LowPoint& two = points[1];
     // By unit mass: responses of the points to an impulse at each.
     const Real ratio = inertia.inverseMass > 0 ? inertia.inverseInertia / inertia.inverseMass : Real(0);
     const Real own1 = 1 + ratio * one.arm * one.arm;

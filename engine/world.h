@@ -232,6 +232,13 @@ public:
     /// Shapes that overlap or touch the polygon, exactly; a visitor that returns false ends the query.
     void overlapShape(const Polygon& polygon, const WorldTransform& pose, const QueryFilter& filter,
                       FunctionRef<bool(ShapeId)> visit) const;
+    /// The shape that is nearest to a point, or to a polygon, no farther than `reach` metres (finite). Of those that
+    /// overlap it the one that is deepest. It costs least where something is near, whatever the reach.
+    NearestShape nearest(DVec2 point, Real reach, const QueryFilter& filter = {}) const;
+    NearestShape nearest(const Polygon& polygon, const WorldTransform& pose, Real reach,
+                         const QueryFilter& filter = {}) const;
+    /// Where one shape is nearest to a point, however far; nothing for a stale id.
+    NearestShape nearest(ShapeId id, DVec2 point) const;
     /// All contact points there are now, also of what is near and does not touch: `separation` tells.
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
     // What one body or shape touches. Not const, since the third of these calls after a step lists all contacts by

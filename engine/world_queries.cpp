@@ -4,22 +4,12 @@
 #include <tuple>
 #include <vector>
 
-#include "../shapes/distance.h"
 #include "../shapes/ray_cast.h"
 #include "cast_start.h"
-#include "world_state.h"
+#include "query_support.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-bool sees(const QueryFilter& filter, const Shape& shape) {
-    if (shape.def.sensor && !filter.sensors) { return false; }
-    return (shape.def.filter.category & filter.mask) != 0 && (filter.category & shape.def.filter.mask) != 0;
-}
-
-std::uint32_t slotOf(const WorldState& world, ProxyId proxy) {
-    return world.proxyShapes[static_cast<std::size_t>(proxy)];
-}
 
 const Shape& shapeOf(const WorldState& world, ProxyId proxy) { return world.shapes[slotOf(world, proxy)]; }
 
@@ -54,14 +44,6 @@ private:
 
 bool isGood(DVec2 origin, Vec2 translation) {
     return isFinite(origin) && isFinite(translation) && translation != Vec2{};
-}
-
-bool isGood(const Polygon& polygon, const WorldTransform& pose) {
-    return validate(polygon).ok() && isFinite(pose.position) && isFinite(pose.rotation.c) && isFinite(pose.rotation.s);
-}
-
-Distance distanceTo(const WorldState& world, const Shape& shape, const Polygon& polygon, const WorldTransform& pose) {
-    return distance(shape.polygon, polygon, relativeTransform(world.motions[shape.body].pose, pose));
 }
 
 /// What a query meets of one shape, or one segment of a chain.

@@ -43,6 +43,12 @@ Polygon anyPolygon(Random& random) {
     }
 }
 
+Polygon point() {
+    Polygon point;
+    point.count = 1;
+    return point;
+}
+
 struct Scenery {
     World world = makeWorld();
     std::vector<Item> items;
@@ -189,6 +195,91 @@ TEST(Queries, OverlapsAgreeWithAWalkOverAllShapes) {
         }
     }
     EXPECT_GT(found, 300);
+}
+
+/// What is nearest to a point or a polygon, and how near each shape by itself is.
+TEST(Queries, NearestAgreesWithAWalkOverAllShapes) {
+    int found = 0;
+    int overlapping = 0;
+    int none = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        for (const DVec2 origin : origins()) {
+            Scenery s(seed, origin);
+            for (int i = 0; i < 60; ++i) {
+                const std::string name = "seed " + std::to_string(seed) + ", query " + std::to_string(i);
+                const QueryFilter query = s.filter();
+                const bool isPoint = i % 2 == 0;
+                const Polygon polygon = isPoint ? point() : anyPolygon(s.random);
+                const DVec2 place = s.place(12);
+                const Rotation rotation = isPoint ? Rotation{} : rotationFromAngle(s.random.range(-4, 4));
+                const WorldTransform where{place, rotation};
+                const Real reach = real(std::exp(s.random.range(-3, 6)));
+                const NearestShape nearest =
+                    isPoint ? s.world.nearest(place, reach, query) : s.world.nearest(polygon, where, reach, query);
+                const Real wanted = s.clearance(query, polygon, where);
+                ASSERT_EQ(nearest.found, wanted <= reach) << name;
+                none += nearest.found ? 0 : 1;
+                if (!nearest.found) { continue; }
+                ++found;
+                ASSERT_EQ(nearest.distance, wanted) << name;
+                overlapping += wanted < 0 ? 1 : 0;
+                ASSERT_EQ(s.world.bodyOf(nearest.shape), nearest.body) << name;
+                ASSERT_NEAR(static_cast<double>(length(nearest.normal)), 1, 1e-5) << name;
+                // It lies on the surface of that shape; from there the normal leads to the point that asks.
+                const NearestShape onIt = s.world.nearest(nearest.shape, nearest.point);
+                ASSERT_EQ(onIt.shape, nearest.shape) << name;
+                int parts = 0;
+                s.world.visitPolygons(nearest.shape, [&parts](const Polygon&) { ++parts; });
+                const double hidden = parts > 1 ? 0.02 : 0;  // the corner of a chain may be within the next segment
+                ASSERT_LE(static_cast<double>(onIt.distance), 2e-5) << name;
+                ASSERT_GE(static_cast<double>(onIt.distance), -2e-5 - hidden) << name;
+                if (!isPoint) { continue; }
+                const DVec2 there = nearest.point + static_cast<double>(nearest.distance) * toDouble(nearest.normal);
+                ASSERT_LT(length(there - place), 2e-5) << name;
+                const NearestShape alone = s.world.nearest(nearest.shape, place);
+                ASSERT_EQ(alone.distance, nearest.distance) << name;
+                ASSERT_EQ(alone.point, nearest.point) << name;
+            }
+        }
+    }
+    EXPECT_GT(found, 500);
+    EXPECT_GT(overlapping, 50);
+    EXPECT_GT(none, 50);
+}
+
+/// By hand: inside and outside, and what asks for nothing.
+TEST(Queries, NearestToAPoint) {
+    World world = makeWorld();
+    const BodyId body = must(world.createBody(bodyAt(BodyType::fixed, {10, 0}, kPi / 2)));
+    const ShapeId plank = must(world.addShape(body, box(2, 1)));            // stands on end: 9 … 11, −2 … 2
+    const ShapeId ball = must(world.addShape(body, circle(1, vec(5, 0))));  // at (10, 5)
+    const NearestShape beside = world.nearest({7, 1}, 100);
+    EXPECT_EQ(beside.shape, plank);
+    EXPECT_NEAR(static_cast<double>(beside.distance), 2, 1e-6);
+    EXPECT_LT(length(beside.point - DVec2{9, 1}), 1e-6);
+    EXPECT_LT(length(toDouble(beside.normal) - DVec2{-1, 0}), 1e-6);
+    const NearestShape inside = world.nearest({10.75, 1}, 100);
+    EXPECT_EQ(inside.shape, plank);
+    EXPECT_NEAR(static_cast<double>(inside.distance), -0.25, 1e-6);
+    EXPECT_LT(length(inside.point - DVec2{11, 1}), 1e-6);
+    EXPECT_LT(length(toDouble(inside.normal) - DVec2{1, 0}), 1e-6);
+    EXPECT_EQ(world.nearest({10, 3.6}, 100).shape, ball);
+    EXPECT_NEAR(static_cast<double>(world.nearest({10, 5}, 0).distance), -1, 1e-6) << "at its centre";
+    EXPECT_TRUE(world.nearest({7, 1}, real(2.001)));
+    EXPECT_FALSE(world.nearest({7, 1}, real(1.999)));
+    const NearestShape far = world.nearest(ball, {1010, 5});
+    EXPECT_NEAR(static_cast<double>(far.distance), 999, 1e-3);
+    constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
+    constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+    for (const Real reach : {real(-1), kNan, kInfinity}) { EXPECT_FALSE(world.nearest({10, 5}, reach)); }
+    EXPECT_FALSE(world.nearest({std::numeric_limits<double>::quiet_NaN(), 5}, 1));
+    EXPECT_FALSE(world.nearest(Polygon{}, WorldTransform{{10, 5}, {}}, 1));
+    EXPECT_FALSE(world.nearest(ball, {10, std::numeric_limits<double>::infinity()}));
+    must(world.destroyShape(ball));
+    EXPECT_FALSE(world.nearest(ball, {10, 5}));
+    EXPECT_EQ(world.nearest({10, 5}, 100).shape, plank);
+    EXPECT_TRUE(world.nearest({7, 1}, std::numeric_limits<Real>::max()));
+    EXPECT_FALSE(world.nearest({7, 1}, std::numeric_limits<Real>::denorm_min()));
 }
 
 TEST(Queries, BoxesSeeEachShapeOnce) {
