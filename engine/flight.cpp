@@ -28,7 +28,8 @@ Real deepestOf(const ContactConstraint& constraint) {
 /// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
 /// between two impacts of a sliding body is undone by it. What something kinematic holds deeper than that is squeezed,
 /// and stays in it: behind it may be a wall.
-void setBack(Flight& flight, const ContactConstraint& contact, const FlightObstacle& obstacle) {
+/// @param groundVelocity  where they meet, m/s
+void setBack(Flight& flight, ContactConstraint& contact, const FlightObstacle& obstacle, Vec2 groundVelocity) {
     const auto target = static_cast<Real>(targetOf(*flight.world, obstacle));
     const auto tolerance = static_cast<Real>(toleranceOf(*flight.world, obstacle));
     const Real deepest = std::min(target, deepestOf(contact));
@@ -41,12 +42,17 @@ void setBack(Flight& flight, const ContactConstraint& contact, const FlightObsta
         return LowPoint{cross(point.anchorB, contact.normal), target - point.baseSeparation};
     };
     const Body& body = flight.body();
+    const BodyInertia inertia{body.inverseMass, body.inverseInertia};
+    BodyMotion& motion = flight.motion;
     const LowPoint first = lowPoint(0);
-    const SetBack back =
-        setBackOf({first, contact.count > 1 ? lowPoint(1) : first}, {body.inverseMass, body.inverseInertia});
-    flight.motion.center += toDouble(back.along * contact.normal);
-    flight.motion.angle += static_cast<double>(back.turn);
-    flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, body.localCenter);
+    const SetBack back = setBackOf({first, contact.count > 1 ? lowPoint(1) : first}, inertia);
+    const SetBackEnergy energy{.pull = -dot(accelerationOf(*flight.world, body), contact.normal),
+                               .velocity = dot(motion.velocity - groundVelocity, contact.normal),
+                               .spin = motion.angularVelocity};
+    contact.restitution *= speedLeft(back, energy, inertia);
+    motion.center += toDouble(back.along * contact.normal);
+    motion.angle += static_cast<double>(back.turn);
+    motion.pose = poseOf(motion.center, motion.angle, body.localCenter);
 }
 
 /// Faces that meet flush meet at all their points: what the slop tells from touching takes part in the impact of
@@ -83,13 +89,15 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
         constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion, mixedSurface(own.def, other.def), 0);
     constraint.source = source;
     constraint.slotB = kFlyerSlot;
+    Vec2 groundVelocity{};
     if (otherBody.def.type == BodyType::kinematic) {
         const BodyMotion& moving = flight.world->motions[other.body];
+        groundVelocity = moving.velocity + cross(moving.angularVelocity, constraint.points[0].anchorA);
         constraint.slotA = static_cast<BodySlot>(flight.scratch->states.size());
         flight.scratch->states.push_back({.velocity = moving.velocity, .angularVelocity = moving.angularVelocity});
         flight.scratch->inertias.push_back({});
     }
-    setBack(flight, constraint, obstacle);
+    setBack(flight, constraint, obstacle, groundVelocity);
     flight.scratch->constraints.push_back(constraint);
 }
 

@@ -28,6 +28,7 @@ TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32
     // What is pulled so hard that the pull alone makes it fast would sink into a soft contact.
     const bool carries = pull > 0 && pull * square(dt) <= kFastRatio * body.extent;
     const Real threshold = bounceThreshold(world, body, dt);
+    const Real slop = kTargetRatio * contact.extent;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
         const DVec2 point = apply(world.motions[contact.bodyA].pose, contact.manifold.points[i].point);
         const Vec2 velocity = motion.velocity + cross(motion.angularVelocity, toReal(point - motion.center)) -
@@ -35,7 +36,9 @@ TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32
         const Real approach = -dot(velocity, normal);
         const Real gap = std::max(contact.manifold.points[i].separation, Real(0));
         const bool returns = pull > 0 || approach * dt > gap;
-        const bool isSlow = square(approach) + 2 * std::max(pull, Real(0)) * gap <= square(threshold);
+        // Within the slop, points take part in the impacts of others: what hovers there does not bounce on them.
+        const Real fall = std::max(gap - slop, Real(0));
+        const bool isSlow = square(approach) + 2 * std::max(pull, Real(0)) * fall <= square(threshold);
         footing.bounces = footing.bounces || (contact.restitution > 0 && returns && !isSlow);
         footing.strikes = footing.strikes || (approach * dt > gap && !isSlow);
         footing.rests = footing.rests || (carries && isSlow && gap <= kEndRatio * contact.extent);

@@ -1,6 +1,7 @@
 #include "set_back.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "../solver/contact_constraint.h"
 
@@ -22,6 +23,16 @@ SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& iner
     const Real rest = own1 * own2 - shared * shared;
     if (!(rest > kTwoPointsRatio * own1 * own2)) { return withPushes(std::max(one.depth, two.depth), 0); }
     return withPushes((own2 * one.depth - shared * two.depth) / rest, (own1 * two.depth - shared * one.depth) / rest);
+}
+
+Real speedLeft(const SetBack& back, const SetBackEnergy& energy, const BodyInertia& inertia) {
+    // Squared radius of gyration times the turn.
+    const Real swing = inertia.inverseInertia > 0 ? inertia.inverseMass / inertia.inverseInertia * back.turn : Real(0);
+    const Real approach = -(back.along * energy.velocity + swing * energy.spin);
+    const Real work = energy.pull * back.along;
+    if (!(approach > 0) || !(work > 0)) { return 1; }
+    const Real size = back.along * back.along + back.turn * swing;
+    return std::sqrt(std::max(1 - 2 * size * work / (approach * approach), Real(0)));
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -66,6 +66,53 @@ TEST(SetBack, IsTheLeastThatRaisesBothPoints) {
     }
 }
 
+/// An elastic bounce loses as much energy as raising the body by the displacement takes, or all of the approach.
+TEST(SetBack, IsPaidByTheBounce) {
+    Random random(5);
+    int stopped = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const double mass = std::exp(random.range(-5, 5));
+        const double inertia = mass * std::exp(random.range(-4, 2));
+        const double arm = random.range(-1, 1);
+        const double depth = random.range(0.01, 1);
+        const double pull = random.range(0.1, 20);
+        const double velocity = random.range(-10, 5);
+        const double spin = random.range(-10, 10);
+        const double approach = -(velocity + arm * spin);
+        if (approach < 0.01) { continue; }
+        const LowPoint point{.arm = real(arm), .depth = real(depth)};
+        const BodyInertia inverse{.inverseMass = real(1 / mass), .inverseInertia = real(1 / inertia)};
+        const SetBack back = setBackOf({point, point}, inverse);
+        const double left = static_cast<double>(
+            speedLeft(back, {.pull = real(pull), .velocity = real(velocity), .spin = real(spin)}, inverse));
+        const double ofPoint = 1 / (1 / mass + arm * arm / inertia);
+        const double paid = 0.5 * ofPoint * approach * approach * (1 - left * left);
+        const double cost = mass * pull * static_cast<double>(back.along);
+        EXPECT_GE(left, 0) << "seed 5, case " << i;
+        EXPECT_LE(left, 1) << "seed 5, case " << i;
+        const double rounding = (kIsDouble ? 1e-9 : 1e-3) * (cost + 0.5 * ofPoint * approach * approach);
+        if (left > 0) {
+            EXPECT_NEAR(paid, cost, rounding) << "seed 5, case " << i;
+        } else {
+            EXPECT_LE(paid, cost + rounding) << "seed 5, case " << i;
+            ++stopped;
+        }
+    }
+    EXPECT_GT(stopped, 1000);
+    EXPECT_LT(stopped, 15'000);
+}
+
+/// What leaves, or is pulled away, has nothing to pay.
+TEST(SetBack, IsFreeForWhatLeaves) {
+    const SetBack back{.along = real(0.5)};
+    const BodyInertia inertia{.inverseMass = 1, .inverseInertia = 1};
+    EXPECT_EQ(speedLeft(back, {.pull = 10, .velocity = 1}, inertia), 1);
+    EXPECT_EQ(speedLeft(back, {.pull = -10, .velocity = -1}, inertia), 1);
+    EXPECT_EQ(speedLeft(back, {.pull = 0, .velocity = -1}, inertia), 1);
+    EXPECT_EQ(speedLeft({}, {.pull = 10, .velocity = -1}, inertia), 1);
+    EXPECT_NEAR(static_cast<double>(speedLeft(back, {.pull = 9, .velocity = -5}, inertia)), 0.8, 1e-6) << "25 − 9";
+}
+
 /// A box that bounces down on a slope that it does not slide on comes to rest, however short the steps are. Raised
 /// without a turn it hopped on from corner to corner for ever in tiny bounces (at 240 Hz, 16 to 40 of 40).
 TEST(SetBack, BoxesWithRestitutionComeToRestOnASlope) {
