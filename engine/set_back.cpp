@@ -26,13 +26,15 @@ SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& iner
 }
 
 Real speedLeft(const SetBack& back, const SetBackEnergy& energy, const BodyInertia& inertia) {
-    // Squared radius of gyration times the turn.
-    const Real swing = inertia.inverseInertia > 0 ? inertia.inverseMass / inertia.inverseInertia * back.turn : Real(0);
-    const Real approach = -(back.along * energy.velocity + swing * energy.spin);
+    if (!(back.along > 0)) { return 1; }
+    // By the way of the centre, so that squares of small lengths do not vanish.
+    const Real turn = back.turn / back.along;
+    const Real swing = inertia.inverseInertia > 0 ? inertia.inverseMass / inertia.inverseInertia * turn : Real(0);
+    const Real approach = -(energy.velocity + swing * energy.spin);
     const Real work = energy.pull * back.along;
     if (!(approach > 0) || !(work > 0)) { return 1; }
-    const Real size = back.along * back.along + back.turn * swing;
-    return std::sqrt(std::max(1 - 2 * size * work / (approach * approach), Real(0)));
+    const Real share = 2 * (1 + turn * swing) * (work / approach) / approach;
+    return share < 1 ? std::sqrt(1 - share) : Real(0);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
