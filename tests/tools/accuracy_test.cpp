@@ -97,6 +97,20 @@ TEST(Accuracy, RefinedRunsCoverTheSameTime) {
     EXPECT_DOUBLE_EQ(c.scene.settings.dt, 1.0 / 240);
 }
 
+/// A contact keeps its arms for a step: what rolls from corner to corner is too slow, in proportion to the step.
+TEST(Accuracy, RollingPolygonsComeNearTheClosedFormAsStepsShorten) {
+    for (const char* const name : {"hexagon-0.1", "hexagon-0.5", "octagon-2"}) {
+        for (const Contestant& contestant : allContestants()) {
+            if (!contestant.name.starts_with("accurate")) { continue; }
+            const double coarse = measure(refined(caseNamed(name), 60, 16), contestant).values.at(0).value;
+            const double fine = measure(refined(caseNamed(name), 960, 16), contestant).values.at(0).value;
+            EXPECT_LT(coarse, 0.15) << name << ", " << contestant.name;
+            EXPECT_LT(fine, 0.01) << name << ", " << contestant.name;
+            EXPECT_LT(fine, coarse / 6) << name << ", " << contestant.name;
+        }
+    }
+}
+
 TEST(Accuracy, OursIsNearTheClosedForms) {
     const std::vector<Contestant> contestants = allContestants();
     for (const char* const name : {"projectile", "spin-500", "ping-pong-300", "cradle"}) {

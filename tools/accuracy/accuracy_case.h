@@ -41,7 +41,9 @@ std::vector<Case> stackCases();
 std::vector<Case> massCases();
 /// The same stack in other sizes, units and places.
 std::vector<Case> sizeCases();
-/// Motions with a closed form or a conserved quantity.
+/// What slides and rolls on slopes, and on level ground.
+std::vector<Case> slopeCases();
+/// Motions with a closed form or a conserved quantity, those on slopes included.
 std::vector<Case> knownCases();
 /// Balls that bounce.
 std::vector<Case> bounceCases();

@@ -18,59 +18,6 @@ using build::hinge;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A slope through the origin, falling to the right, and the unit vectors along and away from it.
-struct Slope {
-    double angle;
-    DVec2 down;
-    DVec2 out;
-};
-Slope addSlope(SceneDescription& scene, double angle) {
-    const Slope slope{angle, {std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
-    addFixed(scene, "slope", -1.0 * slope.out, {box({1000, 1})}).angle = -angle;
-    return slope;
-}
-
-/// A block on a slope of 30°; its way after `seconds` against the closed form, as a part of `scale` (or in metres).
-Case block(const std::string& name, double friction, double seconds, bool creeps) {
-    Case c{"known", name, emptyScene(name), std::lround(seconds * 60), {}, {}, false};
-    const Slope slope = addSlope(c.scene, 30 * kDegree);
-    addDynamic(c.scene, "block", 0.5 * slope.out, {box({0.5, 0.5})}).angle = -slope.angle;
-    setSurface(c.scene, friction, 0);
-    const double exact = creeps ? 0 : kGravity * (std::sin(slope.angle) - friction * std::cos(slope.angle));
-    c.measures = {{creeps ? "creep" : "acceleration", creeps ? "m" : "1", [=](const Frames& frames) {
-                       const double time = frames.back().time;
-                       const double way =
-                           dot(bodyAt(frames.back(), 1).position - bodyAt(frames.front(), 1).position, slope.down);
-                       return creeps ? std::fabs(way) : std::fabs(2 * way / (time * time) / exact - 1);
-                   }}};
-    return c;
-}
-
-/// A disk that rolls down 20°: two thirds of what it would slide.
-Case rollingDisk() {
-    Case c{"known", "rolling-disk", emptyScene("rolling-disk"), 120, {}, {}, false};
-    const Slope slope = addSlope(c.scene, 20 * kDegree);
-    addDynamic(c.scene, "disk", 0.5 * slope.out, {circle(0.5)});
-    setSurface(c.scene, 0.6, 0);
-    c.measures = {{"speed", "1", [=](const Frames& frames) {
-                       const double exact = kGravity * std::sin(slope.angle) * (2.0 / 3) * frames.back().time;
-                       return std::fabs(dot(bodyAt(frames.back(), 1).velocity, slope.down) / exact - 1);
-                   }}};
-    return c;
-}
-
-/// A disk set down turning at 20 rad/s: it ends rolling at a third of its rim speed.
-Case spunDisk() {
-    Case c{"known", "spun-disk", emptyScene("spun-disk"), 180, {}, {}, false};
-    addFixed(c.scene, "ground", {0, -1}, {box({1000, 1})});
-    addDynamic(c.scene, "disk", {0, 0.5}, {circle(0.5)}).angularVelocity = -20;
-    setSurface(c.scene, 0.3, 0);
-    c.measures = {{"speed", "1", [](const Frames& frames) {
-                       return std::fabs(bodyAt(frames.back(), 1).velocity.x / (20 * 0.5 / 3) - 1);
-                   }}};
-    return c;
-}
-
 Case projectile() {
     Case c{"known", "projectile", emptyScene("projectile"), 120, {}, {}, false};
     addDynamic(c.scene, "ball", {0, 0}, {circle(0.5)}).velocity = {7, 11};
@@ -281,26 +228,13 @@ Case cluster() {
 }  // namespace
 
 std::vector<Case> knownCases() {
-    const double steep = std::tan(30 * kDegree);
-    return {block("slope-0.3", 0.3, 2, false),
-            block("slope-0.5", 0.5, 2, false),
-            block("slope-0.99tan", 0.99 * steep, 10, false),
-            block("slope-1.001tan", 1.001 * steep, 10, true),
-            block("slope-1.01tan", 1.01 * steep, 10, true),
-            rollingDisk(),
-            spunDisk(),
-            projectile(),
-            pendulum(90),
-            pendulum(170),
-            doublePendulum(),
-            freeSpin(10),
-            freeSpin(100),
-            freeSpin(500),
-            gas(),
-            cradle("cradle", 0),
-            cradle("cradle-gaps", 0.01),
-            pendulumCradle(),
-            cluster()};
+    std::vector<Case> cases = slopeCases();
+    for (Case& known : std::vector<Case>{projectile(), pendulum(90), pendulum(170), doublePendulum(), freeSpin(10),
+                                         freeSpin(100), freeSpin(500), gas(), cradle("cradle", 0),
+                                         cradle("cradle-gaps", 0.01), pendulumCradle(), cluster()}) {
+        cases.push_back(std::move(known));
+    }
+    return cases;
 }
 
 }  // namespace swept::accuracy
