@@ -12,6 +12,10 @@ namespace {
 /// nothing is in it: most of what is asked for is much nearer than it may be.
 constexpr Real kFirstReach = Real(1) / (1 << 20);
 constexpr Real kReachGrowth = 4;
+/// A box that holds more than this is left, and one that reaches half as far beyond what is known to be empty taken:
+/// far from all shapes, growth may have gone from none of them to all. So often, then it is searched whatever it holds.
+constexpr int kCrowd = 32;
+constexpr int kMostCuts = 12;
 
 /// No shape of a world, but what distances are taken to.
 Polygon pointAtOrigin() {
@@ -68,17 +72,29 @@ NearestShape nearestTo(const WorldState& world, const Polygon& polygon, const Wo
     if (!(reach >= 0) || !isFinite(reach)) { return {}; }
     const Aabb own = boundsOf(polygon, pose);
     NearestSearch search(world, polygon, pose);
-    Real looked = std::max(reach * kFirstReach, std::numeric_limits<Real>::min());
+    Real empty = 0;
+    constexpr Real kLeast = std::numeric_limits<Real>::min();
+    Real looked = std::max(reach * kFirstReach, kLeast);
+    int cuts = 0;
     while (true) {
+        int visited = 0;
+        const int most = cuts < kMostCuts ? kCrowd : std::numeric_limits<int>::max();
         world.broadphase->query(grown(own, looked), [&](ProxyId proxy) {
             const std::uint32_t slot = slotOf(world, proxy);
             const bool mayBeNearest = gapOf(world.broadphase->box(proxy), own) <= std::max(search.least(), Real(0));
             if (mayBeNearest && sees(filter, world.shapes[slot])) { search.offer(slot); }
-            return true;
+            return ++visited < most;
         });
+        if (visited == most) {
+            ++cuts;
+            looked = std::min(looked, std::max(search.least(), empty));
+            looked = empty + (looked - empty) / 2;
+            continue;
+        }
         // What is in the corner of a box may be farther than what is beside that.
         if (search.least() <= looked || looked >= reach) { return search.answer(reach); }
-        looked = std::min({reach, looked * kReachGrowth, search.least()});
+        empty = looked;
+        looked = std::min({reach, std::max(looked, kLeast) * kReachGrowth, search.least()});
     }
 }
 

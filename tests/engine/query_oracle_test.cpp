@@ -247,6 +247,31 @@ TEST(Queries, NearestAgreesWithAWalkOverAllShapes) {
     EXPECT_GT(none, 50);
 }
 
+/// Far from a crowd boxes of growing size go from nothing to all of it at once; within it many overlap.
+TEST(Queries, NearestOfACrowd) {
+    Random random(3);
+    World world = makeWorld(0.0);
+    std::vector<DVec2> places;
+    for (int i = 0; i < 500; ++i) {
+        const double x = random.range(0, 20);
+        places.push_back({x, random.range(0, 20)});
+        addStatic(world, circle(0.7), {}, places.back());
+    }
+    for (int i = 0; i < 300; ++i) {
+        const double away = std::exp(random.range(0, 7));
+        const double x = random.range(-away, 20 + away);
+        const DVec2 from{x, random.range(-away, 20 + away)};
+        double wanted = std::numeric_limits<double>::infinity();
+        for (const DVec2 place : places) { wanted = std::min(wanted, length(place - from) - 0.7); }
+        const NearestShape nearest = world.nearest(from, 1e4);
+        ASSERT_TRUE(nearest.found) << "seed 3, query " << i;
+        ASSERT_NEAR(static_cast<double>(nearest.distance), wanted, 1e-5 * (1 + away)) << "seed 3, query " << i;
+        for (const Real reach : {real(0), std::numeric_limits<Real>::denorm_min(), std::numeric_limits<Real>::min()}) {
+            ASSERT_EQ(world.nearest(from, reach).found, nearest.distance <= reach) << "seed 3, query " << i;
+        }
+    }
+}
+
 /// By hand: inside and outside, and what asks for nothing.
 TEST(Queries, NearestToAPoint) {
     World world = makeWorld();
