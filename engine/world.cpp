@@ -4,15 +4,15 @@
 #include <cmath>
 #include <tuple>
 
-#include "beside.h"
-#include "body_measures.h"
-#include "driven_joints.h"
-#include "modes.h"
-#include "number_range.h"
-#include "profile.h"
-#include "shared_step.h"
-#include "step.h"
-#include "step_change.h"
+#include "crew/beside.h"
+#include "crew/shared_step.h"
+#include "modes/modes.h"
+#include "solve/driven_joints.h"
+#include "stages/step.h"
+#include "stages/step_change.h"
+#include "state/body_measures.h"
+#include "state/number_range.h"
+#include "state/profile.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

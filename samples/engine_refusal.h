@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "../engine/number_range.h"
+#include "../engine/state/number_range.h"
 #include "scene_fields.h"
 #include "scene_names.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <span>
 
-#include "wide_motion.h"
+#include "wide/wide_motion.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -5,20 +5,20 @@
 #include <vector>
 
 #include "../shapes/task_system.h"
-#include "constraint_graph.h"
-#include "contact_blocks.h"
-#include "direct_solver.h"
-#include "hinge_blocks.h"
-#include "impact.h"
-#include "joint_blocks.h"
-#include "joint_islands.h"
-#include "rod_sort.h"
-#include "slide_sort.h"
+#include "contacts/contact_blocks.h"
+#include "direct/direct_solver.h"
+#include "graph/constraint_graph.h"
+#include "impacts/impact.h"
+#include "joint_blocks/hinge_blocks.h"
+#include "joint_blocks/joint_blocks.h"
+#include "joint_blocks/rod_sort.h"
+#include "joint_blocks/slide_sort.h"
+#include "joint_blocks/weld_sort.h"
+#include "joint_blocks/wheel_sort.h"
+#include "joint_islands/joint_islands.h"
 #include "solve_report.h"
 #include "solver_batch.h"
-#include "weld_sort.h"
-#include "wheel_sort.h"
-#include "wide_motion.h"
+#include "wide/wide_motion.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include <swept/engine/beside.h>
-#include <swept/engine/crew.h>
+#include <swept/engine/crew/beside.h>
+#include <swept/engine/crew/crew.h>
 #include <swept/solver/halves.h>
 
 #include "../support/thread_tasks.h"

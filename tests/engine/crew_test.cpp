@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <swept/engine/crew.h>
+#include <swept/engine/crew/crew.h>
 
 #include "../support/thread_tasks.h"
 

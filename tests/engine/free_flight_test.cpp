@@ -1,4 +1,4 @@
-#include <swept/engine/number_range.h>
+#include <swept/engine/state/number_range.h>
 
 #include "world_support.h"
 

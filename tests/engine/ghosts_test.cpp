@@ -1,6 +1,6 @@
 #include <array>
 
-#include <swept/engine/ghosts.h>
+#include <swept/engine/contacts/ghosts.h>
 
 #include "../support/random.h"
 #include "world_support.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <swept/engine/key_sort.h>
+#include <swept/engine/containers/key_sort.h>
 #include <swept/shapes/bit_cast.h>
 
 #include "../support/random.h"

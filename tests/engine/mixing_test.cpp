@@ -1,7 +1,7 @@
 #include <functional>
 #include <utility>
 
-#include <swept/engine/number_range.h>
+#include <swept/engine/state/number_range.h>
 
 #include "world_digest.h"
 #include "world_support.h"

@@ -1,4 +1,4 @@
-#include <swept/engine/set_back.h>
+#include <swept/engine/flight/set_back.h>
 
 #include "../support/random.h"
 #include "world_support.h"

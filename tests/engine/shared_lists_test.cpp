@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <swept/engine/join_blocks.h>
-#include <swept/engine/shared_choice.h>
+#include <swept/engine/crew/join_blocks.h>
+#include <swept/engine/crew/shared_choice.h>
 
 #include "../support/random.h"
 #include "../support/thread_tasks.h"

@@ -5,10 +5,10 @@
 #include <set>
 #include <vector>
 
+#include <swept/engine/containers/island_items.h>
+#include <swept/engine/containers/pair_table.h>
+#include <swept/engine/containers/slot_pool.h>
 #include <swept/engine/ids.h>
-#include <swept/engine/island_items.h>
-#include <swept/engine/pair_table.h>
-#include <swept/engine/slot_pool.h>
 
 #include "../support/random.h"
 

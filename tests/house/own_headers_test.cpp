@@ -20,7 +20,7 @@ namespace {
 
 /// What templates call for types that they do not know.
 const std::set<std::pair<std::string, std::string>> kFoundByArgument = {
-    {"solver/joint_constraint.h", "reactionOf"},
+    {"solver/joints/joint_constraint.h", "reactionOf"},
 };
 
 struct ScannedFile {

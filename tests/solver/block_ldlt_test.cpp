@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include <swept/solver/block_ldlt.h>
+#include <swept/solver/direct/block_ldlt.h>
 
 namespace swept::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include <swept/solver/cone_balance.h>
+#include <swept/solver/direct/cone_balance.h>
 
 /// Pushes within cones of friction that undo a load: against the law of the lever, and random loads that can be undone,
 /// or provably cannot.

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <swept/solver/constraint_graph.h>
+#include <swept/solver/graph/constraint_graph.h>
 
 #include <algorithm>
 #include <array>

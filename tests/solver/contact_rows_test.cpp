@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
-#include <swept/solver/contact_lanes.h>
-#include <swept/solver/contact_rows.h>
+#include <swept/solver/contacts/contact_lanes.h>
+#include <swept/solver/contacts/contact_rows.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #ifdef SWEPT_SIMD
-#include <swept/solver/wide_targets.h>
+#include <swept/solver/wide/wide_targets.h>
 // after it
 #include <hwy/targets.h>
 #endif

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
-#include <swept/solver/hinge_lanes.h>
-#include <swept/solver/hinge_store.h>
+#include <swept/solver/joint_blocks/hinge_lanes.h>
+#include <swept/solver/joint_blocks/hinge_store.h>
 
 #include <algorithm>
 

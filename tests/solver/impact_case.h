@@ -1,6 +1,6 @@
 #pragma once
 
-#include <swept/solver/impact.h>
+#include <swept/solver/impacts/impact.h>
 
 #include <algorithm>
 #include <array>

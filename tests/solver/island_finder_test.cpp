@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <swept/solver/island_finder.h>
+#include <swept/solver/graph/island_finder.h>
 
 #include <algorithm>
 #include <set>

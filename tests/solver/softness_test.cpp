@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <swept/solver/point_constraint.h>
+#include <swept/solver/joints/point_constraint.h>
 
 #include <cmath>
 

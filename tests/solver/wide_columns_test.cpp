@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <swept/shapes/bit_cast.h>
-#include <swept/solver/wide_columns.h>
-#include <swept/solver/wide_targets.h>
+#include <swept/solver/wide/wide_columns.h>
+#include <swept/solver/wide/wide_targets.h>
 // after it
 #include <hwy/targets.h>
 

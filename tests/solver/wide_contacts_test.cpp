@@ -4,12 +4,12 @@
 #include <limits>
 #include <string>
 
-#include <swept/solver/contact_lanes.h>
-#include <swept/solver/contact_store.h>
-#include <swept/solver/wide_contacts.h>
+#include <swept/solver/contacts/contact_lanes.h>
+#include <swept/solver/contacts/contact_store.h>
+#include <swept/solver/wide/wide_contacts.h>
 
 #ifdef SWEPT_SIMD
-#include <swept/solver/wide_targets.h>
+#include <swept/solver/wide/wide_targets.h>
 // after it
 #include <hwy/targets.h>
 #endif

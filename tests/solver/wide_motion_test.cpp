@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <swept/shapes/bit_cast.h>
-#include <swept/solver/wide_contacts.h>
-#include <swept/solver/wide_motion.h>
-#include <swept/solver/wide_targets.h>
+#include <swept/solver/wide/wide_contacts.h>
+#include <swept/solver/wide/wide_motion.h>
+#include <swept/solver/wide/wide_targets.h>
 // after it
 #include <hwy/targets.h>
 

@@ -21,9 +21,10 @@ install(TARGETS ${exported} EXPORT swept2d_targets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT swept2d
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
-foreach(layer shapes broadphase toi solver engine)
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/swept COMPONENT swept2d
-            FILES_MATCHING PATTERN "*.h")
+# The headers that users may include, and what these include: of the engine its face alone. All others stay here.
+foreach(layer shapes broadphase toi engine)
+    file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer}/*.h)
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/swept/${layer} COMPONENT swept2d)
 endforeach()
 
 install(EXPORT swept2d_targets NAMESPACE swept2d:: DESTINATION ${package_dir} COMPONENT swept2d)

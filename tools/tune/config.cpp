@@ -11,7 +11,7 @@
 namespace swept::tune {
 namespace {
 
-/// What the profiles stand for (engine/profile.h).
+/// What the profiles stand for (engine/state/profile.h).
 struct Effort {
     int subSteps;
     int relaxPasses;

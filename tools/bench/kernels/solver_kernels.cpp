@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <swept/solver/contact_blocks.h>
-#include <swept/solver/wide_contacts.h>
+#include <swept/solver/contacts/contact_blocks.h>
+#include <swept/solver/wide/wide_contacts.h>
 
 #include "../bench_random.h"
 #include "kernels.h"

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../contacts/contact.h"
+#include "../contacts/slide.h"
+#include "../state/body.h"
+#include "../state/joint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What one island needs while it advances (island_advance.h). Kept for its capacity.
+struct AdvancingIsland {
+    std::span<const std::uint32_t> kinematics;  ///< awake ones, of the world
+    std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
+    std::vector<std::uint32_t> members;         ///< dynamic, slots
+    std::vector<std::uint32_t> group;           ///< members, then kinematic bodies
+    std::vector<std::uint32_t> jointSlots;
+    std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
+    std::vector<Slide> heldSlides;           ///< of these
+    std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
+    std::vector<Manifold> pointsBefore;      ///< by held contact: the last points that it had before this part, if any
+    std::vector<std::uint32_t> sources;      ///< by held contact: its place in the world, or none
+    std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe
+    std::vector<std::uint64_t> heldPairs;     ///< of shape slots, sorted
+    std::vector<std::uint32_t> found;
+    double usualSubStep = 0;                 ///< of the world, s
+    double subStep = 0;                      ///< that the impulses of the held contacts belong to, s
+    std::vector<BodyMotion> membersAtStart;  ///< of the step
+    std::vector<BodyMotion> membersBefore;   ///< before the part that is being tried
+    std::vector<Contact> heldBefore;
+    std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
+    std::vector<Joint> jointsBefore;
+    std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
+    std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

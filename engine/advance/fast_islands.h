@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "../contacts/contact.h"
+#include "../containers/island_items.h"
+#include "../state/body.h"
+#include "../state/joint.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What a solve changes in a contact (first_try.h).
+struct TriedContact {
+    std::uint32_t contact = 0;  ///< index
+    std::uint32_t island = 0;
+    std::array<Real, 2> normalImpulse{};
+    std::array<Real, 2> tangentImpulse{};
+    std::array<Real, 2> totalImpulse{};
+    Real approachSpeed = 0;
+    bool pressed = false;
+    bool pressedOn = false;
+};
+
+/// Where an island keeps what such a solve changes: index of its first member and joint there.
+struct TriedPlace {
+    std::size_t motion = 0;
+    std::size_t hinge = 0;
+};
+
+/// Islands with something fast in them. Kept for its capacity.
+struct FastIslands {
+    bool any = false;                    ///< this step
+    std::vector<std::uint32_t> members;  ///< by root: bodies of any island, where some tied one is fast
+    std::vector<std::uint32_t>
+        numbers;  ///< by body slot: which of these islands it is in, if any; by their lowest members
+    std::vector<std::uint32_t> roots;   ///< the lowest members of these islands, ascending
+    std::vector<std::uint8_t> isDone;   ///< by island, this step: its bodies bounced off each other in flight (clash.h)
+    std::vector<std::uint8_t> isTried;  ///< by island, this step: solved with all else at first (first_try.h)
+    std::vector<double> meets;  ///< by island: fraction of the step at which it met something then; 1: it did not
+    std::vector<TriedPlace> triedPlaces;      ///< by island, likewise: in the last two of these
+    std::vector<TriedContact> triedContacts;  ///< of all of them, before
+    std::vector<BodyMotion> triedMotions;     ///< of their members
+    std::vector<HingeMemory> triedHinges;     ///< and of their joints
+    std::size_t eventsBefore = 0;
+    IslandItems bodies;                                             ///< slots, in order of waking
+    IslandItems contacts;                                           ///< indices of their probes
+    std::vector<std::vector<IslandItems::Added>> contactsOfBlocks;  ///< scratch: likewise, by block of probes
+    IslandItems joints;                                             ///< slots
+    std::vector<std::uint32_t> kinematics;                          ///< awake ones
+    std::vector<std::uint32_t> waiting;                             ///< islands that are still to advance
+    std::vector<Contact> found;  ///< scratch: what they found on their way, of all desks
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,167 @@
+#include "first_try.h"
+
+#include <algorithm>
+
+#include "../state/profile.h"
+#include "island_advance.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Islands per block of a parallel loop: each is looked at, or has a sweep or two.
+constexpr std::size_t kTryGrain = 4;
+
+/// Whether the members are solved the same way together with others. Of joints, hinges are: what they keep from step to
+/// step is little, and is put back.
+bool mayBeTried(const WorldState& world, std::size_t island, double dt) {
+    const FastIslands& fast = world.fastIslands;
+    if (fast.isDone[island] != 0) { return false; }
+    const Effort effort = world.bodies[fast.bodies.of(island)[0]].effort;
+    const std::span<const std::uint32_t> joints = fast.joints.of(island);
+    const auto isHinge = [&world](std::uint32_t joint) { return world.jointTies[joint].isHinge; };
+    const bool isPlain = joints.empty()
+                             ? effort.doublings == 0
+                             : effort.direct == DirectScope::none && (effort.doublings == 0 || effort.isCrowd) &&
+                                   std::all_of(joints.begin(), joints.end(), isHinge);
+    return isPlain && !effort.isSettled && isOnePart(world, fast.bodies.of(island), !joints.empty(), dt);
+}
+
+/// By a body of a contact.
+std::uint32_t islandOf(const FastIslands& fast, std::uint32_t bodyA, std::uint32_t bodyB) {
+    return fast.numbers[bodyA] != kNoIndex ? fast.numbers[bodyA] : fast.numbers[bodyB];
+}
+
+/// Of many contacts with restitution each bounces in its turn, of few all at once: in profile `accurate` what bounces
+/// off a few others keeps to that.
+void leaveOutBouncing(const WorldState& world, std::vector<std::uint8_t>& isTried) {
+    if (world.bouncyShapes == 0 || world.settings.profile == Profile::fast) { return; }
+    for (const TouchingPair& pair : world.touching) {
+        const std::uint32_t island = islandOf(world.fastIslands, pair.bodyA, pair.bodyB);
+        if (pair.bounces && island != kNoIndex) { isTried[island] = 0; }
+    }
+}
+
+void rememberContacts(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    fast.triedContacts.clear();
+    for (const TouchingPair& pair : world.touching) {
+        const std::uint32_t island = islandOf(fast, pair.bodyA, pair.bodyB);
+        if (island == kNoIndex || fast.isTried[island] == 0) { continue; }
+        const Contact& contact = world.contacts[pair.contact];
+        fast.triedContacts.push_back({.contact = pair.contact,
+                                      .island = island,
+                                      .normalImpulse = contact.normalImpulse,
+                                      .tangentImpulse = contact.tangentImpulse,
+                                      .totalImpulse = contact.totalImpulse,
+                                      .approachSpeed = contact.approachSpeed,
+                                      .pressed = contact.pressed,
+                                      .pressedOn = contact.pressedOn});
+    }
+}
+
+/// Where each island keeps what it remembers.
+void placeTried(FastIslands& fast) {
+    TriedPlace next;
+    fast.triedPlaces.resize(fast.isTried.size());
+    for (std::size_t i = 0; i < fast.isTried.size(); ++i) {
+        fast.triedPlaces[i] = next;
+        if (fast.isTried[i] == 0) { continue; }
+        next.motion += fast.bodies.of(i).size();
+        next.hinge += fast.joints.of(i).size();
+    }
+    fast.triedMotions.resize(next.motion);
+    fast.triedHinges.resize(next.hinge);
+}
+
+/// The members of an island before they are solved. Their contacts are not in its hands alone.
+void remember(WorldState& world, std::size_t island) {
+    FastIslands& fast = world.fastIslands;
+    TriedPlace place = fast.triedPlaces[island];
+    for (const std::uint32_t slot : fast.bodies.of(island)) {
+        fast.triedMotions[place.motion++] = world.motions[slot];
+        world.bodies[slot].role = BodyRole::solved;
+    }
+    for (const std::uint32_t joint : fast.joints.of(island)) {
+        fast.triedHinges[place.hinge++] = world.joints[joint].hinge;
+    }
+}
+
+/// Whether they met something, and if so, they are as they were.
+void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scratch) {
+    FastIslands& fast = world.fastIslands;
+    const std::span<const std::uint32_t> members = fast.bodies.of(island);
+    const StepPart part{.length = dt, .dt = dt};
+    fast.meets[island] = firstImpactOf(world, members, part, scratch);
+    const bool meets = fast.meets[island] < 1;
+    scratch.impacts += meets ? 1 : 0;
+    if (!meets) { holdSunk(world, members, part, scratch); }
+    TriedPlace place = fast.triedPlaces[island];
+    for (const std::uint32_t slot : members) {
+        Body& body = world.bodies[slot];
+        body.role = BodyRole::together;
+        if (meets) {
+            world.motions[slot] = fast.triedMotions[place.motion++];
+            body.flung = false;
+        }
+    }
+    if (!meets) { return; }
+    for (const std::uint32_t joint : fast.joints.of(island)) {
+        world.joints[joint].hinge = fast.triedHinges[place.hinge++];
+    }
+}
+
+void takeBackContacts(WorldState& world) {
+    const FastIslands& fast = world.fastIslands;
+    for (const TriedContact& before : fast.triedContacts) {
+        if (!(fast.meets[before.island] < 1)) { continue; }
+        Contact& contact = world.contacts[before.contact];
+        contact.normalImpulse = before.normalImpulse;
+        contact.tangentImpulse = before.tangentImpulse;
+        contact.totalImpulse = before.totalImpulse;
+        contact.approachSpeed = before.approachSpeed;
+        contact.pressed = before.pressed;
+        contact.pressedOn = before.pressedOn;
+    }
+    const auto first = world.contactEvents.begin() + static_cast<std::ptrdiff_t>(fast.eventsBefore);
+    const auto isOfIsland = [&fast](const ContactEvent& event) {
+        const std::uint32_t island = islandOf(fast, event.bodyA.index, event.bodyB.index);
+        return island != kNoIndex && fast.isTried[island] != 0 && fast.meets[island] < 1;
+    };
+    world.contactEvents.erase(std::remove_if(first, world.contactEvents.end(), isOfIsland), world.contactEvents.end());
+}
+
+}  // namespace
+
+void beginFirstTry(WorldState& world, double dt) {
+    FastIslands& fast = world.fastIslands;
+    const std::size_t count = fast.isDone.size();
+    fast.isTried.assign(count, 0);
+    fast.meets.assign(count, 1);
+    fast.eventsBefore = world.contactEvents.size();
+    if (world.watched || hasErrorBudget(world.settings)) { return; }
+    world.loops->run(count, kTryGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) { fast.isTried[i] = mayBeTried(world, i, dt) ? 1 : 0; }
+    });
+    leaveOutBouncing(world, fast.isTried);
+    placeTried(fast);
+    world.loops->run(count, kTryGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (fast.isTried[i] != 0) { remember(world, i); }
+        }
+    });
+    rememberContacts(world);
+}
+
+void judgeFirstTry(WorldState& world, double dt) {
+    FastIslands& fast = world.fastIslands;
+    world.loops->run(fast.isTried.size(), kTryGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        FlightScratch& scratch = world.flightScratch[static_cast<std::size_t>(worker)];
+        for (std::size_t i = begin; i < end; ++i) {
+            if (fast.isTried[i] != 0) { judge(world, i, dt, scratch); }
+        }
+    });
+    const auto meets = [](double fraction) { return fraction < 1; };
+    if (std::any_of(fast.meets.begin(), fast.meets.end(), meets)) { takeBackContacts(world); }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

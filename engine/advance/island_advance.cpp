@@ -1,0 +1,375 @@
+#include "island_advance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../flight/solved_path.h"
+#include "../islands/rod_turn.h"
+#include "../modes/modes.h"
+#include "../solve/tied_group.h"
+#include "../state/profile.h"
+#include "island_contacts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// The shortest part of a step, as a share of it.
+constexpr double kShortestPart = 1.0 / 128;
+/// After so many tries, or once the budget of impacts is used up, what is left of the step is gone through in so many
+/// parts. Each try moves all members: a large island has fewer of them, and fewer parts in the end.
+constexpr std::size_t kMaxTries = 64;
+constexpr std::size_t kMaxMemberTries = 1024;
+constexpr std::size_t kMaxMemberTriesOfFast = 256;
+/// With fewer tries than this every one of them is in vain.
+constexpr std::size_t kFewestTries = 2;
+constexpr std::size_t kLastParts = 8;
+/// Radians that a member may turn in a part: sweeps go straight from pose to pose.
+constexpr double kMaxTurn = 0.5;
+/// Without joints the way of a turning body is straight; only what it looks like from its partner changes.
+constexpr double kMaxLooseTurn = 2;
+/// Radians in the shortest part beyond which no turn is followed: the rest of the step is one part.
+constexpr double kHopelessTurn = 1024;
+/// Radians in a sub-step that joints still follow well.
+constexpr double kMaxTurnOfSubStep = 1.0 / 16;
+/// Sub-steps of any part of an island with joints between its members: what an impact gives to one body goes through
+/// one or two joints in each. With one, ragdolls at 100 m/s came apart by 9 cm, with four by 5 to 8, with eight by 4,
+/// and waited a tenth of the time. A joint to the ground passes nothing on.
+constexpr int kFewestJointedSubSteps = 8;
+/// A part that was already made to fit, and still ends at an impact, is cut there if that leaves at least so much of
+/// it.
+constexpr double kGoodFit = 0.5;
+
+/// How far one island has come in the step.
+struct Course {
+    WorldState& world;
+    SolveDesk& desk;
+    AdvancingIsland& island;
+    FlightScratch& scratch;
+    double dt;
+    double elapsed = 0;
+    double shortest = 0;
+    double subStepBefore = 0;  ///< the part that is being tried
+    std::size_t eventsBefore = 0;
+};
+
+/// Of which bodies the spin is asked.
+enum class Spinners : std::uint8_t { all, heldByJoints };
+
+/// rad/s, without its sign
+double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members, Spinners which) {
+    double fastest = 0;
+    for (const std::uint32_t slot : members) {
+        if (which == Spinners::heldByJoints && world.bodies[slot].holdingJoints == 0) { continue; }
+        fastest = std::max(fastest, std::fabs(static_cast<double>(world.motions[slot].angularVelocity)));
+    }
+    return fastest;
+}
+
+/// The same, and of rods.
+double fastestSpin(const Course& course, Spinners which) {
+    double fastest = fastestSpin(course.world, course.island.members, which);
+    for (const std::uint32_t slot : course.island.jointSlots) {
+        fastest = std::max(fastest, rodTurnOf(course.world, course.world.joints[slot]));
+    }
+    return fastest;
+}
+
+/// Kinematic bodies stand where they are at that time.
+void placeKinematics(Course& course, double time) {
+    for (std::size_t i = 0; i < course.island.kinematics.size(); ++i) {
+        const std::uint32_t slot = course.island.kinematics[i];
+        const BodyMotion& start = course.island.kinematicsAtStart[i];
+        BodyMotion& motion = course.world.motions[slot];
+        motion.center = start.center + time * toDouble(start.velocity);
+        motion.angle = start.angle + time * static_cast<double>(start.angularVelocity);
+        updatePose(course.world, slot);
+    }
+}
+
+/// Reactions of the joints are means over the step so far.
+void addUpReactions(Course& course, double time) {
+    const auto share = static_cast<Real>(time / course.dt);
+    for (std::size_t i = 0; i < course.island.jointSlots.size(); ++i) {
+        Joint& joint = course.world.joints[course.island.jointSlots[i]];
+        const Joint& before = course.island.jointsBefore[i];
+        joint.reactionForce = before.reactionForce + share * joint.reactionForce;
+        joint.reactionTorque = before.reactionTorque + share * joint.reactionTorque;
+    }
+}
+
+/// Whether a joint ties members to each other, and not only to what does not yield.
+bool areMembersJoined(const Course& course) {
+    const WorldState& world = course.world;
+    const auto yields = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
+    return std::any_of(course.island.jointSlots.begin(), course.island.jointSlots.end(), [&](std::uint32_t joint) {
+        const auto bodies = world.joints[joint].allBodies();
+        return std::count_if(bodies.begin(), bodies.end(), yields) > 1;
+    });
+}
+
+int subStepsFor(const Course& course, double time) {
+    const Effort effort = course.world.bodies[course.island.members[0]].effort;
+    const int usual = subStepsOf(course.world.settings);
+    const int asked = effort.isCrowd ? swept::subStepsFor(effort, usual) : usual;
+    const bool isJointed = !course.island.jointSlots.empty();
+    const bool isBudgeted = hasErrorBudget(course.world.settings);
+    // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the
+    // effort says of the whole step (doublingsForWhips) goes for its parts. With a budget it may be fewer sub-steps
+    // than asked for: joints that then open too far are advanced again (effort_trial.h).
+    const int chosen = swept::subStepsFor(effort, usual);
+    const int atLeast = isJointed && isBudgeted ? 1 : asked;
+    const int standard = isJointed || isBudgeted ? std::max(atLeast, chosen) : asked;
+    const double share = std::ceil(standard * time / course.dt * (1 - kShortestPart));
+    if (!isJointed) { return std::clamp(static_cast<int>(share), 1, standard); }
+    const bool areJoined = areMembersJoined(course);
+    // What is loose may whirl beside joints that lead to the ground alone: none of these has to follow that.
+    const double spin = fastestSpin(course, areJoined ? Spinners::all : Spinners::heldByJoints);
+    const double turns = std::ceil(spin * time / kMaxTurnOfSubStep);
+    const int fewest = areJoined ? std::min(kFewestJointedSubSteps, standard) : 1;
+    return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);
+}
+
+void solvePart(Course& course, double time) {
+    AdvancingIsland& island = course.island;
+    const StepPart part{
+        .begin = course.elapsed, .length = time, .dt = course.dt, .subSteps = subStepsFor(course, time)};
+    setSubStep(course.world, island, time / part.subSteps);
+    putTotalsAside(island);
+    solveGroup(course.world,
+               {.desk = course.desk,
+                .role = BodyRole::together,
+                .effort = course.world.bodies[island.members[0]].effort,
+                .bodies = island.group,
+                .contacts = island.held,
+                .joints = island.jointSlots},
+               part);
+    addUpTotals(island);
+    addUpReactions(course, time);
+}
+
+/// @param isTried  whether the part may be taken back
+void remember(Course& course, bool isTried) {
+    AdvancingIsland& island = course.island;
+    island.membersBefore.clear();
+    for (const std::uint32_t slot : island.members) {
+        const BodyMotion& motion = course.world.motions[slot];
+        island.membersBefore.push_back(motion);
+        course.world.bodies[slot].startCenter = motion.center;
+        course.world.bodies[slot].startAngle = motion.angle;
+    }
+    if (isTried) { island.heldBefore = island.held; }
+    course.subStepBefore = course.island.subStep;
+    island.jointsBefore.clear();
+    for (const std::uint32_t slot : island.jointSlots) { island.jointsBefore.push_back(course.world.joints[slot]); }
+    course.eventsBefore = course.desk.events.size();
+}
+
+void takeBack(Course& course) {
+    AdvancingIsland& island = course.island;
+    for (std::size_t i = 0; i < island.members.size(); ++i) {
+        course.world.motions[island.members[i]] = island.membersBefore[i];
+    }
+    for (std::size_t i = 0; i < island.jointSlots.size(); ++i) {
+        course.world.joints[island.jointSlots[i]] = island.jointsBefore[i];
+    }
+    island.held = island.heldBefore;
+    island.subStep = course.subStepBefore;
+    island.sources.resize(island.held.size());
+    auto& events = course.desk.events;
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(course.eventsBefore), events.end());
+}
+
+/// @param share  of the step that the part takes
+bool isSweptMember(const WorldState& world, std::uint32_t slot, double share) {
+    const Body& body = world.bodies[slot];
+    return isSwept(modeOf(world, body)) && (body.startled || movedFast(world, slot, share));
+}
+
+/// All members stand where they were at a fraction of the part, and did not fall in the rest of it.
+void cutPart(Course& course, double time, double fraction) {
+    AdvancingIsland& island = course.island;
+    for (std::size_t i = 0; i < island.members.size(); ++i) {
+        const BodyMotion& before = island.membersBefore[i];
+        BodyMotion& motion = course.world.motions[island.members[i]];
+        motion.center = before.center + fraction * (motion.center - before.center);
+        motion.angle = before.angle + fraction * (motion.angle - before.angle);
+        updatePose(course.world, island.members[i]);
+        takeBackFall(course.world, island.members[i], (1 - fraction) * time);
+    }
+}
+
+/// Where a part ends within the step the way may bend: what watches it needs to know (sensors).
+void notePoses(Course& course, double time) {
+    for (const std::uint32_t slot : course.island.members) {
+        const BodyMotion& motion = course.world.motions[slot];
+        if (!isSweptMember(course.world, slot, time / course.dt)) { continue; }
+        course.scratch.impactPoses.push_back({.body = course.world.bodies.idOf(slot),
+                                              .position = motion.pose.position,
+                                              .angle = motion.angle,
+                                              .fraction = course.elapsed / course.dt});
+    }
+}
+
+bool isSunk(const WorldState& world, std::uint32_t slot) {
+    return world.bodies[slot].sunk && isSwept(modeOf(world, world.bodies[slot]));
+}
+
+void hold(WorldState& world, std::uint32_t slot, const StepPart& part, FlightScratch& scratch) {
+    ++scratch.sweeps;
+    const bool stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
+    clampAtImpact(world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, scratch);
+}
+
+/// @param isLast  whether nobody looks for impacts of the part: else those that are sunk are held alone
+void holdMembers(Course& course, double time, bool isLast) {
+    const StepPart part{.begin = course.elapsed, .length = time, .dt = course.dt};
+    if (!isLast) { return holdSunk(course.world, course.island.members, part, course.scratch); }
+    for (const std::uint32_t slot : course.island.members) {
+        if (!isSunk(course.world, slot) && !isSweptMember(course.world, slot, time / course.dt)) { continue; }
+        hold(course.world, slot, part, course.scratch);
+    }
+}
+
+void begin(Course& course) {
+    AdvancingIsland& island = course.island;
+    course.shortest = kShortestPart * course.dt;
+    island.usualSubStep = island.subStep = course.dt / subStepsOf(course.world.settings);
+    island.kinematicsAtStart.clear();
+    for (const std::uint32_t slot : island.kinematics) {
+        island.kinematicsAtStart.push_back(course.world.motions[slot]);
+    }
+    island.membersAtStart.clear();
+    for (const std::uint32_t slot : island.members) { island.membersAtStart.push_back(course.world.motions[slot]); }
+    for (const std::uint32_t slot : island.jointSlots) {
+        course.world.joints[slot].reactionForce = {};
+        course.world.joints[slot].reactionTorque = 0;
+    }
+    island.group = island.members;
+    island.group.insert(island.group.end(), island.kinematics.begin(), island.kinematics.end());
+}
+
+/// What the next step and its report need: poses at the start of the step, kinematic bodies there, contacts.
+void finish(Course& course) {
+    AdvancingIsland& island = course.island;
+    for (std::size_t i = 0; i < island.kinematics.size(); ++i) {
+        course.world.motions[island.kinematics[i]] = island.kinematicsAtStart[i];
+    }
+    for (std::size_t i = 0; i < island.members.size(); ++i) {
+        Body& body = course.world.bodies[island.members[i]];
+        body.startCenter = island.membersAtStart[i].center;
+        body.startAngle = island.membersAtStart[i].angle;
+    }
+    setSubStep(course.world, island, island.usualSubStep);
+    storeHeld(course.world, course.desk);
+}
+
+/// Visits of members that all tries of an island may make.
+std::size_t memberTries(const WorldSettings& settings) {
+    return settings.profile == Profile::fast ? kMaxMemberTriesOfFast : kMaxMemberTries;
+}
+
+/// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
+double tryPart(Course& course, double time, bool fits, double& next) {
+    const bool isLast = time < 2 * course.shortest;  // try: it stays as it is
+    remember(course, !isLast);
+    placeKinematics(course, course.elapsed);
+    // The whole step begins with the contacts that it has found already.
+    if (course.elapsed > 0 || time < course.dt) { collideHeld(course.world, course.desk, time); }
+    solvePart(course, time);
+    next = growthOf(course.world.settings) * std::max(time, course.shortest);
+    if (isLast) {
+        holdMembers(course, time, true);
+        return time;
+    }
+    const double fraction =
+        firstImpactOf(course.world, course.island.members, {.length = time, .dt = course.dt}, course.scratch);
+    if (!(fraction < 1)) {
+        holdMembers(course, time, false);
+        return time;
+    }
+    ++course.scratch.impacts;
+    if (fits && fraction >= kGoodFit && fraction * time >= course.shortest) {
+        cutPart(course, time, fraction);
+        holdMembers(course, fraction * time, false);
+        return fraction * time;
+    }
+    takeBack(course);
+    next = std::max(fraction * time, course.shortest);
+    return 0;
+}
+
+/// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow
+/// among floor and wall less well, and may throw it up.
+bool fliesInstead(const Course& course) {
+    const AdvancingIsland& island = course.island;
+    if (course.elapsed > 0 || island.members.size() != 1 || !island.jointSlots.empty()) { return false; }
+    const Body& body = course.world.bodies[island.members[0]];
+    return !body.deepContact && !body.touchesDynamic && body.holdingJoints == 0;
+}
+
+}  // namespace
+
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
+    return fastestSpin(world, members, Spinners::all) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
+}
+
+double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
+                     FlightScratch& scratch) {
+    double first = 1;
+    for (const std::uint32_t slot : members) {
+        if (!isSweptMember(world, slot, part.length / part.dt)) { continue; }
+        ++scratch.sweeps;
+        scratch.isSunk = false;
+        const FirstImpact impact = impactOfPath(world, slot, part.length, first, scratch, true);
+        if (scratch.isSunk) { world.bodies[slot].sunk = true; }
+        if (impact.hit) { first = impact.fraction; }
+    }
+    return first;
+}
+
+void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part, FlightScratch& scratch) {
+    for (const std::uint32_t slot : members) {
+        if (isSunk(world, slot)) { hold(world, slot, part, scratch); }
+    }
+}
+
+std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }
+
+void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch& scratch, double met) {
+    Course course{world, desk, desk.island, scratch, dt};
+    begin(course);
+    const bool wasTried = met < 1;
+    if (wasTried && fliesInstead(course)) {
+        finish(course);
+        fly(world, course.island.members[0], dt, scratch);
+        return;
+    }
+    double next = std::max(met * dt, course.shortest);
+    const std::size_t tries = std::max(memberTries(world.settings) / course.island.members.size(), kFewestTries);
+    const int mostTries = std::min(static_cast<int>(std::min(tries, kMaxTries)), world.settings.maxImpacts);
+    const auto lastParts = static_cast<double>(std::clamp<std::size_t>(tries, 1, kLastParts));
+    const double maxTurn = course.island.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
+    int made = wasTried ? 1 : 0;
+    bool fits = wasTried;
+    while (course.elapsed < dt) {
+        const double rest = dt - course.elapsed;
+        if (made++ == mostTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
+        const double spin = fastestSpin(course, Spinners::all);
+        if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
+        double time = std::max(next, course.shortest);
+        if (spin * time > maxTurn) { time = std::max(maxTurn / spin, course.shortest); }
+        if (time > rest - 0.5 * course.shortest) { time = rest; }
+        const double gained = tryPart(course, time, fits, next);
+        if (gained <= 0 && fliesInstead(course)) {
+            finish(course);
+            fly(world, course.island.members[0], dt, scratch);
+            return;
+        }
+        fits = gained <= 0;
+        course.elapsed = gained >= rest ? dt : course.elapsed + gained;
+        if (gained > 0 && course.elapsed < dt) { notePoses(course, gained); }
+    }
+    finish(course);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,188 @@
+#include "island_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "../contacts/chain_passage.h"
+#include "../contacts/contact_batch.h"
+#include "../contacts/contact_manifold.h"
+#include "../contacts/ghosts.h"
+#include "../contacts/slides.h"
+#include "../stages/step.h"
+#include "../state/tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+void listHeldPairs(AdvancingIsland& island) {
+    island.heldPairs.clear();
+    for (const Contact& contact : island.held) {
+        island.heldPairs.push_back(PairTable::keyOf(contact.shapeA, contact.shapeB));
+    }
+    std::sort(island.heldPairs.begin(), island.heldPairs.end());
+}
+
+Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
+    if (world.bodies[shape.body].def.type == BodyType::fixed) { return 0; }
+    return reachOfMotion(motionBound(world, shape.body, time), shape.extent, false);
+}
+
+/// Static and kinematic shapes within reach that no contact knows yet.
+void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, std::uint32_t slot, Real time) {
+    const Aabb box = boundsOf(own.polygon, world.motions[own.body].pose);
+    island.found.clear();
+    world.broadphase->queryGround(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
+        island.found.push_back(world.proxyShapes[static_cast<std::uint32_t>(id)]);
+        return true;
+    });
+    std::sort(island.found.begin(), island.found.end());
+    for (const std::uint32_t found : island.found) {
+        const Shape& other = world.shapes[found];
+        if (world.bodies[other.body].isDynamic() || other.def.sensor || !mayTouch(world, own, other)) { continue; }
+        const std::uint64_t key = PairTable::keyOf(slot, found);
+        const auto place = std::lower_bound(island.heldPairs.begin(), island.heldPairs.end(), key);
+        if (place != island.heldPairs.end() && *place == key) { continue; }
+        island.heldPairs.insert(place, key);
+        island.held.push_back(contactOf(world, slot, found));
+        island.sources.push_back(kNoIndex);
+    }
+}
+
+/// Normal impulse that a point of a held contact had at the start of the step, N·s in a sub-step of the usual length.
+Real carriedAtStart(const WorldState& world, const AdvancingIsland& island, std::size_t index, FeatureId id) {
+    const std::uint32_t source = island.sources[index];
+    if (source == kNoIndex) { return 0; }
+    const Contact& start = world.contacts[source];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(start.manifold.count); ++k) {
+        if (start.manifold.points[k].id == id) { return start.normalImpulse[k]; }
+    }
+    return 0;
+}
+
+/// The impulse of what gets out of reach in the parts to come is told by these.
+void rememberPoints(AdvancingIsland& island) {
+    island.pointsBefore.resize(island.held.size());
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        if (island.held[i].manifold.count > 0) { island.pointsBefore[i] = island.held[i].manifold; }
+    }
+}
+
+bool hasPressed(const Contact& contact) { return contact.totalImpulse[0] > 0 || contact.totalImpulse[1] > 0; }
+
+/// An impulse is told by the points of its contact, however many of them are left.
+void tellImpulse(Contact& contact, const Manifold& pointsBefore) {
+    if (contact.manifold.count == 0) {
+        contact.manifold = pointsBefore;
+        contact.isKept = false;  // that is of another pose
+        contact.normalImpulse = contact.tangentImpulse = {};
+    }
+    if (contact.manifold.count == 1) { contact.totalImpulse = {contact.totalImpulse[0] + contact.totalImpulse[1], 0}; }
+}
+
+}  // namespace
+
+void collideHeld(WorldState& world, SolveDesk& desk, double time) {
+    AdvancingIsland& island = desk.island;
+    const auto length = static_cast<Real>(time);
+    listHeldPairs(island);
+    for (const std::uint32_t member : island.members) {
+        for (const std::uint32_t slot : world.bodies[member].shapes) {
+            const Shape& own = world.shapes[slot];
+            if (!own.def.sensor) { findGround(world, island, own, slot, length); }
+        }
+    }
+    rememberPoints(island);
+    island.heldSlides.resize(island.held.size());
+    ContactBatches batches(world, [](ContactProbe*, const Contact&, const Transform&) {});
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        Contact& contact = island.held[i];
+        const Transform bInA = relativePoseOf(world, contact);
+        const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
+                           reachWithin(world, world.shapes[contact.shapeB], length);
+        island.heldSlides[i] = slideOf(contact, bInA);
+        batches.add(nullptr, contact, bInA, {reach, reach});
+    }
+    batches.finish();
+    std::vector<std::uint32_t>& all = island.heldIndices;
+    while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
+    const std::span<const std::uint32_t> renewed = std::span(all).first(island.held.size());
+    letThrough(world, island.held, renewed, Moment::partBegins, island.chainContacts);
+    dropGhosts(world, island.held, island.heldSlides, renewed, island.members, island.nextGroundContact,
+               world.serialTasks);
+    desk.counters.manifolds += island.held.size();
+}
+
+void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds) {
+    const auto factor = static_cast<Real>(seconds / island.subStep);
+    const auto share = static_cast<Real>(seconds / island.usualSubStep);
+    island.subStep = seconds;
+    if (factor == 1) { return; }
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        Contact& contact = island.held[i];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
+            const Real before = contact.normalImpulse[k];
+            if (!(before > 0)) { continue; }
+            Real now = before * factor;
+            if (factor > 1) {
+                const Real carried = carriedAtStart(world, island, i, contact.manifold.points[k].id);
+                now = std::min(now, std::max(before, share * carried));
+            }
+            contact.normalImpulse[k] = now;
+            contact.tangentImpulse[k] *= now / before;
+            if (contact.rolls()) { contact.rollingImpulse() *= now / before; }
+        }
+    }
+}
+
+void putTotalsAside(AdvancingIsland& island) {
+    island.totals.clear();
+    for (Contact& contact : island.held) {
+        island.totals.push_back(contact.totalImpulse);
+        contact.totalImpulse = {};
+    }
+}
+
+void addUpTotals(AdvancingIsland& island) {
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        for (std::size_t k = 0; k < 2; ++k) { island.held[i].totalImpulse[k] += island.totals[i][k]; }
+    }
+}
+
+void storeHeld(WorldState& world, SolveDesk& desk) {
+    AdvancingIsland& island = desk.island;
+    island.pointsBefore.resize(island.held.size());
+    for (std::size_t i = 0; i < island.held.size(); ++i) {
+        Contact& contact = island.held[i];
+        const bool isTold = hasPressed(contact);
+        if (isTold) { tellImpulse(contact, island.pointsBefore[i]); }
+        if (island.sources[i] == kNoIndex) {
+            if (isTold) { desk.foundContacts.push_back(contact); }
+            continue;
+        }
+        world.contacts[island.sources[i]] = contact;
+        ContactProbe& probe = world.probes[island.sourceProbes[i]];
+        probe.apartUntil = 0;  // what it has now is that of another pose
+        probe.isIdle = false;
+    }
+}
+
+void addFoundContacts(WorldState& world) {
+    std::vector<Contact>& found = world.fastIslands.found;
+    found.clear();
+    for (SolveDesk& desk : world.desks) {
+        found.insert(found.end(), desk.foundContacts.begin(), desk.foundContacts.end());
+        desk.foundContacts.clear();
+    }
+    std::sort(found.begin(), found.end(), [](const Contact& a, const Contact& b) {
+        return std::tie(a.shapeA, a.shapeB) < std::tie(b.shapeA, b.shapeB);
+    });
+    for (const Contact& contact : found) {
+        if (!addContact(world, contact.shapeA, contact.shapeB)) { continue; }
+        world.contacts[world.probes.back().contact] = contact;
+        ++world.counters.contacts;
+        ++world.counters.touching;
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

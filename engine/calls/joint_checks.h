@@ -1,0 +1,29 @@
+#pragma once
+
+#include <initializer_list>
+
+#include "../../shapes/status.h"
+#include "../state/world_state.h"
+
+/// What the members of joint definitions must be. Each check names the first member that is wrong.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// The first of them that is not ok.
+Status firstFault(std::initializer_list<Status> checks);
+Status checkBase(const WorldState& world, const JointDef& def);
+Status checkBreakLimits(const std::optional<Real>& force, const std::optional<Real>& torque);
+Status checkSpring(const std::optional<Spring>& spring);
+Status checkLimits(const std::optional<AngleLimits>& limits);
+Status checkLimits(const std::optional<TranslationLimits>& limits);
+Status checkMotor(const std::optional<AngularMotor>& motor);
+Status checkMotor(const std::optional<LinearMotor>& motor);
+/// A length of 0 is for ropes alone: rods and springs of length 0 have no direction.
+Status checkLength(Real length, const std::optional<LengthLimits>& limits);
+/// @return the first point or vector that is not within the range of numbers
+Status checkAxis(DVec2 axis);
+Status checkStrength(const std::optional<Real>& strength, const char* field);
+Status checkDrive(const MotorDrive& drive);
+Status checkRatio(Real ratio);
+
+}  // namespace swept::inline SWEPT_PRECISION

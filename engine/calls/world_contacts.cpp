@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <vector>
+
+#include "../contacts/pairs_of_shapes.h"
+#include "../state/world_state.h"
+
+/// What touches, asked between steps.
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+void visitPoints(const WorldState& world, const Contact& contact, FunctionRef<void(const ContactView&)> visit) {
+    if (!contact.isSolid()) { return; }
+    const WorldTransform& pose = world.motions[contact.bodyA].pose;
+    ContactView view;
+    view.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
+    view.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
+    view.bodyA = world.bodies.idOf(contact.bodyA);
+    view.bodyB = world.bodies.idOf(contact.bodyB);
+    view.normal = rotate(pose.rotation, contact.manifold.normal);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        view.point = apply(pose, contact.manifold.points[i].point);
+        view.separation = contact.manifold.points[i].separation;
+        view.impulse = contact.totalImpulse[i];
+        visit(view);
+    }
+}
+
+/// Calls `visit` with the contacts among these pairs.
+template <class Visit>
+void visitContactsAt(WorldState& world, std::span<const std::uint32_t> places, const Visit& visit) {
+    for (const std::uint32_t place : places) {
+        const ContactProbe* const probe = probeAt(world, place);
+        if (probe == nullptr) { break; }  // candidates do not touch
+        visit(world.contacts[probe->contact]);
+    }
+}
+
+}  // namespace
+
+void World::visitContacts(FunctionRef<void(const ContactView&)> visit) const {
+    for (const std::span<const ContactProbe> probes : {std::span(state_->probes), state_->parked.probes.all()}) {
+        for (const ContactProbe& probe : probes) {
+            if (!isGap(probe)) { visitPoints(*state_, state_->contacts[probe.contact], visit); }
+        }
+    }
+}
+
+void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) {
+    WorldState& world = *state_;
+    const Body* body = world.bodies.find(id);
+    if (body == nullptr) { return; }
+    const auto isOfBody = [slot = id.index](const ContactPair& pair) {
+        return pair.bodyA == slot || pair.bodyB == slot;
+    };
+    (void)pairsOf(world, body->shapes, isOfBody);
+    std::vector<std::uint32_t> places;
+    places.swap(world.pairsOfShapes.found);  // for as long as the visit may ask again
+    visitContactsAt(world, places, [&](const Contact& contact) { visitPoints(world, contact, visit); });
+    places.swap(world.pairsOfShapes.found);
+}
+
+void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) {
+    WorldState& world = *state_;
+    if (!isValid(sensor) || !world.shapes[sensor.index].def.sensor) { return; }
+    const std::uint32_t head = sensor.index;
+    std::vector<std::uint32_t> slots;
+    listSlots(world, head, slots);
+    std::vector<std::uint32_t> others;
+    visitContactsAt(world, pairsOfShape(world, slots), [&](const Contact& contact) {
+        if (contact.sensor && contact.touching && world.shapes[contact.shapeA].head == head) {
+            others.push_back(world.shapes[contact.shapeB].head);
+        }
+    });
+    // A chain has one id, however many of its segments overlap.
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const std::uint32_t other : others) { visit(world.shapes.idOf(other)); }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

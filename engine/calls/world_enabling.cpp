@@ -1,0 +1,131 @@
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "../../shapes/room.h"
+#include "../contacts/travel.h"
+#include "../islands/levers.h"
+#include "../solve/joint_builder.h"
+#include "../state/number_range.h"
+#include "../state/world_state.h"
+
+/// Bodies that leave a world, and come back, with their ids, shapes and joints: those of a pool, for example.
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// A joint takes hold of its bodies as they are by then: nothing is turned back by whole turns, and a gear goes on from
+/// where its wheels are.
+void takeHold(const WorldState& world, Joint& joint) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    joint.referenceAngle += kTurn * std::round(angleOf(world, joint) / kTurn);
+    const auto* const gear = std::get_if<JointPart<GearJointDef, GearConstraint>>(&joint.parts);
+    if (gear == nullptr) { return; }
+    const double constant =
+        coordinateOf(world, world.joints[gear->def.jointA.index]) +
+        static_cast<double>(gear->def.ratio) * coordinateOf(world, world.joints[gear->def.jointB.index]);
+    if (isInRange(constant)) { joint.gearConstant = constant; }
+}
+
+/// A joint is off as long as any of its bodies is disabled.
+void switchJoint(WorldState& world, std::uint32_t slot) {
+    Joint& joint = world.joints[slot];
+    const bool isOff = tiesDisabled(world, joint);
+    if (isOff == joint.isOff) { return; }
+    const bool held = joint.holds();
+    joint.isOff = isOff;
+    forgetImpulses(joint);
+    if (!isOff) { takeHold(world, joint); }
+    world.jointTies[slot] = tieOf(joint);
+    world.jointChains.areCurrent = false;
+    for (const std::uint32_t body : joint.allBodies()) {
+        world.bodies[body].holdingJoints += joint.holds() ? 1 : 0;
+        world.bodies[body].holdingJoints -= held ? 1 : 0;
+        wake(world, body);
+    }
+}
+
+/// All joints of a body that was enabled, or disabled. A hub may have thousands.
+void switchJoints(WorldState& world, std::uint32_t body) {
+    for (const std::uint32_t slot : world.bodies[body].joints) {
+        switchJoint(world, slot);
+        for (const std::uint32_t other : world.joints[slot].allBodies()) {
+            if (other != body) { resistTurns(world, other); }
+        }
+    }
+    resistTurns(world, body);
+}
+
+/// What the steps so far left to the next one: nothing of it is about the time when the body comes back.
+void forgetSteps(Body& body) {
+    body.hasContact = false;
+    body.touchesDynamic = false;
+    body.fast = false;
+    body.effort = {};
+    body.searchDebt = 0;
+    body.soughtSteps = 0;
+    body.force = {};
+    body.torque = 0;
+}
+
+void disable(WorldState& world, std::uint32_t slot) {
+    dropContacts(world, slot);
+    removeFromAwake(world, slot);
+    Body& body = world.bodies[slot];
+    for (const std::uint32_t shape : body.shapes) { removeProxy(world, shape); }
+    countBody(world, body, -1);
+    body.def.enabled = false;
+    countBody(world, body, 1);
+    body.awake = false;
+    body.role = BodyRole::idle;
+    body.nextAsleep = slot;
+    forgetSteps(body);
+    switchJoints(world, slot);
+    noteRest(world, slot);
+}
+
+/// All that may fail when memory runs out, before anything changes.
+void makeRoomToEnable(WorldState& world, const Body& body) {
+    // A proxy that is free is taken before there is a new one.
+    makeRoom(world.proxyShapes, world.proxyShapes.size() + body.shapes.size());
+    makeRoom(world.neededBoxes, world.proxyShapes.size() + body.shapes.size());
+    makeRoomToWake(world);
+}
+
+Status enable(WorldState& world, std::uint32_t slot) {
+    Body& body = world.bodies[slot];
+    makeRoomToEnable(world, body);
+    for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+        const Status status = addProxy(world, body.shapes[i]);
+        if (status.ok()) { continue; }
+        while (i > 0) { removeProxy(world, body.shapes[--i]); }
+        return status;
+    }
+    countBody(world, body, -1);
+    body.def.enabled = true;
+    countBody(world, body, 1);
+    switchJoints(world, slot);
+    wake(world, slot);
+    updateProxies(world, slot);
+    if (!body.awake) { noteRest(world, slot); }  // no step does it for what is fixed
+    return Status::success();
+}
+
+}  // namespace
+
+Status World::setEnabled(BodyId id, bool enabled) {
+    WorldState& world = *state_;
+    const Body* body = world.bodies.find(id);
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    if (enabled == body->def.enabled) { return Status::success(); }
+    if (enabled) { return enable(world, id.index); }
+    disable(world, id.index);
+    return Status::success();
+}
+
+bool World::isEnabled(BodyId id) const {
+    const Body* body = state_->bodies.find(id);
+    return body != nullptr && body->def.enabled;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,167 @@
+#include "chain_passage.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "../state/tolerances.h"
+#include "ghosts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Deeper than this part of the extent nothing stands on a chain: what comes to the front so deep came from the back.
+constexpr Real kPassedRatio = Real(1) / 32;
+
+WorldTransform poseNow(const WorldState& world, std::uint32_t body) { return world.motions[body].pose; }
+/// At the start of the last step. (Of what is not awake the present one: it did not move.)
+WorldTransform poseBefore(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    return body.awake ? poseOf(body.startCenter, body.startAngle, body.localCenter) : poseNow(world, slot);
+}
+
+bool isBehind(const WorldState& world, const Contact& contact, const WorldTransform& ofChain,
+              const WorldTransform& ofShape) {
+    const Vec2 middle = middleOf(world.shapes[contact.shapeB].polygon);
+    return isBehind(world.shapes[contact.shapeA], applyInverse(ofChain, apply(ofShape, middle)));
+}
+
+/// What a body does on the other segments of a chain.
+struct OnChain {
+    bool stands = false;
+    bool passes = false;
+};
+
+/// The contacts with chains among others: sorted by their bodies when one is asked for the first time, since mostly
+/// none is.
+class ChainContacts {
+public:
+    /// @param renewed  indices
+    ChainContacts(std::span<const Contact> all, std::span<const std::uint32_t> renewed,
+                  std::vector<std::uint64_t>& byBody)
+        : all_(all), renewed_(renewed), byBody_(byBody) {}
+
+    /// Calls `visit(contact)` for each of a body that is no chain.
+    template <class Visit>
+    void visitThoseOf(std::uint32_t body, const Visit& visit) {
+        if (!areSorted_) { sort(); }
+        const std::uint64_t first = std::uint64_t{body} << kBodyShift;
+        for (auto i = std::lower_bound(byBody_.begin(), byBody_.end(), first);
+             i != byBody_.end() && *i >> kBodyShift == body; ++i) {
+            visit(all_[static_cast<std::uint32_t>(*i)]);
+        }
+    }
+
+private:
+    static constexpr int kBodyShift = 32;  ///< above the index of the contact
+
+    void sort() {
+        areSorted_ = true;
+        byBody_.clear();
+        for (const std::uint32_t i : renewed_) {
+            if (all_[i].ofChain) { byBody_.push_back(std::uint64_t{all_[i].bodyB} << kBodyShift | i); }
+        }
+        std::sort(byBody_.begin(), byBody_.end());
+    }
+
+    std::span<const Contact> all_;
+    std::span<const std::uint32_t> renewed_;
+    std::vector<std::uint64_t>& byBody_;
+    bool areSorted_ = false;
+};
+
+OnChain othersOf(const WorldState& world, const Contact& contact, ChainContacts& contacts) {
+    const std::uint32_t head = world.shapes[contact.shapeA].head;
+    OnChain others;
+    contacts.visitThoseOf(contact.bodyB, [&](const Contact& other) {
+        if (world.shapes[other.shapeA].head != head) { return; }
+        others.stands = others.stands || other.touching;
+        others.passes = others.passes || other.passes;
+    });
+    return others;
+}
+
+/// Whether the middle of the shape was behind as the last step began.
+bool wasBehindBefore(const WorldState& world, const Contact& contact) {
+    return isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+}
+
+/// @param anyPasses  whether one of the renewed does; if not, the others need not be asked
+/// @pre it has points
+bool comesThrough(const WorldState& world, const Contact& contact, Moment moment, ChainContacts& contacts,
+                  FunctionRef<bool()> anyPasses) {
+    if (contact.touching || !(deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent)) { return false; }
+    // A contact that is new was put there, and what was put into the ground comes out of it.
+    const bool wasBehind = moment == Moment::stepBegins && contact.wasSeen && wasBehindBefore(world, contact);
+    if (!wasBehind && !anyPasses()) { return false; }
+    const OnChain others = othersOf(world, contact, contacts);
+    if (others.stands) { return false; }  // it goes over a corner
+    return wasBehind || others.passes;    // or gets to the next segment while it passes
+}
+
+/// Of one that came through: whether it is neither out of the chain nor behind it again.
+bool isStillInside(const WorldState& world, const Contact& contact) {
+    const WorldTransform ofChain = poseNow(world, contact.bodyA);
+    const WorldTransform ofShape = poseNow(world, contact.bodyB);
+    const Shape& segment = world.shapes[contact.shapeA];
+    const Vec2 normal = rotate(ofChain.rotation, segment.polygon.normals[0]);
+    const Real clear = separationAlong(segment.polygon, ofChain, world.shapes[contact.shapeB].polygon, ofShape, normal);
+    return clear < -kTargetRatio * contact.extent && !isBehind(world, contact, ofChain, ofShape);
+}
+
+void takePoints(Contact& contact) {
+    contact.manifold = {};
+    contact.isKept = false;
+    contact.normalImpulse = contact.tangentImpulse = {};
+}
+
+}  // namespace
+
+Vec2 middleOf(const Polygon& core) {
+    Vec2 sum;
+    for (const Vec2 vertex : core.points()) { sum += vertex; }
+    return (1 / static_cast<Real>(core.count)) * sum;
+}
+
+bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                Moment moment, std::vector<std::uint64_t>& byBody) {
+    ChainContacts ofChains(contacts, renewed, byBody);
+    bool any = false;
+    std::optional<bool> passed;  // any in the last step: as good as never asked
+    const auto anyPasses = [&] {
+        if (!passed) {
+            passed =
+                std::any_of(renewed.begin(), renewed.end(), [contacts](std::uint32_t i) { return contacts[i].passes; });
+        }
+        return any || *passed;
+    };
+    for (const std::uint32_t i : renewed) {
+        Contact& contact = contacts[i];
+        if (!contact.ofChain) { continue; }
+        if (contact.passes) {
+            contact.passes = isStillInside(world, contact);
+        } else if (contact.manifold.count > 0) {
+            contact.passes = comesThrough(world, contact, moment, ofChains, anyPasses);
+        }
+        contact.wasSeen = true;
+        if (contact.passes) { takePoints(contact); }
+        any = any || contact.passes;
+    }
+    return any;
+}
+
+void letThrough(WorldState& world) {
+    world.chainPassers.clear();
+    if (!letThrough(world, world.contacts, world.lists.ground, Moment::stepBegins, world.chainContacts)) { return; }
+    for (const std::uint32_t i : world.lists.ground) {
+        const Contact& contact = world.contacts[i];
+        if (contact.passes) { world.chainPassers.push_back({contact.shapeA, contact.shapeB}); }
+    }
+    std::sort(world.chainPassers.begin(), world.chainPassers.end());
+}
+
+bool passesChain(const WorldState& world, std::uint32_t shape, std::uint32_t segment) {
+    const ChainPasser asked{.segment = segment, .shape = shape};
+    return std::binary_search(world.chainPassers.begin(), world.chainPassers.end(), asked);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

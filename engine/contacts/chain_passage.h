@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+
+#include "../state/world_state.h"
+
+/// Shapes that come through a chain from its back, as who jumps onto a platform from below. A chain is solid for a
+/// shape as soon as the middle of its core is in front, and half of the shape may be behind it then: pushed out, it
+/// would be lifted by that much. So the contact of a shape whose middle came to the front while it crossed the segment
+/// has no points until the shape is all in front, or its middle behind again.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// The mean of the vertices of a core, in the frame of its body: inside, and the centre of boxes and circles.
+Vec2 middleOf(const Polygon& core);
+/// Whether a place in the frame of its body is on the side of a chain segment that it does not collide on.
+inline bool isBehind(const Shape& segment, Vec2 place) {
+    return dot(place - segment.segment.p, segment.polygon.normals[0]) < 0;
+}
+
+/// When it is asked. `startCenter` and `startAngle` of bodies tell where they were before as a step begins, and only
+/// then: parts of a step begin with those of their members set to where these are, and of chains that move they do not.
+enum class Moment : std::uint8_t { stepBegins, partBegins };
+
+/// Takes the points of contacts that pass a chain.
+/// @param renewed  indices of the contacts whose manifold is new, in their order
+/// @param byBody  scratch: those with chains
+/// @return whether there were any
+bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                Moment moment, std::vector<std::uint64_t>& byBody);
+/// Those of the world, which are listed for the sweeps of this step.
+void letThrough(WorldState& world);
+/// Whether a shape passes a chain segment (slots) in this step.
+bool passesChain(const WorldState& world, std::uint32_t shape, std::uint32_t segment);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "../state/tolerances.h"
+#include "../state/world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What the stage of contacts asks, and what follows from them.
+inline bool hasContacts(const WorldState& world) { return !world.probes.empty() || !world.candidates.empty(); }
+
+/// As the stage of contacts saw it, or since something woke.
+inline bool isUp(const WorldState& world, std::uint32_t body) { return world.glances[body].isAwake(); }
+
+/// What touched goes on to until it is somewhat farther apart.
+inline bool isTouching(const Contact& contact) {
+    if (contact.manifold.count == 0) { return false; }
+    if (contact.sensor) { return true; }
+    const Real limit = (contact.touching ? kEndRatio : kBeginRatio) * contact.extent;
+    return deepestSeparation(contact.manifold) <= limit;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

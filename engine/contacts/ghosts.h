@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "../state/world_state.h"
+
+/// Ghost collisions: a body that slides from one flush piece of ground to the next meets the side or the corner of the
+/// next piece, which the ground before it hides. What tells them apart from a wall: along the normal of the ground it
+/// stands on, the body is already clear of the next piece. So a contact yields to another one of the same body whose
+/// normal keeps the two shapes apart just as well, to within the slop. Corners yield to faces, never the other way
+/// round.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Normals closer than this (cosine) are one: no face can hide another.
+inline constexpr Real kSameNormal = 1 - Real(1) / 1024;
+/// Sine up to which a normal is that of a face: round shapes lose the square of it at every corner they pass.
+inline constexpr Real kFaceSine = Real(1) / 1024;
+
+/// A contact of a body with something that does not yield.
+struct GroundContact {
+    const Polygon& ground;
+    const Polygon& own;
+    WorldTransform groundPose;
+    WorldTransform ownPose;
+    Vec2 normal;  ///< world, from the ground to the body
+    int count;    ///< points
+    Real slop;    ///< metres
+};
+
+/// What yields first has the lowest rank: corners before faces, single points before pairs.
+inline constexpr int kGhostRanks = 4;
+int ghostRank(const GroundContact& contact);
+
+/// @return whether `other` is a ghost of the same body while it stands on `stands`
+bool hides(const GroundContact& stands, const GroundContact& other);
+
+/// Separation of two placed shapes along a unit world direction from A to B, radii included, metres: how far B's lowest
+/// point lies above A's highest.
+Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygon& b, const WorldTransform& poseB,
+                     Vec2 direction);
+
+/// Drops the ghosts among new contacts of these bodies (slots) with static and kinematic shapes.
+/// @param slides   of each contact; forgotten
+/// @param renewed  indices of the contacts whose manifold is new, in their order; those of dynamic bodies alone may be
+/// left out
+/// @param next  scratch: by contact, the next one of the same body
+/// @return whether there were any
+bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide> slides,
+                std::span<const std::uint32_t> renewed, std::span<const std::uint32_t> bodies,
+                std::vector<std::uint32_t>& next, TaskSystem& loops);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,197 @@
+#include "pairs_of_shapes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "../state/world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// To list the pairs of all shapes takes as long as two looks at all pairs.
+constexpr int kScansBeforeLists = 2;
+
+/// Where the places of each list begin; those of the probes at 0. All contacts come before all candidates.
+struct Places {
+    std::size_t parkedProbes = 0;
+    std::size_t candidates = 0;
+    std::size_t parkedCandidates = 0;
+};
+
+Places placesIn(const WorldState& world) {
+    Places begins;
+    begins.parkedProbes = world.probes.size();
+    begins.candidates = begins.parkedProbes + world.parked.probes.all().size();
+    begins.parkedCandidates = begins.candidates + world.candidates.size();
+    return begins;
+}
+
+/// Calls `visit` with each pair that is not parked, and no gap, and its place, in order.
+template <class Visit>
+void forEachPair(WorldState& world, const Visit& visit) {
+    const auto go = [&](auto& pairs, std::size_t place) {
+        for (ContactPair& pair : pairs) {
+            if (!isGap(pair)) { visit(pair, static_cast<std::uint32_t>(place)); }
+            ++place;
+        }
+    };
+    go(world.probes, 0);
+    go(world.candidates, placesIn(world).candidates);
+}
+
+ContactPair& pairAt(WorldState& world, std::size_t place) {
+    const Places begins = placesIn(world);
+    if (ContactProbe* const probe = probeAt(world, place)) { return *probe; }
+    if (place < begins.parkedCandidates) { return world.candidates[place - begins.candidates]; }
+    return world.parked.candidates[static_cast<std::uint32_t>(place - begins.parkedCandidates)];
+}
+
+std::array<std::size_t, 2> proxiesOf(const ContactPair& pair) {
+    return {static_cast<std::size_t>(pair.proxyA), static_cast<std::size_t>(pair.proxyB)};
+}
+
+/// Sorts places by proxy, by counting.
+void listPairs(WorldState& world) {
+    PairsOfShapes& lists = world.pairsOfShapes;
+    lists.isListed = true;
+    lists.begins.assign(world.proxyShapes.size() + 1, 0);
+    std::uint32_t entries = 0;
+    forEachPair(world, [&](const ContactPair& pair, std::uint32_t) {
+        for (const std::size_t proxy : proxiesOf(pair)) { ++lists.begins[proxy]; }
+        entries += 2;
+    });
+    lists.places.resize(entries);
+    // Begins are ends at first, and move down as the places come, from the last one on.
+    std::uint32_t end = 0;
+    for (std::uint32_t& begin : lists.begins) { begin = end += begin; }
+    forEachPair(world, [&](const ContactPair& pair, std::uint32_t place) {
+        for (const std::size_t proxy : proxiesOf(pair)) { lists.places[--lists.begins[proxy]] = place; }
+    });
+}
+
+/// Those of the parked pairs of a shape that are meant.
+void addParked(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant) {
+    std::vector<std::uint32_t>& found = world.pairsOfShapes.found;
+    const Places begins = placesIn(world);
+    const auto add = [&](auto& pairs, std::size_t begin) {
+        pairs.visitOf(world.shapes[shape].proxy, [&](std::uint32_t place) {
+            if (isMeant(pairs[place])) { found.push_back(static_cast<std::uint32_t>(begin + place)); }
+        });
+    };
+    add(world.parked.probes, begins.parkedProbes);
+    add(world.parked.candidates, begins.parkedCandidates);
+}
+
+/// Of the pairs of a shape that are not parked. @pre listed
+void addListed(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant) {
+    PairsOfShapes& lists = world.pairsOfShapes;
+    if (world.shapes[shape].proxy == kNoProxy) { return; }
+    const auto proxy = static_cast<std::size_t>(world.shapes[shape].proxy);
+    if (proxy + 1 >= lists.begins.size()) { return; }  // made since: it has no pairs yet
+    for (std::uint32_t i = lists.begins[proxy]; i < lists.begins[proxy + 1]; ++i) {
+        const ContactPair& pair = pairAt(world, lists.places[i]);
+        if (!isGap(pair) && isMeant(pair)) { lists.found.push_back(lists.places[i]); }
+    }
+}
+
+}  // namespace
+
+ContactProbe* probeAt(WorldState& world, std::size_t place) {
+    const Places begins = placesIn(world);
+    if (place < begins.parkedProbes) { return &world.probes[place]; }
+    if (place >= begins.candidates) { return nullptr; }
+    return &world.parked.probes[static_cast<std::uint32_t>(place - begins.parkedProbes)];
+}
+
+std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
+                                       FunctionRef<bool(const ContactPair&)> isMeant) {
+    PairsOfShapes& lists = world.pairsOfShapes;
+    lists.found.clear();
+    if (!lists.isListed && lists.scans < kScansBeforeLists) {
+        ++lists.scans;
+        forEachPair(world, [&](const ContactPair& pair, std::uint32_t place) {
+            if (isMeant(pair)) { lists.found.push_back(place); }
+        });
+    } else {
+        if (!lists.isListed) { listPairs(world); }
+        for (const std::uint32_t shape : shapes) { addListed(world, shape, isMeant); }
+    }
+    for (const std::uint32_t shape : shapes) { addParked(world, shape, isMeant); }
+    std::sort(lists.found.begin(), lists.found.end());
+    lists.found.erase(std::unique(lists.found.begin(), lists.found.end()), lists.found.end());
+    return lists.found;
+}
+
+void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots) {
+    slots.clear();
+    for (std::uint32_t slot = head; slot != kNoIndex; slot = world.shapes[slot].nextInChain) { slots.push_back(slot); }
+}
+
+std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots) {
+    const std::uint32_t body = world.shapes[slots.front()].body;
+    const auto isOfShape = [&world, head = slots.front()](ProxyId proxy) {
+        return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
+    };
+    return pairsOf(world, slots, [&](const ContactPair& pair) {
+        return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
+    });
+}
+
+void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places) {
+    for (const std::uint32_t place : places) {
+        const ContactProbe* const probe = probeAt(world, place);
+        if (probe == nullptr) { return; }  // candidates do not touch
+        const Contact& contact = world.contacts[probe->contact];
+        if (contact.isSolid()) { wake(world, contact.bodyA == body ? contact.bodyB : contact.bodyA); }
+    }
+}
+
+void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events) {
+    if (probe.isIdle) { return; }
+    const Contact& contact = world.contacts[probe.contact];
+    if (!contact.touching) { return; }
+    const std::uint32_t headA = world.shapes[contact.shapeA].head;
+    const std::uint32_t headB = world.shapes[contact.shapeB].head;
+    events.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
+                      .shapeA = world.shapes.idOf(headA),
+                      .shapeB = world.shapes.idOf(headB),
+                      .bodyA = world.bodies.idOf(contact.bodyA),
+                      .bodyB = world.bodies.idOf(contact.bodyB),
+                      .userDataA = world.shapes[headA].def.userData,
+                      .userDataB = world.shapes[headB].def.userData,
+                      .bodyUserDataA = world.bodies[contact.bodyA].def.userData,
+                      .bodyUserDataB = world.bodies[contact.bodyB].def.userData});
+}
+
+void removePairs(WorldState& world, std::span<const std::uint32_t> places) {
+    const Places begins = placesIn(world);
+    for (const std::uint32_t place : places) {
+        ContactPair& pair = pairAt(world, place);
+        dropPair(world, pair);
+        if (const ContactProbe* const probe = probeAt(world, place)) {
+            reportEnd(world, *probe, world.eventsToCome);
+            const bool isParked = place >= begins.parkedProbes;
+            if (isParked && world.contacts[probe->contact].isSolid()) { --world.parked.touching; }
+        }
+        if (place >= begins.parkedCandidates) {
+            world.parked.candidates.erase(static_cast<std::uint32_t>(place - begins.parkedCandidates));
+        } else if (place >= begins.parkedProbes && place < begins.candidates) {
+            world.parked.probes.erase(static_cast<std::uint32_t>(place - begins.parkedProbes));
+        } else {
+            makeGap(pair);
+            ++world.pairsOfShapes.gaps;
+        }
+    }
+}
+
+void closeUpPairs(WorldState& world) {
+    PairsOfShapes& lists = world.pairsOfShapes;
+    lists.scans = 0;
+    lists.isListed = false;
+    if (lists.gaps == 0) { return; }
+    lists.gaps = 0;
+    std::erase_if(world.probes, isGap);
+    std::erase_if(world.candidates, isGap);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

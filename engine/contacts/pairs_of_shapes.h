@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../../shapes/function_ref.h"
+#include "../events.h"
+#include "contact.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct WorldState;
+
+/// Where the contacts and candidates of a shape stand, for what is destroyed or put elsewhere between steps. A place
+/// counts through probes, parked probes, candidates and parked candidates. What is not parked leaves a gap when it is
+/// removed, until the next step closes all of them at once: so each of many removals costs what the shape has, and not
+/// what the world has.
+struct PairsOfShapes {
+    int scans = 0;                      ///< since the last step: pairs that were found by a look at all not parked
+    bool isListed = false;              ///< since the last step: the two lists below are made
+    std::size_t gaps = 0;               ///< that are still there
+    std::vector<std::uint32_t> begins;  ///< by proxy, and of one more: where its places begin
+    std::vector<std::uint32_t> places;
+    std::vector<std::uint32_t> found;  ///< the answer of `pairsOf`
+};
+
+/// Between steps: places of the pairs for which `isMeant` is true, ascending. Valid until the next question.
+/// @param shapes  slots of one body, of which each pair that is meant has one
+std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
+                                       FunctionRef<bool(const ContactPair&)> isMeant);
+/// The slots that a shape of the user's has: of a chain, one for each segment.
+void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots);
+/// Likewise all pairs of such a shape. @param slots  all that it has
+std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots);
+/// @return nothing where the place is that of a candidate: these follow all contacts
+ContactProbe* probeAt(WorldState& world, std::size_t place);
+/// Wakes whom the body touches in one of these pairs.
+void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places);
+/// Removes these pairs, and reports the end of those that touched.
+void removePairs(WorldState& world, std::span<const std::uint32_t> places);
+/// Of a contact that is about to be dropped: its end, if it touches.
+void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events);
+/// As a step begins: what stays moves up, in its order (who comes first is solved first). Nobody asks for places then.
+void closeUpPairs(WorldState& world);
+
+}  // namespace swept::inline SWEPT_PRECISION

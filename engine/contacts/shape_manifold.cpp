@@ -1,0 +1,47 @@
+#include "shape_manifold.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../state/tolerances.h"
+#include "ghosts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// The face whose normal is almost, but not exactly, this one; −1: none.
+int faceBeside(const Polygon& polygon, Vec2 normal) {
+    const int edges = polygon.count > 1 ? polygon.count : 0;
+    for (int i = 0; i < edges; ++i) {
+        const Vec2 face = polygon.normals[static_cast<std::size_t>(i)];
+        const Real sine = std::fabs(cross(face, normal));
+        if (dot(face, normal) > 0 && sine <= kFaceSine) { return sine > 0 ? i : -1; }
+    }
+    return -1;
+}
+
+}  // namespace
+
+Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin) {
+    ManifoldMemory memory;
+    return shapeManifold(world, a, b, bInA, {margin, margin}, memory);
+}
+
+Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA,
+                       ManifoldReach reach, ManifoldMemory& memory) {
+    if (a.isChainSegment) { return collide(a.segment, a.polygon, b.polygon, bInA, reach.points, memory); }
+    return turnedToGround(world, a, b, bInA, reach.points, collide(a.polygon, b.polygon, bInA, reach, memory));
+}
+
+Manifold turnedToGround(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
+                        const Manifold& closest) {
+    if (closest.count == 0 || world.bodies[a.body].isDynamic()) { return closest; }
+    const int face = faceBeside(a.polygon, closest.normal);
+    if (face < 0) { return closest; }
+    const Manifold onFace = collideOnFace(a.polygon, face, b.polygon, bInA, margin, kFaceSine);
+    const Real slop = kTargetRatio * std::min(a.extent, b.extent);
+    const bool agrees = onFace.count > 0 && std::fabs(deepestSeparation(onFace) - deepestSeparation(closest)) <= slop;
+    return agrees ? onFace : closest;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

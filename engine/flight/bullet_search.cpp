@@ -1,0 +1,316 @@
+#include "bullet_search.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <tuple>
+
+#include "../../broadphase/wide_kernels.h"
+#include "../containers/move_all.h"
+#include "../modes/modes.h"
+#include "../state/tolerances.h"
+#include "bullet_paths.h"
+#include "bullet_start.h"
+#include "flight_state.h"
+#include "sweep_circles.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Of heaps: the next one is the first.
+bool isLater(const BulletMeeting& a, const BulletMeeting& b) { return a.isAfter(b); }
+
+/// Of its path. One that overflowed is nowhere: a box that is no box would hide others in a tree.
+Aabb boxOf(const BulletPartner& partner) {
+    const Body& body = partner.flight.body();
+    const Aabb box = boxOfPath(partner.path, static_cast<double>(body.radius + kTargetRatio * body.widest));
+    return overlaps(box, box) ? box : kNoBox;
+}
+
+BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+    const Body& body = world.bodies[slot];
+    BulletPartner partner{.flight = flightOf(world, slot, dt, scratch), .path = {}};
+    partner.isBullet = isBullet(world, slot);
+    partner.tied = isTied(body);
+    if (body.awake && body.role == BodyRole::flyer) {
+        partner.flies = partner.moved = true;
+        limitSpeed(partner.flight);
+        resolveStart(partner.flight);
+        return partner;
+    }
+    const BodyMotion& motion = world.motions[slot];
+    partner.path = {.localCenter = toDouble(body.localCenter),
+                    .c0 = body.awake ? body.startCenter : motion.center,
+                    .c1 = motion.center,
+                    .a0 = body.awake ? body.startAngle : motion.angle,
+                    .a1 = motion.angle};
+    return partner;
+}
+
+/// What it does in the rest of the step while nothing happens to it, and when that meets something static or kinematic.
+void renewPath(BulletPartner& partner, std::vector<BulletMeeting>& meetings) {
+    ++partner.changes;
+    if (!partner.flies) { return; }
+    const Flight& flight = partner.flight;
+    partner.pathFrom = flight.elapsed;
+    partner.path = sweepOf(flight);
+    const FirstImpact first = nextImpact(flight, partner.path);
+    if (!first.hit) { return; }
+    meetings.push_back({.time = flight.elapsed + first.fraction * flight.remaining(),
+                        .first = flight.slot,
+                        .second = kNoIndex,
+                        .firstChanges = partner.changes,
+                        .shapes = {}});
+}
+
+Vec2 carrierOf(const BulletWork& work, const BulletPartner& first, std::uint32_t second) {
+    for (std::uint32_t i = first.firstCarrier; i != kNoIndex; i = work.carriers[i].next) {
+        if (work.carriers[i].other == second) { return work.carriers[i].normal; }
+    }
+    return {};
+}
+
+/// First impact of any two of their shapes from now on.
+void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, FlightScratch& scratch,
+             std::vector<BulletMeeting>& meetings) {
+    const BulletWork& work = world.bulletWork;
+    const bool inOrder = work.partners[one].flight.slot < work.partners[other].flight.slot;
+    const BulletPartner& first = work.partners[inOrder ? one : other];
+    const BulletPartner& second = work.partners[inOrder ? other : one];
+    const double from = std::max(first.pathFrom, second.pathFrom);
+    if ((!first.isBullet && !second.isBullet) || (first.tied && second.tied) || !(from < work.dt)) { return; }
+    const Body& firstBody = world.bodies[first.flight.slot];
+    const Body& secondBody = world.bodies[second.flight.slot];
+    const Sweep path = pathAfter(second, from);
+    const Sweep otherPath = pathAfter(first, from);
+    const Real circles =
+        (firstBody.radius + secondBody.radius) + kTargetRatio * std::min(firstBody.widest, secondBody.widest);
+    if (stayBeyond(otherPath, path, static_cast<double>(circles))) { return; }
+    const Vec2 carrier = carrierOf(work, first, second.flight.slot);
+    BulletMeeting meeting{.time = kNever,
+                          .first = first.flight.slot,
+                          .second = second.flight.slot,
+                          .firstChanges = first.changes,
+                          .secondChanges = second.changes,
+                          .shapes = {}};
+    double limit = 1;
+    for (const std::uint32_t own : secondBody.shapes) {
+        for (const std::uint32_t met : firstBody.shapes) {
+            const Shape& a = world.shapes[met];
+            const Shape& b = world.shapes[own];
+            if (a.def.sensor || b.def.sensor || !mayTouch(world, a, b) || !(limit > 0)) { continue; }
+            FlightObstacle shapes{.own = own, .other = met};
+            shapes.level = targetOf(world, shapes);
+            shapes.lift = rideSag(world, shapes, std::max(first.impacts, second.impacts)) * toDouble(carrier);
+            const FirstImpact impact = firstImpactWith(world, path, otherPath, shapes, limit, scratch);
+            if (!impact.hit) { continue; }
+            limit = impact.fraction;
+            meeting.shapes = shapes;
+            meeting.time = from + impact.fraction * (work.dt - from);
+        }
+    }
+    if (meeting.time < kNever) { meetings.push_back(meeting); }
+}
+
+/// Whether it looks for others. Where there are bullets that do not, what may meet them does.
+bool searches(const BulletWork& work, const BulletPartner& partner) {
+    return partner.isBullet || (!partner.tied && work.areSomeAtRest);
+}
+
+/// What is slow, and lies where the paths of some partners lead that are near each other; some of it more than once.
+void discover(const WorldState& world, std::span<const std::uint32_t> searchers, std::vector<std::uint32_t>& found) {
+    const BulletWork& work = world.bulletWork;
+    std::array<Aabb, kWide> boxes;
+    std::transform(searchers.begin(), searchers.end(), boxes.begin(),
+                   [&](std::uint32_t index) { return grown(work.boxes[index], work.drift); });
+    world.broadphase->queryDynamic(std::span(boxes).first(searchers.size()), [&](std::size_t lane, ProxyId id) {
+        const Shape& shape = world.shapes[world.proxyShapes[static_cast<std::uint32_t>(id)]];
+        const bool isNew = work.indices[shape.body] == kNoIndex;
+        if (!isNew || !world.bodies[shape.body].isDynamic() || shape.def.sensor) { return; }
+        if (work.partners[searchers[lane]].isBullet || isBullet(world, shape.body)) { found.push_back(shape.body); }
+    });
+}
+
+/// @param isDue  by index, of one of them and the other one
+template <class IsDue>
+void predictAll(const WorldState& world, std::span<const std::uint32_t> partners, FlightScratch& scratch,
+                std::vector<BulletMeeting>& meetings, const IsDue& isDue) {
+    const BulletWork& work = world.bulletWork;
+    std::array<Aabb, kWide> boxes;
+    std::transform(partners.begin(), partners.end(), boxes.begin(),
+                   [&](std::uint32_t index) { return work.boxes[index]; });
+    widestKernels().queries(work.tree, WideBoxes::of(std::span(boxes).first(partners.size())),
+                            [&](std::uint32_t lane, ProxyId id) {
+                                const std::uint32_t index = partners[lane];
+                                const auto other = static_cast<std::uint32_t>(id);
+                                if (other == index || !isDue(index, other)) { return; }
+                                predict(world, index, other, scratch, meetings);
+                            });
+}
+
+/// Room for partners that `beginPartner` fills. @param slots  some of them maybe more than once
+void addPartners(BulletWork& work, std::span<const std::uint32_t> slots) {
+    for (const std::uint32_t slot : slots) {
+        if (work.indices[slot] != kNoIndex) { continue; }
+        work.indices[slot] = static_cast<std::uint32_t>(work.slots.size());
+        work.slots.push_back(slot);
+    }
+    work.partners.resize(work.slots.size());
+    work.boxes.resize(work.slots.size());
+    work.places.resize(work.slots.size());
+}
+
+/// What a partner does from the start of the step on. Touches nothing of the others.
+void beginPartner(WorldState& world, std::uint32_t index, FlightScratch& scratch,
+                  std::vector<BulletMeeting>& meetings) {
+    BulletWork& work = world.bulletWork;
+    BulletPartner& partner = work.partners[index];
+    partner = partnerOf(world, work.slots[index], work.dt, scratch);
+    renewPath(partner, meetings);
+    work.boxes[index] = boxOf(partner);
+}
+
+/// All from `first` on, by several threads.
+void beginPartners(WorldState& world, std::size_t first) {
+    constexpr std::size_t kGrain = 8;
+    BulletWork& work = world.bulletWork;
+    world.loops->run(work.partners.size() - first, kGrain, [&](std::size_t from, std::size_t to, int worker) {
+        const auto place = static_cast<std::size_t>(worker);
+        for (std::size_t i = first + from; i < first + to; ++i) {
+            beginPartner(world, static_cast<std::uint32_t>(i), world.flightScratch[place], work.finds[place].meetings);
+        }
+    });
+}
+
+/// Calls `some(searchers, scratch, finds)` for all early partners that are such, some at a time, on several threads.
+template <class Some>
+void shareSearch(WorldState& world, const Some& some) {
+    BulletWork& work = world.bulletWork;
+    const std::span<const std::uint32_t> all = work.searchers;
+    const std::size_t groups = (all.size() + kWide - 1) / kWide;
+    world.loops->run(groups, 1, [&](std::size_t from, std::size_t to, int worker) {
+        const auto place = static_cast<std::size_t>(worker);
+        for (std::size_t i = from * kWide; i < std::min(to * kWide, all.size()); i += kWide) {
+            some(all.subspan(i, std::min<std::size_t>(kWide, all.size() - i)), world.flightScratch[place],
+                 work.finds[place]);
+        }
+    });
+}
+
+void addEarly(WorldState& world) {
+    BulletWork& work = world.bulletWork;
+    findEarly(world, static_cast<Real>(work.dt));
+    addPartners(work, work.early);
+    beginPartners(world, 0);
+    work.searchers.clear();
+    for (std::uint32_t i = 0; i < work.partners.size(); ++i) {
+        if (searches(work, work.partners[i])) { work.searchers.push_back(i); }
+    }
+}
+
+void addDiscovered(WorldState& world) {
+    BulletWork& work = world.bulletWork;
+    shareSearch(world, [&](std::span<const std::uint32_t> some, FlightScratch&, BulletFinds& finds) {
+        discover(world, some, finds.bodies);
+    });
+    work.found.clear();
+    for (BulletFinds& finds : work.finds) { moveAll(work.found, finds.bodies); }
+    orderByPlace(world, work.found);
+    const std::size_t known = work.partners.size();
+    addPartners(work, work.found);
+    beginPartners(world, known);
+}
+
+}  // namespace
+
+bool BulletMeeting::isAfter(const BulletMeeting& other) const {
+    return std::tuple(time, isPair(), first, second) >
+           std::tuple(other.time, other.isPair(), other.first, other.second);
+}
+
+void findPartners(WorldState& world, double dt) {
+    BulletWork& work = world.bulletWork;
+    for (const std::uint32_t slot : work.slots) { work.indices[slot] = kNoIndex; }
+    work.indices.resize(world.motions.size(), kNoIndex);
+    work.finds.resize(world.flightScratch.size());
+    work.slots.clear();
+    work.partners.clear();
+    work.meetings.clear();
+    work.carriers.clear();
+    work.dt = dt;
+    addEarly(world);
+    const std::size_t early = work.partners.size();
+    addDiscovered(world);
+    work.tree.pack(work.boxes);
+    std::iota(work.places.begin(), work.places.end(), 0U);
+    shareSearch(world, [&](std::span<const std::uint32_t> some, FlightScratch& scratch, BulletFinds& finds) {
+        // A pair of those that search once.
+        predictAll(world, some, scratch, finds.meetings, [&](std::uint32_t index, std::uint32_t other) {
+            return other > index || other >= early || !searches(work, work.partners[other]);
+        });
+    });
+    for (BulletFinds& finds : work.finds) { moveAll(work.meetings, finds.meetings); }
+    std::make_heap(work.meetings.begin(), work.meetings.end(), isLater);
+}
+
+bool takeMeeting(BulletWork& work, BulletMeeting& meeting) {
+    while (!work.meetings.empty()) {
+        std::pop_heap(work.meetings.begin(), work.meetings.end(), isLater);
+        meeting = work.meetings.back();
+        work.meetings.pop_back();
+        const bool isFirstSame = work.partners[work.indices[meeting.first]].changes == meeting.firstChanges;
+        const bool isSecondSame =
+            !meeting.isPair() || work.partners[work.indices[meeting.second]].changes == meeting.secondChanges;
+        if (isFirstSame && isSecondSame) { return true; }
+    }
+    return false;
+}
+
+void lookAhead(WorldState& world, std::initializer_list<std::uint32_t> partners, FlightScratch& scratch) {
+    BulletWork& work = world.bulletWork;
+    std::vector<BulletMeeting>& meetings = work.finds[0].meetings;
+    work.searchers.clear();
+    for (const std::uint32_t index : partners) {
+        BulletPartner& partner = work.partners[index];
+        renewPath(partner, meetings);
+        work.boxes[index] = boxOf(partner);
+        work.tree.move(work.places[index], work.boxes[index]);
+        if (searches(work, partner)) { work.searchers.push_back(index); }
+    }
+    work.found.clear();
+    discover(world, work.searchers, work.found);
+    const auto known = static_cast<std::uint32_t>(work.partners.size());
+    addPartners(work, work.found);
+    for (std::uint32_t i = known; i < work.partners.size(); ++i) {
+        beginPartner(world, i, scratch, meetings);
+        work.tree.insert(i, work.boxes[i], work.places);
+    }
+    // Two that changed once.
+    predictAll(world, partners, scratch, meetings, [&](std::uint32_t index, std::uint32_t other) {
+        return other > index || std::find(partners.begin(), partners.end(), other) == partners.end();
+    });
+    for (const BulletMeeting& meeting : meetings) {
+        work.meetings.push_back(meeting);
+        std::push_heap(work.meetings.begin(), work.meetings.end(), isLater);
+    }
+    meetings.clear();
+}
+
+void setCarrier(BulletWork& work, const BulletMeeting& pair, Vec2 normal) {
+    std::uint32_t& head = work.partners[work.indices[pair.first]].firstCarrier;
+    for (std::uint32_t i = head; i != kNoIndex; i = work.carriers[i].next) {
+        if (work.carriers[i].other == pair.second) {
+            work.carriers[i].normal = normal;
+            return;
+        }
+    }
+    if (normal == Vec2{}) { return; }
+    work.carriers.push_back({.other = pair.second, .normal = normal, .next = head});
+    head = static_cast<std::uint32_t>(work.carriers.size() - 1);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,160 @@
+#include "bullet_start.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../../broadphase/wide_kernels.h"
+#include "../containers/key_sort.h"
+#include "../modes/modes.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+Real speedBound(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Body& body = world.bodies[slot];
+    return length(world.motions[slot].velocity) +
+           (body.isDynamic() ? dt * length(accelerationOf(world, body)) : Real(0));
+}
+
+/// Where a body may get within the step, whatever direction it is sent into.
+Aabb realmOf(const WorldState& world, std::uint32_t slot, Real reach) {
+    const Body& body = world.bodies[slot];
+    return grown(roundedOutward(body.startCenter, body.startCenter), reach + body.radius);
+}
+
+/// How far the solver moved any point of a body in this step, metres.
+Real wayOf(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
+    return roundedUp(length(motion.center - body.startCenter) + turned);
+}
+
+/// Every second bit, from the lowest on.
+std::uint64_t spreadBits(std::uint32_t bits) {
+    std::uint64_t spread = bits;
+    spread = (spread | (spread << 16U)) & 0x0000FFFF0000FFFFU;
+    spread = (spread | (spread << 8U)) & 0x00FF00FF00FF00FFU;
+    spread = (spread | (spread << 4U)) & 0x0F0F0F0F0F0F0F0FU;
+    spread = (spread | (spread << 2U)) & 0x3333333333333333U;
+    return (spread | (spread << 1U)) & 0x5555555555555555U;
+}
+
+/// Along an axis, of the curve; and the smallest square that it fills, metres.
+constexpr double kCells = 65535;
+constexpr double kSmallest = 0x1p-60;
+
+/// Of its extent: what moves no farther within a step looks for nobody. Contacts stop it, whatever it meets.
+constexpr Real kSlowRatio = Real(1) / 16;
+
+/// @param boxes  of up to eight bodies: where they may get
+/// @param reach  how far others get within the step, metres
+/// @param reached  by box: set to 1 where there is a bullet in it, or one that may be sent there
+void reachThoseAtRest(const WorldState& world, Real reach, std::array<Aabb, kWide> boxes,
+                      std::span<std::uint8_t> reached) {
+    for (Aabb& box : boxes) { box = grown(box, reach + world.bulletWork.drift); }
+    world.broadphase->queryDynamic(boxes, [&](std::size_t lane, ProxyId id) {
+        const std::uint32_t shape = world.proxyShapes[static_cast<std::uint32_t>(id)];
+        if (isBullet(world, world.shapes[shape].body)) { reached[lane] = 1; }
+    });
+}
+
+/// Takes out of `early` what is no bullet and gets to no place to which one may get.
+void dropOutOfReach(WorldState& world, Real dt) {
+    Real fastest = 0;
+    for (const std::uint32_t slot : world.awake) {
+        if (world.bodies[slot].isDynamic()) { fastest = std::max(fastest, speedBound(world, slot, dt)); }
+    }
+    BulletWork& work = world.bulletWork;
+    work.boxes.clear();
+    for (const std::uint32_t slot : work.early) {
+        if (isBullet(world, slot)) {
+            work.boxes.push_back(realmOf(world, slot, dt * (speedBound(world, slot, dt) + fastest)));
+        }
+    }
+    WideTree& realms = work.tree;
+    realms.pack(work.boxes);
+    const std::size_t count = work.early.size();
+    work.reached.assign(count, 0);
+    world.loops->run((count + kWide - 1) / kWide, 1, [&](std::size_t from, std::size_t to, int) {
+        for (std::size_t first = from * kWide; first < std::min(to * kWide, count); first += kWide) {
+            const std::size_t last = std::min(first + kWide, count);
+            std::array<Aabb, kWide> boxes;
+            boxes.fill(kNoBox);
+            for (std::size_t i = first; i < last; ++i) {
+                const std::uint32_t slot = work.early[i];
+                work.reached[i] = isBullet(world, slot) ? 1 : 0;
+                if (work.reached[i] != 0) { continue; }
+                boxes[i - first] = realmOf(world, slot, dt * speedBound(world, slot, dt));
+            }
+            widestKernels().queries(realms, WideBoxes::of(boxes),
+                                    [&](std::uint32_t lane, ProxyId) { work.reached[first + lane] = 1; });
+            if (work.areSomeAtRest) {
+                reachThoseAtRest(world, dt * fastest, boxes, std::span(work.reached).subspan(first));
+            }
+        }
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        work.early[kept] = work.early[i];
+        kept += work.reached[i];
+    }
+    work.early.resize(kept);
+}
+
+}  // namespace
+
+bool isBullet(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    return body.isDynamic() && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep;
+}
+
+void findEarly(WorldState& world, Real dt) {
+    BulletWork& work = world.bulletWork;
+    work.early.clear();
+    work.drift = 0;
+    std::uint32_t bullets = 0;
+    for (const std::uint32_t slot : world.awake) {
+        const Body& body = world.bodies[slot];
+        if (!body.isDynamic()) { continue; }
+        const bool isOne = isBullet(world, slot);
+        const bool isEarly = body.fast || (isOne && body.role == BodyRole::flyer);
+        const Real way = isEarly ? 0 : wayOf(world, slot);
+        if (isEarly || (isOne && way > kSlowRatio * body.extent)) {
+            work.early.push_back(slot);
+            bullets += isOne ? 1 : 0;
+        } else {
+            work.drift = std::max(work.drift, way);
+        }
+    }
+    work.areSomeAtRest = bullets < world.bulletBodies;
+    orderByPlace(world, work.early);
+    if (bullets < work.early.size()) { dropOutOfReach(world, dt); }
+}
+
+void orderByPlace(WorldState& world, std::vector<std::uint32_t>& slots) {
+    BulletWork& work = world.bulletWork;
+    if (slots.size() < 2) { return; }
+    DVec2 lower = world.motions[slots.front()].center;
+    DVec2 upper = lower;
+    for (const std::uint32_t slot : slots) {
+        const DVec2 center = world.motions[slot].center;
+        lower = {std::min(lower.x, center.x), std::min(lower.y, center.y)};
+        upper = {std::max(upper.x, center.x), std::max(upper.y, center.y)};
+    }
+    const double cells = kCells / std::max({upper.x - lower.x, upper.y - lower.y, kSmallest});
+    const auto cellOf = [cells](double way) {
+        return spreadBits(static_cast<std::uint32_t>(std::min(kCells, std::max(0.0, cells * way))));
+    };
+    work.order.clear();
+    for (const std::uint32_t slot : slots) {
+        const DVec2 way = world.motions[slot].center - lower;
+        work.order.push_back({cellOf(way.x) | (cellOf(way.y) << 1U), slot});
+    }
+    sortByKeys(work.order, work.spare, [](const BulletPlace& a, const BulletPlace& b) { return a.slot < b.slot; });
+    std::transform(work.order.begin(), work.order.end(), slots.begin(),
+                   [](const BulletPlace& one) { return one.slot; });
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

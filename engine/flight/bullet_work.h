@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../../broadphase/wide_tree.h"
+#include "../../shapes/raw_vector.h"
+#include "../state/shape.h"
+#include "flight.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A bullet, or a dynamic body that one may meet in this step.
+struct BulletPartner {
+    Flight flight;        ///< while it flies
+    Sweep path;           ///< from `pathFrom` to the end of the step
+    double pathFrom = 0;  ///< seconds
+    int impacts = 0;
+    bool isBullet = false;
+    bool flies = false;  ///< else it is on its way by the solver, or rests
+    bool tied = false;   ///< to other bodies: it stays on its way, whatever hits it; only its velocity changes
+    bool moved = false;  ///< here: what the solver made of its pose is out of date
+
+    std::uint32_t changes = 0;              ///< of its path so far
+    std::uint32_t firstCarrier = kNoIndex;  ///< place in `BulletWork::carriers`, of those to bodies of higher slots
+};
+
+/// What two bodies do that met and did not bounce: they may sag along the normal.
+struct BulletCarrier {
+    std::uint32_t other = 0;  ///< slot of the second body
+    Vec2 normal{};            ///< from first to second; zero: it bounced since
+    std::uint32_t next = 0;   ///< of the same first body
+};
+
+/// What happens next, unless the path of one of both changes before.
+struct BulletMeeting {
+    double time = 0;           ///< seconds
+    std::uint32_t first = 0;   ///< slots of bodies; the lower one of a pair
+    std::uint32_t second = 0;  ///< `kNoIndex`: the first one meets something static or kinematic
+    std::uint32_t firstChanges = 0;
+    std::uint32_t secondChanges = 0;
+    FlightObstacle shapes;  ///< that meet: `own` of the second, `other` of the first
+
+    bool isPair() const { return second != kNoIndex; }
+    /// In order of time; what happens at one moment in one that follows from the slots alone.
+    bool isAfter(const BulletMeeting& other) const;
+};
+
+/// What one worker found. Nothing of it shares a cache line with another worker's.
+struct alignas(kCacheLine) BulletFinds {
+    std::vector<BulletMeeting> meetings;
+    std::vector<std::uint32_t> bodies;  ///< slots
+};
+
+/// A body by where it is.
+struct BulletPlace {
+    std::uint64_t key = 0;
+    std::uint32_t slot = 0;
+};
+
+struct BulletWork {
+    RawVector<BulletPartner> partners;    ///< at first in an order in which neighbours follow each other
+    std::vector<std::uint32_t> slots;     ///< by partner
+    std::vector<std::uint32_t> indices;   ///< by body: of its partner; `kNoIndex` for all others
+    std::vector<BulletMeeting> meetings;  ///< a heap: the next one is the first
+    std::vector<BulletCarrier> carriers;
+    std::vector<Aabb> boxes;            ///< by partner, of its path
+    std::vector<std::uint32_t> places;  ///< by partner, in the tree
+    WideTree tree;                      ///< of the boxes
+    std::vector<BulletFinds> finds;     ///< by worker
+    Real drift = 0;                     ///< no body that is none of the early partners leaves its box farther, metres
+    bool areSomeAtRest = false;         ///< bullets that look for nobody: they sleep, or hardly move
+    double dt = 0;
+
+    // Scratch.
+    std::vector<std::uint32_t> searchers;  ///< indices
+    std::vector<std::uint32_t> early;      ///< slots, as the next one
+    std::vector<std::uint32_t> found;
+    std::vector<std::uint8_t> reached;  ///< by place in `early`
+    std::vector<BulletPlace> order;
+    std::vector<BulletPlace> spare;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

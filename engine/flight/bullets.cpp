@@ -1,0 +1,236 @@
+#include "bullets.h"
+
+#include <algorithm>
+
+#include "../../solver/impacts/impact.h"
+#include "../modes/modes.h"
+#include "../solve/constraint_builder.h"
+#include "../stages/step.h"
+#include "../state/tolerances.h"
+#include "bullet_paths.h"
+#include "bullet_search.h"
+#include "flight_state.h"
+#include "hit_event.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr BodySlot kFirstSlot = 1;
+constexpr BodySlot kSecondSlot = 2;
+/// Two points of a contact, and friction at each: more rounds change nothing.
+constexpr int kPairRounds = 8;
+
+BulletPartner& partnerIn(WorldState& world, std::uint32_t slot) {
+    return world.bulletWork.partners[world.bulletWork.indices[slot]];
+}
+
+/// From the solver's hands, or from sleep, into flight: with the velocity that it has at this time.
+void takeOff(WorldState& world, BulletPartner& partner, double time) {
+    Flight& flight = partner.flight;
+    const Body& body = flight.body();
+    const double length = flight.dt - partner.pathFrom;
+    const BodyMotion now = motionAt(partner.path, (time - partner.pathFrom) / length, body.localCenter);
+    flight.motion = world.motions[flight.slot];
+    flight.motion.center = now.center;
+    flight.motion.angle = now.angle;
+    flight.motion.pose = now.pose;
+    if (body.awake && body.role == BodyRole::free) {  // its velocity is that of the end of the step
+        flight.motion.velocity -= static_cast<Real>(flight.dt - time) * accelerationOf(world, body);
+    }
+    flight.elapsed = time;
+    partner.flies = true;
+}
+
+void bringTo(WorldState& world, BulletPartner& partner, double time) {
+    if (!partner.flies && !partner.tied) {
+        takeOff(world, partner, time);
+        return;
+    }
+    if (partner.flies) {
+        const double rest = partner.flight.remaining();
+        advance(partner.flight, partner.path, rest > 0 ? std::min((time - partner.flight.elapsed) / rest, 1.0) : 1);
+        partner.flight.elapsed = time;
+        return;
+    }
+    const double length = partner.flight.dt - partner.pathFrom;
+    const BodyMotion now =
+        motionAt(partner.path, (time - partner.pathFrom) / length, partner.flight.body().localCenter);
+    partner.flight.motion.center = now.center;
+    partner.flight.motion.angle = now.angle;
+    partner.flight.motion.pose = now.pose;
+}
+
+void report(WorldState& world, const BulletMeeting& pair, const ContactConstraint& constraint) {
+    const Flight& second = partnerIn(world, pair.second).flight;
+    if (!(impactSpeed(constraint) > second.threshold())) { return; }
+    second.scratch->events.push_back(
+        hitOf(world, pair.shapes.other, pair.shapes.own, constraint, second.motion.center, pair.time / second.dt));
+}
+
+/// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on
+/// it.
+void setApart(WorldState& world, const BulletMeeting& pair, const Manifold& manifold, Vec2 normal) {
+    BulletPartner& first = partnerIn(world, pair.first);
+    BulletPartner& second = partnerIn(world, pair.second);
+    const double target = targetOf(world, pair.shapes);
+    const double gap = target - static_cast<double>(deepestSeparation(manifold));
+    const double inverseFirst = first.flies ? static_cast<double>(first.flight.body().inverseMass) : 0;
+    const double inverseSecond = second.flies ? static_cast<double>(second.flight.body().inverseMass) : 0;
+    const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
+    if (!(gap > noise) || !(inverseFirst + inverseSecond > 0)) { return; }
+    const DVec2 way = (gap / (inverseFirst + inverseSecond)) * toDouble(normal);
+    shift(first.flight, -inverseFirst * way);
+    shift(second.flight, inverseSecond * way);
+}
+
+void collideBodies(WorldState& world, const BulletMeeting& pair) {
+    Flight& first = partnerIn(world, pair.first).flight;
+    Flight& second = partnerIn(world, pair.second).flight;
+    const Shape& own = world.shapes[pair.shapes.own];
+    const Shape& other = world.shapes[pair.shapes.other];
+    const Manifold manifold =
+        obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, reachOf(world, pair.shapes));
+    if (manifold.count == 0) { return; }
+    ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
+                                                mixedSurface(own.def, other.def), 0);
+    constraint.slotA = kFirstSlot;
+    constraint.slotB = kSecondSlot;
+    FlightScratch& scratch = *second.scratch;
+    scratch.states.assign(3, {});
+    scratch.inertias.assign(3, {});
+    for (const Flight* flight : {&first, &second}) {
+        const BodySlot slot = flight == &first ? kFirstSlot : kSecondSlot;
+        scratch.states[slot].velocity = flight->motion.velocity;
+        scratch.states[slot].angularVelocity = flight->motion.angularVelocity;
+        scratch.inertias[slot] = {flight->body().inverseMass, flight->body().inverseInertia};
+    }
+    prepareContact(constraint, scratch.inertias);
+    ContactConstraint* const only[] = {&constraint};
+    const ImpactRule rule{.restitutionThreshold = second.threshold(), .resolvePlastic = true};
+    resolveImpacts(only, {scratch.states, scratch.inertias}, rule, kPairRounds);
+    for (Flight* flight : {&first, &second}) {
+        const BodySlot slot = flight == &first ? kFirstSlot : kSecondSlot;
+        flight->motion.velocity = scratch.states[slot].velocity;
+        flight->motion.angularVelocity = scratch.states[slot].angularVelocity;
+    }
+    report(world, pair, constraint);
+    setApart(world, pair, manifold, constraint.normal);
+    const bool bounces = constraint.restitution > 0 && impactSpeed(constraint) > second.threshold();
+    setCarrier(world.bulletWork, pair, bounces ? Vec2{} : constraint.normal);
+}
+
+/// It rides on with the other one to the end of the step: what it would have done on its own is lost.
+void ride(BulletPartner& rider, const BulletPartner& carrier, double time) {
+    enterLedger(rider.flight, LostTimeReason::clamp);
+    rider.path = pathWith(rider, carrier, time);
+    rider.pathFrom = time;
+    rider.flies = false;
+    rider.tied = true;
+}
+
+bool isExhausted(BulletPartner& partner) {
+    return isExhausted(partner.flight, partner.impacts++, LostTimeReason::budget);
+}
+
+/// It stays where it is.
+void stop(BulletPartner& partner, double time, LostTimeReason reason) {
+    const Flight& flight = partner.flight;
+    enterLedger(flight, reason);
+    partner.path = {.localCenter = toDouble(flight.body().localCenter),
+                    .c0 = flight.motion.center,
+                    .c1 = flight.motion.center,
+                    .a0 = flight.motion.angle,
+                    .a1 = flight.motion.angle};
+    partner.pathFrom = time;
+    partner.flies = false;
+    partner.tied = true;
+}
+
+void meet(WorldState& world, const BulletMeeting& pair, FlightScratch& scratch) {
+    BulletPartner& first = partnerIn(world, pair.first);
+    BulletPartner& second = partnerIn(world, pair.second);
+    bringTo(world, first, pair.time);
+    bringTo(world, second, pair.time);
+    collideBodies(world, pair);
+    ++scratch.impacts;
+    for (BulletPartner* const partner : {&first, &second}) {
+        const BulletPartner& other = partner == &first ? second : first;
+        partner->moved = true;
+        if (!partner->flies) { continue; }
+        notePose(partner->flight);
+        resolveStanding(partner->flight);
+        // What is tied does not get out of the way in this step.
+        if (!other.flies && other.tied && partner->impacts > 1) {
+            ride(*partner, other, pair.time);
+        } else if (isExhausted(*partner)) {
+            stop(*partner, pair.time, LostTimeReason::budget);
+        }
+    }
+    lookAhead(world, {world.bulletWork.indices[pair.first], world.bulletWork.indices[pair.second]}, scratch);
+}
+
+void bounce(WorldState& world, const BulletMeeting& meeting, FlightScratch& scratch) {
+    BulletPartner& partner = partnerIn(world, meeting.first);
+    bringTo(world, partner, meeting.time);
+    if (isExhausted(partner)) {
+        stop(partner, partner.flight.elapsed, LostTimeReason::budget);
+    } else {
+        const bool isHit = resolveStanding(partner.flight);
+        notePose(partner.flight);
+        ++scratch.impacts;
+        if (isHit && partner.flight.stops) { stop(partner, partner.flight.elapsed, LostTimeReason::stop); }
+    }
+    lookAhead(world, {world.bulletWork.indices[meeting.first]}, scratch);
+}
+
+/// To the end of the step. @pre awake
+void store(WorldState& world, BulletPartner& partner) {
+    BodyMotion& motion = world.motions[partner.flight.slot];
+    if (partner.flies) {
+        if (partner.flight.remaining() > 0) { advance(partner.flight, partner.path, 1); }
+        limitSpeed(partner.flight);
+        motion = partner.flight.motion;
+        return;
+    }
+    motion = motionAt(partner.path, 1, partner.flight.body().localCenter);
+    motion.velocity = partner.flight.motion.velocity;
+    motion.angularVelocity = partner.flight.motion.angularVelocity;
+}
+
+void storeAll(WorldState& world, Real dt) {
+    constexpr std::size_t kGrain = 32;
+    RawVector<BulletPartner>& partners = world.bulletWork.partners;
+    // What sleeps has begun no step lately: where it stands is where this one began.
+    const std::size_t before = world.awake.size();
+    for (const BulletPartner& partner : partners) {
+        if (partner.moved) { wake(world, partner.flight.slot); }
+    }
+    resetBodies(world, std::span(world.awake).subspan(before), dt);
+    world.loops->run(partners.size(), kGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        for (BulletPartner& partner : std::span(partners).subspan(begin, end - begin)) {
+            partner.flight.scratch = &world.flightScratch[static_cast<std::size_t>(worker)];
+            if (partner.moved) { store(world, partner); }
+        }
+    });
+}
+
+}  // namespace
+
+void flyBullets(WorldState& world, double dt) {
+    findPartners(world, dt);
+    BulletWork& work = world.bulletWork;
+    FlightScratch& scratch = world.flightScratch[0];
+    for (BulletPartner& partner : work.partners) { partner.flight.scratch = &scratch; }  // from here on, on one thread
+    for (BulletMeeting meeting; takeMeeting(work, meeting);) {
+        if (meeting.isPair()) {
+            meet(world, meeting, scratch);
+        } else {
+            bounce(world, meeting, scratch);
+        }
+    }
+    storeAll(world, static_cast<Real>(dt));
+    world.counters.sweeps += work.partners.size();
+    std::erase_if(world.flyers, [&](std::uint32_t slot) { return work.indices[slot] != kNoIndex; });
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,225 @@
+#include "clash.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../modes/modes.h"
+#include "../state/tolerances.h"
+#include "clash_contacts.h"
+#include "flight_state.h"
+#include "sweep_circles.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Impacts per member. What takes more chatters, and is coming to rest.
+constexpr int kImpactsPerMember = 4;
+
+/// What comes next in the rest of the step.
+struct NextImpact {
+    bool hit = false;
+    bool isPair = false;
+    std::size_t flight = 0;  ///< that meets something static or kinematic
+    double fraction = 1;
+};
+
+bool mayFly(const WorldState& world, const Body& body) {
+    return !body.deepContact && !body.rests && body.holdingJoints == 0 &&
+           modeOf(world, body) == ContinuousMode::subStep;
+}
+
+std::uint32_t memberIndex(std::span<const std::uint32_t> members, std::uint32_t slot) {
+    return static_cast<std::uint32_t>(std::find(members.begin(), members.end(), slot) - members.begin());
+}
+
+/// @return false: what meets there does not bounce
+bool listPairs(Clash& clash, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts) {
+    for (const std::uint32_t index : contacts) {
+        const std::uint32_t place = clash.world.probes[index].contact;
+        const Contact& contact = clash.world.contacts[place];
+        const std::uint32_t first = memberIndex(members, contact.bodyA);
+        const std::uint32_t second = memberIndex(members, contact.bodyB);
+        if (first == members.size() || second == members.size()) {
+            const std::uint32_t grounded = std::min(first, second);
+            if (contact.isSolid() && grounded < members.size()) { clash.work.isNearGround[grounded] = 1; }
+            continue;
+        }
+        ClashPair pair{.contact = place, .first = first, .second = second};
+        pair.isRide = !(contact.restitution > 0);
+        const bool isBullets =
+            clash.world.bodies[contact.bodyA].def.bullet || clash.world.bodies[contact.bodyB].def.bullet;
+        if (pair.isRide && !isBullets) { return false; }
+        clash.work.anyRides = clash.work.anyRides || pair.isRide;
+        pair.shapes = {.own = contact.shapeB, .other = contact.shapeA};
+        clash.work.pairs.push_back(pair);
+    }
+    return true;
+}
+
+bool begin(Clash& clash, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts) {
+    if (members.size() < 2 || members.size() > kMostClashing) { return false; }
+    const auto flies = [&](std::uint32_t slot) { return mayFly(clash.world, clash.world.bodies[slot]); };
+    if (!std::all_of(members.begin(), members.end(), flies)) { return false; }
+    ClashScratch& work = clash.work;
+    work.pairs.clear();
+    work.anyRides = false;
+    work.impacts = 0;
+    work.isNearGround.assign(members.size(), 0);
+    if (!listPairs(clash, members, contacts)) { return false; }
+    work.flights.clear();
+    work.paths.resize(members.size());
+    for (const std::uint32_t slot : members) {
+        work.flights.push_back(flightOf(clash.world, slot, clash.dt, clash.scratch));
+        limitSpeed(work.flights.back());
+    }
+    return true;
+}
+
+void resolveGround(Clash& clash) {
+    for (std::size_t i = 0; i < clash.work.flights.size(); ++i) {
+        if (clash.work.isNearGround[i] != 0) { resolveStanding(clash.work.flights[i]); }
+    }
+}
+
+/// What meets now and only moves apart along the normal, however it turns, does not meet again: the separation along a
+/// fixed axis grows at least as fast as the centres part, less what the turns may bring. The speed of a parabola is
+/// linear in time: least at one of its ends.
+bool staysApart(const WorldState& world, const ClashScratch& work, const ClashPair& pair) {
+    if (!pair.isMet) { return false; }
+    const Sweep& first = work.paths[pair.first];
+    const Sweep& second = work.paths[pair.second];
+    const DVec2 normal = toDouble(pair.normal);
+    const DVec2 parting = (second.c1 - second.c0) - (first.c1 - first.c0);
+    const double slowest = dot(parting, normal) - std::fabs(dot(second.k - first.k, normal));
+    const double turns = std::fabs(first.a1 - first.a0) * turningArm(world.shapes[pair.shapes.other]) +
+                         std::fabs(second.a1 - second.a0) * turningArm(world.shapes[pair.shapes.own]);
+    return slowest >= turns;
+}
+
+/// Whether the circles of both shapes miss each other.
+bool passesBy(const WorldState& world, const ClashScratch& work, const ClashPair& pair) {
+    const double circles = static_cast<double>(world.shapes[pair.shapes.own].radius) +
+                           static_cast<double>(world.shapes[pair.shapes.other].radius);
+    return stayBeyond(work.paths[pair.first], work.paths[pair.second], circles + 2 * targetOf(world, pair.shapes));
+}
+
+/// The separation at which a pair meets next: its target; one below what there is where it meets now; and where it
+/// overlaps, that is undone along the normal. `firstImpactWith` would find both by itself, with more searches.
+void aim(const Clash& clash, ClashPair& pair) {
+    const WorldState& world = clash.world;
+    const double target = targetOf(world, pair.shapes);
+    pair.shapes.level = target;
+    pair.shapes.lift = {};
+    if (!pair.isMet) { return; }
+    const auto deepest = static_cast<double>(pair.deepest);
+    const double up = deepest < 0 ? target - deepest : 0;
+    if (pair.isRide) {
+        pair.shapes.lift = (up + rideSag(world, pair.shapes, clash.work.impacts)) * toDouble(pair.normal);
+        return;
+    }
+    pair.shapes.lift = up * toDouble(pair.normal);
+    pair.shapes.level = levelInContact(world, pair.shapes, deepest + up);
+}
+
+NextImpact nextImpactOf(Clash& clash) {
+    ClashScratch& work = clash.work;
+    NextImpact next;
+    for (std::size_t i = 0; i < work.flights.size(); ++i) {
+        work.paths[i] = sweepOf(work.flights[i]);
+        const FirstImpact impact = nextImpact(work.flights[i], work.paths[i], next.fraction);
+        work.isNearGround[i] = clash.scratch.obstacles.empty() ? 0 : 1;
+        if (impact.hit) { next = {.hit = true, .isPair = false, .flight = i, .fraction = impact.fraction}; }
+    }
+    for (ClashPair& pair : work.pairs) {
+        if (!(next.fraction > 0)) { break; }
+        if (staysApart(clash.world, work, pair) || passesBy(clash.world, work, pair)) { continue; }
+        aim(clash, pair);
+        const FirstImpact impact = firstImpactWith(clash.world, work.paths[pair.second], work.paths[pair.first],
+                                                   pair.shapes, next.fraction, clash.scratch);
+        if (impact.hit) { next = {.hit = true, .isPair = true, .fraction = impact.fraction}; }
+    }
+    return next;
+}
+
+void advanceAll(Clash& clash, double fraction) {
+    for (std::size_t i = 0; i < clash.work.flights.size(); ++i) {
+        advance(clash.work.flights[i], clash.work.paths[i], fraction);
+    }
+    for (ClashPair& pair : clash.work.pairs) { pair.isMet = false; }
+}
+
+bool isExhausted(const Clash& clash) {
+    const ClashScratch& work = clash.work;
+    if (!work.anyRides) {
+        const int most = kImpactsPerMember * static_cast<int>(work.flights.size());
+        return work.impacts > std::min(most, clash.world.settings.maxImpacts);
+    }
+    return std::all_of(work.flights.begin(), work.flights.end(),
+                       [&](const Flight& flight) { return isExhausted(flight, work.impacts, LostTimeReason::budget); });
+}
+
+/// The solver would have turning faces stand still for the rest of the step, and a bullet would get through: all stay
+/// where they are.
+bool giveUp(Clash& clash) {
+    if (!clash.work.anyRides) { return false; }
+    for (const Flight& flight : clash.work.flights) { enterLedger(flight, LostTimeReason::budget); }
+    return true;
+}
+
+/// @return whether the step was used up within the budget of impacts
+bool flyThrough(Clash& clash) {
+    ClashScratch& work = clash.work;
+    resolvePairs(clash, true);
+    if (!allLeave(clash)) { return false; }
+    resolveGround(clash);
+    for (; !isExhausted(clash); ++work.impacts) {
+        const NextImpact next = nextImpactOf(clash);
+        advanceAll(clash, next.hit ? next.fraction : 1);
+        if (!next.hit) { return true; }
+        ++clash.scratch.impacts;
+        if (next.isPair) {
+            resolvePairs(clash, false);
+            resolveGround(clash);
+        } else {
+            resolveStanding(work.flights[next.flight]);
+        }
+        for (const Flight& flight : work.flights) { notePose(flight); }
+    }
+    return giveUp(clash);
+}
+
+void store(Clash& clash) {
+    for (Flight& flight : clash.work.flights) {
+        limitSpeed(flight);
+        clash.world.motions[flight.slot] = flight.motion;
+    }
+    for (const ClashPair& pair : clash.work.pairs) {
+        Contact& contact = clash.world.contacts[pair.contact];
+        contact.normalImpulse = contact.tangentImpulse = {};
+        contact.totalImpulse = pair.impulse;
+        contact.pressed = pair.impulse[0] > 0 || pair.impulse[1] > 0;
+    }
+}
+
+}  // namespace
+
+bool clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
+           double dt, FlightScratch& scratch, ClashScratch& work) {
+    Clash clash{world, scratch, work, dt};
+    if (!begin(clash, members, contacts)) { return false; }
+    const std::size_t events = scratch.events.size();
+    const std::size_t poses = scratch.impactPoses.size();
+    const std::uint64_t impacts = scratch.impacts;
+    const std::uint64_t speedsLimited = scratch.speedsLimited;
+    if (flyThrough(clash)) {
+        store(clash);
+        return true;
+    }
+    scratch.events.resize(events);
+    scratch.impactPoses.resize(poses);
+    scratch.impacts = impacts;
+    scratch.speedsLimited = speedsLimited;
+    return false;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

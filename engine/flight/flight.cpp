@@ -1,0 +1,377 @@
+#include "flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../contacts/ghosts.h"
+#include "../modes/modes.h"
+#include "../solve/constraint_builder.h"
+#include "../state/tolerances.h"
+#include "flight_state.h"
+#include "free_path.h"
+#include "hit_event.h"
+#include "set_back.h"
+#include "solved_path.h"
+#include "sweep_obstacles.h"
+#include "take_along.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr BodySlot kFlyerSlot = 1;
+
+Real deepestOf(const ContactConstraint& constraint) {
+    const Real first = constraint.points[0].baseSeparation;
+    return constraint.count > 1 ? std::min(first, constraint.points[1].baseSeparation) : first;
+}
+
+/// Sets a body that sank below the band of its target back to the target, along the contact normal: what gravity does
+/// between two impacts of a sliding body is undone by it. What something kinematic holds deeper than that is squeezed,
+/// and stays in it: behind it may be a wall.
+/// @param groundVelocity  where they meet, m/s
+void setBack(Flight& flight, ContactConstraint& contact, const FlightObstacle& obstacle, Vec2 groundVelocity) {
+    const auto target = static_cast<Real>(targetOf(*flight.world, obstacle));
+    const auto tolerance = static_cast<Real>(toleranceOf(*flight.world, obstacle));
+    const Real deepest = std::min(target, deepestOf(contact));
+    if (deepest >= target - tolerance - roundingOf(*flight.world, obstacle)) { return; }
+    const Body& other = flight.world->bodies[flight.world->shapes[obstacle.other].body];
+    const bool isSqueezed = static_cast<double>(target - deepest) > slackOf(*flight.world, obstacle);
+    if (isSqueezed && other.def.type == BodyType::kinematic) { return; }
+    const auto lowPoint = [&](std::size_t i) {
+        const ContactConstraintPoint& point = contact.points[i];
+        return LowPoint{cross(point.anchorB, contact.normal), target - point.baseSeparation};
+    };
+    const Body& body = flight.body();
+    const BodyInertia inertia{body.inverseMass, body.inverseInertia};
+    BodyMotion& motion = flight.motion;
+    const LowPoint first = lowPoint(0);
+    const SetBack back = setBackOf({first, contact.count > 1 ? lowPoint(1) : first}, inertia);
+    const SetBackEnergy energy{.pull = -dot(accelerationOf(*flight.world, body), contact.normal),
+                               .velocity = dot(motion.velocity - groundVelocity, contact.normal),
+                               .spin = motion.angularVelocity};
+    contact.restitution *= speedLeft(back, energy, inertia);
+    motion.center += toDouble(back.along * contact.normal);
+    motion.angle += static_cast<double>(back.turn);
+    motion.pose = poseOf(motion.center, motion.angle, body.localCenter);
+}
+
+/// Faces that meet flush meet at all their points: what the slop tells from touching takes part in the impact of
+/// another point with the same normal, or the body would be thrown about the corner that happens to come first.
+void dropWhatIsNotMet(Flight& flight) {
+    std::vector<ContactConstraint>& all = flight.scratch->constraints;
+    const auto isMet = [&](const ContactConstraint& constraint) {
+        return deepestOf(constraint) <= reachOf(*flight.world, flight.scratch->obstacles[constraint.source]);
+    };
+    const auto isBesideAMetOne = [&](const ContactConstraint& constraint) {
+        return std::any_of(all.begin(), all.end(), [&](const ContactConstraint& other) {
+            return isMet(other) && dot(other.normal, constraint.normal) > kSameNormal;
+        });
+    };
+    for (std::size_t i = 0; i < all.size();) {
+        if (isBesideAMetOne(all[i])) {
+            ++i;
+        } else {
+            all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+}
+
+void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t source) {
+    const Shape& own = flight.world->shapes[obstacle.own];
+    const Shape& other = flight.world->shapes[obstacle.other];
+    const Body& otherBody = flight.world->bodies[other.body];
+    const Sweep otherSweep = obstacleSweep(*flight.world, other.body, flight.elapsed, flight.dt);
+    const BodyMotion otherMotion = motionAt(otherSweep, 0, otherBody.localCenter);
+    const Real margin = std::max(reachOf(*flight.world, obstacle), slopOf(*flight.world, obstacle));
+    const Manifold manifold = obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, margin);
+    if (manifold.count == 0) { return; }
+    ContactConstraint constraint =
+        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion, mixedSurface(own.def, other.def), 0);
+    constraint.source = source;
+    constraint.slotB = kFlyerSlot;
+    Vec2 groundVelocity{};
+    if (otherBody.def.type == BodyType::kinematic) {
+        const BodyMotion& moving = flight.world->motions[other.body];
+        groundVelocity = moving.velocity + cross(moving.angularVelocity, constraint.points[0].anchorA);
+        constraint.slotA = static_cast<BodySlot>(flight.scratch->states.size());
+        flight.scratch->states.push_back({.velocity = moving.velocity, .angularVelocity = moving.angularVelocity});
+        flight.scratch->inertias.push_back({});
+    }
+    setBack(flight, constraint, obstacle, groundVelocity);
+    flight.scratch->constraints.push_back(constraint);
+}
+
+/// @return whether it was a hit
+bool report(Flight& flight, const ContactConstraint& constraint) {
+    if (!(impactSpeed(constraint) > flight.threshold())) { return false; }
+    const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
+    flight.scratch->events.push_back(hitOf(*flight.world, obstacle.other, obstacle.own, constraint,
+                                           flight.motion.center, flight.elapsed / flight.dt));
+    return true;
+}
+
+/// What the body is pressed against, and does not bounce off, carries it: it may sag there until its next impact.
+void noteCarrier(Flight& flight, const ContactConstraint& constraint) {
+    const Real pull = -dot(accelerationOf(*flight.world, flight.body()), constraint.normal);
+    if (!(pull > 0) || impactSpeed(constraint) > flight.threshold()) { return; }
+    const auto isSame = [&](Vec2 normal) { return dot(normal, constraint.normal) > kSameNormal; };
+    const auto last = flight.carriers.begin() + flight.carrierCount;
+    if (last == flight.carriers.end() || std::any_of(flight.carriers.begin(), last, isSame)) { return; }
+    flight.carriers[static_cast<std::size_t>(flight.carrierCount++)] = constraint.normal;
+}
+
+GroundContact groundContactOf(const Flight& flight, const ContactConstraint& constraint) {
+    const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
+    const Shape& other = flight.world->shapes[obstacle.other];
+    const Sweep otherSweep = obstacleSweep(*flight.world, other.body, flight.elapsed, flight.dt);
+    return {.ground = other.polygon,
+            .own = flight.world->shapes[obstacle.own].polygon,
+            .groundPose = motionAt(otherSweep, 0, flight.world->bodies[other.body].localCenter).pose,
+            .ownPose = flight.motion.pose,
+            .normal = constraint.normal,
+            .count = constraint.count,
+            .slop = slopOf(*flight.world, obstacle)};
+}
+
+/// Drops the constraints that another one's normal shows to be ghosts (ghosts.h).
+void dropGhosts(Flight& flight) {
+    std::vector<ContactConstraint>& all = flight.scratch->constraints;
+    for (int rank = 0; rank < kGhostRanks && all.size() > 1; ++rank) {
+        for (std::size_t i = 0; i < all.size();) {
+            const GroundContact contact = groundContactOf(flight, all[i]);
+            const auto hidesIt = [&](const ContactConstraint& stands) {
+                return &stands != &all[i] && hides(groundContactOf(flight, stands), contact);
+            };
+            if (ghostRank(contact) == rank && std::any_of(all.begin(), all.end(), hidesIt)) {
+                all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+            } else {
+                ++i;
+            }
+        }
+    }
+}
+
+/// @pre the separations of the constraints are those of the points
+void noteMet(Flight& flight) {
+    FlightScratch& scratch = *flight.scratch;
+    for (const ContactConstraint& constraint : scratch.constraints) {
+        const FlightObstacle& obstacle = scratch.obstacles[constraint.source];
+        const double lowest = targetOf(*flight.world, obstacle) - toleranceOf(*flight.world, obstacle) -
+                              static_cast<double>(roundingOf(*flight.world, obstacle));
+        if (constraint.slotA != kFixedSlot || static_cast<double>(deepestOf(constraint)) < lowest) { continue; }
+        scratch.met.push_back({obstacle.own, obstacle.other, constraint.normal});
+    }
+}
+
+/// What was met just now, and along whose normal the path only leads away, however the body turns, is not met again:
+/// the separation along that axis grows as the centre goes, less what the turn may bring.
+void dropWhatIsLeft(const Flight& flight, const Sweep& sweep) {
+    FlightScratch& scratch = *flight.scratch;
+    if (scratch.met.empty()) { return; }
+    std::erase_if(scratch.obstacles, [&](const FlightObstacle& obstacle) {
+        const auto isSame = [&](const MetGround& met) {
+            return met.own == obstacle.own && met.other == obstacle.other;
+        };
+        const auto met = std::find_if(scratch.met.begin(), scratch.met.end(), isSame);
+        if (met == scratch.met.end()) { return false; }
+        const DVec2 normal = toDouble(met->normal);
+        const double slowest = dot(sweep.c1 - sweep.c0, normal) - std::fabs(dot(sweep.k, normal));
+        return slowest >= std::fabs(sweep.a1 - sweep.a0) * turningArm(flight.world->shapes[obstacle.own]);
+    });
+    scratch.met.clear();
+}
+
+/// Impacts beyond `maxImpacts` are for a budget of lost time, up to this many times as many.
+constexpr std::int64_t kMostTimesMaxImpacts = 16;
+
+/// How much of a path the body did not go, by its centre and its turn.
+double shareMissed(const Body& body, const Sweep& asked, const BodyMotion& reached) {
+    const auto arm = static_cast<double>(body.radius);
+    const double way = length(asked.c1 - asked.c0) + arm * std::fabs(asked.a1 - asked.a0);
+    const double missed = length(asked.c1 - reached.center) + arm * std::fabs(asked.a1 - reached.angle);
+    return missed < way ? missed / way : 1;
+}
+
+/// For the rest of the step, which is lost.
+void holdHere(Flight& flight, LostTimeReason reason) {
+    enterLedger(flight, reason);
+    takeAlong(*flight.world, flight.slot, flight.motion, flight.elapsed, flight.dt, *flight.scratch);
+}
+
+/// Flies until the step is used up or the budget is.
+void flyThrough(Flight& flight) {
+    FlightScratch& scratch = *flight.scratch;
+    resolveStart(flight);
+    for (int impacts = 0; flight.remaining() > 0; ++impacts) {
+        const Sweep sweep = sweepOf(flight);
+        const FirstImpact first = nextImpact(flight, sweep);
+        if (!first.hit) {
+            advance(flight, sweep, 1);
+            return;
+        }
+        const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
+        if (isExhausted(flight, impacts, reason)) { return holdHere(flight, reason); }
+        advance(flight, sweep, first.fraction);
+        const bool isHit = resolveHere(flight);
+        notePose(flight);
+        ++scratch.impacts;
+        if (isHit && flight.stops) { return holdHere(flight, LostTimeReason::stop); }
+    }
+}
+
+}  // namespace
+
+Real Flight::threshold() const { return bounceThreshold(*world, body(), static_cast<Real>(dt)); }
+
+Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+    Flight flight{.world = &world, .slot = slot, .scratch = &scratch, .motion = world.motions[slot], .dt = dt};
+    flight.stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
+    // What stopped there in an earlier step may be anywhere by now.
+    std::erase_if(scratch.met, [&](const MetGround& met) { return world.shapes[met.own].body == slot; });
+    return flight;
+}
+
+Sweep sweepOf(const Flight& flight) {
+    const Body& body = flight.body();
+    return freePath(body, flight.motion, driftOf(*flight.world, body, flight.remaining()));
+}
+
+void advance(Flight& flight, const Sweep& sweep, double fraction) {
+    const Body& body = flight.body();
+    const double time = fraction * flight.remaining();
+    const FreeVelocity after = velocityAfter(flight.motion, driftOf(*flight.world, body, time));
+    flight.motion = motionAt(sweep, fraction, body.localCenter);
+    flight.motion.velocity = after.linear;
+    flight.motion.angularVelocity = after.angular;
+    flight.elapsed = fraction >= 1 ? flight.dt : std::min(flight.elapsed + time, flight.dt);  // but for rounding
+}
+
+FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
+    findObstacles(*flight.world, flight.slot, sweep, flight.elapsed, *flight.scratch);
+    dropWhatIsLeft(flight, sweep);
+    const auto count = static_cast<std::size_t>(flight.carrierCount);
+    if (count > 0) { allowSag(*flight.world, {flight.carriers.data(), count}, flight.elapsed, *flight.scratch); }
+    return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch, limit);
+}
+
+bool resolveHere(Flight& flight) {
+    FlightScratch& scratch = *flight.scratch;
+    const Body& body = flight.body();
+    scratch.states.assign(2, {});
+    scratch.inertias.assign(2, {});
+    scratch.constraints.clear();
+    scratch.order.clear();
+    scratch.met.clear();
+    for (std::size_t i = 0; i < scratch.obstacles.size(); ++i) {
+        addConstraint(flight, scratch.obstacles[i], static_cast<std::uint32_t>(i));
+    }
+    dropWhatIsNotMet(flight);
+    dropGhosts(flight);
+    if (scratch.constraints.empty()) { return false; }
+    noteMet(flight);
+    scratch.states[kFlyerSlot].velocity = flight.motion.velocity;
+    scratch.states[kFlyerSlot].angularVelocity = flight.motion.angularVelocity;
+    scratch.inertias[kFlyerSlot] = {body.inverseMass, body.inverseInertia};
+    for (ContactConstraint& constraint : scratch.constraints) {
+        prepareContact(constraint, scratch.inertias);
+        scratch.order.push_back(&constraint);
+    }
+    const SolverBodies bodies{scratch.states, scratch.inertias};
+    ImpactRule rule{.restitutionThreshold = flight.threshold(), .resolvePlastic = true};
+    if (reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact) == kMaxImpactRounds) {
+        rule.restitutionThreshold = std::numeric_limits<Real>::infinity();
+        reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact);
+    }
+    flight.motion.velocity = scratch.states[kFlyerSlot].velocity;
+    flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
+    bool anyHit = false;
+    for (const ContactConstraint& constraint : scratch.constraints) {
+        anyHit = report(flight, constraint) || anyHit;
+        noteCarrier(flight, constraint);
+    }
+    return anyHit;
+}
+
+bool resolveStanding(Flight& flight) {
+    const DVec2 center = flight.motion.center;
+    const double angle = flight.motion.angle;
+    const Sweep standing{
+        .localCenter = toDouble(flight.body().localCenter), .c0 = center, .c1 = center, .a0 = angle, .a1 = angle};
+    findObstacles(*flight.world, flight.slot, standing, flight.elapsed, *flight.scratch);
+    return resolveHere(flight);
+}
+
+void resolveStart(Flight& flight) {
+    if (flight.body().hasContact) { resolveStanding(flight); }
+}
+
+void notePose(const Flight& flight) {
+    flight.scratch->impactPoses.push_back({.body = flight.world->bodies.idOf(flight.slot),
+                                           .position = flight.motion.pose.position,
+                                           .angle = flight.motion.angle,
+                                           .fraction = flight.elapsed / flight.dt});
+}
+
+void limitSpeed(Flight& flight) {
+    const Real speed = length(flight.motion.velocity);
+    const Real limit = flight.world->settings.maxSpeed;
+    if (!(speed > limit)) { return; }
+    flight.motion.velocity = (limit / speed) * flight.motion.velocity;
+    ++flight.scratch->speedsLimited;
+}
+
+bool isExhausted(const Flight& flight, int impacts, LostTimeReason reason) {
+    const WorldSettings& settings = flight.world->settings;
+    if (impacts < settings.maxImpacts) { return false; }
+    // More impacts do not free what is stuck.
+    const bool isHopeless = reason == LostTimeReason::stuck || impacts >= kMostTimesMaxImpacts * settings.maxImpacts;
+    return isHopeless || flight.body().lostTime + flight.remaining() <= settings.maxLostTime;
+}
+
+void enterLedger(const Flight& flight, LostTimeReason reason) {
+    flight.scratch->lostTime.push_back(
+        {.body = flight.world->bodies.idOf(flight.slot), .seconds = flight.remaining(), .reason = reason});
+}
+
+void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+    if (flyClear(world, slot, dt)) { return; }
+    Flight flight = flightOf(world, slot, dt, scratch);
+    limitSpeed(flight);
+    flyThrough(flight);
+    limitSpeed(flight);
+    world.motions[slot] = flight.motion;
+}
+
+void takeBackFall(WorldState& world, std::uint32_t slot, double seconds) {
+    Vec2& velocity = world.motions[slot].velocity;
+    const Vec2 acceleration = accelerationOf(world, world.bodies[slot]);
+    const Real along = dot(velocity, acceleration);
+    if (!(along > 0)) { return; }
+    velocity -= std::min(static_cast<Real>(seconds), along / lengthSquared(acceleration)) * acceleration;
+}
+
+void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, LostTimeReason reason,
+                   FlightScratch& scratch) {
+    const Body& body = world.bodies[slot];
+    BodyMotion& motion = world.motions[slot];
+    const Sweep asked = pathOf(world, slot);
+    FirstImpact first = impactOfPath(world, slot, part.length, 1, scratch);
+    if (!first.hit) { return; }
+    const bool slides = slideAlongSunk(world, slot, part.length, first, scratch);
+    const BodyMotion stopped = motionAt(pathOf(world, slot), first.fraction, body.localCenter);
+    motion.center = stopped.center;
+    motion.angle = stopped.angle;
+    motion.pose = stopped.pose;
+    ++scratch.impacts;
+    const double lost = (slides ? shareMissed(body, asked, stopped) : 1 - first.fraction) * part.length;
+    takeBackFall(world, slot, lost);
+    scratch.lostTime.push_back({.body = world.bodies.idOf(slot), .seconds = lost, .reason = reason});
+    if (first.fraction >= 1) { return; }  // it went straight to where it is
+    scratch.impactPoses.push_back({.body = world.bodies.idOf(slot),
+                                   .position = motion.pose.position,
+                                   .angle = motion.angle,
+                                   .fraction = (part.begin + first.fraction * part.length) / part.dt});
+    takeAlong(world, slot, motion, first.fraction * part.length, part.length, scratch);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

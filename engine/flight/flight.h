@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "../../shapes/cache_line.h"
+#include "../../solver/impacts/impact.h"
+#include "../../toi/time_of_impact.h"
+#include "../events.h"
+#include "../solve/step_part.h"
+#include "../state/body.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct WorldState;
+
+/// A static or kinematic shape that a swept shape may meet.
+struct FlightObstacle {
+    std::uint32_t own = 0;    ///< slot of the swept body's shape
+    std::uint32_t other = 0;  ///< slot of the obstacle
+    double level = 0;         ///< separation at which the next impact is looked for, metres
+    DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
+    bool isClear = false;     ///< the sweep is known not to meet it
+    bool isSunkInto = false;  ///< deeper than what contacts hold may be
+    Real height = -std::numeric_limits<Real>::infinity();  ///< at the start it is known to be as far away, metres
+};
+
+/// Something static that a flyer met just now, and is not below its target of.
+struct MetGround {
+    std::uint32_t own = 0;  ///< slots, as in `FlightObstacle`
+    std::uint32_t other = 0;
+    Vec2 normal{};  ///< towards the flyer
+};
+
+/// An obstacle by its distance from the start of a sweep.
+struct NearObstacle {
+    double distanceSquared = 0;  ///< of its box, m²
+    std::uint32_t index = 0;
+    auto operator<=>(const NearObstacle&) const = default;
+};
+
+/// What one worker needs for sweeps, and what it found: kept for its capacity, merged after the parallel loop. Nothing
+/// of it shares a cache line with another worker's: they lie side by side, and are written all the time.
+struct alignas(kCacheLine) FlightScratch {
+    std::vector<FlightObstacle> obstacles;
+    WorldTransform startPose;  ///< of the body, at the start of the sweep that they were found for; if there are any
+    std::vector<NearObstacle> nearest;
+    std::vector<MetGround> met;  ///< since the flyer moved last
+    std::vector<std::uint32_t> found;
+    std::vector<Vec2> normals;
+    std::vector<BodyState> states;
+    std::vector<BodyInertia> inertias;
+    std::vector<ContactConstraint> constraints;
+    std::vector<ContactConstraint*> order;
+    ImpactScratch impact;
+
+    bool isSunk = false;  ///< see `firstImpact`
+
+    std::vector<ContactEvent> events;
+    std::vector<LostTimeEntry> lostTime;
+    std::vector<ImpactPose> impactPoses;
+    std::uint64_t toiCalls = 0;
+    std::uint64_t toiIterations = 0;
+    std::uint64_t impacts = 0;
+    std::uint64_t speedsLimited = 0;
+    std::uint64_t sweeps = 0;
+};
+
+/// A body in flight: its own copy of its motion, and how much of the step has passed.
+struct Flight {
+    WorldState* world = nullptr;
+    std::uint32_t slot = 0;
+    FlightScratch* scratch = nullptr;
+    BodyMotion motion{};
+    double dt = 0;
+    double elapsed = 0;              ///< seconds
+    std::array<Vec2, 4> carriers{};  ///< normals of what carries it
+    int carrierCount = 0;
+    bool stops = false;  ///< mode `stop`: it stays at its first hit
+
+    const Body& body() const;
+    Real threshold() const;  ///< slower approaches do not bounce, m/s
+    double remaining() const { return dt - elapsed; }
+};
+
+/// Integrates the whole step of a flyer: free flight to its first impact, the impact with all contacts of that moment,
+/// and on through the remaining time; in mode `stop` that is lost. Touches only the body's own state and the scratch,
+/// so flyers may run in any order.
+void fly(WorldState& world, std::uint32_t body, double dt, FlightScratch& scratch);
+
+/// Sweeps a body from its start pose of this part of the step to its present pose; at an impact with something static
+/// or kinematic it stays there, keeps its velocity (less what it gained by falling in the time it lost), and the rest
+/// of the part enters the ledger. Along what it is sunk into, and out of it, it goes on (`slideAlongSunk`): then the
+/// share of its path that it missed does.
+void clampAtImpact(WorldState& world, std::uint32_t body, const StepPart& part, LostTimeReason reason,
+                   FlightScratch& scratch);
+/// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it
+/// moves along it. Kept, that speed would be energy without a height to pay for it.
+void takeBackFall(WorldState& world, std::uint32_t slot, double seconds);
+
+}  // namespace swept::inline SWEPT_PRECISION

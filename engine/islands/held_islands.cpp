@@ -1,0 +1,148 @@
+#include "held_islands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "../contacts/travel.h"
+#include "../stages/step.h"
+#include "../state/profile.h"
+#include "../state/tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+bool maySetAside(const WorldState& world, const IslandRest& rest) {
+    // What has a budget of errors is not left with any that iteration may yet take away.
+    return !rest.isRestless && !rest.isPushed && (rest.isDirect || !hasErrorBudget(world.settings));
+}
+
+std::uint32_t openIsland(HeldIslands& held, std::uint32_t body) {
+    if (held.free.empty()) {
+        held.free.push_back(static_cast<std::uint32_t>(held.list.size()));
+        held.list.emplace_back();
+        held.free.reserve(held.list.capacity());
+    }
+    const std::uint32_t place = held.free.back();
+    held.free.pop_back();
+    held.list[place] = {.last = body, .placeInUse = static_cast<std::uint32_t>(held.inUse.size())};
+    held.inUse.push_back(place);
+    return place;
+}
+
+void closeIsland(HeldIslands& held, std::uint32_t place) {
+    held.bodies -= held.list[place].bodies;
+    const std::uint32_t placeInUse = held.list[place].placeInUse;
+    held.inUse[placeInUse] = held.inUse.back();
+    held.list[held.inUse.back()].placeInUse = placeInUse;
+    held.inUse.pop_back();
+    held.list[place] = {};
+    held.free.push_back(place);
+}
+
+/// After all that were added before.
+void addBody(WorldState& world, std::uint32_t place, std::uint32_t slot) {
+    HeldIsland& island = world.held.list[place];
+    Body& body = world.bodies[slot];
+    if (island.bodies == 0) {
+        body.nextAsleep = slot;
+    } else {
+        body.nextAsleep = world.bodies[island.last].nextAsleep;
+        world.bodies[island.last].nextAsleep = slot;
+    }
+    island.last = slot;
+    ++island.bodies;
+    ++world.held.bodies;
+    ++world.parked.rested;
+    body.heldIn = place;
+    body.awake = false;
+    body.role = BodyRole::idle;
+    world.traits[slot] = 0;
+    world.motions[slot].velocity = {};
+    world.motions[slot].angularVelocity = 0;
+    noteRest(world, slot);
+    if (!world.settings.sleep) { return; }
+    island.stepsToSleep = std::max(island.stepsToSleep, kRestSteps - body.restSteps);
+    island.timeToSleep = std::max(island.timeToSleep, restTimeOf(world, body) - body.restTime);
+}
+
+void fallAsleep(WorldState& world, std::uint32_t place) {
+    const std::uint32_t first = world.held.list[place].last;
+    std::uint32_t slot = first;
+    do {
+        world.bodies[slot].heldIn = kNoIndex;
+        slot = world.bodies[slot].nextAsleep;
+    } while (slot != first);
+    world.counters.fellAsleep += world.held.list[place].bodies;
+    closeIsland(world.held, place);
+}
+
+/// What they carry goes on as it was in the last sub-step: totals begin anew in every step.
+void keepTotals(WorldState& world) {
+    const auto subSteps = static_cast<Real>(subStepsOf(world.settings));
+    for (const TouchingPair& pair : world.touching) {
+        if (world.bodies[pair.dynamicBody()].heldIn == kNoIndex) { continue; }
+        Contact& contact = world.contacts[pair.contact];
+        for (std::size_t i = 0; i < pair.points; ++i) { contact.totalImpulse[i] = subSteps * contact.normalImpulse[i]; }
+    }
+}
+
+}  // namespace
+
+void holdBalancedIslands(WorldState& world) {
+    const std::uint32_t before = world.held.bodies;
+    for (const std::uint32_t slot : world.tied) {
+        IslandRest& rest = restOf(world, slot);
+        if (!maySetAside(world, rest)) { continue; }
+        if (rest.heldIn == kNoIndex) { rest.heldIn = openIsland(world.held, slot); }
+        addBody(world, rest.heldIn, slot);
+    }
+    if (world.held.bodies == before) { return; }
+    world.counters.settledBodies += world.held.bodies - before;
+    const auto isHeld = [&world](std::uint32_t slot) { return world.bodies[slot].heldIn != kNoIndex; };
+    keepTotals(world);
+    std::erase_if(world.awake, isHeld);
+    std::erase_if(world.tied, isHeld);
+    findRoots(world);
+    world.counters.solvedBodies = world.tied.size();
+}
+
+void releaseHeld(WorldState& world, std::uint32_t start) {
+    const std::uint32_t place = world.bodies[start].heldIn;
+    const HeldIsland island = world.held.list[place];
+    closeIsland(world.held, place);
+    std::uint32_t slot = island.last;
+    std::uint32_t next = world.bodies[slot].nextAsleep;
+    do {
+        slot = next;
+        Body& body = world.bodies[slot];
+        next = std::exchange(body.nextAsleep, slot);  // or what is made fixed now would wake them later
+        body.heldIn = kNoIndex;
+        body.awake = true;
+        body.soughtSteps = kJustReleased;
+        body.restSteps += island.restSteps;
+        body.restTime += island.restTime;
+        world.awake.push_back(slot);
+        world.parked.woken.push_back(slot);
+    } while (slot != island.last);
+}
+
+void releaseAllHeld(WorldState& world) {
+    if (world.held.inUse.empty()) { return; }
+    for (std::size_t i = 0; i < world.held.list.size(); ++i) {
+        if (world.held.list[i].bodies > 0) { releaseHeld(world, world.held.list[i].last); }
+    }
+}
+
+void restHeld(WorldState& world, double dt) {
+    const std::vector<std::uint32_t>& inUse = world.held.inUse;
+    for (std::size_t i = inUse.size(); i > 0; --i) {  // from behind: the last one takes the place of one that goes
+        const std::uint32_t place = inUse[i - 1];
+        HeldIsland& island = world.held.list[place];
+        ++island.restSteps;
+        island.restTime += dt;
+        const bool isTired = island.restSteps >= island.stepsToSleep && island.restTime >= island.timeToSleep;
+        if (isTired) { fallAsleep(world, place); }
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,142 @@
+#include "joint_chains.h"
+
+#include <algorithm>
+
+#include "../state/world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
+
+std::uint32_t firstAwakeOf(const WorldState& world, const JointTie& tie, std::uint32_t joint) {
+    if (isAwakeDynamic(world, tie.bodyA)) { return tie.bodyA; }
+    if (tie.isPair) { return tie.bodyB; }
+    const auto bodies = world.joints[joint].allBodies();
+    return *std::find_if(bodies.begin(), bodies.end(),
+                         [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); });
+}
+
+/// Of most only what all joints are asked first is looked at.
+template <class Visit>
+void forEachBodyOf(const WorldState& world, const JointTie& tie, std::uint32_t joint, const Visit& visit) {
+    if (tie.isPair) {
+        visit(tie.bodyA);
+        visit(tie.bodyB);
+        return;
+    }
+    for (const std::uint32_t body : world.joints[joint].allBodies()) { visit(body); }
+}
+
+/// All that hold something: where nothing sleeps, each has something dynamic.
+void listAllJoints(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.jointTies.size(); ++i) {
+        if (world.jointTies[i].holds) { world.activeJoints.push_back(i); }
+    }
+}
+
+/// Those of what is awake, in the order of their slots: what follows costs nothing for those that sleep.
+void listJointsOfAwake(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) {
+        if (!isAwakeDynamic(world, slot)) { continue; }
+        for (const std::uint32_t index : world.bodies[slot].joints) {
+            const JointTie& tie = world.jointTies[index];
+            if (tie.holds && firstAwakeOf(world, tie, index) == slot) { world.activeJoints.push_back(index); }
+        }
+    }
+    std::sort(world.activeJoints.begin(), world.activeJoints.end());
+}
+
+/// Of joints that hold something.
+bool tieSleepers(const WorldState& world) {
+    const auto sleeps = [&world](std::uint32_t slot) {
+        if ((world.traits[slot] & kIsAwake) != 0) { return false; }
+        const Body& body = world.bodies[slot];
+        return !body.awake && body.def.type != BodyType::fixed;
+    };
+    return std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t slot) {
+        const std::vector<std::uint32_t>& joints = world.bodies[slot].joints;
+        return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t index) {
+            const JointTie& tie = world.jointTies[index];
+            bool doesAny = false;
+            forEachBodyOf(world, tie, index, [&](std::uint32_t body) { doesAny = doesAny || sleeps(body); });
+            return tie.holds && doesAny;
+        });
+    });
+}
+
+void tieBodies(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    chains.finder.reset(world.bodies.slotCount(), world.awake);
+    for (const std::uint32_t i : world.activeJoints) {
+        const JointTie& tie = world.jointTies[i];
+        const std::uint32_t first = firstAwakeOf(world, tie, i);
+        forEachBodyOf(world, tie, i, [&](std::uint32_t other) {
+            if (isAwakeDynamic(world, other)) { chains.finder.unite(first, other); }
+        });
+    }
+}
+
+void listMembers(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    for (const std::uint32_t slot : world.awake) {
+        if (!isAwakeDynamic(world, slot) || world.bodies[slot].holdingJoints == 0) { continue; }
+        chains.members.push_back({slot, chains.finder.find(slot)});
+    }
+    const auto isLower = [](const JointChains::Member& a, const JointChains::Member& b) { return a.body < b.body; };
+    if (!std::is_sorted(chains.members.begin(), chains.members.end(), isLower)) {
+        std::sort(chains.members.begin(), chains.members.end(), isLower);
+    }
+    chains.places.resize(world.bodies.slotCount());
+    for (const JointChains::Member& member : chains.members) {
+        if (member.lowest == member.body) {
+            chains.places[member.lowest] = static_cast<std::uint32_t>(chains.list.size());
+            chains.list.push_back({.lowest = member.lowest});
+        }
+        ++chains.list[chains.places[member.lowest]].bodies;
+    }
+}
+
+void sumUpJoints(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    for (const std::uint32_t i : world.activeJoints) {
+        const JointTie& tie = world.jointTies[i];
+        JointChain& chain = chains.list[chains.places[chains.finder.find(firstAwakeOf(world, tie, i))]];
+        ++chain.joints;
+        chain.plainJoints += tie.isPlain ? 1 : 0;
+        chain.drivenJoints += tie.isDriven ? 1 : 0;
+        chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;
+        chain.isPassive = chain.isPassive && tie.isPassive;
+        bool areAllDynamic = true;
+        forEachBodyOf(world, tie, i, [&](std::uint32_t slot) {
+            areAllDynamic = areAllDynamic && (isAwakeDynamic(world, slot) || world.bodies[slot].isDynamic());
+        });
+        chain.anchors += areAllDynamic ? 0 : 1;
+    }
+    chains.isAnyLoose = std::any_of(chains.list.begin(), chains.list.end(),
+                                    [](const JointChain& chain) { return chain.isPassive && chain.anchors == 0; });
+}
+
+}  // namespace
+
+void findJointChains(WorldState& world) {
+    JointChains& chains = world.jointChains;
+    world.activeJoints.clear();
+    chains.list.clear();
+    chains.members.clear();
+    chains.areCurrent = true;
+    chains.tieSleepers = false;
+    chains.isAnyLoose = false;
+    if (world.joints.size() == 0) { return; }
+    if (anyAsleep(world)) {
+        chains.tieSleepers = tieSleepers(world);
+        listJointsOfAwake(world);
+    } else {
+        listAllJoints(world);
+    }
+    tieBodies(world);
+    listMembers(world);
+    sumUpJoints(world);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../../shapes/real.h"
+#include "../../solver/graph/island_finder.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+struct WorldState;
+
+/// Awake dynamic bodies that joints tie together, contacts aside, and the sums over their joints that the effort of an
+/// island is about.
+struct JointChain {
+    std::uint32_t lowest = 0;  ///< slot of its lowest body
+    std::uint32_t bodies = 0;
+    std::uint32_t joints = 0;
+    std::uint32_t plainJoints = 0;  ///< `JointTie::isPlain`
+    std::uint32_t drivenJoints = 0;
+    std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
+    bool holdsAngles = false;   ///< `JointTie::holdsAngle` of any
+    bool isPassive = true;      ///< `JointTie::isPassive` of all
+};
+
+/// All chains. They persist: as long as no joint is made, changed or removed, and nothing that one holds wakes or falls
+/// asleep, a step asks none of them, but unites each body with the lowest one of its chain.
+struct JointChains {
+    struct Member {
+        std::uint32_t body = 0;    ///< slots
+        std::uint32_t lowest = 0;  ///< of its chain
+    };
+    bool areCurrent = false;            ///< those of all joints of what is awake, as they are now
+    bool tieSleepers = false;           ///< a joint ties what is awake to what sleeps
+    bool isAnyLoose = false;            ///< some chain is passive, and not anchored
+    std::vector<JointChain> list;       ///< in order of their lowest bodies
+    std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
+    IslandFinder finder;                ///< scratch
+    std::vector<std::uint32_t> places;  ///< scratch, by slot of the lowest body: in `list`
+
+    /// A body wakes, or falls asleep. @param holdingJoints  of the body
+    void noteTurn(std::uint32_t holdingJoints) { areCurrent = areCurrent && holdingJoints == 0; }
+};
+
+/// Finds the chains anew, and `WorldState::activeJoints`: wherever `areCurrent` does not hold. In proportion to what is
+/// awake.
+/// @pre the traits of this step tell who is awake
+void findJointChains(WorldState& world);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,175 @@
+#include "note_touching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "../../shapes/branchless.h"
+#include "../contacts/hemmed_pairs.h"
+#include "../state/tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// A bouncing body flies from impact to impact on a parabola, however slow it is: what comes down from the separation
+/// that there is now is faster than what does not bounce. A body that is carried is moved by the solver, however fast
+/// it slides, until it strikes something: the solver shares such a blow among the contacts less well, and may throw the
+/// body up.
+TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact,
+                        Real dt) {
+    TouchFindings footing;
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const BodyMotion& other = world.motions[otherSlot];
+    const Vec2 fromA = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    const Vec2 normal = contact.bodyB == slot ? fromA : -fromA;
+    const Real pull = -dot(accelerationOf(world, body), normal);
+    // What is pulled so hard that the pull alone makes it fast would sink into a soft contact.
+    const bool carries = pull > 0 && pull * square(dt) <= kFastRatio * body.extent;
+    const Real threshold = bounceThreshold(world, body, dt);
+    const Real slop = kTargetRatio * contact.extent;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        const DVec2 point = apply(world.motions[contact.bodyA].pose, contact.manifold.points[i].point);
+        const Vec2 velocity = motion.velocity + cross(motion.angularVelocity, toReal(point - motion.center)) -
+                              other.velocity - cross(other.angularVelocity, toReal(point - other.center));
+        const Real approach = -dot(velocity, normal);
+        const Real gap = std::max(contact.manifold.points[i].separation, Real(0));
+        const bool returns = pull > 0 || approach * dt > gap;
+        // Within the slop, points take part in the impacts of others: what hovers there does not bounce on them.
+        const Real fall = std::max(gap - slop, Real(0));
+        const bool isSlow = square(approach) + 2 * std::max(pull, Real(0)) * fall <= square(threshold);
+        footing.bounces = footing.bounces || (contact.restitution > 0 && returns && !isSlow);
+        footing.strikes = footing.strikes || (approach * dt > gap && !isSlow);
+        footing.rests = footing.rests || (carries && isSlow && gap <= kEndRatio * contact.extent);
+    }
+    return footing;
+}
+
+/// Fastest that the bodies of a contact close in on each other within the step, m/s.
+Real closingSpeed(const WorldState& world, const Contact& contact, Vec2 normal, Real dt) {
+    const BodyGlance& glanceA = world.glances[contact.bodyA];
+    const BodyGlance& glanceB = world.glances[contact.bodyB];
+    if (glanceA.isAwake() && glanceB.isAwake()) {
+        const Real turning = glanceA.swing + glanceB.swing;
+        return turning - dot(glanceB.velocity - glanceA.velocity, normal) + dt * length(glanceB.pull - glanceA.pull);
+    }
+    // Likewise, of what woke since, or sleeps.
+    const Body& a = world.bodies[contact.bodyA];
+    const Body& b = world.bodies[contact.bodyB];
+    const BodyMotion& motionA = world.motions[contact.bodyA];
+    const BodyMotion& motionB = world.motions[contact.bodyB];
+    const Vec2 pull = accelerationOf(world, b) - accelerationOf(world, a);
+    const Real turning = std::fabs(motionA.angularVelocity) * a.radius + std::fabs(motionB.angularVelocity) * b.radius;
+    return turning - dot(motionB.velocity - motionA.velocity, normal) + dt * length(pull);
+}
+
+/// Dynamic bodies that are near each other, one of them fast, but will not meet in this step do not hold each other.
+/// @pre `TouchingPair::isOpen`
+bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
+    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    return closingSpeed(world, contact, normal, dt) * dt < deepestSeparation(contact.manifold);
+}
+
+/// What of a pair only its contact tells. Mostly nothing, and then it is not looked at.
+bool asksForContact(const TouchingPair& pair, BodyTraits a, BodyTraits b) {
+    const std::uint32_t isOneFast = ((a | b) / kIsFast) & 1;
+    const std::uint32_t mayStrike = (std::uint32_t{pair.bounces} | isOneFast | std::uint32_t{pair.isDeep});
+    return (pair.areDynamic() ? std::uint32_t{pair.isOpen} & isOneFast : mayStrike) != 0;  // one branch for all
+}
+
+/// Of bodies that are dynamic both. What passes stays without points, unless it turns out to be hemmed in.
+TouchFindings lookAtPassing(WorldState& world, const TouchingPair& pair, Real dt) {
+    Contact& contact = world.contacts[pair.contact];
+    if (!passEachOther(world, contact, dt)) { return {}; }
+    const bool areAwake = (world.traits[pair.bodyA] & world.traits[pair.bodyB] & kIsAwake) != 0;
+    if (areAwake && deepestSeparation(contact.manifold) <= kHemRatio * contact.extent) { return {.mayHem = true}; }
+    contact.manifold.count = 0;
+    return {.passes = true};
+}
+
+/// Of a dynamic body that is awake, and something static or kinematic.
+TouchFindings lookAtGround(const WorldState& world, const TouchingPair& pair, Real dt) {
+    const std::uint32_t slot = pair.dynamicBody();
+    if ((world.traits[slot] & kIsAwake) == 0) { return {}; }
+    const Contact& contact = world.contacts[pair.contact];
+    const bool mayStrike = pair.bounces || (world.traits[slot] & kIsFast) != 0;
+    const std::uint32_t other = slot == pair.bodyA ? pair.bodyB : pair.bodyA;
+    TouchFindings found = mayStrike ? footingOf(world, slot, other, contact, dt) : TouchFindings{};
+    found.isSunken = pair.isDeep && deepestSeparation(contact.manifold) < -kSlackRatio * contact.extent;
+    return found;
+}
+
+/// Pairs whose contacts are fetched from memory ahead of time: they lie all over it.
+constexpr std::size_t kPairsAhead = 8;
+/// Pairs per block of a parallel loop.
+constexpr std::size_t kPairGrain = 256;
+
+[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const TouchingPair> coming) {
+    if (coming.size() <= kPairsAhead) { return; }
+    const TouchingPair& pair = coming[kPairsAhead];
+    const bool asks = asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB]);
+    const auto contact = pair.contact & maskOf<std::uint32_t>(asks);  // the first one instead of a branch
+    __builtin_prefetch(&world.contacts[contact].manifold);
+}
+
+/// Of the first of some pairs: writes to it and its contact alone.
+[[gnu::always_inline]] inline void lookAtFirst(WorldState& world, std::span<TouchingPair> pairs, Real dt) {
+    fetchAhead(world, pairs);
+    TouchingPair& pair = pairs.front();
+    if (!asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB])) { return; }
+    pair.findings = pair.areDynamic() ? lookAtPassing(world, pair, dt) : lookAtGround(world, pair, dt);
+}
+
+/// What a contact with something static or kinematic tells about a dynamic body. @pre awake
+void noteGround(WorldState& world, const TouchingPair& pair) {
+    const TouchFindings found = pair.findings;
+    if (!(found.bounces || found.rests || found.strikes || pair.isDeep)) { return; }
+    Body& body = world.bodies[pair.dynamicBody()];
+    body.bounces = body.bounces || found.bounces;
+    body.rests = body.rests || found.rests;
+    body.strikes = body.strikes || found.strikes;
+    body.deepContact = body.deepContact || pair.isDeep;
+    body.sunk = body.sunk || found.isSunken;
+}
+
+}  // namespace
+
+void noteTouching(WorldState& world, Real dt) {
+    // Where they are does not change, but who writes bytes might have written that, too, as far as compilers know.
+    const std::span<BodyTraits> traits = world.traits;
+    const std::span<TouchingPair> pairs = world.touching;
+    const bool isShared = world.loops->workerCount() > 1;
+    if (isShared) {
+        world.loops->run(pairs.size(), kPairGrain, [&world, pairs, dt](std::size_t begin, std::size_t end, int) {
+            const std::span<TouchingPair> some = pairs.first(end);
+            for (std::size_t i = begin; i < end; ++i) { lookAtFirst(world, some.subspan(i), dt); }
+        });
+    }
+    world.hemmed.passing.clear();
+    auto keep = pairs.begin();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!isShared) { lookAtFirst(world, pairs.subspan(i), dt); }
+        const TouchingPair& pair = pairs[i];
+        BodyTraits& a = traits[pair.bodyA];
+        BodyTraits& b = traits[pair.bodyB];
+        const bool awakeA = (a & kIsAwake) != 0;
+        const bool awakeB = (b & kIsAwake) != 0;
+        if (!awakeA && !awakeB) { continue; }
+        if (pair.findings.mayHem) { world.hemmed.passing.push_back(pair); }
+        if (pair.findings.passes) { --world.counters.touching; }
+        if (pair.findings.mayHem || pair.findings.passes) { continue; }
+        if (!pair.areDynamic()) {
+            if ((traits[pair.dynamicBody()] & kIsAwake) != 0) { noteGround(world, pair); }
+        } else if (awakeA && awakeB) {
+            world.islands.unite(pair.bodyA, pair.bodyB);
+        }
+        if (awakeA) { a |= pair.dynamicB ? kHasContact | kTouchesDynamic : kHasContact; }
+        if (awakeB) { b |= pair.dynamicA ? kHasContact | kTouchesDynamic : kHasContact; }
+        *keep++ = pair;
+    }
+    world.touching.erase(world.touching.begin() + (keep - pairs.begin()), world.touching.end());
+    holdHemmedPairs(world);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

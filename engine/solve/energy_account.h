@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../../shapes/vec2.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// What a solve did to an island, J.
+struct EnergyAccount {
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+    std::uint64_t solve = 0;  ///< that it is about
+    double kinetic = 0;       ///< at the end
+    double gained = 0;        ///< of kinetic energy, since the start
+    double work = 0;          ///< of gravity and forces
+    double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
+    double drift = 0;         ///< kinetic, of how an island goes as a whole that joints alone hold together
+    bool isDriven = false;
+    bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
+    bool isJointed = false;
+    bool isTouching = false;    ///< something; noted only of what may have gained
+    std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
+    bool isAnchored = false;    ///< one of them, or a gear, does so
+    bool isGrounded = false;    ///< presses on something static
+    DVec2 push{};               ///< of what is static, all of it, N·s
+    /// By joints to kinematic bodies, and by those that calls move. Noted only of what may have gained.
+    bool isLed = false;
+    bool isTorn = false;            ///< its joints cannot all hold, and it goes faster than it is led: so it pays
+    double leadSpeed = 0;           ///< of the fastest one, m/s
+    double leadSpin = 0;            ///< rad/s
+    std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
+    double led = 0;                 ///< kinetic energy, if all of it went along with them
+    std::uint32_t motion = kNone;   ///< of the island, an index
+};
+
+/// What a solve did to one body, J: what its island's account grows by. Of the motion of its centre of mass, and of its
+/// turning.
+struct EnergyEntry {
+    double kinetic = 0;
+    double gained = 0;
+    double work = 0;
+    double fall = 0;
+    double turningKinetic = 0;
+    double turningGained = 0;
+    double turningWork = 0;
+    // How the body moved before the solve, m/s and rad/s, and how far in it, metres and radians.
+    Vec2 velocityBefore{};
+    Vec2 moved{};
+    Real spinBefore = 0;
+    Real turned = 0;
+};
+
+/// An island that gained, as one rigid body.
+struct IslandMotion {
+    std::uint32_t root = 0;
+    double mass = 0;
+    DVec2 center{};  ///< of mass, relative to that of the root
+    DVec2 velocity{};
+    double inertia = 0;
+    double spin = 0;
+    // What it keeps of that: nothing inside of an island moves or turns it as a whole.
+    DVec2 keptVelocity{};
+    double keptSpin = 0;
+    double share = 1;  ///< what is left of the motion relative to it
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

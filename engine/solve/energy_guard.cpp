@@ -1,0 +1,324 @@
+#include "energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../../solver/joint_islands/joint_island.h"
+#include "driven_joints.h"
+#include "energy_gain.h"
+#include "energy_shares.h"
+#include "joint_builder.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+void noteContact(WorldState& world, const Contact& contact) {
+    if (contact.sensor || contact.manifold.count == 0) { return; }
+    const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
+    EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
+    account.isTouching = true;
+    account.isDriven = account.isDriven || contact.isBelt;
+    if (contact.dynamicA == contact.dynamicB) { return; }
+    account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
+    account.isGrounded = account.isGrounded || contact.pressed;
+    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
+    account.push += (contact.dynamicB ? impulse : -impulse) * toDouble(normal);
+}
+
+void noteCarrier(const WorldState& world, EnergyAccount& account, std::uint32_t slot) {
+    const BodyMotion& motion = world.motions[slot];
+    const double spin = std::fabs(static_cast<double>(motion.angularVelocity));
+    account.isLed = true;
+    account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(length(motion.velocity)));
+    if (account.carrier == EnergyAccount::kNone || spin > account.leadSpin) {
+        account.carrier = slot;
+        account.leadSpin = spin;
+    }
+}
+
+/// Gears and pulleys hold more than two bodies.
+void noteJoint(WorldState& world, std::uint32_t joint) {
+    const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
+    for (const std::uint32_t slot : bodies) {
+        if (!world.bodies[slot].isDynamic()) { continue; }
+        EnergyAccount& account = accountOf(world, slot);
+        for (const std::uint32_t other : bodies) {
+            account.isAnchored = account.isAnchored || !world.bodies[other].isDynamic();
+            if (world.bodies[other].def.type == BodyType::kinematic) { noteCarrier(world, account, other); }
+        }
+    }
+}
+
+/// Whether a joint does not hold, by far. Where it is one of several that hold an island to what it does not move, they
+/// cannot all hold; of a single one, what hangs there may be heavy, or whirl.
+bool isTorn(const WorldState& world, const Joint& joint) {
+    constexpr Real kTornTurn = Real(1) / 8;   // rad
+    constexpr Real kTornRatio = Real(1) / 8;  // of the smallest extent of its bodies
+    Real smallest = std::numeric_limits<Real>::infinity();
+    for (const std::uint32_t slot : joint.allBodies()) {
+        const Body& body = world.bodies[slot];
+        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
+    }
+    const JointErrors errors = errorsOf(world, joint);
+    return errors.length > kTornRatio * smallest || errors.angle > kTornTurn;
+}
+
+/// Kinematic bodies do work, and so do joints that calls move. What they lead may hang on levers, or whirl, and go as
+/// fast as it likes, unless its joints are torn or closed at once: then what goes faster than `kMostLead` has it is not
+/// driven. (A box on joints to two things that part, by a metre in a second, was at 350 m/s when they stopped, and with
+/// welds beyond all numbers.)
+/// @pre what leads is noted
+void findDriven(WorldState& world, const TiedGroup& group) {
+    const SolveDesk& desk = group.desk;
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        EnergyAccount& account = accountOf(world, desk.bodies[i]);
+        if (!account.isLed) { continue; }
+        const Body& body = world.bodies[desk.bodies[i]];
+        const bool isCarried = account.carrier != EnergyAccount::kNone;
+        const double arm =
+            isCarried ? length(world.motions[desk.bodies[i]].center - world.motions[account.carrier].center) : 0;
+        account.led += 0.5 * (body.mass * squared(account.leadSpeed + account.leadSpin * arm) +
+                              inertiaOf(body) * squared(account.leadSpin));
+    }
+    const auto mayTear = [](const EnergyAccount& account) {
+        return account.isLed && !account.isDriven && account.kinetic > kMostLead * account.led && hasGained(account);
+    };
+    for (const std::uint32_t i : group.joints) {
+        const JointTie& tie = world.jointTies[i];
+        EnergyAccount& account = accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
+        if (account.solve != desk.energySolve || account.anchors < 2 || account.isTorn || !mayTear(account)) {
+            continue;
+        }
+        account.isTorn = isTorn(world, world.joints[i]);
+    }
+    for (const std::uint32_t root : desk.energyRoots) {
+        EnergyAccount& account = world.energyAccounts[root];
+        const bool mayPay = account.isTorn || (account.isYanked && mayTear(account));
+        account.isDriven = account.isDriven || (account.isLed && !mayPay);
+    }
+}
+
+/// Joints that are torn work against each other. What each begins the next step with would grow without end, and so
+/// would the way that bodies go: they go as far as what is left of their speed takes them.
+void calmTorn(WorldState& world, const TiedGroup& group) {
+    const SolveDesk& desk = group.desk;
+    const auto isToBeCalmed = [&desk](const EnergyAccount& account) {
+        return account.solve == desk.energySolve && account.isTorn && !account.isDriven && account.motion != kNoIndex;
+    };
+    for (const std::uint32_t i : group.joints) {
+        const JointTie& tie = world.jointTies[i];
+        const std::uint32_t slot = world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB;
+        if (isToBeCalmed(accountOf(world, slot))) { forgetStart(world.joints[i]); }
+    }
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        const std::uint32_t slot = desk.bodies[i];
+        const EnergyAccount& account = accountOf(world, slot);
+        if (!isToBeCalmed(account)) { continue; }
+        const double part = 1 - desk.islandMotions[account.motion].share;
+        world.motions[slot].center -= part * toDouble(desk.energyEntries[i].moved);
+        world.motions[slot].angle -= part * static_cast<double>(desk.energyEntries[i].turned);
+        updatePose(world, slot);
+    }
+}
+
+void noteJointed(EnergyAccount& account, bool isPassive, std::uint32_t anchors) {
+    account.isJointed = true;
+    account.isDriven = account.isDriven || !isPassive;
+    account.isAnchored = account.isAnchored || anchors > 0;
+    account.anchors += anchors;
+}
+
+/// Which islands have joints, and whether these drive them or hold them to something. Joints that are solved exactly
+/// have accounts of their own (`JointIsland`).
+void noteJointed(WorldState& world, const TiedGroup& group) {
+    const bool isExact = group.effort.direct == DirectScope::islands;
+    if (group.role == BodyRole::solved) {  // most of all that is awake: what is known of whole chains is enough
+        for (const JointChain& chain : world.jointChains.list) {
+            EnergyAccount& account = accountOf(world, chain.lowest);
+            const bool isIn = account.solve == group.desk.energySolve;
+            if (isIn) { noteJointed(account, chain.isPassive && !isExact, chain.anchors); }
+        }
+        return;
+    }
+    const auto moves = [&world](std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; };
+    for (const std::uint32_t joint : group.joints) {
+        const JointTie& tie = world.jointTies[joint];
+        EnergyAccount& account = accountOf(world, moves(tie.bodyA) ? tie.bodyA : tie.bodyB);
+        noteJointed(account, tie.isPassive && !isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
+    }
+}
+
+/// @pre `noteJointed`
+bool mayDrift(const EnergyAccount& account) {
+    return account.isJointed && !account.isAnchored && !account.isDriven &&
+           excessOf(account) > kGainRounding * account.kinetic;
+}
+
+/// How islands go as a whole that nothing holds. @pre `noteJointed`
+void findDrifts(WorldState& world, SolveDesk& desk) {
+    std::vector<IslandMotion>& islands = desk.islandMotions;
+    islands.clear();
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        EnergyAccount& account = accountOf(world, desk.bodies[i]);
+        if (!mayDrift(account)) { continue; }
+        if (account.motion == kNoIndex) {
+            account.motion = static_cast<std::uint32_t>(islands.size());
+            islands.push_back({.root = world.islands.find(desk.bodies[i])});
+        }
+        const double mass = world.bodies[desk.bodies[i]].mass;
+        islands[account.motion].mass += mass;
+        islands[account.motion].velocity += mass * toDouble(world.motions[desk.bodies[i]].velocity);
+    }
+    for (const IslandMotion& island : islands) {
+        EnergyAccount& account = world.energyAccounts[island.root];
+        account.drift = squared(island.velocity) / (2 * island.mass);
+        account.motion = kNoIndex;
+    }
+}
+
+/// What else has a part in the motion of the islands.
+void noteOthers(WorldState& world, const TiedGroup& group) {
+    const bool hasJoints = !group.joints.empty();
+    if (group.role == BodyRole::solved) {
+        for (const TouchingPair& pair : world.touching) {
+            if (!pair.areDynamic() || hasJoints || pair.isBelt) { noteContact(world, world.contacts[pair.contact]); }
+        }
+    } else {
+        for (const Contact& contact : group.contacts) { noteContact(world, contact); }
+    }
+    if (group.role != BodyRole::solved || world.kinematicBodies > 0) {  // of others all is known
+        for (const std::uint32_t joint : group.joints) { noteJoint(world, joint); }
+    }
+    if (hasJoints) { findDriven(world, group); }
+}
+
+}  // namespace
+
+bool openAccounts(WorldState& world, const TiedGroup& group) {
+    if (group.effort.isSettled) { return false; }
+    group.desk.energySolve = world.energySolves.fetch_add(1, std::memory_order_relaxed) + 1;
+    group.desk.energyRoots.clear();
+    world.energyAccounts.resize(world.bodies.slotCount());
+    return true;
+}
+
+EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState& state, Real time) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& before = world.motions[slot];
+    EnergyEntry entry;
+    if (body.inverseMass > 0) {
+        const double half = 0.5 / static_cast<double>(body.inverseMass);
+        const DVec2 pull = toDouble(accelerationOf(world, body));
+        const double after = squared(toDouble(state.velocity));  // squares of slow speeds underflow in `Real`
+        entry.kinetic = half * after;
+        entry.gained = half * (after - squared(toDouble(before.velocity)));
+        entry.work = 2 * half * dot(pull, toDouble(state.deltaPosition));
+        entry.velocityBefore = before.velocity;
+        entry.moved = state.deltaPosition;
+        entry.fall = half * dot(pull, pull) * squared(static_cast<double>(time));
+    }
+    if (body.inverseInertia > 0) {
+        const double half = 0.5 / static_cast<double>(body.inverseInertia);
+        const double after = squared(static_cast<double>(state.angularVelocity));
+        entry.turningKinetic = half * after;
+        entry.turningGained = half * (after - squared(static_cast<double>(before.angularVelocity)));
+        entry.turningWork = static_cast<double>(body.torque) * static_cast<double>(state.deltaAngle);
+        entry.spinBefore = before.angularVelocity;
+        entry.turned = state.deltaAngle;
+    }
+    return entry;
+}
+
+namespace {
+
+/// What is added up of an account.
+struct EnergySums {
+    explicit EnergySums(const EnergyAccount& account)
+        : kinetic(account.kinetic), gained(account.gained), work(account.work), fall(account.fall) {}
+
+    void add(const EnergyEntry& entry) {
+        kinetic += entry.kinetic;
+        gained += entry.gained;
+        work += entry.work;
+        fall += entry.fall;
+        kinetic += entry.turningKinetic;
+        gained += entry.turningGained;
+        work += entry.turningWork;
+    }
+    void writeTo(EnergyAccount& account) const {
+        account.kinetic = kinetic;
+        account.gained = gained;
+        account.work = work;
+        account.fall = fall;
+    }
+
+    double kinetic;
+    double gained;
+    double work;
+    double fall;
+};
+
+}  // namespace
+
+/// Added up outside of memory as long as bodies are of one island, as mostly: each sum there waits for the one before.
+void book(WorldState& world, SolveDesk& desk) {
+    EnergyAccount* account = nullptr;
+    EnergySums sums{EnergyAccount{}};
+    std::uint32_t root = kNoIndex;
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        const std::uint32_t next = world.islands.find(desk.bodies[i]);
+        if (next != root) {
+            if (account != nullptr) { sums.writeTo(*account); }
+            root = next;
+            account = &world.energyAccounts[root];
+            if (account->solve != desk.energySolve) {
+                *account = {.solve = desk.energySolve};
+                desk.energyRoots.push_back(root);
+            }
+            sums = EnergySums(*account);
+        }
+        sums.add(desk.energyEntries[i]);
+    }
+    if (account != nullptr) { sums.writeTo(*account); }
+}
+
+void settleAccounts(WorldState& world, const TiedGroup& group, Real time) {
+    const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
+    const bool hasJoints = !group.joints.empty();
+    const auto hasGainedAnything = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
+    const double part = world.jointChains.isAnyLoose ? kGainRounding : kJointedGain;
+    const auto hasGainedIfTied = [&](std::uint32_t root) {  // not known yet which ones are
+        const EnergyAccount& account = world.energyAccounts[root];
+        return account.gained - account.work > part * account.kinetic;
+    };
+    const bool any = std::any_of(roots.begin(), roots.end(), hasGainedAnything) ||
+                     (hasJoints && std::any_of(roots.begin(), roots.end(), hasGainedIfTied));
+    if (!any) { return; }
+    if (hasJoints) { noteJointed(world, group); }
+    noteDriven(world, group);
+    const auto drifts = [&](std::uint32_t root) { return mayDrift(world.energyAccounts[root]); };
+    if (std::any_of(roots.begin(), roots.end(), drifts)) { findDrifts(world, group.desk); }
+    const bool mayTouch = group.role == BodyRole::solved ? !world.touching.empty() : !group.contacts.empty();
+    const double hanging = mayTouch ? kMostFallsInTouch : kMostFalls;
+    const auto mayHaveGained = [&](std::uint32_t root) {
+        const EnergyAccount& account = world.energyAccounts[root];
+        return !account.isDriven && hasGained(account, account.isAnchored ? hanging : 0);
+    };
+    if (std::none_of(roots.begin(), roots.end(), mayHaveGained)) { return; }
+    noteOthers(world, group);
+    // What platforms carry gains all the time, and is driven.
+    const auto pays = [&](std::uint32_t root) {
+        return hasGained(world.energyAccounts[root]) && !world.energyAccounts[root].isDriven;
+    };
+    if (std::none_of(roots.begin(), roots.end(), pays)) { return; }
+    takeBackGains(world, group, static_cast<double>(time));
+    if (hasJoints) { calmTorn(world, group); }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

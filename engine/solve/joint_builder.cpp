@@ -1,0 +1,379 @@
+#include "joint_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../stages/step_change.h"
+#include "../state/profile.h"
+#include "driven_joints.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+/// Part of the way to its pose that a motor joint covers in a step, as far as its force allows.
+constexpr Real kApproachRatio = Real(0.3);
+
+Vec2 armOf(const WorldState& world, std::uint32_t body, Vec2 localAnchor) {
+    return rotate(world.motions[body].pose.rotation, localAnchor - world.bodies[body].localCenter);
+}
+
+Vec2 centerOffset(const WorldState& world, const Joint& joint) {
+    return toReal(world.motions[joint.bodyB].center - world.motions[joint.bodyA].center);
+}
+
+Vec2 axisOf(const WorldState& world, const Joint& joint) {
+    return rotate(world.motions[joint.bodyA].pose.rotation, joint.localAxis);
+}
+
+SpringGains gainsOf(const Spring& spring, Real h) {
+    return springGainsOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h);
+}
+
+template <class Limits>
+void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) {
+    parts.hasLimits = limits.has_value();
+    if (!limits) { return; }
+    parts.lower = limits->lower;
+    parts.upper = limits->upper;
+}
+void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring, Real h) {
+    parts.hasSpring = spring.has_value();
+    if (spring) { parts.spring = gainsOf(*spring, h); }
+}
+/// Also of a `WheelConstraint`, whose motor has members of the same names.
+template <class Parts, class Motor>
+void fillMotor(Parts& parts, const std::optional<Motor>& motor, Real maxImpulse) {
+    parts.hasMotor = motor.has_value();
+    parts.maxMotorImpulse = maxImpulse;
+    if (motor) { parts.motorSpeed = motor->speed; }
+}
+void fillFreedom(FreedomParts& parts, const RevoluteJointDef& def, Real h) {
+    fillLimits(parts, def.limits);
+    fillMotor(parts, def.motor, h * (def.motor ? def.motor->maxTorque : Real(0)));
+    fillSpring(parts, def.spring, h);
+}
+
+/// A constraint with the impulses of the last step.
+template <class Part>
+auto rememberedOf(const Joint&, const Part& part) {
+    return part.memory;
+}
+RevoluteConstraint rememberedOf(const Joint& joint, const HingePart&) {
+    RevoluteConstraint constraint;
+    constraint.linearImpulse = joint.hinge.point;
+    constraint.lowerImpulse = joint.hinge.lower;
+    constraint.upperImpulse = joint.hinge.upper;
+    constraint.motorImpulse = joint.hinge.motor;
+    constraint.springImpulse = joint.hinge.spring;
+    return constraint;
+}
+
+/// Fills constraints in from the present state. The impulses stay what they are.
+struct ConstraintFiller {
+    const WorldState& world;
+    const Joint& joint;
+    Real h;
+    Real dt;
+
+    SpringGains gainsOf(const Spring& spring) const { return swept::gainsOf(spring, h); }
+    Real baseAngle() const { return static_cast<Real>(angleOf(world, joint)); }
+
+    void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring) const {
+        swept::fillSpring(parts, spring, h);
+    }
+    template <class Parts, class Motor>
+    void fillMotor(Parts& parts, const std::optional<Motor>& motor, Real strength) const {
+        swept::fillMotor(parts, motor, h * strength);
+    }
+
+    void operator()(RevoluteConstraint& constraint, const RevoluteJointDef& def) const {
+        constraint.baseAngle = baseAngle();
+        fillFreedom(constraint, def, h);
+    }
+    void operator()(DistanceConstraint& constraint, const DistanceJointDef& def) const {
+        constraint.length = joint.length;
+        constraint.hasSpring = def.spring.has_value();
+        if (def.spring) { constraint.spring = gainsOf(*def.spring); }
+        constraint.hasLimits = def.limits.has_value();
+        if (def.limits) {
+            constraint.minLength = def.limits->min;
+            constraint.maxLength = def.limits->max;
+        }
+        constraint.isRigid = !constraint.hasSpring && !constraint.hasLimits;
+    }
+    void operator()(PrismaticConstraint& constraint, const PrismaticJointDef& def) const {
+        constraint.axis = axisOf(world, joint);
+        constraint.baseAngle = baseAngle();
+        fillLimits(constraint, def.limits);
+        fillMotor(constraint, def.motor, def.motor ? def.motor->maxForce : Real(0));
+        fillSpring(constraint, def.spring);
+    }
+    void operator()(WheelConstraint& constraint, const WheelJointDef& def) const {
+        constraint.axis = axisOf(world, joint);
+        fillLimits(constraint.suspension, def.limits);
+        fillMotor(constraint, def.motor, def.motor ? def.motor->maxTorque : Real(0));
+        fillSpring(constraint.suspension, def.spring);
+    }
+    void operator()(WeldConstraint& constraint, const WeldJointDef& def) const {
+        constraint.baseAngle = baseAngle();
+        constraint.hasLinearSpring = def.linearSpring.has_value();
+        if (def.linearSpring) { constraint.linearSpring = gainsOf(*def.linearSpring); }
+        constraint.hasAngularSpring = def.angularSpring.has_value();
+        if (def.angularSpring) { constraint.angularSpring = gainsOf(*def.angularSpring); }
+    }
+    void operator()(MotorConstraint& constraint, const MotorJointDef& def) const {
+        const MotorDrive& drive = def.drive;
+        constraint.approachRate = kApproachRatio / dt;
+        constraint.drivesLine = drive.maxForce.has_value();
+        constraint.maxLinearImpulse = h * drive.maxForce.value_or(0);
+        constraint.seeksPlace = !drive.linearVelocity.has_value();
+        if (drive.linearVelocity) {
+            constraint.velocity = rotate(world.motions[joint.bodyA].pose.rotation, *drive.linearVelocity);
+            constraint.anchorA = constraint.centerOffset + constraint.anchorB;
+        } else {
+            constraint.anchorA = armOf(world, joint.bodyA, drive.linearOffset.value_or(joint.localAnchorA));
+        }
+        constraint.drivesAngle = drive.maxTorque.has_value();
+        constraint.maxAngularImpulse = h * drive.maxTorque.value_or(0);
+        constraint.seeksAngle = !drive.angularVelocity.has_value();
+        constraint.spin = drive.angularVelocity.value_or(0);
+        constraint.baseAngle =
+            static_cast<Real>(angleOf(world, joint) - static_cast<double>(drive.angularOffset.value_or(0)));
+    }
+    void operator()(MouseConstraint& constraint, const MouseJointDef& def) const {
+        constraint.slotA = kFixedSlot;
+        constraint.anchorA = {};
+        constraint.centerOffset = toReal(world.motions[joint.bodyB].center - (def.target - toDouble(constraint.toGo)));
+        constraint.gone = {};
+        constraint.hasSpring = def.spring.has_value();
+        if (def.spring) { constraint.spring = gainsOf(*def.spring); }
+        constraint.approachRate = kApproachRatio / dt;
+        constraint.maxImpulse = def.maxForce ? h * *def.maxForce : std::numeric_limits<Real>::infinity();
+    }
+    void fillSide(GearSide& side, const Joint& geared) const {
+        side.slotA = world.solverSlots[geared.bodyA];
+        side.slotB = world.solverSlots[geared.bodyB];
+        side.slides = geared.type() == JointType::prismatic;
+        side.axis = axisOf(world, geared);
+        side.anchorA = armOf(world, geared.bodyA, geared.localAnchorA);
+        side.anchorB = armOf(world, geared.bodyB, geared.localAnchorB);
+        side.centerOffset = centerOffset(world, geared);
+    }
+    void operator()(GearConstraint& constraint, const GearJointDef& def) const {
+        const Joint& first = world.joints[def.jointA.index];
+        const Joint& second = world.joints[def.jointB.index];
+        fillSide(constraint.first, first);
+        fillSide(constraint.second, second);
+        constraint.ratio = def.ratio;
+        constraint.baseError = gearError(def);
+    }
+    void operator()(PulleyConstraint& constraint, const PulleyJointDef& def) const {
+        constraint.offsetA = toReal(world.motions[joint.bodyA].center - def.groundA);
+        constraint.offsetB = toReal(world.motions[joint.bodyB].center - def.groundB);
+        constraint.ratio = def.ratio;
+        constraint.totalLength = joint.length;
+    }
+
+    Real gearError(const GearJointDef& def) const {
+        const double first = coordinateOf(world, world.joints[def.jointA.index]);
+        const double second = coordinateOf(world, world.joints[def.jointB.index]);
+        return static_cast<Real>(first + static_cast<double>(def.ratio) * second - joint.gearConstant);
+    }
+
+    template <class Part>
+    typename Part::Constraint constraintOf(const Part& part) const {
+        auto constraint = rememberedOf(joint, part);
+        fill(constraint, part);
+        return constraint;
+    }
+    template <class Part>
+    void fill(typename Part::Constraint& constraint, const Part& part) const {
+        constraint.isHeld = false;
+        constraint.slotA = world.solverSlots[joint.bodyA];
+        constraint.slotB = world.solverSlots[joint.bodyB];
+        constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
+        constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
+        constraint.centerOffset = centerOffset(world, joint);
+        const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
+        constraint.softness = jointSoftness(world, world.bodies[moving].effort, h, dt);
+        (*this)(constraint, part.def);
+    }
+};
+
+constexpr BodyState kStill{};
+
+/// Errors by kind, at the start of a step.
+struct ErrorReader {
+    const ConstraintFiller& filler;
+
+    JointErrors operator()(const RevoluteConstraint& c, const RevoluteJointDef&) const {
+        return {anchorGap(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const DistanceConstraint& c, const DistanceJointDef&) const {
+        return {lengthError(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const PrismaticConstraint& c, const PrismaticJointDef&) const {
+        return {axisGap(c, kStill, kStill), std::fabs(c.baseAngle)};
+    }
+    JointErrors operator()(const WheelConstraint& c, const WheelJointDef&) const {
+        return {axisGap(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const WeldConstraint& c, const WeldJointDef&) const {
+        return {c.hasLinearSpring ? Real(0) : anchorGap(c, kStill, kStill),
+                c.hasAngularSpring ? Real(0) : std::fabs(c.baseAngle)};
+    }
+    JointErrors operator()(const MotorConstraint&, const MotorJointDef&) const { return {}; }
+    JointErrors operator()(const MouseConstraint& c, const MouseJointDef&) const {
+        return {c.hasSpring ? Real(0) : anchorGap(c, kStill, kStill), 0};
+    }
+    JointErrors operator()(const GearConstraint& c, const GearJointDef&) const {
+        const Real error = std::fabs(c.baseError);
+        return c.first.slides ? JointErrors{error, 0} : JointErrors{0, error};
+    }
+    JointErrors operator()(const PulleyConstraint& c, const PulleyJointDef&) const {
+        return {std::max(ropeLength(c, kStill, kStill) - c.totalLength, Real(0)), 0};
+    }
+};
+
+RevoluteConstraint& append(SolverBatch& batch, const RevoluteConstraint& c) { return batch.revolutes.emplace_back(c); }
+DistanceConstraint& append(SolverBatch& batch, const DistanceConstraint& c) { return batch.distances.emplace_back(c); }
+PrismaticConstraint& append(SolverBatch& batch, const PrismaticConstraint& c) {
+    return batch.prismatics.emplace_back(c);
+}
+WheelConstraint& append(SolverBatch& batch, const WheelConstraint& c) { return batch.wheels.emplace_back(c); }
+WeldConstraint& append(SolverBatch& batch, const WeldConstraint& c) { return batch.welds.emplace_back(c); }
+MotorConstraint& append(SolverBatch& batch, const MotorConstraint& c) { return batch.motors.emplace_back(c); }
+MouseConstraint& append(SolverBatch& batch, const MouseConstraint& c) { return batch.mice.emplace_back(c); }
+GearConstraint& append(SolverBatch& batch, const GearConstraint& c) { return batch.gears.emplace_back(c); }
+PulleyConstraint& append(SolverBatch& batch, const PulleyConstraint& c) { return batch.pulleys.emplace_back(c); }
+
+/// Calls `visit(part)` unless the joint is a filter.
+template <class Parts, class Visit>
+void visitPart(Parts& parts, Visit&& visit) {
+    std::visit(
+        [&](auto& part) {
+            if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(part)>, FilterPart>) { visit(part); }
+        },
+        parts);
+}
+
+}  // namespace
+
+void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt) {
+    const Joint& joint = world.joints[source];
+    const ConstraintFiller filler{world, joint, h, dt};
+    visitPart(joint.parts, [&](const auto& part) {
+        // Where it stays: a copy of what was just written in parts has to wait for all of them.
+        auto& constraint = append(batch, rememberedOf(joint, part));
+        filler.fill(constraint, part);
+        constraint.woundSpeed = woundSpeed(world, source);
+        constraint.source = source;
+    });
+}
+
+RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt) {
+    const Joint& joint = world.joints[source];
+    const auto& part = *std::get_if<HingePart>(&joint.parts);
+    RevoluteConstraint constraint = ConstraintFiller{world, joint, h, dt}.constraintOf(part);
+    constraint.source = source;
+    return constraint;
+}
+
+FreedomParts hingeParts(const Joint& joint, Real h) {
+    const auto& part = *std::get_if<HingePart>(&joint.parts);
+    FreedomParts parts = rememberedOf(joint, part);
+    fillFreedom(parts, part.def, h);
+    dropUnused(parts);
+    return parts;
+}
+
+void takeReaction(Joint& joint, const JointReaction& total, Real dt) {
+    joint.reactionForce = (1 / dt) * total.impulse;
+    joint.reactionTorque = (1 / dt) * total.twist;
+}
+
+void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt) {
+    joint.hinge = {constraint.linearImpulse, constraint.lowerImpulse, constraint.upperImpulse, constraint.motorImpulse,
+                   constraint.springImpulse};
+    takeReaction(joint, constraint.total, dt);
+}
+
+Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt) {
+    return softnessOfStep(world, effort, kJointCycles, kJointDampingRatio, h, dt);
+}
+
+void forgetStart(Joint& joint) {
+    visitPart(joint.parts, [](auto& part) {
+        if constexpr (requires { part.memory; }) { part.memory = {}; }
+    });
+    joint.hinge = {};
+}
+
+void forgetImpulses(Joint& joint) {
+    forgetStart(joint);
+    joint.reactionForce = {};
+    joint.reactionTorque = 0;
+}
+
+void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
+    batch.forEachJointKind([&](const auto& constraints) {
+        using Constraint = typename std::remove_cvref_t<decltype(constraints)>::value_type;
+        for (const Constraint& constraint : constraints) {
+            Joint& joint = world.joints[constraint.source];
+            if constexpr (std::is_same_v<Constraint, RevoluteConstraint>) {
+                takeHinge(joint, constraint, dt);
+            } else {
+                visitPart(joint.parts, [&](auto& part) {
+                    using Part = std::remove_cvref_t<decltype(part)>;
+                    if constexpr (std::is_same_v<typename Part::Constraint, Constraint>) { part.memory = constraint; }
+                });
+                takeReaction(joint, constraint.total, dt);
+                // A torque is a force times a lever, and overflows before its bodies do.
+                if (!isFinite(joint.reactionForce) || !std::isfinite(joint.reactionTorque)) { forgetImpulses(joint); }
+            }
+        }
+    });
+}
+
+JointErrors errorsOf(const WorldState& world, const Joint& joint) {
+    constexpr Real kAnyStep = 1;  // the errors do not depend on it
+    const ConstraintFiller filler{world, joint, kAnyStep, kAnyStep};
+    JointErrors errors;
+    visitPart(joint.parts,
+              [&](const auto& part) { errors = ErrorReader{filler}(filler.constraintOf(part), part.def); });
+    return errors;
+}
+
+double angleOf(const WorldState& world, const Joint& joint) {
+    return world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle - joint.referenceAngle;
+}
+
+DVec2 anchorAOf(const WorldState& world, const Joint& joint) {
+    if (const auto* part = std::get_if<JointPart<MouseJointDef, MouseConstraint>>(&joint.parts)) {
+        return part->def.target;
+    }
+    return apply(world.motions[joint.bodyA].pose, joint.localAnchorA);
+}
+
+DVec2 anchorBOf(const WorldState& world, const Joint& joint) {
+    return apply(world.motions[joint.bodyB].pose, joint.localAnchorB);
+}
+
+Real translationOf(const WorldState& world, const Joint& joint) {
+    if (joint.type() == JointType::mouse) {
+        return static_cast<Real>(length(anchorBOf(world, joint) - anchorAOf(world, joint)));
+    }
+    const Vec2 apart = centerOffset(world, joint) + armOf(world, joint.bodyB, joint.localAnchorB) -
+                       armOf(world, joint.bodyA, joint.localAnchorA);
+    const bool hasAxis = joint.type() == JointType::prismatic || joint.type() == JointType::wheel;
+    return hasAxis ? dot(axisOf(world, joint), apart) : length(apart);
+}
+
+double coordinateOf(const WorldState& world, const Joint& joint) {
+    return joint.type() == JointType::prismatic ? static_cast<double>(translationOf(world, joint))
+                                                : angleOf(world, joint);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

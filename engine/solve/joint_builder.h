@@ -1,0 +1,46 @@
+#pragma once
+
+#include "../state/world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Adds the constraint of a joint to the batch: with the slots and arms of the present poses and warm-start impulses. A
+/// filter has none. @param source  slot of the joint; @param h  length of a sub-step; @param dt  of the step
+void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt);
+
+/// The same of hinges, one by one (tied_hinges.h): the whole constraint, or what it has beside its point.
+RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt);
+FreedomParts hingeParts(const Joint& joint, Real h);
+
+/// Of what joints hold. @param effort  of the bodies
+Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt);
+
+/// What a solve found. @param dt  that was solved
+void takeReaction(Joint& joint, const JointReaction& total, Real dt);
+void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt);
+
+/// Impulses to start from that belong to a state that is gone, or are no numbers; and the reactions of the last step.
+void forgetImpulses(Joint& joint);
+/// The impulses alone.
+void forgetStart(Joint& joint);
+/// Takes impulses and reactions back from a solved batch.
+void readConstraints(SolverBatch& batch, WorldState& world, Real dt);
+
+/// How far a joint is from holding at the present poses: metres, radians. What it does not hold has no error.
+struct JointErrors {
+    Real length = 0;
+    Real angle = 0;
+};
+JointErrors errorsOf(const WorldState& world, const Joint& joint);
+
+/// Angle of B relative to A beyond the initial one, rad.
+double angleOf(const WorldState& world, const Joint& joint);
+/// Of B's anchor from A's: along the axis where there is one, else the distance. Metres.
+Real translationOf(const WorldState& world, const Joint& joint);
+/// Where on A and B it holds now, world; of a mouse joint the target, for A.
+DVec2 anchorAOf(const WorldState& world, const Joint& joint);
+DVec2 anchorBOf(const WorldState& world, const Joint& joint);
+/// What a gear sees of a revolute or prismatic joint, rad or metres.
+double coordinateOf(const WorldState& world, const Joint& joint);
+
+}  // namespace swept::inline SWEPT_PRECISION

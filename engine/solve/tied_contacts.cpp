@@ -1,0 +1,379 @@
+#include "tied_contacts.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <limits>
+
+#include "../../shapes/branchless.h"
+#include "../../solver/contacts/contact_lanes.h"
+#include "../crew/join_blocks.h"
+#include "../flight/hit_event.h"
+#include "../islands/effort_budget.h"
+#include "../modes/modes.h"
+#include "../stages/step_change.h"
+#include "../state/profile.h"
+#include "../state/tolerances.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Contacts that are fetched from memory ahead of time: before a solve, and after it, which has displaced
+/// them.
+constexpr std::size_t kAhead = 8;
+/// Pairs per block that one worker links.
+constexpr std::size_t kPairsPerBlock = 512;
+
+void fetchRow(const Contact& contact) {
+    constexpr std::size_t kLine = 64;
+    const char* const first = reinterpret_cast<const char*>(&contact);
+    for (std::size_t i = 0; i < sizeof(ContactRow); i += kLine) { __builtin_prefetch(first + i); }
+}
+
+void fetchOutcome(const Contact& contact) {
+    __builtin_prefetch(&contact.normalImpulse);
+    __builtin_prefetch(&contact.pressed);
+}
+
+/// For `SolverSettings::settled`: what presses holds where it is, what is apart is not in the way.
+void holdAsItIs(ContactConstraintPoint& point) {
+    point.separation = point.normalImpulse > 0 ? Real(0) : point.baseSeparation;
+}
+
+/// How fast a point comes along the normal; less than 0: it goes.
+Real approachAt(const ContactConstraintPoint& point, Vec2 normal, const BodyState& a, const BodyState& b) {
+    return -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), normal);
+}
+
+Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& batch) {
+    Real fastest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {
+        fastest = std::max(fastest, approachAt(constraint.points[i], constraint.normal, batch.states[constraint.slotA],
+                                               batch.states[constraint.slotB]));
+    }
+    return fastest;
+}
+
+}  // namespace
+
+TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const StepPart& part, Real h, Real scale)
+    : world_(world),
+      group_(group),
+      part_(part),
+      scale_(scale),
+      dt_(static_cast<Real>(part.dt)),
+      closingTime_(static_cast<Real>(world.closingTime)),
+      hitThreshold_(length(world.settings.gravity) * dt_),
+      softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
+
+/// In place: what is written in pieces and copied has to wait for the pieces.
+[[gnu::always_inline]] inline bool TiedContacts::linkIfTied(ContactLink& link, std::uint32_t source,
+                                                            std::uint32_t bodyA, std::uint32_t bodyB,
+                                                            const TouchTraits& traits) const {
+    const BodySlot slotA = world_.solverSlots[bodyA];
+    const BodySlot slotB = world_.solverSlots[bodyB];
+    link.slotA = slotA;
+    link.slotB = slotB;
+    link.source = source;
+    link.points = traits.points;
+    link.isAlone = (int{traits.isBelt} | int{traits.rolls()}) != 0;  // blocks know neither
+    link.bounces = traits.bounces;
+    // Kinematic bodies have slots, too.
+    return ((slotA & maskOf<BodySlot>(traits.dynamicA)) | (slotB & maskOf<BodySlot>(traits.dynamicB))) != kFixedSlot;
+}
+
+/// Of all contacts with points of which the group moves a body, in their order.
+template <class Visit>
+void TiedContacts::forEachLink(const Visit& visit) const {
+    ContactLink link;
+    if (group_.role == BodyRole::solved) {
+        for (const TouchingPair& pair : world_.touching) {
+            if (linkIfTied(link, pair.contact, pair.bodyA, pair.bodyB, pair)) { visit(link); }
+        }
+        return;
+    }
+    for (std::uint32_t i = 0; i < group_.contacts.size(); ++i) {
+        const Contact& contact = group_.contacts[i];
+        if (!contact.isSolid()) { continue; }
+        const TouchTraits traits{.points = static_cast<std::uint8_t>(contact.manifold.count),
+                                 .dynamicA = contact.dynamicA,
+                                 .dynamicB = contact.dynamicB,
+                                 .bounces = contact.restitution > 0,
+                                 .isBelt = contact.isBelt,
+                                 .resistsRolling = contact.resistsRolling};
+        if (linkIfTied(link, i, contact.bodyA, contact.bodyB, traits)) { visit(link); }
+    }
+}
+
+ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
+    Contact& contact = group_.contacts[link.source];
+    ContactConstraint constraint =
+        constraintOf(contact.manifold, world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
+                     world_.motions[contact.bodyB], surfaceOf(world_, contact),
+                     pushRatioOf(world_.settings) * contact.extent / closingTime_);
+    constraint.slotA = link.slotA;
+    constraint.slotB = link.slotB;
+    constraint.softness = softness_;
+    constraint.radiusA = contact.radiusA;
+    constraint.radiusB = contact.radiusB;
+    constraint.source = link.source;
+    constraint.bounceSpeed = bounceSpeedOf(contact);
+    for (std::size_t k = 0; k < link.points; ++k) {
+        constraint.points[k].normalImpulse = scale_ * contact.normalImpulse[k];
+        constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
+        if (group_.effort.isSettled) { holdAsItIs(constraint.points[k]); }
+    }
+    if (contact.rolls()) { constraint.rollingImpulse = scale_ * contact.rollingImpulse(); }
+    contact.approachSpeed = approachSpeedOf(constraint, group_.desk.batch);
+    return constraint;
+}
+
+/// Where the bodies are, and what else is not in the row of the contact.
+template <std::size_t kPoints>
+void TiedContacts::setLane(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link,
+                           ContactSources& from) const {
+    const Contact& contact = group_.contacts[link.source];
+    const BodyInertia& inertiaA = group_.desk.batch.inertias[link.slotA];
+    const BodyInertia& inertiaB = group_.desk.batch.inertias[link.slotB];
+    const BodyMotion& a = world_.motions[contact.bodyA];
+    // Of the bodies of a solve it stands in an array of their own; what does not move in it is most often one and the
+    // same.
+    const Vec2 localCenterA =
+        link.slotA != kFixedSlot ? group_.desk.localCenters[link.slotA] : world_.bodies[contact.bodyA].localCenter;
+    const Vec2 fromAToB = toReal(world_.motions[contact.bodyB].center - a.center);
+    block.slotA[lane] = link.slotA;
+    block.slotB[lane] = link.slotB;
+    block.inverseMassA[lane] = inertiaA.inverseMass;
+    block.inverseMassB[lane] = inertiaB.inverseMass;
+    block.inverseInertiaA[lane] = inertiaA.inverseInertia;
+    block.inverseInertiaB[lane] = inertiaB.inverseInertia;
+    from.rotationC[lane] = a.pose.rotation.c;
+    from.rotationS[lane] = a.pose.rotation.s;
+    from.localCenterX[lane] = localCenterA.x;
+    from.localCenterY[lane] = localCenterA.y;
+    from.fromAToBX[lane] = fromAToB.x;
+    from.fromAToBY[lane] = fromAToB.y;
+    from.extent[lane] = contact.extent;
+    from.rows[lane] = &contact;
+    from.wantsApproach = from.wantsApproach || !contact.pressed;
+}
+
+/// The same as `constraintFor` makes, without making one.
+template <std::size_t kPoints>
+void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links links) {
+    static constexpr ContactRow kNothing{};
+    const SolverBodies bodies{group_.desk.batch.states, group_.desk.batch.inertias};
+    const ContactTerms terms{.scale = scale_,
+                             .pushRatio = pushRatioOf(world_.settings),
+                             .closingTime = closingTime_,
+                             .bounceSpeed = bounceSpeed_,
+                             .softness = softness_,
+                             .settled = group_.effort.isSettled};
+    ContactSources from;
+    for (WideContact<kPoints>& block : blocks) {
+        if (block.lanes < kBlockLanes) {
+            from = {};
+            from.rows.fill(&kNothing);
+        }
+        from.wantsApproach = false;
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            if (lane + kAhead < links.size()) { fetchRow(group_.contacts[links[lane + kAhead].source]); }
+            setLane(block, lane, links[lane], from);
+        }
+        if constexpr (kPoints == 2) {
+            contactRowKernels()->fillTwo(block, from, bodies, terms);
+        } else {
+            contactRowKernels()->fillOne(block, from, bodies, terms);
+        }
+        for (std::size_t lane = 0; from.wantsApproach && lane < block.lanes; ++lane) {
+            group_.contacts[links[lane].source].approachSpeed = from.approach[lane];
+        }
+        links = links.subspan(kBlockLanes);
+    }
+}
+
+Real TiedContacts::bounceSpeedOf(const Contact& contact) const {
+    return contact.restitution > kLivelyRestitution ? bounceSpeed_ : std::numeric_limits<Real>::infinity();
+}
+
+std::size_t TiedContacts::countBouncing() const {
+    std::size_t count = 0;
+    forEachLink([&count](const ContactLink& link) { count += link.bounces ? 1 : 0; });
+    return count;
+}
+
+/// Each is written down, and kept if it is tied.
+LinkCounts TiedContacts::linkSome(std::span<const TouchingPair> pairs, ContactLink* to) const {
+    LinkCounts counts;
+    for (const TouchingPair& pair : pairs) {
+        ContactLink& link = to[counts.links];
+        const bool isTied = linkIfTied(link, pair.contact, pair.bodyA, pair.bodyB, pair);
+        counts.links += isTied ? 1 : 0;
+        counts.bouncing += (int{isTied} & int{link.bounces}) != 0 ? 1 : 0;
+    }
+    return counts;
+}
+
+/// Any worker links the pairs of a block, at the place that they have if all before them are linked, as mostly.
+std::size_t TiedContacts::link() {
+    SolverBatch& batch = group_.desk.batch;
+    batch.store = this;
+    std::size_t bouncing = 0;
+    if (group_.role != BodyRole::solved) {
+        forEachLink([&batch, &bouncing](const ContactLink& link) {
+            batch.links.push_back(link);
+            bouncing += link.bounces ? 1 : 0;
+        });
+        return bouncing;
+    }
+    const std::span<const TouchingPair> pairs = world_.touching;
+    batch.links.resize(pairs.size());
+    std::vector<LinkCounts>& counts = group_.desk.linkCounts;
+    counts.resize((pairs.size() + kPairsPerBlock - 1) / kPairsPerBlock);
+    group_.desk.loops->run(counts.size(), 1, [&](std::size_t first, std::size_t last, int) {
+        for (std::size_t block = first; block < last; ++block) {
+            const std::size_t begin = block * kPairsPerBlock;
+            const std::size_t length = std::min(kPairsPerBlock, pairs.size() - begin);
+            counts[block] = linkSome(pairs.subspan(begin, length), &batch.links[begin]);
+        }
+    });
+    joinBlocks(batch.links, counts.size(), kPairsPerBlock,
+               [&counts](std::size_t block) { return counts[block].links; });
+    for (const LinkCounts& some : counts) { bouncing += some.bouncing; }
+    return bouncing;
+}
+
+void TiedContacts::letBounce(bool inTurn) {
+    if (inTurn) {
+        bounceSpeed_ = hitThreshold_;
+    } else {
+        for (ContactLink& link : group_.desk.batch.links) { link.isAlone = link.isAlone || link.bounces; }
+    }
+}
+
+void TiedContacts::unlink() {
+    group_.desk.batch.links.clear();
+    group_.desk.batch.store = nullptr;
+}
+
+void TiedContacts::addConstraints() {
+    SolverBatch& batch = group_.desk.batch;
+    forEachLink([&](const ContactLink& link) { batch.contacts.push_back(constraintFor(link)); });
+    if (world_.watched) { anchorAhead(); }
+}
+
+/// What was made ahead is held by its cores (mode `speculative`).
+void TiedContacts::anchorAhead() {
+    for (ContactConstraint& constraint : group_.desk.batch.contacts) {
+        Contact& contact = group_.contacts[constraint.source];
+        if (!isAhead(world_, contact)) { continue; }
+        anchorAtCores(constraint, contact.radiusA, contact.radiusB);
+        contact.approachSpeed = approachSpeedOf(constraint, group_.desk.batch);
+    }
+}
+
+void TiedContacts::readConstraints() {
+    for (const ContactConstraint& constraint : group_.desk.batch.contacts) { takeConstraint(constraint); }
+}
+
+std::size_t TiedContacts::count() const {
+    return group_.desk.batch.store != nullptr ? group_.desk.batch.links.size() : group_.desk.batch.contacts.size();
+}
+
+void TiedContacts::fill(std::span<WideContact<1>> blocks, Links links) { fillBlocks(blocks, links); }
+void TiedContacts::fill(std::span<WideContact<2>> blocks, Links links) { fillBlocks(blocks, links); }
+void TiedContacts::fill(std::span<ContactConstraint> alone, Links links) {
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        if (i + kAhead < links.size()) { fetchRow(group_.contacts[links[i + kAhead].source]); }
+        alone[i] = constraintFor(links[i]);
+    }
+}
+
+void TiedContacts::take(std::span<const WideContact<1>> blocks, Links links) { takeBlocks(blocks, links); }
+void TiedContacts::take(std::span<const WideContact<2>> blocks, Links links) { takeBlocks(blocks, links); }
+void TiedContacts::take(std::span<const ContactConstraint> alone, Links) {
+    for (const ContactConstraint& constraint : alone) { takeConstraint(constraint); }
+}
+
+template <std::size_t kPoints>
+void TiedContacts::takeBlocks(std::span<const WideContact<kPoints>> blocks, Links links) {
+    std::array<ContactRow*, kBlockLanes> rows;
+    for (const WideContact<kPoints>& block : blocks) {
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            if (lane + kAhead < links.size()) { fetchOutcome(group_.contacts[links[lane + kAhead].source]); }
+            rows[lane] = &group_.contacts[links[lane].source];
+        }
+        const std::span<ContactRow* const> inUse = std::span(rows).first(block.lanes);
+        std::uint32_t pressing = 0;
+        if constexpr (kPoints == 2) {
+            pressing = contactRowKernels()->takeTwo(block, inUse, scale_);
+        } else {
+            pressing = contactRowKernels()->takeOne(block, inUse, scale_);
+        }
+        std::uint32_t began = 0;
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            Contact& contact = group_.contacts[links[lane].source];
+            for (std::size_t k = 0; k < kPoints; ++k) {
+                contact.totalImpulse[k] = block.points[k].totalNormalImpulse[lane];
+            }
+            const bool presses = (pressing >> lane & 1U) != 0;
+            began |= (std::uint32_t{presses} & std::uint32_t{!contact.pressed}) << lane;
+            contact.pressedOn = contact.pressed && presses;
+            contact.pressed = presses;
+        }
+        if (began != 0) { noteHits(block, links, began); }
+        links = links.subspan(kBlockLanes);
+    }
+}
+
+/// @param began  one bit per lane of those that did not press before
+template <std::size_t kPoints>
+void TiedContacts::noteHits(const WideContact<kPoints>& block, Links links, std::uint32_t began) {
+    for (; began != 0; began &= began - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(began));
+        noteHit(group_.contacts[links[lane].source], {block.normalX[lane], block.normalY[lane]}, 0);
+    }
+}
+
+void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
+    Contact& contact = group_.contacts[constraint.source];
+    const auto kept = [this](Real impulse) { return scale_ == 1 ? impulse : impulse / scale_; };  // most often it is
+    const bool pressedBefore = contact.pressed;
+    contact.pressed = false;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
+        const ContactConstraintPoint& point = constraint.points[k];
+        contact.normalImpulse[k] = kept(point.normalImpulse);
+        contact.tangentImpulse[k] = kept(point.tangentImpulse);
+        contact.totalImpulse[k] = point.totalNormalImpulse;
+        contact.pressed = contact.pressed || point.totalNormalImpulse > 0;
+    }
+    if (contact.rolls()) { contact.rollingImpulse() = kept(constraint.rollingImpulse); }
+    contact.pressedOn = pressedBefore && contact.pressed;
+    if (pressedBefore) { return; }
+    noteHit(contact, constraint.normal, impactSpeed(constraint));
+}
+
+/// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.
+/// @param bounceApproach  m/s; 0: it did not bounce by itself
+/// @pre it did not press before, and has its totals
+void TiedContacts::noteHit(const Contact& contact, Vec2 normal, Real bounceApproach) {
+    const Real speed = std::max(contact.approachSpeed, bounceApproach);
+    const Real second = contact.manifold.count == 2 ? contact.totalImpulse[1] : Real(0);
+    const Real impulse = contact.totalImpulse[0] + second;
+    if (!(impulse > 0) || !(speed > hitThreshold_)) { return; }
+    const std::size_t k = second > contact.totalImpulse[0] ? 1 : 0;
+    const BodyMotion& a = world_.motions[contact.bodyA];
+    // The gap closes at the approach speed: a first-order estimate of when in the step.
+    const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
+    const double wait = std::min(gap / static_cast<double>(speed), part_.length);
+    ContactEvent hit = hitBetween(world_, contact.shapeA, contact.shapeB);
+    hit.fraction = std::min((part_.begin + wait) / part_.dt, 1.0);
+    hit.point = apply(a.pose, contact.manifold.points[k].point);
+    hit.normal = normal;
+    hit.approachSpeed = speed;
+    hit.impulse = impulse;
+    const HeldLock lock(hitting_);
+    group_.desk.events.push_back(hit);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

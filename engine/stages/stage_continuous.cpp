@@ -1,0 +1,81 @@
+#include <algorithm>
+
+#include "../containers/move_all.h"
+#include "../crew/shared_choice.h"
+#include "../flight/bullets.h"
+#include "../flight/solved_path.h"
+#include "../modes/modes.h"
+#include "../state/tolerances.h"
+#include "step.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Bodies per block: one sweep is work enough.
+constexpr std::size_t kFlyerGrain = 2;
+/// Likewise, where each is only looked at.
+constexpr std::size_t kLookGrain = 128;
+
+/// What is fast, or was flung: the solver moved it as far as only a fast body may, since something hit it within the
+/// step.
+bool isHeldAtImpacts(const WorldState& world, std::uint32_t slot) {
+    const Body& body = world.bodies[slot];
+    if (!body.fast && !body.flung && !body.sunk) { return false; }
+    const bool done = body.role == BodyRole::flyer || body.role == BodyRole::together;
+    if (!body.isDynamic() || done || !isSwept(modeOf(world, body))) { return false; }
+    return body.fast || body.sunk || (body.flung && movedFast(world, slot));
+}
+
+LostTimeReason reasonOf(const WorldState& world, const Body& body) {
+    return modeOf(world, body) == ContinuousMode::stop ? LostTimeReason::stop : LostTimeReason::clamp;
+}
+
+void merge(WorldState& world, FlightScratch& scratch) {
+    moveAll(world.contactEvents, scratch.events);
+    moveAll(world.lostTime, scratch.lostTime);
+    moveAll(world.impactPoses, scratch.impactPoses);
+    world.counters.toiCalls += scratch.toiCalls;
+    world.counters.toiIterations += scratch.toiIterations;
+    world.counters.impacts += scratch.impacts;
+    world.counters.speedsLimited += scratch.speedsLimited;
+    world.counters.sweeps += scratch.sweeps;
+    scratch.toiCalls = scratch.toiIterations = scratch.impacts = scratch.speedsLimited = scratch.sweeps = 0;
+}
+
+}  // namespace
+
+void reachWithKinematicBodies(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) {
+        if (world.bodies[slot].def.type == BodyType::kinematic) { updateProxies(world, slot); }
+    }
+}
+
+void sweepFastBodies(WorldState& world, double dt) {
+    const auto workers = static_cast<std::size_t>(world.loops->workerCount());
+    world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
+    if (world.bulletBodies > 0) {
+        flyBullets(world, dt);
+        if (world.watched) { limitWays(world, dt); }  // of whom they pushed
+    }
+    forEachMeant(
+        *world.loops, world.awake, kLookGrain, world.answers,
+        [&world](std::uint32_t slot) { return isHeldAtImpacts(world, slot); },
+        [&world](std::uint32_t slot) { world.flyers.push_back(slot); });
+    if (world.flyers.empty() && !world.fastIslands.any && world.bulletBodies == 0) { return; }
+    world.counters.sweeps += world.flyers.size();
+    world.loops->run(world.flyers.size(), kFlyerGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        FlightScratch& scratch = world.flightScratch[static_cast<std::size_t>(worker)];
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t slot = world.flyers[i];
+            const Body& body = world.bodies[slot];
+            if (body.role == BodyRole::flyer) {
+                fly(world, slot, dt, scratch);
+            } else {
+                clampAtImpact(world, slot, {.length = dt, .dt = dt}, reasonOf(world, body), scratch);
+            }
+        }
+    });
+    for (FlightScratch& scratch : world.flightScratch) { merge(world, scratch); }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,54 @@
+#include "body_measures.h"
+
+#include <algorithm>
+#include <span>
+
+#include "../contacts/travel.h"
+#include "world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+void addMeasures(WorldState& world, Body& body, std::span<const std::uint32_t> shapes) {
+    for (const std::uint32_t slot : shapes) {
+        Shape& shape = world.shapes[slot];
+        shape.radius = radiusAbout(shape.polygon, body.localCenter);
+        if (shape.def.sensor) { continue; }
+        body.extent = body.extent > 0 ? std::min(body.extent, shape.extent) : shape.extent;
+        body.widest = std::max(body.widest, shape.extent);
+        body.radius = std::max(body.radius, shape.radius);
+    }
+}
+
+}  // namespace
+
+void measure(WorldState& world, std::uint32_t slot) {
+    Body& body = world.bodies[slot];
+    body.extent = 0;
+    body.widest = 0;
+    body.radius = 0;
+    addMeasures(world, body, body.shapes);
+}
+
+void measureAdded(WorldState& world, std::uint32_t slot, std::size_t first) {
+    Body& body = world.bodies[slot];
+    noteTravel(world, slot);  // with the radius of before
+    addMeasures(world, body, std::span(body.shapes).subspan(first));
+    if (!body.awake) { noteRest(world, slot); }
+}
+
+void measureAnew(WorldState& world) {
+    std::vector<std::uint32_t>& slots = world.unmeasured;
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    for (const std::uint32_t slot : slots) {
+        // Another body may be in its place by now.
+        if (!world.bodies.isAlive(slot) || world.bodies[slot].isDynamic()) { continue; }
+        noteTravel(world, slot);
+        measure(world, slot);
+        if (!world.bodies[slot].awake) { noteRest(world, slot); }
+    }
+    slots.clear();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+#include "../../solver/solver_batch.h"
+#include "../joint_def.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A definition and the constraint of the last step, whose impulses warm-start the next.
+template <class JointDefinition, class JointConstraintKind>
+struct JointPart {
+    using Constraint = JointConstraintKind;
+    JointDefinition def;
+    Constraint memory;
+};
+/// That of a hinge is in the joint itself.
+struct HingePart {
+    using Constraint = RevoluteConstraint;
+    RevoluteJointDef def;
+};
+struct FilterPart {
+    FilterJointDef def;
+};
+
+/// A joint that a call moved, see driven_joints.h.
+struct DrivenJoint {
+    JointId joint{};
+    int stepsLeft = 0;
+    bool isYank = false;
+    Real toGo = 0;   ///< since the last step, metres
+    Real speed = 0;  ///< the highest one of those steps, m/s
+};
+
+/// Impulses with which a hinge begins the next step: those of the last sub-step, N·s and N·m·s.
+struct HingeMemory {
+    Vec2 point{};
+    Real lower = 0;
+    Real upper = 0;
+    Real motor = 0;
+    Real spring = 0;
+};
+
+/// In the order of `JointType`.
+using JointParts =
+    std::variant<HingePart, JointPart<DistanceJointDef, DistanceConstraint>,
+                 JointPart<PrismaticJointDef, PrismaticConstraint>, JointPart<WheelJointDef, WheelConstraint>,
+                 JointPart<WeldJointDef, WeldConstraint>, JointPart<MotorJointDef, MotorConstraint>,
+                 JointPart<MouseJointDef, MouseConstraint>, JointPart<GearJointDef, GearConstraint>,
+                 JointPart<PulleyJointDef, PulleyConstraint>, FilterPart>;
+static_assert(std::variant_size_v<JointParts> == static_cast<std::size_t>(JointType::filter) + 1);
+
+inline constexpr std::size_t kMostJointBodies = 4;  ///< a gear's
+
+/// A joint between steps: its definition in body frames, and what the last step left.
+struct Joint {
+    // What each step asks of a hinge comes first and close together: 64 bytes in float, without its spring.
+    std::uint32_t bodyA = 0;  ///< slots
+    std::uint32_t bodyB = 0;
+    double referenceAngle = 0;  ///< angle of B minus angle of A at creation
+    Vec2 localAnchorA;          ///< body frames
+    Vec2 localAnchorB;
+    Vec2 reactionForce;       ///< on B, mean of the last step, N
+    Real reactionTorque = 0;  ///< on B, N·m
+    HingeMemory hinge;
+    JointParts parts;
+    Real length = 0;                                       ///< of a rod or spring, or all of a pulley's rope, metres
+    Vec2 localAxis;                                        ///< unit, in the frame of A
+    std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
+    std::size_t bodyCount = 0;
+    bool isOff = false;       ///< one of them is disabled
+    double gearConstant = 0;  ///< metres or radians
+    JointDef base;
+
+    JointType type() const { return static_cast<JointType>(parts.index()); }
+    bool isFilter() const { return type() == JointType::filter; }
+    /// Whether it holds its bodies at all.
+    bool holds() const { return !isFilter() && !isOff; }
+    /// Whether A and B do not collide with each other.
+    bool keepsApart() const { return !base.collideConnected || isFilter(); }
+    std::span<const std::uint32_t> allBodies() const { return {bodies.data(), bodyCount}; }
+};
+
+/// What the step asks of all joints, one after the other, before it looks at any of them: joints are large.
+struct JointTie {
+    std::uint32_t bodyA = 0;  ///< slots
+    std::uint32_t bodyB = 0;
+    bool holds : 1 = false;     ///< a joint is there, and `Joint::holds`
+    bool isPair : 1 = true;     ///< it ties no other bodies
+    bool mayBreak : 1 = false;  ///< it has a limit
+    bool isHinge : 1 = false;
+    bool isPlain : 1 = false;     ///< holds what it holds rigidly, and does nothing else
+    bool isPassive : 1 = false;   ///< does nothing that gives energy
+    bool isDriven : 1 = false;    ///< does what takes or gives energy: what it holds keeps none
+    bool holdsAngle : 1 = false;  ///< of its bodies to each other, rigidly
+    HingeParts hingeParts;        ///< of a hinge
+
+    bool operator==(const JointTie&) const = default;
+};
+static_assert(sizeof(JointTie) == 12);
+
+JointTie tieOf(const Joint& joint);
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,396 @@
+#pragma once
+
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "../../shapes/copied_atomic.h"
+#include "../../shapes/mass.h"
+#include "../../solver/graph/island_finder.h"
+#include "../../solver/solver.h"
+#include "../advance/fast_islands.h"
+#include "../contacts/contact.h"
+#include "../contacts/contact_lists.h"
+#include "../contacts/hemmed_pairs.h"
+#include "../contacts/pairs_of_shapes.h"
+#include "../contacts/parked_contacts.h"
+#include "../contacts/slide.h"
+#include "../contacts/touching.h"
+#include "../containers/pair_table.h"
+#include "../containers/slot_pool.h"
+#include "../crew/crew.h"
+#include "../flight/bullet_work.h"
+#include "../flight/clash.h"
+#include "../flight/flight.h"
+#include "../islands/balance.h"
+#include "../islands/effort_budget.h"
+#include "../islands/effort_trial.h"
+#include "../islands/held_islands.h"
+#include "../islands/island_load.h"
+#include "../islands/joint_chains.h"
+#include "../islands/load_paths.h"
+#include "../solve/energy_account.h"
+#include "../solve/solve_desk.h"
+#include "../world.h"
+#include "body.h"
+#include "joint.h"
+#include "shape.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Whether a body may sleep, as far as its own motion tells.
+enum class Tiredness : std::uint8_t { driven, restless, tired };
+
+/// What the order of events is told by, mostly.
+struct EventPlace {
+    std::uint64_t key = 0;    ///< slots of its shapes, the lower above the other; or its fraction, as bits
+    std::uint32_t index = 0;  ///< in `WorldState::contactEvents`, where that is asked
+};
+
+/// Scratch of `sortEvents`, kept for its capacity.
+struct EventPlaces {
+    std::vector<EventPlace> ofChains;      ///< begins and ends
+    std::vector<EventPlace> atStart;       ///< of the step: all others of fraction 0
+    std::vector<EventPlace> later;         ///< by fraction
+    std::vector<EventPlace> chainTouches;  ///< touches with chains that events ask for, one per segment: keys and kinds
+    std::vector<EventPlace> spare;         ///< of `sortByKeys`
+    std::vector<std::uint8_t> isNamed;     ///< by slot of a shape: it begins or ends to touch a chain, or is one
+};
+
+/// A sensor and a shape that may pass it within the step.
+struct SensorPair {
+    std::uint32_t sensor = 0;  ///< slots
+    std::uint32_t other = 0;
+    auto operator<=>(const SensorPair&) const = default;
+};
+
+/// Box of a fast shape's way through the step.
+struct WayOfShape {
+    Aabb box{};
+    std::uint32_t shape = 0;  ///< slot
+};
+
+/// The contact of such a pair.
+struct ContactOfSensor {
+    SensorPair pair;
+    std::uint32_t contact = 0;  ///< index
+    auto operator<=>(const ContactOfSensor&) const = default;
+};
+
+/// One of the `impactPoses` of a step.
+struct ImpactOfBody {
+    std::uint32_t body = 0;   ///< slot
+    std::uint32_t place = 0;  ///< in that list
+    auto operator<=>(const ImpactOfBody&) const = default;
+};
+
+/// Where the centre of a body was at a fraction of the step.
+struct Waypoint {
+    double fraction = 0;
+    DVec2 center{};
+    double angle = 0;
+};
+
+/// What contacts look at first of their bodies, as the stage of contacts began (travel.h).
+struct alignas(kLineOfFloats) BodyGlance {
+    DVec2 center{};
+    double turned = std::numeric_limits<double>::infinity();  ///< `BodyTravel::turned`
+    Real ahead = 0;                                           ///< how far its contacts reach, metres
+    Real motion = -1;  ///< `motionBound`, metres; negative while the body is static or asleep
+    Real reach =
+        std::numeric_limits<Real>::infinity();  ///< none of its contact points is farther from the centre, metres
+    // Of a dynamic body that is awake, as the stage of contacts began:
+    bool isFast = false;  ///< `Body::fast`; of others, never
+    Vec2 velocity{};
+    Vec2 pull{};      ///< its acceleration without contacts and joints
+    Real swing = 0;   ///< no point moves faster about the centre of mass, m/s
+    Real widest = 0;  ///< `Body::widest`
+
+    /// As the stage of contacts began.
+    bool isAwake() const { return !(motion < 0); }
+};
+
+/// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted
+/// last.
+struct BodyTravel {
+    double angle = 0;
+    double turned = 0;    ///< metres, rounded up
+    Real boxMotion = -1;  ///< of which its boxes were made last: `motionBound`, or more
+    /// Its needed boxes hold it wherever it gets from there by moving and turning less than `boxRoom`, metres.
+    double boxRoom = 0;
+    DVec2 boxCenter{};
+    double boxAngle = 0;
+};
+
+/// Scratch of mode_sensors.cpp, kept for its capacity.
+struct SensorSweeps {
+    std::vector<SensorPair> pairs;
+    std::vector<WayOfShape> ways;
+    std::vector<ContactOfSensor> contacts;  ///< by pair; of sensors
+    std::vector<ImpactOfBody> impacts;      ///< by body, and in the order of the list
+    std::vector<Waypoint> ofSensor;
+    std::vector<Waypoint> ofOther;
+    std::vector<double> fractions;
+};
+
+/// Who runs the loops of a world. A copy has a crew of its own, and works for the same user.
+struct Workers {
+    SerialTaskSystem serialTasks;
+    TaskSystem* userTasks = &serialTasks;  ///< what the user gave; stages use `loops`
+    Crew crew;
+    TaskSystem* loops = &serialTasks;  ///< where the parallel loops of the present step run
+
+    Workers() = default;
+    Workers(const Workers& other) { *this = other; }
+    Workers& operator=(const Workers& other) {
+        userTasks = other.userTasks == &other.serialTasks ? &serialTasks : other.userTasks;
+        return *this;
+    }
+    ~Workers() = default;
+};
+
+/// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`. Nothing
+/// in it refers to a place in it from one step to the next, so that a copy goes on like the original.
+struct WorldState : Workers {
+    WorldSettings settings;
+    SlotPool<Body, BodyId> bodies;
+    std::vector<BodyMotion> motions;    ///< by body slot
+    std::vector<BodySlot> solverSlots;  ///< by body slot: in its present solve, of what that moves or may meet
+    SlotPool<Shape, ShapeId> shapes;
+    SlotPool<Joint, JointId> joints;
+    std::vector<JointTie> jointTies;          ///< by joint slot
+    std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
+    std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
+    std::vector<std::uint32_t> departures;    ///< by body slot: so many of its places in `awake`, the first, are gaps
+    std::size_t awakeGaps = 0;                ///< between steps: of what calls destroyed or put to sleep
+    std::vector<std::uint32_t> stepped;       ///< those of the last step, before it put any to sleep
+    std::vector<std::uint8_t> chainSegments;  ///< by shape slot: `Shape::isChainSegment`, while it is alive
+    std::vector<MassProperties> shapeMasses;  ///< by shape slot: of those of dynamic bodies
+    std::vector<MassProperties> massParts;    ///< scratch of `updateMass`
+    std::uint32_t sensorShapes = 0;
+    std::uint32_t bouncyShapes = 0;   ///< with restitution: without any, nothing bounces
+    std::uint32_t rollingShapes = 0;  ///< with rolling resistance
+    SensorSweeps sensorSweeps;
+    std::uint32_t kinematicBodies = 0;
+    std::uint32_t fixedBodies = 0;  ///< never awake: static, or disabled
+    std::uint32_t bulletBodies = 0;
+    std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
+    std::vector<std::uint32_t>
+        unmeasured;  ///< slots of bodies that lost shapes, and are not dynamic: to be measured in the next step
+    std::optional<Real> thinnestWall;  ///< metres, for mode `speedLimit`; empty: to be found anew
+    std::uint32_t masslessBodies = 0;  ///< dynamic bodies without mass: the step is refused while there are any
+
+    OwnedBroadphase broadphase = makeBroadphase(BroadphaseKind::automatic);
+    std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
+    std::vector<ProxyPair> newPairs;
+    std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
+    std::vector<ContactPair> metPairs;  ///< of these, what met where nothing moves
+
+    RawVector<Contact> contacts;             ///< in the order in which they began, with gaps where some ended
+    std::vector<ContactProbe> probes;        ///< one for each contact that is not parked, by which it is reached
+    std::vector<ContactProbe*> probesThere;  ///< scratch of `closeGaps`: by place of a contact
+    ParkedContacts parked;
+    PairsOfShapes pairsOfShapes;
+    std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
+    std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
+    std::vector<ContactPair> promoted;              ///< scratch: candidates that become contacts
+    ContactLists lists;                             ///< of this step
+    std::vector<BodyGlance> glances;                ///< by body slot
+    std::vector<BodyTravel> travels;                ///< by body slot
+    std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
+    std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
+    std::vector<std::uint32_t> nextGroundContact;   ///< by contact
+    std::vector<Slide> slides;                      ///< by contact, of this step, until ghosts are dropped
+    PairTable pairs;                                ///< of shape slots that have a contact
+    std::vector<ContactPair> droppedPairs;          ///< scratch: of these, some to be dropped together
+    RawVector<TouchingPair> touching;               ///< in order of the probes; of this step, until the solve
+    HemmedPairs hemmed;                             ///< likewise
+    std::vector<ChainPasser> chainPassers;          ///< of this step, in order
+    std::vector<std::uint64_t> chainContacts;       ///< scratch of `letThrough`
+    std::vector<BodyTraits> traits;                 ///< by body slot, of this step
+    RawVector<std::uint32_t>
+        tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
+
+    RawVector<std::uint32_t> tiedRoots;     ///< by place in `tied`: the root of its island
+    std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
+    RawVector<std::uint8_t> answers;        ///< scratch of `forEachMeant`
+    FastIslands fastIslands;
+    SolveDesk mainDesk;  ///< of what no island advances: what it keeps is mostly that of the step before
+    std::deque<SolveDesk> desks = std::deque<SolveDesk>(1);  ///< of islands, one per worker
+    IslandFinder islands;
+    std::vector<EnergyAccount> energyAccounts;     ///< by root: of the last solve that it was part of
+    CopiedAtomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
+    std::vector<Effort> efforts;                   ///< classes of the present step
+    std::vector<IslandLoad> islandLoads;           ///< by root, of this step
+    std::vector<BodyLoad> bodyLoads;               ///< by place in `tied`, likewise, of whom `blockLoads` leaves out
+    std::vector<BlockLoad> blockLoads;             ///< likewise
+    std::vector<IslandContacts> islandContacts;    ///< of this step
+    std::vector<Effort> tiedEfforts;               ///< by place in `tied`: as they were given to the bodies
+    JointChains jointChains;
+    std::vector<std::uint8_t> islandHangs;  ///< by root: nothing in it moves (settled.cpp)
+    std::vector<Pull> islandPulls;          ///< by slot: what is left of pulls and impulses of a step
+    std::vector<IslandRest> islandRests;    ///< by root, of this step: of what is awake
+    LoadPaths loadPaths;
+    HeldIslands held;
+    std::vector<IslandErrors> islandErrors;    ///< by root, of this step; only with a budget
+    EffortTrial trial;                         ///< likewise
+    std::vector<Tiredness> tiredness;          ///< by place in `awake`: when it was asked whether to sleep
+    std::vector<std::uint8_t> islandRestless;  ///< by root: some member may not sleep yet
+    std::vector<std::uint32_t> islandRing;     ///< by root: last member of the sleeping ring
+    RawVector<std::uint32_t> flyers;
+    std::uint32_t bullets = 0;  ///< awake ones
+    std::vector<DrivenJoint> drivenJoints;
+    bool watched = false;   ///< this step: some body has such a mode (modes.h)
+    bool anyFast = false;   ///< this step: some awake body is, or is a flyer or a bullet
+    bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
+    BulletWork bulletWork;
+    std::vector<FlightScratch> flightScratch;  ///< one per worker
+    std::vector<ClashScratch> clashScratch;    ///< likewise
+
+    std::vector<ContactEvent> contactEvents;  ///< of the last step
+    std::vector<ContactEvent> eventsToCome;   ///< what ended by calls since: the next step begins with them
+    std::size_t eventsBetween = 0;            ///< of `contactEvents`, at the front: such ones
+    EventPlaces eventPlaces;
+    std::vector<ContactEvent> sortedEvents;  ///< scratch of `sortEvents`
+    std::vector<JointBreakEvent> jointBreaks;
+    std::vector<BodyId> bodiesPutBack;
+    std::vector<LostTimeEntry> lostTime;
+    std::vector<ImpactPose> impactPoses;
+    StepCounters counters;
+    StageTimes stageTimes;
+    bool forcesGiven = false;   ///< since the last step: some body has a force or a torque for the next one
+    double lastDt = 0;          ///< of the last step, s; predicts how far boxes must reach
+    double closingTime = 0;     ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
+    double closingStretch = 1;  ///< so many times that, after steps of fewer sub-steps
+    std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
+};
+
+// --- contacts (stage_pairs.cpp, stage_collide.cpp, stage_notice.cpp)
+
+/// A contact of two shapes, still without manifold; which of them is A is decided here.
+Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
+/// Friction and restitution of a contact, by its shapes.
+void mixSurfaces(const WorldState& world, Contact& contact);
+/// The same with the speed of belts, which contacts do not keep.
+MixedSurface surfaceOf(const WorldState& world, const Contact& contact);
+/// Moves contacts together when there are many gaps between them. Before anything refers to their places.
+void closeGaps(WorldState& world);
+/// Removes the contacts whose boxes came apart (`ContactState`).
+void removeApartContacts(WorldState& world);
+/// So that the broadphase may find the pair anew.
+void dropPair(WorldState& world, const ContactPair& pair);
+void dropPairs(WorldState& world, std::span<const ContactPair> pairs);
+/// Candidates that came near become contacts.
+void promoteCandidates(WorldState& world);
+/// Closes the gaps that these left, and those whose boxes came apart, which are gone: not yet before, since others may
+/// look at contacts meanwhile.
+void closeCandidates(WorldState& world);
+/// Those that are meant become contacts, without points until the next step looks at them.
+void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant);
+
+// --- bookkeeping shared by the stages (world_bookkeeping.cpp, world_boxes.cpp)
+
+/// Whether two shapes may collide at all: bodies, filters, joints.
+bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
+/// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake, static and disabled
+/// bodies.
+void wake(WorldState& world, std::uint32_t body);
+/// Wakes all that fell asleep; what was made asleep, and nothing woke yet, sleeps on.
+void wakeAll(WorldState& world);
+/// Whether a body wakes what it touches: it is awake and can push. A kinematic body at rest lets others sleep on it.
+bool disturbs(const WorldState& world, std::uint32_t body);
+/// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
+double restTimeOf(const WorldState& world, const Body& body);
+/// Between steps: a body is no longer among the awake ones. Its place stays as a gap, so that each of many that go
+/// costs no look at all.
+void leaveAwake(WorldState& world, std::uint32_t body);
+/// Closes these gaps, as a step begins; what stays moves up in its order.
+void closeUpAwake(WorldState& world);
+/// For all that sleeps, and one more body: then to wake any of it asks for no memory.
+void makeRoomToWake(WorldState& world);
+/// Contacts of a body that is put elsewhere, or leaves, say nothing any more; what rested on it, or is joined, wakes.
+void dropContacts(WorldState& world, std::uint32_t body);
+/// Leaves the ring of bodies it sleeps with by waking them all.
+void removeFromAwake(WorldState& world, std::uint32_t body);
+/// Counts a body among those of its kind. @param sign  1, or −1 when it is one of them no longer
+void countBody(WorldState& world, const Body& body, std::int32_t sign);
+/// All that is awake counts its rest from now on: nothing counts while sleep is off.
+void restAnew(WorldState& world);
+/// Whether one of its bodies is disabled: then it is off.
+bool tiesDisabled(const WorldState& world, const Joint& joint);
+/// Wakes everything that a joint holds to the body.
+void wakeJoined(WorldState& world, std::uint32_t body);
+/// Notes the masses of shapes that came to a dynamic body, or have another density.
+void weigh(WorldState& world, std::span<const std::uint32_t> shapes);
+/// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.
+void updateMass(WorldState& world, std::uint32_t body);
+/// Counts a shape among those of which there may be none. @param sign  1, or −1 when it goes
+void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign);
+/// Shapes of bodies that are enabled have one. It refuses what the broadphase does.
+Status addProxy(WorldState& world, std::uint32_t shape);
+/// No effect on those that have none. @pre it has no contacts
+void removeProxy(WorldState& world, std::uint32_t shape);
+/// Frees the slot of a shape, and its proxy. @pre it has no contacts, and its body lists it no longer, or goes as well
+void removeShapeSlot(WorldState& world, std::uint32_t shape);
+/// Shapes that may meet other ones than before (their body's type, sensors, filters) have new proxies, whose pairs are
+/// all found anew. @pre they have no contacts
+void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes);
+/// Recomputes the pose of the body frame from centre and angle.
+void updatePose(WorldState& world, std::uint32_t body);
+/// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
+Aabb neededBox(const WorldState& world, const Shape& shape);
+Aabb fatBox(const WorldState& world, const Shape& shape);
+/// Hands boxes that are too small for where the shapes may be next to the broadphase.
+void updateProxies(WorldState& world, std::uint32_t body);
+/// The same after shapes of a dynamic body came or went: without a look at the others as long as theirs stay the same.
+/// @param first   of those that came, in the list of the body
+/// @param before  as it was before
+void updateProxiesFrom(WorldState& world, std::uint32_t body, std::size_t first, const BodyTravel& before);
+/// The same for different bodies at the same time, between `Broadphase::beginMoves` and `endMoves`.
+void renewBoxes(WorldState& world, std::uint32_t body);
+/// Also boxes that still fit, and all their pairs are found anew (teleports).
+void renewProxies(WorldState& world, std::uint32_t body);
+/// After its velocity changed between steps, or the step became longer: boxes reach as far as the coming step asks.
+void reachWithVelocity(WorldState& world, std::uint32_t body);
+/// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
+/// @param leaving  slot of a body that is about to be destroyed: nothing will meet it
+void removeJoint(WorldState& world, JointId id, std::uint32_t leaving = kNoIndex);
+/// Of the two that a joint may keep apart the one by whose shapes their pairs are found sooner.
+std::uint32_t bodyOfFewerShapes(const WorldState& world, const Joint& joint);
+/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its
+/// extent (all of it in mode `speculative`).
+Real contactReach(const WorldState& world, const Shape& shape);
+/// Approach speed up to which a body does not bounce, m/s: what gravity, or all that pulls the body, gives it in a
+/// step.
+Real bounceThreshold(const WorldState& world, const Body& body, Real dt);
+
+// --- asked for every body, several times a step: inline
+
+/// Acceleration of a dynamic body: gravity and force, m/s²; angular, rad/s².
+inline Vec2 accelerationOf(const WorldState& world, const Body& body) {
+    return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
+}
+inline Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
+inline std::size_t awakeCount(const WorldState& world) { return world.awake.size() - world.awakeGaps; }
+/// Whether something that could move sleeps. (No joint holds what is held.)
+inline bool anyAsleep(const WorldState& world) {
+    return awakeCount(world) + world.held.bodies + world.fixedBodies < world.bodies.size();
+}
+/// Whether all that could move is awake, and not held either: then hardly anybody need be asked.
+inline bool areAllUp(const WorldState& world) { return awakeCount(world) + world.fixedBodies == world.bodies.size(); }
+/// Length of the longest path that a point of the body can take within dt, metres.
+inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    Real speed = length(motion.velocity);
+    Real spin = std::fabs(motion.angularVelocity);
+    if (body.isDynamic()) {
+        speed += dt * length(accelerationOf(world, body));
+        spin += dt * std::fabs(angularAccelerationOf(body));
+    }
+    return dt * (speed + spin * body.radius);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

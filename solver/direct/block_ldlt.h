@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "../wide/wide_columns.h"
+#include "block33.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Two nodes that are coupled.
+struct BlockEdge {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+};
+
+/// Direct solver of a sparse, symmetric, positive definite system of 3×3 blocks, one row of blocks per node: A = L·D·Lᵀ
+/// with unit blocks on the diagonal of L (George & Liu, "Computer Solution of Large Sparse Positive Definite Systems",
+/// 1981). Nodes are eliminated by minimum degree, the lower index first: trees and chains are factorised without any
+/// fill, in time proportional to the number of nodes. The order depends on the edges alone.
+class BlockLdlt {
+public:
+    /// Order and places of all blocks. Costs nothing when nodes and edges are those of the last call.
+    /// @param mostBlocks  the factor may have no more blocks below the diagonal
+    /// @return false when it would; the matrix is then not to be used
+    bool analyse(std::uint32_t nodes, std::span<const BlockEdge> edges, std::size_t mostBlocks);
+
+    /// All blocks zero.
+    void clear();
+    Block33& diagonal(std::uint32_t node) { return diagonal_[position_[node]]; }
+    /// The block of two coupled nodes, and whether its row is that of the second.
+    struct OffDiagonal {
+        Block33& block;
+        bool rowIsB;
+    };
+    OffDiagonal offDiagonal(std::uint32_t a, std::uint32_t b);
+
+    /// @pre all blocks are filled in. Overwrites them.
+    void factorise();
+    /// Solves in place, by node. @pre factorised
+    void solve(std::span<Block3> values) const;
+
+    std::size_t blockCount() const { return rows_.size(); }
+
+private:
+    bool order(std::uint32_t nodes, std::size_t mostBlocks);
+    void eliminate(std::uint32_t node);
+    void place();
+    std::uint32_t blockAt(std::uint32_t row, std::uint32_t column) const;
+
+    std::vector<BlockEdge> edges_;  ///< of the last analysis
+    bool fits_ = false;
+    std::vector<std::vector<std::uint32_t>> neighbours_;  ///< by node, those not yet eliminated; scratch
+    std::vector<std::uint32_t> merged_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> heap_;  ///< degree, node
+    std::vector<std::uint32_t> position_;                        ///< in the order of elimination, by node
+    std::vector<std::uint32_t> begins_;                          ///< by column: its blocks in `rows_`
+    std::vector<std::uint32_t> rows_;                            ///< positions, ascending within a column
+    std::vector<std::uint32_t> targets_;  ///< block that each pair of blocks of a column is subtracted from, in order
+    std::vector<Block33> diagonal_;       ///< by position; factorised: L·D·Lᵀ of the block itself
+    std::vector<Block33> blocks_;
+    std::vector<SpreadBlock> spread_;      ///< scratch: blocks of one column before they were divided by D
+    mutable std::vector<Block3> scratch_;  ///< right-hand side in the order of elimination
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../joints/joint_rows.h"
+#include "../solver_batch.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// One scalar row that the direct solver brings to a speed of −bias, and where its accumulated impulse is kept.
+struct DirectRow {
+    JointRow row;
+    BodySlot slotA = kFixedSlot;
+    BodySlot slotB = kFixedSlot;
+    Real bias = 0;            ///< m/s or rad/s
+    Real* impulse = nullptr;  ///< accumulated, N·s or N·m·s
+};
+
+/// How a body moves.
+struct Motion {
+    Vec2 velocity{};  ///< m/s
+    Real spin = 0;    ///< rad/s
+};
+
+/// Rows that joints hold rigidly, kind by kind: points, angles, rods. Springs, motors and limits are not among them,
+/// nor gears, pulleys and motor joints: those are left to iteration.
+/// @param motions  by slot, by which it is told how anchors bend away within the sub-step; empty: those of the states
+/// @param closing  s, at least h: within which errors are closed
+/// @param useBias  towards zero errors at the end of the sub-step; false: rest
+/// @pre the batch keeps its arrays while the rows are in use
+void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, Real closing, bool useBias,
+                  std::vector<DirectRow>& rows);
+
+/// Calls `visit` with the array of each kind of joint that may have such rows.
+template <class Batch, class Visit>
+void forEachHeldKind(Batch& batch, Visit&& visit) {
+    visit(batch.revolutes);
+    visit(batch.distances);
+    visit(batch.prismatics);
+    visit(batch.wheels);
+    visit(batch.welds);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,353 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "../../shapes/trig.h"
+#include "../direct/direct_parts.h"
+#include "joint_island.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Gaps of this part of the arms, and momenta of this part of those that come and go, are none.
+constexpr double kGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 42);
+constexpr double kMomentumRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 44);
+/// What may be left where rounds take no more away: rounding, momenta where energy is lost anyway, and more where the
+/// next thing to do would be worse.
+struct Left {
+    double gaps;
+    double momenta;
+};
+constexpr double kRounded = 1.0 / static_cast<double>(std::uint64_t{1} << 32);
+constexpr Left kLeftByMiddle{kRounded, kRounded};
+constexpr Left kLeftByEnd{kRounded, 1.0 / (1 << 20)};
+constexpr Left kLeftAtLast{1.0 / (1 << 17), std::numeric_limits<double>::max()};
+/// Of a momentum, to which others are held no better than by rounding.
+constexpr double kRoundedPart = 1.0 / 1024;
+/// Rounds of Newton's method: four to six do where nothing turns by more than half a radian.
+constexpr int kMostRounds = 24;
+constexpr int kFewestRounds = 10;
+constexpr int kHoldRounds = 2;
+/// Gaps that were opened are closed by this part of them in a step, or its square, or its cube.
+constexpr double kFewestStepsOfClosing = 4;
+constexpr double kMostStepsOfClosing = 64;
+
+DVec2 turned(double c, double s, DVec2 v) { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
+DVec2 leftOf(DVec2 v) { return {-v.y, v.x}; }
+/// An arm such that it, turned by a right angle, times the turn, is by how much its end moves.
+DVec2 middleArm(const IslandBody& body, DVec2 arm) {
+    return body.middle.chord * turned(body.middle.c, body.middle.s, arm);
+}
+
+struct Ends {
+    DVec2 before;
+    DVec2 after;
+};
+/// From A's anchor to B's.
+Ends offsetsOf(const IslandHold& hold, const IslandBody& a, const IslandBody& b) {
+    const auto at = [&hold](const IslandBody::Place& ofA, const IslandBody::Place& ofB) {
+        return hold.offset + (ofB.position - ofA.position) + turned(ofB.c, ofB.s, hold.anchorB) -
+               turned(ofA.c, ofA.s, hold.anchorA);
+    };
+    return {at(a.place, b.place), at(a.next, b.next)};
+}
+
+void setRow(IslandHold::Row& row, DVec2 direction, double spinA, double spinB) {
+    row.ofA = {-direction.x, -direction.y, -spinA};
+    row.ofB = {direction.x, direction.y, spinB};
+}
+void setEnd(IslandHold::Row& row, DVec2 direction, double spinA, double spinB) {
+    row.endA = {-direction.x, -direction.y, -spinA};
+    row.endB = {direction.x, direction.y, spinB};
+}
+DVec2 endArm(const IslandBody& body, DVec2 arm) { return turned(body.next.c, body.next.s, arm); }
+
+double gapOf(const IslandHold& hold, const IslandBody& a, const IslandBody& b, DVec2 after, std::size_t row) {
+    switch (hold.kind) {
+        case IslandHold::Kind::point:
+            return row == 0 ? after.x : after.y;
+        case IslandHold::Kind::rod:
+            return length(after) - hold.rest;
+        case IslandHold::Kind::side:
+            return dot(leftOf(turned(a.next.c, a.next.s, hold.axis)), after);
+        case IslandHold::Kind::angle:
+            return hold.rest + (b.next.angle - a.next.angle);
+    }
+    return 0;
+}
+
+double speedOf(const Block3& row, const IslandBody& body) {
+    return row[0] * body.velocity.x + row[1] * body.velocity.y + row[2] * body.spin;
+}
+
+/// The larger one; what is no number is as bad as can be.
+double worse(double a, double b) {
+    if (b <= a) { return a; }
+    return std::isnan(b) ? std::numeric_limits<double>::infinity() : b;
+}
+
+}  // namespace
+
+void JointIsland::findTreePlaces(double time) {
+    for (IslandBody& body : bodies_) {
+        const double half = 0.5 * time * body.spin;
+        const SinCos turn = sinCos(half);
+        const auto further = [&turn](double c, double s) {
+            return DVec2{c * turn.cos - s * turn.sin, s * turn.cos + c * turn.sin};
+        };
+        const DVec2 middle = further(body.place.c, body.place.s);
+        const DVec2 next = further(middle.x, middle.y);
+        body.middle.c = middle.x;
+        body.middle.s = middle.y;
+        body.middle.chord = half != 0 ? turn.sin / half : 1;
+        body.next = {body.place.position + time * body.velocity, body.place.angle + 2 * half, next.x, next.y};
+    }
+}
+
+/// Rows whose speeds, times the time, are exactly by how much the gaps change from here to the next places; and how
+/// their forces turn with the bodies.
+void JointIsland::placeTreeRows(double time, ForceAt at) {
+    const bool isMiddle = at == ForceAt::middle;
+    const double turning = isMiddle ? 0.5 * time : time;
+    for (IslandBody& body : bodies_) { body.middle.stiffness = 0; }
+    for (IslandHold& hold : holds_) {
+        IslandBody& a = bodies_[hold.a];
+        IslandBody& b = bodies_[hold.b];
+        const DVec2 endA = endArm(a, hold.anchorA);
+        const DVec2 endB = endArm(b, hold.anchorB);
+        const DVec2 armA = isMiddle ? middleArm(a, hold.anchorA) : endA;
+        const DVec2 armB = isMiddle ? middleArm(b, hold.anchorB) : endB;
+        hold.tightness = 0;
+        switch (hold.kind) {
+            case IslandHold::Kind::point: {
+                setRow(hold.rows[0], {1, 0}, cross(armA, {1, 0}), cross(armB, {1, 0}));
+                setRow(hold.rows[1], {0, 1}, cross(armA, {0, 1}), cross(armB, {0, 1}));
+                setEnd(hold.rows[0], {1, 0}, cross(endA, {1, 0}), cross(endB, {1, 0}));
+                setEnd(hold.rows[1], {0, 1}, cross(endA, {0, 1}), cross(endB, {0, 1}));
+                const DVec2 impulse{hold.rows[0].impulse, hold.rows[1].impulse};
+                a.middle.stiffness -= turning * dot(armA, impulse);
+                b.middle.stiffness += turning * dot(armB, impulse);
+                break;
+            }
+            case IslandHold::Kind::rod: {
+                const Ends ends = offsetsOf(hold, a, b);
+                const double far = length(ends.after);
+                const double apart = isMiddle ? length(ends.before) + far : far;
+                if (apart > 0) { hold.axis = (1 / apart) * (isMiddle ? ends.before + ends.after : ends.after); }
+                const DVec2 aside = leftOf(hold.axis);
+                const double impulse = hold.rows[0].impulse;
+                setRow(hold.rows[0], hold.axis, cross(armA, hold.axis), cross(armB, hold.axis));
+                setRow(hold.rows[1], aside, cross(armA, aside), cross(armB, aside));
+                hold.rows[1].endA = hold.rows[1].ofA;
+                hold.rows[1].endB = hold.rows[1].ofB;
+                const DVec2 end = far > 0 ? (1 / far) * ends.after : hold.axis;
+                setEnd(hold.rows[0], end, cross(endA, end), cross(endB, end));
+                if (apart > 0) { hold.tightness = std::max(-impulse * time / apart, 0.0); }
+                a.middle.stiffness -= turning * impulse * dot(armA, hold.axis);
+                b.middle.stiffness += turning * impulse * dot(armB, hold.axis);
+                break;
+            }
+            case IslandHold::Kind::side: {
+                const Ends ends = offsetsOf(hold, a, b);
+                const DVec2 across =
+                    0.5 * leftOf(turned(a.place.c, a.place.s, hold.axis) + turned(a.next.c, a.next.s, hold.axis));
+                const DVec2 swinging = leftOf(middleArm(a, hold.axis));
+                const double spinA = cross(armA, across) + cross(0.5 * (ends.before + ends.after), swinging);
+                setRow(hold.rows[0], across, spinA, cross(armB, across));
+                const DVec2 end = leftOf(endArm(a, hold.axis));
+                setEnd(hold.rows[0], end, cross(endA + ends.after, end), cross(endB, end));
+                if (!isMiddle) {
+                    hold.rows[0].ofA = hold.rows[0].endA;
+                    hold.rows[0].ofB = hold.rows[0].endB;
+                }
+                break;
+            }
+            case IslandHold::Kind::angle:
+                setRow(hold.rows[0], {}, 1, 1);
+                setEnd(hold.rows[0], {}, 1, 1);
+                break;
+        }
+    }
+}
+
+/// Gaps that the next places have, less those that are closed later, as speeds.
+double JointIsland::findTreeGaps(double time) {
+    double worst = 0;
+    const double left = openPart();
+    for (IslandHold& hold : holds_) {
+        const IslandBody& a = bodies_[hold.a];
+        const IslandBody& b = bodies_[hold.b];
+        const DVec2 after = offsetsOf(hold, a, b).after;
+        const bool isAngle = hold.kind == IslandHold::Kind::angle;
+        const double scale =
+            isAngle ? std::fabs(a.next.angle) + std::fabs(b.next.angle) : norm(a.next.position) + norm(b.next.position);
+        for (std::size_t i = 0; i < hold.count; ++i) {
+            const double gap = gapOf(hold, a, b, after, i) - left * hold.rows[i].open;
+            hold.rows[i].excess = gap / time;
+            if (gap != 0) { worst = worse(worst, std::fabs(gap) / (hold.size + scale)); }
+        }
+    }
+    return worst;
+}
+
+/// What the impulses lack of the change of the momenta, into `change_`.
+double JointIsland::findMomenta() {
+    for (IslandBody& body : bodies_) {
+        body.given = body.turned = 0;
+        if (body.column == kNoNode) { continue; }
+        const double mass = body.inverseMass > 0 ? 1 / body.inverseMass : 0;
+        const double inertia = body.inverseInertia > 0 ? 1 / body.inverseInertia : 0;
+        const DVec2 lack = mass * (body.middle.velocity - body.velocity);
+        change_[body.column] = {lack.x, lack.y, inertia * (body.middle.spin - body.spin)};
+    }
+    const auto add = [this](IslandBody& body, const Block3& row, double impulse, bool isAngle) {
+        if (body.column == kNoNode) { return; }
+        Block3& change = change_[body.column];
+        if (body.inverseMass > 0) {
+            change[0] += row[0] * impulse;
+            change[1] += row[1] * impulse;
+            body.given += isAngle ? 0 : body.inverseMass * std::fabs(impulse);
+        }
+        if (body.inverseInertia > 0) {
+            change[2] += row[2] * impulse;
+            body.turned += body.inverseInertia * std::fabs(row[2] * impulse);
+        }
+    };
+    for (const IslandHold& hold : holds_) {
+        const bool isAngle = hold.kind == IslandHold::Kind::angle;
+        for (std::size_t i = 0; i < hold.count; ++i) {
+            add(bodies_[hold.a], hold.rows[i].ofA, hold.rows[i].impulse, isAngle);
+            add(bodies_[hold.b], hold.rows[i].ofB, hold.rows[i].impulse, isAngle);
+        }
+    }
+    // What the rounding of a heavy body's speed pushes light ones with.
+    double most = 0;
+    for (const IslandBody& body : bodies_) {
+        if (body.inverseMass > 0) { most = std::max(most, norm(body.velocity) / body.inverseMass); }
+    }
+    most *= kRoundedPart;
+    double worst = 0;
+    for (const IslandBody& body : bodies_) {
+        if (body.column == kNoNode) { continue; }
+        const Block3& change = change_[body.column];
+        const double linear = body.inverseMass * norm({change[0], change[1]});
+        const double angular = body.inverseInertia * std::fabs(change[2]);
+        const double rounded = body.inverseMass * most;
+        if (linear > 0) { worst = worse(worst, linear / (norm(body.velocity) + body.given + rounded)); }
+        if (angular > 0) {
+            const double size = std::sqrt(body.inverseMass * body.inverseInertia);
+            worst = worse(worst, angular / (std::fabs(body.spin) + body.turned + size * most));
+        }
+    }
+    return worst;
+}
+
+/// Takes over the next places, and the speeds of the end: by the middle, twice those of it, less those of the start.
+void JointIsland::leaveSubStep(double time, ForceAt at) {
+    const bool isMiddle = at == ForceAt::middle;
+    for (IslandBody& body : bodies_) {
+        body.place = body.next;
+        if (body.column == kNoNode || !isMiddle) { continue; }
+        body.velocity += body.velocity - body.middle.velocity;
+        body.spin += body.spin - body.middle.spin;
+    }
+    for (IslandHold& hold : holds_) {
+        for (std::size_t i = 0; i < hold.count; ++i) {
+            IslandHold::Row& row = hold.rows[i];
+            if (isMiddle) { row.impulse *= 2; }  // those up to the middle are half of them
+            row.force = row.impulse / time;
+        }
+    }
+    endStage();
+}
+
+/// @param part  of the sub-step h that drives were made for; may be negative where forces act in the middle
+/// @param isLast  whether nothing is left to be tried
+bool JointIsland::subStepOfTree(double part, double h, ForceAt at, bool isLast) {
+    ++subSteps_;
+    const double time = part * h;
+    elapsed_ += time;
+    drive(part);
+    for (IslandBody& body : bodies_) {
+        body.middle.velocity = body.velocity;
+        body.middle.spin = body.spin;
+    }
+    const double share = at == ForceAt::middle ? 0.5 : 1;
+    for (IslandHold& hold : holds_) {
+        for (std::size_t i = 0; i < hold.count; ++i) { hold.rows[i].impulse = share * time * hold.rows[i].force; }
+    }
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0;; ++round) {
+        findTreePlaces(time);
+        placeTreeRows(time, at);
+        // Momenta may be as much as their rounding more.
+        const double gaps = findTreeGaps(time);
+        const double momenta = findMomenta();
+        const double worst = std::max(gaps, kGapRatio / kMomentumRatio * momenta);
+        if (worst <= kGapRatio) { break; }
+        if (round >= kMostRounds || (round >= kFewestRounds && !(worst <= 0.5 * before))) {
+            const Left& left = isLast ? kLeftAtLast : at == ForceAt::middle ? kLeftByMiddle : kLeftByEnd;
+            if (!(gaps <= left.gaps && momenta <= left.momenta)) { return false; }
+            break;
+        }
+        before = worst;
+        factoriseTree();
+        solveTree(time);
+    }
+    leaveSubStep(time, at);
+    drive(part);
+    return true;
+}
+
+/// Takes away the speeds that sub-steps leave against the joints: rounding between steps, mostly.
+void JointIsland::holdTree() {
+    for (IslandHold& hold : holds_) {
+        for (IslandHold::Row& row : hold.rows) { row.impulse = 0; }
+    }
+    findTreePlaces(0);
+    placeTreeRows(0, ForceAt::end);
+    factoriseTree();
+    for (int round = 0; round < kHoldRounds; ++round) {
+        for (IslandHold& hold : holds_) {
+            for (std::size_t i = 0; i < hold.count; ++i) {
+                IslandHold::Row& row = hold.rows[i];
+                row.excess = speedOf(row.endA, bodies_[hold.a]) + speedOf(row.endB, bodies_[hold.b]);
+            }
+        }
+        std::fill(change_.begin(), change_.end(), Block3{});
+        solveTree(0);
+    }
+    endStage();
+}
+
+/// Bodies that were put apart come together in some tens of steps: they are moved by a part of the gaps, as little as
+/// can be for their masses, and keep their speeds but for what the joints do not allow. Speeds that close gaps do not
+/// end with them, as bodies turn meanwhile.
+void JointIsland::closeGaps() {
+    keepsOpen_ = false;
+    saved_ = holds_;
+    start_ = bodies_;
+    const double time = 1;
+    for (double steps = kFewestStepsOfClosing; steps <= kMostStepsOfClosing; steps *= kFewestStepsOfClosing) {
+        for (IslandBody& body : bodies_) {
+            body.velocity = body.gain = {};
+            body.spin = body.angularGain = 0;
+        }
+        dropForces();
+        elapsed_ = 0;
+        duration_ = steps * time;
+        const bool isDone = subStepOfTree(1, time, ForceAt::end, false);
+        holds_ = saved_;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            if (isDone) { start_[i].place = bodies_[i].place; }
+            bodies_[i] = start_[i];
+        }
+        if (isDone) {
+            holdTree();
+            return;
+        }
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

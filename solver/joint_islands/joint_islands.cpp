@@ -1,0 +1,180 @@
+#include "joint_islands.h"
+
+#include <algorithm>
+
+#include "../direct/direct_parts.h"
+#include "../direct/direct_rows.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr std::uint32_t kNoPart = ~std::uint32_t{0};
+/// Islands per part of a parallel loop.
+constexpr std::size_t kIslandGrain = 1;
+
+DVec2 toDoubles(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Vec2 toReals(DVec2 v) { return {static_cast<Real>(v.x), static_cast<Real>(v.y)}; }
+
+IslandBody bodyAt(const SolverBatch& batch, BodySlot slot) {
+    const BodyState& state = batch.states[slot];
+    const BodyInertia& inertia = batch.inertias[slot];
+    IslandBody body;
+    body.slot = slot;
+    body.inverseMass = static_cast<double>(inertia.inverseMass);
+    body.inverseInertia = static_cast<double>(inertia.inverseInertia);
+    body.velocity = toDoubles(state.velocity);
+    body.spin = static_cast<double>(state.angularVelocity);
+    const BodyDrive& drive = batch.drives[slot];
+    body.gain = toDoubles(drive.gain);
+    body.angularGain = static_cast<double>(drive.angularGain);
+    body.decay = static_cast<double>(drive.decay);
+    body.angularDecay = static_cast<double>(drive.angularDecay);
+    return body;
+}
+
+}  // namespace
+
+/// Adds what joints hold, one after another.
+class HoldWriter {
+public:
+    HoldWriter(JointIslands& islands, SolverBatch& batch, Real h) : islands_(islands), batch_(batch), h_(h) {}
+
+    void operator()(RevoluteConstraint& joint) { addPoint(joint, joint.linearImpulse); }
+    void operator()(DistanceConstraint& joint) {
+        IslandHold& hold = add(joint, IslandHold::Kind::rod, joint.rigidImpulse);
+        hold.axis = toDoubles(joint.axis);
+        hold.rest = static_cast<double>(joint.length);
+    }
+    void operator()(PrismaticConstraint& joint) {
+        addSide(joint, joint.heldImpulse.x);
+        addAngle(joint, joint.heldImpulse.y);
+    }
+    void operator()(WheelConstraint& joint) { addSide(joint, joint.heldImpulse.x); }
+    void operator()(WeldConstraint& joint) {
+        addPoint(joint, joint.linearImpulse);
+        addAngle(joint, joint.angularImpulse);
+    }
+
+private:
+    IslandHold& add(JointConstraint& joint, IslandHold::Kind kind, Real& impulse) {
+        const bool movesA = isMovable(batch_.inertias[joint.slotA]);
+        const std::uint32_t number = islands_.partOf_[movesA ? joint.slotA : joint.slotB];
+        JointIsland& island = islands_.parts_[number];
+        IslandHold hold;
+        hold.kind = kind;
+        hold.a = islands_.bodyOf(batch_, number, joint.slotA);
+        hold.b = islands_.bodyOf(batch_, number, joint.slotB);
+        hold.anchorA = toDoubles(joint.anchorA);
+        hold.anchorB = toDoubles(joint.anchorB);
+        hold.offset = toDoubles(joint.centerOffset);
+        hold.rate = static_cast<double>(joint.softness.biasRate);
+        hold.rows[0].force = static_cast<double>(impulse) / static_cast<double>(h_);
+        const auto place = static_cast<std::uint32_t>(island.holds().size());
+        islands_.sources_.push_back({number, place, {&impulse, nullptr}, &joint.total});
+        joint.total = {};
+        if (joint.woundSpeed > 0) { island.allowWork(static_cast<double>(joint.woundSpeed)); }
+        island.holds().push_back(hold);
+        return island.holds().back();
+    }
+    void addPoint(JointConstraint& joint, Vec2& impulse) {
+        IslandHold& hold = add(joint, IslandHold::Kind::point, impulse.x);
+        hold.count = 2;
+        hold.rows[1].force = static_cast<double>(impulse.y) / static_cast<double>(h_);
+        islands_.sources_.back().impulses[1] = &impulse.y;
+    }
+    template <class Joint>
+    void addSide(Joint& joint, Real& impulse) {
+        add(joint, IslandHold::Kind::side, impulse).axis = toDoubles(joint.axis);
+    }
+    template <class Joint>
+    void addAngle(Joint& joint, Real& impulse) {
+        add(joint, IslandHold::Kind::angle, impulse).rest = static_cast<double>(joint.baseAngle);
+    }
+
+    JointIslands& islands_;
+    SolverBatch& batch_;
+    Real h_;
+};
+
+void JointIslands::list(SolverBatch& batch) {
+    const std::size_t slots = batch.states.size();
+    finder_.reset(slots);
+    forEachHeldKind(batch, [&](const auto& joints) {
+        for (const auto& joint : joints) {
+            const bool both = isMovable(batch.inertias[joint.slotA]) && isMovable(batch.inertias[joint.slotB]);
+            if (both) { finder_.unite(joint.slotA, joint.slotB); }
+        }
+    });
+    partOf_.assign(slots, kNoPart);
+    bodyOf_.assign(slots, kNoNode);
+    count_ = 0;
+    for (BodySlot slot = 1; slot < slots; ++slot) {
+        if (!isMovable(batch.inertias[slot])) { continue; }
+        const BodySlot root = finder_.find(slot);
+        if (root == slot) {
+            if (parts_.size() == count_) { parts_.emplace_back(); }
+            parts_[count_].clear();
+            partOf_[slot] = count_++;
+        } else {
+            partOf_[slot] = partOf_[root];
+        }
+        bodyOf_[slot] = bodyOf(batch, partOf_[slot], slot);
+    }
+}
+
+/// In its part. What cannot be moved, the ground or a kinematic body, has a copy in each part that it is tied to.
+std::uint32_t JointIslands::bodyOf(const SolverBatch& batch, std::uint32_t part, BodySlot slot) {
+    if (bodyOf_[slot] != kNoNode) { return bodyOf_[slot]; }
+    std::vector<IslandBody>& bodies = parts_[part].bodies();
+    bodies.push_back(bodyAt(batch, slot));
+    return static_cast<std::uint32_t>(bodies.size() - 1);
+}
+
+void JointIslands::readBack(SolverBatch& batch, int subSteps) {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        for (const IslandBody& body : parts_[i].bodies()) {
+            if (body.column == kNoNode) { continue; }
+            BodyState& state = batch.states[body.slot];
+            state.velocity = toReals(body.velocity);
+            state.angularVelocity = static_cast<Real>(body.spin);
+            state.deltaPosition = toReals(body.place.position);
+            state.deltaAngle = static_cast<Real>(body.place.angle);
+            state.deltaRotation = rotationFromAngle(static_cast<double>(state.deltaAngle));
+        }
+    }
+    for (const Source& source : sources_) {
+        const IslandHold& hold = parts_[source.part].holds()[source.hold];
+        for (std::size_t i = 0; i < hold.count; ++i) {
+            *source.impulses[i] = static_cast<Real>(hold.rows[i].total / subSteps);
+        }
+        source.total->impulse += toReals(hold.reaction);
+        source.total->twist += static_cast<Real>(hold.twist);
+    }
+}
+
+void JointIslands::solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report) {
+    list(batch);
+    sources_.clear();
+    HoldWriter writer(*this, batch, h);
+    forEachHeldKind(batch, [&](auto& joints) {
+        for (auto& joint : joints) {
+            if (isMovable(batch.inertias[joint.slotA]) || isMovable(batch.inertias[joint.slotB])) { writer(joint); }
+        }
+    });
+    loops.run(count_, kIslandGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i) {
+            parts_[i].prepare();
+            parts_[i].advance(static_cast<double>(h), subSteps);
+        }
+    });
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        const JointIsland& island = parts_[i];
+        report.direct.factorisations += island.factorisations();
+        report.direct.givenUp += island.isSoft() ? 1 : 0;
+        report.mostSubSteps = std::max(report.mostSubSteps, island.subSteps());
+        report.bodySubSteps += island.movedBodies() * static_cast<std::uint64_t>(island.subSteps());
+    }
+    readBack(batch, subSteps);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

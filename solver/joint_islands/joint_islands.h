@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../../shapes/task_system.h"
+#include "../graph/island_finder.h"
+#include "../solve_report.h"
+#include "../solver_batch.h"
+#include "joint_island.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Takes the islands of a batch that consists of rigid joints alone through a step, each on its own: neither contacts
+/// nor neighbours have a part in it.
+class JointIslands {
+public:
+    /// @pre no contacts; all joints are rigid and without springs, limits or motors: hinges, rods, welds, sliders, and
+    /// wheels. Drives are those of half a sub-step.
+    void solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report);
+
+private:
+    void list(SolverBatch& batch);
+    void addBodies(const SolverBatch& batch);
+    void addJoints(SolverBatch& batch, Real h);
+    std::uint32_t bodyOf(const SolverBatch& batch, std::uint32_t part, BodySlot slot);
+    void readBack(SolverBatch& batch, int subSteps);
+
+    /// Where the impulses of a hold come from and go to.
+    struct Source {
+        std::uint32_t part = 0;
+        std::uint32_t hold = 0;
+        Real* impulses[2] = {nullptr, nullptr};
+        JointReaction* total = nullptr;
+    };
+    friend class HoldWriter;
+
+    IslandFinder finder_;
+    std::vector<std::uint32_t> partOf_;  ///< by slot
+    std::vector<std::uint32_t> bodyOf_;  ///< in its part, by slot; of what can be moved
+    std::vector<JointIsland> parts_;     ///< keep their capacities, and the order of their matrices
+    std::uint32_t count_ = 0;            ///< in use
+    std::vector<Source> sources_;
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,167 @@
+#include "weld_constraint.h"
+
+#include "../wide/wide_welds.h"
+#include "pin.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+#ifndef SWEPT_SIMD
+const WeldKernels* weldKernels() { return nullptr; }
+#endif
+
+namespace {
+
+Real angleOf(const WeldConstraint& joint, const JointPair& pair) {
+    return joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
+}
+
+Real speedOfSpin(const JointPair& pair) { return pair.b.angularVelocity - pair.a.angularVelocity; }
+
+void turnBy(WeldConstraint& joint, const JointPair& pair, Real twist) {
+    joint.angularImpulse += twist;
+    turn(pair, twist);
+}
+
+/// All three rows: the point as if it were rigid, then the angle while the point stays; softness comes last, of all of
+/// them as one block. (Where it took its part of the point first, the bodies turned, and the angle that answered that
+/// brought back m·L²/I times as much at a lever L: in a few passes without end.)
+void solveRigid(WeldConstraint& joint, const JointPair& pair, bool useBias) {
+    if (joint.isHeld && useBias) { return; }
+    const Pin pin = pinOf(joint, pair);
+    const Spin spin = spinOf(pin, pair, 0);
+    Vec2 speeds = speedsOf(pin, pair);
+    if (useBias) { speeds += joint.softness.biasRate * gapOf(joint, pin, pair); }
+    push(joint, pin, pair, -solve(pin.matrix, speeds));
+    Real turning = speedOfSpin(pair);
+    if (useBias) { turning += joint.softness.biasRate * angleOf(joint, pair); }
+    const Real twist = -spin.mass * turning;
+    turnBy(joint, pair, twist);
+    push(joint, pin, pair, twist * spin.answer);
+    if (!useBias) { return; }
+    push(joint, pin, pair, -joint.softness.impulseScale * joint.linearImpulse);
+    turnBy(joint, pair, -joint.softness.impulseScale * joint.angularImpulse);
+}
+
+Real springDrag(const WeldConstraint& joint, const JointPair& pair, Real mass) {
+    return joint.angularSpring.drag * (joint.angularImpulse - mass * speedOfSpin(pair));
+}
+
+Vec2 springDrag(const WeldConstraint& joint, const Pin& pin, const JointPair& pair, const PointMatrix& matrix) {
+    return joint.linearSpring.drag * (joint.linearImpulse - solve(matrix, speedsOf(pin, pair)));
+}
+
+/// The point, then, once per sub-step, the drag of the angle's spring while the point stays.
+void solveTwisted(WeldConstraint& joint, const Pin& pin, const JointPair& pair, bool useBias) {
+    const Spin spin = spinOf(pin, pair, complianceOf(joint, useBias));
+    if (!joint.isHeld || !useBias) {
+        Vec2 wanted = speedsOf(pin, pair) + product(spin.given, joint.linearImpulse);
+        if (useBias) { wanted += joint.softness.biasRate * gapOf(joint, pin, pair); }
+        push(joint, pin, pair, -solve(spin.pointMatrix, wanted));
+    }
+    if (!useBias) { return; }
+    const Real twist = springDrag(joint, pair, spin.mass);
+    turnBy(joint, pair, twist);
+    push(joint, pin, pair, twist * spin.answer);
+}
+
+/// The angle, and the points that it guides: `Spin` with the parts exchanged.
+struct StiffAngle {
+    Real given = 0;      ///< γ·S
+    Real response = 0;   ///< k + γ·S; 0 of bodies that cannot turn
+    Vec2 pull;           ///< of the angle on the points
+    PointMatrix points;  ///< response of the points with the answer of the angle
+};
+
+StiffAngle stiffAngleOf(const Pin& pin, const JointPair& pair, Real compliance) {
+    const PointMatrix firm = matrixAtAngle(pin, pair);
+    const Real turn = turnOf(pair);
+    if (!(turn > 0)) { return {0, 0, {}, firm}; }
+    const Spin spin = spinOf(pin, pair, 0);
+    const Real given = spin.mass > 0 ? compliance / spin.mass : Real(0);
+    const Vec2 pull = pullOf(pin, pair);
+    const Real more = given / (turn * (turn + given));
+    return {given,
+            turn + given,
+            pull,
+            {firm.xx + more * square(pull.x), firm.xy + more * pull.x * pull.y, firm.yy + more * square(pull.y),
+             firm.determinant * (1 + more * dot(pull, solve(firm, pull)))}};
+}
+
+/// The angle, then, once per sub-step, the drag of the point's spring while the angle stays.
+void solveHung(WeldConstraint& joint, const Pin& pin, const JointPair& pair, bool useBias) {
+    const StiffAngle angle = stiffAngleOf(pin, pair, complianceOf(joint, useBias));
+    const bool canTurn = angle.response > 0;
+    if (canTurn && (!joint.isHeld || !useBias)) {
+        const Real bias = useBias ? joint.softness.biasRate * angleOf(joint, pair) : Real(0);
+        turnBy(joint, pair, -(speedOfSpin(pair) + bias + angle.given * joint.angularImpulse) / angle.response);
+    }
+    if (!useBias) { return; }
+    const Vec2 impulse = springDrag(joint, pin, pair, angle.points);
+    push(joint, pin, pair, impulse);
+    if (canTurn) { turnBy(joint, pair, -dot(angle.pull, impulse) / angle.response); }
+}
+
+/// Two springs that do not know of each other drag once per sub-step.
+void solveSprings(WeldConstraint& joint, const Pin& pin, const JointPair& pair, bool useBias) {
+    if (!useBias) { return; }
+    if (turnOf(pair) > 0) { turnBy(joint, pair, springDrag(joint, pair, 1 / turnOf(pair))); }
+    push(joint, pin, pair, springDrag(joint, pin, pair, pin.matrix));
+}
+
+/// The pushes of the springs take the place of their old impulses; what is rigid answers to the change.
+void pushSprings(WeldConstraint& joint, const Pin& pin, const JointPair& pair) {
+    const Real turn = turnOf(pair);
+    if (joint.hasLinearSpring) {
+        // The points while the angle is held, or while it is a spring, too, as they like.
+        const PointMatrix matrix = joint.hasAngularSpring ? pin.matrix : matrixAtAngle(pin, pair);
+        const Vec2 before = joint.linearImpulse;
+        joint.linearImpulse = -joint.linearSpring.push * solve(matrix, gapOf(joint, pin, pair));
+        if (!joint.hasAngularSpring && turn > 0) {
+            joint.angularImpulse -= dot(pullOf(pin, pair), joint.linearImpulse - before) / turn;
+        }
+    }
+    if (!joint.hasAngularSpring) { return; }
+    const Real before = joint.angularImpulse;
+    const Spin spin = spinOf(pin, pair, 0);
+    const Real mass = joint.hasLinearSpring ? (turn > 0 ? 1 / turn : Real(0)) : spin.mass;
+    joint.angularImpulse = -mass * (joint.angularSpring.push * angleOf(joint, pair));
+    if (!joint.hasLinearSpring) { joint.linearImpulse += (joint.angularImpulse - before) * spin.answer; }
+}
+
+void solveOne(WeldConstraint& joint, const JointPair& pair, bool useBias) {
+    if (!joint.hasLinearSpring && !joint.hasAngularSpring) { return solveRigid(joint, pair, useBias); }
+    const Pin pin = pinOf(joint, pair);
+    if (!joint.hasLinearSpring) { return solveTwisted(joint, pin, pair, useBias); }
+    joint.hasAngularSpring ? solveSprings(joint, pin, pair, useBias) : solveHung(joint, pin, pair, useBias);
+}
+
+}  // namespace
+
+void prepare(WeldConstraint&, std::span<const BodyInertia>) {}
+
+void warmStart(std::span<WeldConstraint> joints, const SolverBodies& bodies) {
+    for (WeldConstraint& joint : joints) {
+        BodyState a = bodies.states[joint.slotA];
+        BodyState b = bodies.states[joint.slotB];
+        const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
+        const Pin pin = pinOf(joint, pair);
+        if (joint.hasLinearSpring || joint.hasAngularSpring) { pushSprings(joint, pin, pair); }
+        applyImpulse(a, pair.inertiaA, -joint.linearImpulse, pin.armA);
+        applyImpulse(b, pair.inertiaB, joint.linearImpulse, pin.armB);
+        turn(pair, joint.angularImpulse);
+        storePair(bodies, joint.slotA, a, joint.slotB, b);
+    }
+}
+
+void solve(std::span<WeldConstraint> joints, const SolverBodies& bodies, Real, bool useBias) {
+    for (WeldConstraint& joint : joints) {
+        BodyState a = bodies.states[joint.slotA];
+        BodyState b = bodies.states[joint.slotB];
+        solveOne(joint, {a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]}, useBias);
+        storePair(bodies, joint.slotA, a, joint.slotB, b);
+    }
+}
+
+JointReaction reactionOf(const WeldConstraint& joint) { return {joint.linearImpulse, joint.angularImpulse}; }
+
+}  // namespace swept::inline SWEPT_PRECISION

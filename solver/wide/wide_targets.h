@@ -1,0 +1,3 @@
+#pragma once
+
+#include "../../shapes/wide_targets.h"

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "../shapes/wide_targets.h"
