@@ -1,8 +1,9 @@
 # The built-in scenes without their reader and renderer, which need more of a system: what programs for other machines have
 # of the samples (tests/portability). Double only, compiled once, whatever precision the engine behind has.
 add_library(swept_builtin_scenes STATIC)
-foreach(file builtin_scenes scene_builder scene_geometry scene_names scenes_belts scenes_continuous scenes_falling scenes_ground
-             scenes_jointed scenes_machines)
+foreach(file scene_builder scene_geometry scene_names
+             built_in/builtin_scenes built_in/scenes_belts built_in/scenes_continuous built_in/scenes_falling
+             built_in/scenes_ground built_in/scenes_jointed built_in/scenes_machines)
     target_sources(swept_builtin_scenes PRIVATE ${CMAKE_CURRENT_LIST_DIR}/${file}.cpp)
 endforeach()
 swept_warnings(swept_builtin_scenes)

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/world_builder.h>
 
 #include "falling_heap.h"

@@ -1,6 +1,6 @@
 #include <string>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/world_builder.h>
 
 #include "../support/random.h"

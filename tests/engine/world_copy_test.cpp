@@ -1,4 +1,4 @@
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/world_builder.h>
 
 #include "mixed_scene.h"

@@ -5,7 +5,7 @@
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_reader.h>
 #include <swept/samples/world_runners.h>
-#include <swept/tools/finite_state.h>
+#include <swept/tools/writers/finite_state.h>
 
 #include "fuzz_targets.h"
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_reader.h>
 
 #include <swept/shapes/chain.h>

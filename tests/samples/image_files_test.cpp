@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <swept/samples/begun_file.h>
-#include <swept/samples/contact_sheet.h>
-#include <swept/samples/image_png.h>
-#include <swept/samples/image_webp.h>
+#include <swept/samples/render/contact_sheet.h>
+#include <swept/samples/render/image_png.h>
+#include <swept/samples/render/image_webp.h>
 
 #include "../support/random.h"
 #include "render_support.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <swept/samples/stroke_font.h>
+#include <swept/samples/render/stroke_font.h>
 
 #include "render_support.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include <swept/samples/render_style.h>
-#include <swept/samples/scene_renderer.h>
+#include <swept/samples/render/render_style.h>
+#include <swept/samples/render/scene_renderer.h>
 
 /// Scenes of known geometry, and questions about the pixels of their pictures.
 

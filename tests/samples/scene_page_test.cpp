@@ -12,16 +12,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/counter_names.h>
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_fields.h>
 #include <swept/samples/scene_names.h>
 #include <swept/samples/scene_reader.h>
-#include <swept/tools/csv_writer.h>
-#include <swept/tools/event_writer.h>
-#include <swept/tools/query_lines.h>
-#include <swept/tools/report_writer.h>
+#include <swept/tools/toi/query_lines.h>
+#include <swept/tools/writers/csv_writer.h>
+#include <swept/tools/writers/event_writer.h>
+#include <swept/tools/writers/report_writer.h>
 
 // The pages say what the code does: samples/README.md, and what README.md has of scenes.
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 
 #include "trace_compare.h"
 

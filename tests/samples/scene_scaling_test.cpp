@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_units.h>
 
 #include "../support/thread_tasks.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include <swept/tools/toi_families.h>
-#include <swept/tools/toi_judge.h>
+#include <swept/tools/toi/toi_families.h>
+#include <swept/tools/toi/toi_judge.h>
 
 #include "../oracle/first_crossing.h"
 

@@ -10,7 +10,7 @@ namespace swept::test {
 
 /// Random queries by kind. All lengths are of order one unless the name says otherwise.
 ///
-/// These are not the families of `swept toi --generate` (tools/toi_families.h), on purpose. Those are made with the
+/// These are not the families of `swept toi --generate` (tools/toi/toi_families.h), on purpose. Those are made with the
 /// help of the interval oracle's own geometry and judged by it; these share no line with either and are judged by
 /// samples in long double (oracle.h), so that what one generator never makes, or one judge overlooks, has a second
 /// chance to be seen. And the suite of the layer needs nothing but the layer.

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <swept/tools/toi_families.h>
-#include <swept/tools/toi_judge.h>
+#include <swept/tools/toi/toi_families.h>
+#include <swept/tools/toi/toi_judge.h>
 
 /// The judge finds what is wrong with wrong answers.
 

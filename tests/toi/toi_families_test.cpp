@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include <swept/tools/toi_families.h>
+#include <swept/tools/toi/toi_families.h>
 
 #include "../oracle/first_crossing.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <swept/toi/toi_method.h>
-#include <swept/tools/toi_families.h>
+#include <swept/tools/toi/toi_families.h>
 
 #include "csv_records.h"
 #include "run_program.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_reader.h>
 
 #include "run_program.h"

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include <swept/tools/csv_writer.h>
+#include <swept/tools/writers/csv_writer.h>
 
 namespace swept {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <swept/tools/event_writer.h>
+#include <swept/tools/writers/event_writer.h>
 
 namespace swept {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include <swept/tools/finite_state.h>
+#include <swept/tools/writers/finite_state.h>
 
 namespace swept {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_builder.h>
 #include <swept/samples/scene_reader.h>
 #include <swept/tools/inspect/inspect_scene.h>

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include <swept/tools/number_text.h>
+#include <swept/tools/writers/number_text.h>
 
 #include "../support/random.h"
 

@@ -8,7 +8,7 @@
 
 #include <sys/stat.h>
 
-#include <swept/tools/output_files.h>
+#include <swept/tools/writers/output_files.h>
 
 #include "scratch_directory.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <swept/tools/query_lines.h>
+#include <swept/tools/toi/query_lines.h>
 
 /// One JSON line in, one JSON line out.
 

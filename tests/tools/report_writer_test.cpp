@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include <swept/tools/report_writer.h>
+#include <swept/tools/writers/report_writer.h>
 
 namespace swept {
 namespace {

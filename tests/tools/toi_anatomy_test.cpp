@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <swept/tools/toi_anatomy.h>
-#include <swept/tools/toi_families.h>
+#include <swept/tools/toi/toi_anatomy.h>
+#include <swept/tools/toi/toi_families.h>
 
 namespace swept {
 namespace {

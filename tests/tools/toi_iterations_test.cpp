@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include <swept/tools/toi_families.h>
+#include <swept/tools/toi/toi_families.h>
 
 namespace swept {
 namespace {

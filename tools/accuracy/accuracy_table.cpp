@@ -6,8 +6,8 @@
 
 #include "../bench/plot_files.h"
 #include "../bench/text_table.h"
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 
 namespace swept::accuracy {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "plot_files.h"
 
 namespace swept::bench {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <ostream>
 
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 #include "text_table.h"
 
 namespace swept::bench {

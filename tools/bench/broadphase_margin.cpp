@@ -2,8 +2,8 @@
 
 #include <ostream>
 
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 #include "broadphase_peer_scenes.h"
 #include "text_table.h"
 

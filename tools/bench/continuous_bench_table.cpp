@@ -7,7 +7,7 @@
 
 #include <swept/samples/scene_names.h>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "continuous_bench.h"
 #include "gnuplot.h"
 

@@ -8,7 +8,7 @@
 
 #include <swept/samples/scene_builder.h>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "crowd.h"
 #include "stopwatch.h"
 #ifdef SWEPT_BENCH_BOX2D3

@@ -6,7 +6,7 @@
 #include <limits>
 #include <ostream>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "stopwatch.h"
 
 namespace swept::bench {

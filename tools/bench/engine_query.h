@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "../toi_query.h"
+#include "../toi/toi_query.h"
 
 namespace swept::bench {
 

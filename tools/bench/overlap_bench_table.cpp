@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 #include "overlap_bench.h"
 #include "plot_files.h"
 #include "text_table.h"

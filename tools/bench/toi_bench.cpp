@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../toi_judge.h"
+#include "../toi/toi_judge.h"
 
 namespace swept::bench {
 namespace {

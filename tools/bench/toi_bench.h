@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../toi_families.h"
+#include "../toi/toi_families.h"
 #include "toi_contestant.h"
 
 namespace swept::bench {

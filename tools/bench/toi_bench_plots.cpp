@@ -4,7 +4,7 @@
 #include <functional>
 #include <ostream>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "plot_files.h"
 #include "toi_bench_table.h"
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <ostream>
 
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 
 namespace swept::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "../toi_families.h"
-#include "../toi_judge.h"
+#include "../toi/toi_families.h"
+#include "../toi/toi_judge.h"
 #include "toi_bench.h"
 
 namespace swept::bench {

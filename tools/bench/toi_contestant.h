@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "../toi_judge.h"
-#include "../toi_query.h"
+#include "../toi/toi_judge.h"
+#include "../toi/toi_query.h"
 
 namespace swept::bench {
 

@@ -7,8 +7,8 @@
 
 #include "../bench/gnuplot.h"
 #include "../bench/picture_check.h"
-#include "../output_files.h"
-#include "../toi_anatomy.h"
+#include "../toi/toi_anatomy.h"
+#include "../writers/output_files.h"
 #include "picture_output.h"
 
 namespace swept {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "../toi_query.h"
+#include "../toi/toi_query.h"
 
 namespace swept {
 

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "../bench/machine.h"
-#include "../output_files.h"
+#include "../writers/output_files.h"
 #include "commands.h"
 
 namespace swept {

@@ -6,10 +6,10 @@
 
 #include <swept/samples/scene_reader.h>
 
-#include "../output_files.h"
 #include "../worlds/world_bench.h"
 #include "../worlds/world_child.h"
 #include "../worlds/world_table.h"
+#include "../writers/output_files.h"
 #include "bench_run.h"
 #include "commands.h"
 #include "progress.h"

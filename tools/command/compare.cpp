@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include <swept/samples/image_png.h>
-#include <swept/samples/scene_renderer.h>
+#include <swept/samples/render/image_png.h>
+#include <swept/samples/render/scene_renderer.h>
 
-#include "../csv_writer.h"
 #include "../deviation.h"
-#include "../number_text.h"
-#include "../output_files.h"
 #include "../reference/box2d_runner.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
+#include "../writers/output_files.h"
 #include "commands.h"
 #include "picture_output.h"
 #include "progress.h"

@@ -10,9 +10,9 @@
 
 #include "../envelope/map.h"
 #include "../envelope/survey.h"
-#include "../output_files.h"
 #include "../task_threads.h"
 #include "../tune/progress_bar.h"
+#include "../writers/output_files.h"
 #include "commands.h"
 
 namespace swept {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "../inspect/inspect_scene.h"
-#include "../output_files.h"
+#include "../writers/output_files.h"
 #include "commands.h"
 #include "scene_source.h"
 

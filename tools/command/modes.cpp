@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include <swept/samples/contact_sheet.h>
-#include <swept/samples/image_png.h>
+#include <swept/samples/render/contact_sheet.h>
+#include <swept/samples/render/image_png.h>
+#include <swept/samples/render/scene_renderer.h>
 #include <swept/samples/scene_names.h>
-#include <swept/samples/scene_renderer.h>
 
 #include "../bench/run_time.h"
-#include "../number_text.h"
-#include "../output_files.h"
+#include "../writers/number_text.h"
+#include "../writers/output_files.h"
 #include "commands.h"
 #include "picture_output.h"
 #include "scene_source.h"

@@ -10,12 +10,12 @@
 #include <optional>
 #include <utility>
 
-#include <swept/samples/contact_sheet.h>
-#include <swept/samples/image_png.h>
-#include <swept/samples/image_webp.h>
-#include <swept/samples/render_canvas.h>
-#include <swept/samples/render_overlay.h>
-#include <swept/samples/scene_renderer.h>
+#include <swept/samples/render/contact_sheet.h>
+#include <swept/samples/render/image_png.h>
+#include <swept/samples/render/image_webp.h>
+#include <swept/samples/render/render_canvas.h>
+#include <swept/samples/render/render_overlay.h>
+#include <swept/samples/render/scene_renderer.h>
 
 namespace swept {
 namespace {

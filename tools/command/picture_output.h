@@ -10,7 +10,7 @@
 #include <swept/samples/frame.h>
 #include <swept/samples/scene_description.h>
 
-#include "../output_files.h"
+#include "../writers/output_files.h"
 #include "options.h"
 
 namespace swept {

@@ -8,8 +8,8 @@
 #include <string>
 #include <system_error>
 
-#include "../query_lines.h"
-#include "../toi_families.h"
+#include "../toi/query_lines.h"
+#include "../toi/toi_families.h"
 #include "anatomy_output.h"
 #include "commands.h"
 

@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "../csv_writer.h"
-#include "../event_writer.h"
-#include "../finite_state.h"
-#include "../number_text.h"
-#include "../output_files.h"
-#include "../report_writer.h"
 #include "../task_threads.h"
+#include "../writers/csv_writer.h"
+#include "../writers/event_writer.h"
+#include "../writers/finite_state.h"
+#include "../writers/number_text.h"
+#include "../writers/output_files.h"
+#include "../writers/report_writer.h"
 #include "commands.h"
 #include "picture_output.h"
 #include "progress.h"

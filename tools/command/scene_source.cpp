@@ -8,10 +8,10 @@
 #include <sstream>
 #include <string_view>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_reader.h>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 
 namespace swept {
 namespace {

@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include <swept/samples/builtin_scenes.h>
+#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_reader.h>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "commands.h"
 #include "scene_source.h"
 

@@ -11,14 +11,14 @@
 #include <swept/samples/scene_reader.h>
 
 #include "../bench/machine.h"
-#include "../number_text.h"
-#include "../output_files.h"
 #include "../task_threads.h"
 #include "../tune/ablation.h"
 #include "../tune/plot.h"
 #include "../tune/progress_bar.h"
 #include "../tune/tuner.h"
 #include "../tune/verdict.h"
+#include "../writers/number_text.h"
+#include "../writers/output_files.h"
 #include "commands.h"
 #include "scene_source.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 
 namespace swept::envelope {
 namespace {

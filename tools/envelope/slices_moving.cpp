@@ -4,7 +4,7 @@
 
 #include <swept/samples/scene_builder.h>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "slice.h"
 
 /// Slices of what swings and flies.

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "finding.h"
 #include "placed_scene.h"
 

@@ -7,7 +7,7 @@
 #include <swept/samples/scene_names.h>
 #include <swept/shapes/bounding_circle.h>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "checks.h"
 #include "envelope.h"
 

@@ -7,7 +7,7 @@
 
 #include <swept/samples/scene_reader.h>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "assemblies.h"
 #include "checks.h"
 #include "envelope.h"

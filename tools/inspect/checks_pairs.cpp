@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "assemblies.h"
 #include "checks.h"
 #include "envelope.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "checks.h"
 #include "envelope.h"
 

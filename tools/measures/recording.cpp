@@ -1,7 +1,7 @@
 #include "recording.h"
 
-#include "../finite_state.h"
 #include "../reference/box2d_runner.h"
+#include "../writers/finite_state.h"
 
 namespace swept::measures {
 namespace {

@@ -1,6 +1,6 @@
 #include "reference.h"
 
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "closed_forms.h"
 #include "hits.h"
 #include "measure_run.h"

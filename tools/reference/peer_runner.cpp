@@ -6,7 +6,7 @@
 
 #include <swept/samples/scene_reader.h>
 
-#include "../finite_state.h"
+#include "../writers/finite_state.h"
 #include "box2d_runner.h"
 #include "child_process.h"
 #include "peer_child.h"

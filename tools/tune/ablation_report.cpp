@@ -3,8 +3,8 @@
 #include <ostream>
 
 #include "../bench/text_table.h"
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 #include "ablation.h"
 
 namespace swept::tune {

@@ -4,9 +4,9 @@
 
 #include <swept/samples/scene_names.h>
 
-#include "../number_text.h"
 #include "../reference/box2d_runner.h"
 #include "../reference/peer_limits.h"
+#include "../writers/number_text.h"
 
 namespace swept::tune {
 namespace {

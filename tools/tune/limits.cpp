@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "../measures/measure_run.h"
-#include "../number_text.h"
+#include "../writers/number_text.h"
 
 namespace swept::tune {
 namespace {

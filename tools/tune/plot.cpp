@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "../bench/plot_files.h"
-#include "../number_text.h"
+#include "../writers/number_text.h"
 
 namespace swept::tune {
 namespace {

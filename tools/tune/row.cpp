@@ -8,8 +8,8 @@
 #include <swept/samples/scene_names.h>
 #include <swept/samples/scene_reader.h>
 
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 
 namespace swept::tune {
 namespace {

@@ -9,7 +9,7 @@
 #include <swept/samples/scene_names.h>
 
 #include "../bench/text_table.h"
-#include "../number_text.h"
+#include "../writers/number_text.h"
 
 namespace swept::tune {
 namespace {

@@ -2,7 +2,7 @@
 #include <ostream>
 
 #include "../bench/plot_files.h"
-#include "../number_text.h"
+#include "../writers/number_text.h"
 #include "world_table.h"
 
 namespace swept::worlds {

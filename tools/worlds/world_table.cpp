@@ -7,8 +7,8 @@
 #include <set>
 
 #include "../bench/text_table.h"
-#include "../csv_writer.h"
-#include "../number_text.h"
+#include "../writers/csv_writer.h"
+#include "../writers/number_text.h"
 
 namespace swept::worlds {
 namespace {

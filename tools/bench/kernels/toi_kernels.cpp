@@ -5,7 +5,7 @@
 
 #include <swept/toi/toi_method.h>
 
-#include "../../toi_families.h"
+#include "../../toi/toi_families.h"
 #include "kernels.h"
 
 namespace swept::bench {
