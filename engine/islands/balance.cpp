@@ -6,8 +6,8 @@
 #include "../../solver/closeness.h"
 #include "../../solver/softness.h"
 #include "../contacts/travel.h"
-#include "../stages/step.h"
 #include "../state/profile.h"
+#include "../state/world_state.h"
 #include "load_paths.h"
 
 namespace swept::inline SWEPT_PRECISION {

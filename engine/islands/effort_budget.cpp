@@ -5,8 +5,8 @@
 #include <span>
 
 #include "../solve/joint_builder.h"
-#include "../stages/step.h"
 #include "../state/profile.h"
+#include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

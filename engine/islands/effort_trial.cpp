@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "../solve/joint_builder.h"
-#include "../stages/step.h"
 #include "../state/profile.h"
+#include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

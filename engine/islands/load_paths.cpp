@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "../stages/step.h"
 #include "../state/profile.h"
+#include "../state/world_state.h"
 #include "balance.h"
 
 namespace swept::inline SWEPT_PRECISION {

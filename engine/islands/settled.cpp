@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../stages/step.h"
 #include "../state/profile.h"
+#include "../state/world_state.h"
 #include "effort.h"
 
 namespace swept::inline SWEPT_PRECISION {

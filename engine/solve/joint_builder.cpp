@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../stages/step_change.h"
 #include "../state/profile.h"
 #include "driven_joints.h"
+#include "step_change.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

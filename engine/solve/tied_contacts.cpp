@@ -11,9 +11,9 @@
 #include "../flight/hit_event.h"
 #include "../islands/effort_budget.h"
 #include "../modes/modes.h"
-#include "../stages/step_change.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
+#include "step_change.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
