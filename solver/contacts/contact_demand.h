@@ -21,8 +21,9 @@ struct NormalDemand {
 
 /// @param closing     speed at which the point closes, m/s. @pre its separation is the present one
 /// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
+/// @param pushShare   of the speed at which an overlap is pushed out
 inline NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, Real closing,
-                             Real inverseH, bool useBias, bool isCarrying) {
+                             Real inverseH, bool useBias, bool isCarrying, Real pushShare = 1) {
     const Real separation = point.separation;
     // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
     if (!useBias && closing > contact.bounceSpeed) { return {}; }
@@ -33,7 +34,7 @@ inline NormalDemand demandOf(const ContactConstraint& contact, const ContactCons
         return {true, closing - separation * inverseH};  // apart: may close the gap within this sub-step, no more
     }
     if (!useBias) { return {true, closing}; }
-    const Real bias = std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
+    const Real bias = pushShare * std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
     return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
 }
 

@@ -15,6 +15,14 @@ namespace {
 constexpr int kMostPasses = 8;
 constexpr Real kSmallChange = 16 * kEpsilon;
 
+/// Of two bodies that joints hold to each other. An overlap is a spring as stiff as what it moves is heavy, and where the
+/// joints hardly let it move anything that is without bound: a box welded to another one that it overlaps was flung
+/// about with hundreds of times the energy of its fall, as any turn makes motion of what such a spring holds. Beyond so
+/// many times the mass of all that hangs on the joints an overlap is pushed out more slowly, by as much as it is
+/// heavier; and what a lever of 32 : 1 does not move carries nothing, since the contact contradicts the joints.
+constexpr double kMostPushedMasses = 1;
+constexpr double kMostTieMasses = 1024;
+
 /// Whether the other point of the contact carries something.
 bool otherCarries(const ContactConstraint& contact, const ContactConstraintPoint& point) {
     return contact.count > 1 && contact.points[&point == contact.points.data() ? 1 : 0].normalImpulse > 0;
@@ -32,7 +40,11 @@ double inverseOf(double answer) {
 void DirectSolver::listTies(const SolverBatch& batch) {
     const auto count = static_cast<std::uint32_t>(nodes_.size());
     ties_.assign(count, {});
-    for (std::uint32_t i = 0; i < count; ++i) { ++ties_[islands_.find(i)].nodes; }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Tie& tie = ties_[islands_.find(i)];
+        ++tie.nodes;
+        tie.mass += nodes_[i].mass;
+    }
     std::uint32_t first = 0;
     for (Tie& tie : ties_) {
         tie.first = first;
@@ -117,7 +129,16 @@ void DirectSolver::readAnswers(JointedPoint& point, bool isTangent) {
     double answer = 0;
     if (row.nodeA != kNoNode) { answer += dot3(row.ofA, change_[row.nodeA]); }
     if (row.nodeB != kNoNode) { answer += dot3(row.ofB, change_[row.nodeB]); }
-    (isTangent ? point.tangentMass : point.normalMass) = inverseOf(answer);
+    double& mass = isTangent ? point.tangentMass : point.normalMass;
+    mass = inverseOf(answer);
+    if (!isWithinTie(point)) { return; }
+    const double ofTie = ties_[point.tieA].mass;
+    if (mass > kMostTieMasses * ofTie) { mass = 0; }
+    if (!isTangent) { point.pushShare = static_cast<Real>(std::min(1.0, kMostPushedMasses * ofTie / mass)); }
+}
+
+bool DirectSolver::isWithinTie(const JointedPoint& point) {
+    return point.normal.nodeA != kNoNode && point.normal.nodeB != kNoNode && point.tieB == kNoNode;
 }
 
 template <class Visit>
@@ -140,11 +161,12 @@ Real DirectSolver::solvePoint(JointedPoint& jointed, const ContactPass& pass) {
     ContactConstraintPoint& point = *jointed.point;
     const bool isCarrying = point.normalImpulse > 0 || (contact.begins && otherCarries(contact, point));
     const auto closing = static_cast<Real>(-changedExcess(jointed.normal));
-    const NormalDemand demand = demandOf(contact, point, closing, 1 / pass.h, pass.useBias, isCarrying);
+    const NormalDemand demand = demandOf(contact, point, closing, 1 / pass.h, pass.useBias, isCarrying, jointed.pushShare);
     const Real normalBefore = point.normalImpulse;
     if (demand.any) {
         const Real change = demand.changeAt(point, static_cast<Real>(jointed.normalMass));
-        point.normalImpulse = std::max(normalBefore + change, Real(0));
+        const Real wanted = jointed.normalMass > 0 ? normalBefore + change : Real(0);
+        point.normalImpulse = std::max(wanted, Real(0));
         pushTies(jointed, jointed.answers, static_cast<double>(point.normalImpulse - normalBefore));
     }
     const Real limit = contact.friction * point.normalImpulse;

@@ -129,6 +129,7 @@ private:
         std::size_t answers = 0;  ///< of these nodes to the normal, and after them to the tangent
         double normalMass = 0;    ///< impulse per speed, 0 when nothing can move
         double tangentMass = 0;
+        Real pushShare = 1;  ///< of the speed at which an overlap is pushed out
         DirectRow heldNormal;
         DirectRow heldTangent;
         Row normal;
@@ -139,6 +140,7 @@ private:
         std::uint32_t first = 0;  ///< in `tieNodes_`
         std::uint32_t nodes = 0;
         std::uint32_t rounds = 0;
+        double mass = 0;  ///< of all of them, kg
     };
     enum class Hold : std::uint8_t {
         free,    ///< carries nothing, whatever it does
@@ -207,6 +209,7 @@ private:
     void listJointed(SolverBatch& batch);
     void findAnswers();
     void readAnswers(JointedPoint& point, bool isTangent);
+    static bool isWithinTie(const JointedPoint& point);
     template <class Visit>
     void forEachNode(const JointedPoint& point, const Visit& visit) const;
     void pushTies(const JointedPoint& point, std::size_t answers, double impulse);
