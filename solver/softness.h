@@ -80,6 +80,37 @@ constexpr SpringGains springGainsOf(Real angularFrequency, Real dampingRatio, Re
     return {phase * phase / ((1 + loss) * h), loss / (1 + loss)};
 }
 
+/// A spring that turns with its joint: of fixed stiffness. What hangs on it may weigh less and less as its arms turn,
+/// and where the stiffness followed that, at a fixed frequency, springs fed energy to what whirled on them without end
+/// (of 200 pairs on undamped soft welds, thrown without gravity, half had 7800 times as much after a minute).
+struct TurningSpring {
+    Real stiffness = 0;  ///< kg: that of the spring, N/m, times the square of a sub-step
+    Real loss = 0;       ///< D − 1 of its damping ratio alone
+    Real rate = 0;       ///< of sub-steps, 1/s
+};
+
+/// @param mass  with which it has its frequency, kg
+constexpr TurningSpring turningSpringOf(Real angularFrequency, Real dampingRatio, Real h, Real mass) {
+    const Real phase = angularFrequency * h < kStiffestPhase ? angularFrequency * h : kStiffestPhase;
+    const Real damped = dampingRatio * phase < kStrongestDamping ? dampingRatio * phase : kStrongestDamping;
+    return {mass * (phase * phase), damped * (2 + damped), 1 / h};
+}
+
+/// As `springGainsOf`. @param phaseSquared  θ² with what moves now
+constexpr SpringGains gainsAt(const TurningSpring& spring, Real phaseSquared) {
+    constexpr Real kUndamped = kUndampedPhase * kUndampedPhase;
+    const Real beyond = phaseSquared > kUndamped ? phaseSquared - kUndamped : Real(0);
+    const Real loss = spring.loss + beyond;
+    return {phaseSquared * spring.rate / (1 + loss), loss / (1 + loss)};
+}
+
+/// @param response  speed per impulse of what moves now, 1/kg
+constexpr Real phaseSquaredAt(const TurningSpring& spring, Real response) {
+    constexpr Real kStiffest = kStiffestPhase * kStiffestPhase;
+    const Real phaseSquared = spring.stiffness * response;
+    return phaseSquared < kStiffest ? phaseSquared : kStiffest;
+}
+
 /// Half of what a joint can take: the two points of a wide flat contact push on each other through its rotation, and
 /// with a quarter a stack of twenty planks of 37:1 never came to rest.
 inline constexpr Real kContactCycles = Real(1) / 8;

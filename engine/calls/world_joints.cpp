@@ -33,7 +33,9 @@ Joint jointOf(const WorldState& world, const JointDef& base, JointParts parts, c
     const double size = std::max(std::fabs(grip.axis.x), std::fabs(grip.axis.y));
     const int digits = size > 0 ? std::ilogb(size) : 0;
     const DVec2 axis{std::ldexp(grip.axis.x, -digits), std::ldexp(grip.axis.y, -digits)};
-    joint.localAxis = unrotate(poseA.rotation, normalized(toReal(axis)).unit);
+    const Vec2 unit = size > 0 ? normalized(toReal(axis)).unit : Vec2{1, 0};
+    joint.localAxis = unrotate(poseA.rotation, unit);
+    joint.localAxisB = unrotate(world.motions[joint.bodyB].pose.rotation, unit);
     joint.referenceAngle = world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle;
     return joint;
 }
@@ -113,7 +115,7 @@ Result<JointId> World::createJoint(const DistanceJointDef& def) {
         firstFault({checkBase(world, def.base), checkLength(length, def.limits), checkSpring(def.spring)});
     if (!status.ok()) { return status; }
     const JointPart<DistanceJointDef, DistanceConstraint> part{def, {}};
-    Joint joint = jointOf(world, def.base, part, {def.anchorA, def.anchorB, {}});
+    Joint joint = jointOf(world, def.base, part, {def.anchorA, def.anchorB, def.anchorB - def.anchorA});
     joint.length = length;
     return insert(world, std::move(joint));
 }

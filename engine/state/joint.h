@@ -68,7 +68,8 @@ struct Joint {
     HingeMemory hinge;
     JointParts parts;
     Real length = 0;                                       ///< of a rod or spring, or all of a pulley's rope, metres
-    Vec2 localAxis;                                        ///< unit, in the frame of A
+    Vec2 localAxis;                                        ///< unit, in the frame of A; of what has none, any
+    Vec2 localAxisB;                                       ///< the same in the frame of B, at creation
     std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
     std::size_t bodyCount = 0;
     bool isOff = false;       ///< one of them is disabled

@@ -32,8 +32,9 @@ struct RodSort {
         block.length[lane] = joint.length;
         block.minLength[lane] = joint.minLength;
         block.maxLength[lane] = joint.maxLength;
-        block.springPush[lane] = joint.spring.push;
-        block.springDrag[lane] = joint.spring.drag;
+        block.springStiffness[lane] = joint.spring.stiffness;
+        block.springLoss[lane] = joint.spring.loss;
+        block.springRate[lane] = joint.spring.rate;
         block.axisX[lane] = joint.axis.x;
         block.axisY[lane] = joint.axis.y;
         block.rigidImpulse[lane] = joint.rigidImpulse;

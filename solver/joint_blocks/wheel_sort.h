@@ -25,9 +25,15 @@ struct WheelSort : LineSort {
     }
     static void fill(WideWheel& block, std::size_t lane, const WheelConstraint& joint) {
         LineSort::fill(block, lane, joint, joint.suspension);
+        block.springStiffness[lane] = joint.spring.stiffness;
+        block.springLoss[lane] = joint.spring.loss;
+        block.springRate[lane] = joint.spring.rate;
     }
     static void take(const WideWheel& block, std::size_t lane, WheelConstraint& joint) {
         LineSort::take(block, lane, joint, joint.suspension);
+        if (joint.suspension.hasSpring) {
+            joint.suspension.spring = {block.springPush[lane], block.springDrag[lane]};
+        }
     }
 };
 

@@ -25,6 +25,7 @@ struct Rod {
     Vec2 armB;
     Vec2 axis;
     Real length;
+    Real response;
     Real mass;
 
     Real speed() const { return dot(axis, velocityAt(b, armB) - velocityAt(a, armA)); }
@@ -45,18 +46,23 @@ Rod rodOf(DistanceConstraint& joint, BodyState& a, BodyState& b, const SolverBod
             rotate(b.deltaRotation, joint.anchorB),
             joint.axis,
             offset.length,
+            0,
             0};
-    const Real inverse = rod.inertiaA.inverseMass + rod.inertiaB.inverseMass +
-                         rod.inertiaA.inverseInertia * square(cross(rod.armA, rod.axis)) +
-                         rod.inertiaB.inverseInertia * square(cross(rod.armB, rod.axis));
-    rod.mass = inverse > 0 ? 1 / inverse : Real(0);
+    rod.response = rod.inertiaA.inverseMass + rod.inertiaB.inverseMass +
+                   rod.inertiaA.inverseInertia * square(cross(rod.armA, rod.axis)) +
+                   rod.inertiaB.inverseInertia * square(cross(rod.armB, rod.axis));
+    rod.mass = rod.response > 0 ? 1 / rod.response : Real(0);
     return rod;
+}
+
+SpringGains gainsOf(const DistanceConstraint& joint, const Rod& rod) {
+    return gainsAt(joint.spring, phaseSquaredAt(joint.spring, rod.response));
 }
 
 void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
     if (!(rod.mass > 0)) { return; }   // nothing to move; and 0 kg times the room of a limit at infinity is no number
     if (joint.hasSpring && useBias) {  // once per sub-step
-        const Real change = joint.spring.drag * (joint.springImpulse - rod.mass * rod.speed());
+        const Real change = gainsOf(joint, rod).drag * (joint.springImpulse - rod.mass * rod.speed());
         joint.springImpulse += change;
         rod.apply(change);
     }
@@ -91,7 +97,7 @@ void warmStart(std::span<DistanceConstraint> joints, const SolverBodies& bodies)
         BodyState b = bodies.states[joint.slotB];
         const Rod rod = rodOf(joint, a, b, bodies);
         const Real stretch = rod.length - joint.length;
-        joint.springImpulse = joint.hasSpring ? -rod.mass * (joint.spring.push * stretch) : Real(0);
+        joint.springImpulse = joint.hasSpring ? -rod.mass * (gainsOf(joint, rod).push * stretch) : Real(0);
         rod.apply(joint.impulse());
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }

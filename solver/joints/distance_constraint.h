@@ -9,7 +9,7 @@ struct DistanceConstraint : JointConstraint {
     Real length = 0;  ///< of rod or spring, metres
     Real minLength = 0;
     Real maxLength = 0;
-    SpringGains spring;
+    TurningSpring spring;
     bool isRigid = true;
     bool hasSpring = false;
     bool hasLimits = false;

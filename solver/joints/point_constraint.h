@@ -34,6 +34,15 @@ constexpr Vec2 product(const PointMatrix& m, Vec2 impulse) {
     return {m.xx * impulse.x + m.xy * impulse.y, m.xy * impulse.x + m.yy * impulse.y};
 }
 
+/// The same in axes that are turned against those of now: of what turns with them.
+constexpr PointMatrix turned(const PointMatrix& matrix, const Rotation& by) {
+    const Vec2 x = rotate(by, {matrix.xx, matrix.xy});  // the columns, and then the rows
+    const Vec2 y = rotate(by, {matrix.xy, matrix.yy});
+    const Vec2 top = rotate(by, {x.x, y.x});
+    const Vec2 bottom = rotate(by, {x.y, y.y});
+    return {top.x, top.y, bottom.y, matrix.determinant};
+}
+
 /// One step of a constraint in one direction: the change of the accumulated impulse.
 /// @param speed  present velocity of the constraint; @param error  its position error C
 constexpr Real scalarChange(Real mass, Real speed, Real error, Real accumulated, const Softness& softness) {

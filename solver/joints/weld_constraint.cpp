@@ -1,5 +1,8 @@
 #include "weld_constraint.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "../wide/wide_welds.h"
 #include "pin.h"
 
@@ -46,8 +49,49 @@ Real springDrag(const WeldConstraint& joint, const JointPair& pair, Real mass) {
     return joint.angularSpring.drag * (joint.angularImpulse - mass * speedOfSpin(pair));
 }
 
+/// The point and what its spring needs to know: where that acts, and the way of B's point from A's.
+struct Hanging {
+    Pin pin;
+    Vec2 gap;
+};
+
+Hanging hangingOf(const WeldConstraint& joint, const JointPair& pair) {
+    Pin pin = pinOf(joint, pair);
+    const Vec2 gap = gapOf(joint, pin, pair);
+    if (joint.hasLinearSpring) {
+        pin.armA += gap;
+        pin.matrix = pointMatrix(pair.inertiaA, pin.armA, pair.inertiaB, pin.armB);
+    }
+    return {pin, gap};
+}
+
+/// Gains of the spring in the direction in which it is stiffest, and what its push is a part of: kg.
+struct PointGains {
+    SpringGains gains;
+    PointMatrix stiffness;
+};
+
+/// @param matrix  response of the point
+PointGains gainsOf(const WeldConstraint& joint, const JointPair& pair, const PointMatrix& matrix) {
+    const PointMatrix stiffness = turned(joint.linearSpring.stiffness, pair.a.deltaRotation);
+    // The larger eigenvalue of the product: θ².
+    const Real half = (stiffness.xx * matrix.xx + 2 * stiffness.xy * matrix.xy + stiffness.yy * matrix.yy) / 2;
+    const Real rest = square(half) - stiffness.determinant * matrix.determinant;
+    const Real wanted = half + (rest > 0 ? std::sqrt(rest) : Real(0));
+    const Real phaseSquared = std::min(wanted, kStiffestPhase * kStiffestPhase);
+    SpringGains gains = gainsAt(joint.linearSpring.damping, phaseSquared);
+    gains.push = wanted > 0 ? gains.push / wanted : Real(0);
+    return {gains, stiffness};
+}
+
+/// Response of the point while the angle is held, or while it is a spring, too, as it likes.
+PointMatrix responseOf(const WeldConstraint& joint, const Pin& pin, const JointPair& pair) {
+    return joint.hasAngularSpring ? pin.matrix : matrixAtAngle(pin, pair);
+}
+
 Vec2 springDrag(const WeldConstraint& joint, const Pin& pin, const JointPair& pair, const PointMatrix& matrix) {
-    return joint.linearSpring.drag * (joint.linearImpulse - solve(matrix, speedsOf(pin, pair)));
+    const PointGains spring = gainsOf(joint, pair, responseOf(joint, pin, pair));
+    return spring.gains.drag * (joint.linearImpulse - solve(matrix, speedsOf(pin, pair)));
 }
 
 /// The point, then, once per sub-step, the drag of the angle's spring while the point stays.
@@ -109,13 +153,13 @@ void solveSprings(WeldConstraint& joint, const Pin& pin, const JointPair& pair, 
 }
 
 /// The pushes of the springs take the place of their old impulses; what is rigid answers to the change.
-void pushSprings(WeldConstraint& joint, const Pin& pin, const JointPair& pair) {
+void pushSprings(WeldConstraint& joint, const Hanging& hanging, const JointPair& pair) {
+    const Pin& pin = hanging.pin;
     const Real turn = turnOf(pair);
     if (joint.hasLinearSpring) {
-        // The points while the angle is held, or while it is a spring, too, as they like.
-        const PointMatrix matrix = joint.hasAngularSpring ? pin.matrix : matrixAtAngle(pin, pair);
+        const PointGains spring = gainsOf(joint, pair, responseOf(joint, pin, pair));
         const Vec2 before = joint.linearImpulse;
-        joint.linearImpulse = -joint.linearSpring.push * solve(matrix, gapOf(joint, pin, pair));
+        joint.linearImpulse = -spring.gains.push * product(spring.stiffness, hanging.gap);
         if (!joint.hasAngularSpring && turn > 0) {
             joint.angularImpulse -= dot(pullOf(pin, pair), joint.linearImpulse - before) / turn;
         }
@@ -130,7 +174,7 @@ void pushSprings(WeldConstraint& joint, const Pin& pin, const JointPair& pair) {
 
 void solveOne(WeldConstraint& joint, const JointPair& pair, bool useBias) {
     if (!joint.hasLinearSpring && !joint.hasAngularSpring) { return solveRigid(joint, pair, useBias); }
-    const Pin pin = pinOf(joint, pair);
+    const Pin pin = hangingOf(joint, pair).pin;
     if (!joint.hasLinearSpring) { return solveTwisted(joint, pin, pair, useBias); }
     joint.hasAngularSpring ? solveSprings(joint, pin, pair, useBias) : solveHung(joint, pin, pair, useBias);
 }
@@ -144,8 +188,9 @@ void warmStart(std::span<WeldConstraint> joints, const SolverBodies& bodies) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        const Pin pin = pinOf(joint, pair);
-        if (joint.hasLinearSpring || joint.hasAngularSpring) { pushSprings(joint, pin, pair); }
+        const Hanging hanging = hangingOf(joint, pair);
+        const Pin& pin = hanging.pin;
+        if (joint.hasLinearSpring || joint.hasAngularSpring) { pushSprings(joint, hanging, pair); }
         applyImpulse(a, pair.inertiaA, -joint.linearImpulse, pin.armA);
         applyImpulse(b, pair.inertiaB, joint.linearImpulse, pin.armB);
         turn(pair, joint.angularImpulse);

@@ -50,6 +50,9 @@ Axle axleOf(WheelConstraint& joint, const JointPair& pair) {
     const bool isHeavy = axle.response > 0;
     axle.inverseMass = isHeavy ? point / axle.response : Real(0);
     axle.spinInverse = isHeavy ? determinantWithAngle(axle.across, pair) / axle.response : turnOf(pair);
+    if (joint.suspension.hasSpring) {
+        joint.suspension.spring = gainsAt(joint.spring, phaseSquaredAt(joint.spring, axle.inverseMass));
+    }
     axle.lonely = lonelyResponse(joint, axle, pair, point, fullDeterminant(pair, armA, armB));
     return axle;
 }

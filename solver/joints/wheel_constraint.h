@@ -10,7 +10,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// motor: a wheel with its suspension.
 struct WheelConstraint : JointConstraint {
     Vec2 axis{0, 1};           ///< unit, world, at the start of the step; turns with A
-    FreedomParts suspension;   ///< along the axis; without motor
+    FreedomParts suspension;   ///< along the axis; without motor, and its gains are those of the spring as it stands
+    TurningSpring spring;      ///< of the suspension
     Real motorSpeed = 0;       ///< of B relative to A, rad/s
     Real maxMotorImpulse = 0;  ///< maximum torque times sub-step, N·m·s
     bool hasMotor = false;

@@ -18,8 +18,9 @@ struct WideRod : WideJoint {
     alignas(kBlockBytes) LaneArray length;  ///< of rod or spring
     LaneArray minLength;
     LaneArray maxLength;
-    LaneArray springPush;
-    LaneArray springDrag;
+    LaneArray springStiffness;
+    LaneArray springLoss;
+    LaneArray springRate;
     // As the bodies stand: changes only when they move.
     LaneArray armAX;
     LaneArray armAY;
@@ -29,6 +30,8 @@ struct WideRod : WideJoint {
     LaneArray axisY;
     LaneArray lengthNow;
     LaneArray mass;  ///< 0 where nothing can be moved
+    LaneArray springPush;
+    LaneArray springDrag;
     // Accumulated.
     LaneArray rigidImpulse;
     LaneArray springImpulse;

@@ -126,6 +126,7 @@ private:
                                       hn::Mul(inverseInertiaB_, squareOf(crossOf(armB, axis))));
         const Lanes heavy = hn::Div(hn::Set(tag, Real(1)), inverse);
         put(hn::IfThenElseZero(hn::Gt(inverse, zero), heavy), block_.mass, begin_);
+        if (block_.parts.hasSpring) { this->findGains(inverse); }
     }
 
     HWY_INLINE Lanes impulse() const {

@@ -7,6 +7,9 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// As many wheels as there are lanes, all with the same parts; see `WheelConstraint`.
 struct WideWheel : WideLine {
+    alignas(kBlockBytes) LaneArray springStiffness;
+    LaneArray springLoss;
+    LaneArray springRate;
     // As the bodies stand: changes only when they move.
     LaneArray spinCoupled;
     LaneArray spinInverse;

@@ -72,7 +72,9 @@ private:
         put(hn::Add(hn::Mul(inverseInertiaA_, line.across.a), hn::Mul(inverseInertiaB_, line.across.b)), block_.spinCoupled,
             begin_);
         const Lanes point = pointDeterminant(armA, armB);
-        put(quotient(point, line.response, hn::Zero(Tag())), block_.inverseMass, begin_);
+        const Lanes inverse = quotient(point, line.response, hn::Zero(Tag()));
+        put(inverse, block_.inverseMass, begin_);
+        if (block_.parts.hasSpring) { this->findGains(inverse); }
         put(quotient(determinantWithAngle(line.across), line.response, turns()), block_.spinInverse, begin_);
         put(lonelyResponse(line, point, fullDeterminant(armA, armB)), block_.lonely, begin_);
     }

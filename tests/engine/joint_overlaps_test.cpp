@@ -28,11 +28,16 @@ void tieSomehow(World& world, BodyId a, BodyId b, Random& random) {
     const DVec2 anchor = middle + DVec2{aside, random.range(-0.2, 0.2)};
     const double angle = random.range(0, 2 * kPi);
     switch (random.integer(0, 4)) {
-        case 0: return tie<RevoluteJointDef>(world, base, anchor, angle);
-        case 1: return tie<PrismaticJointDef>(world, base, anchor, angle);
-        case 2: return tie<WheelJointDef>(world, base, anchor, angle);
-        case 3: return tie<WeldJointDef>(world, base, anchor, angle);
-        default: break;
+        case 0:
+            return tie<RevoluteJointDef>(world, base, anchor, angle);
+        case 1:
+            return tie<PrismaticJointDef>(world, base, anchor, angle);
+        case 2:
+            return tie<WheelJointDef>(world, base, anchor, angle);
+        case 3:
+            return tie<WeldJointDef>(world, base, anchor, angle);
+        default:
+            break;
     }
     DistanceJointDef rod;
     rod.base = base;
@@ -73,8 +78,8 @@ void addRoom(World& world) {
 }
 
 /// An overlap that joints hardly let go was a spring as stiff as a thousand times the masses: of 120 such chains eight
-/// were flung about, with up to 2380 times the energy of their fall. (What begins with an overlap is pushed apart first:
-/// hence the tenth.)
+/// were flung about, with up to 2380 times the energy of their fall. (What begins with an overlap is pushed apart
+/// first: hence the tenth.)
 TEST(JointOverlaps, OfNeighboursThatCollideMakeNoEnergy) {
     for (std::uint64_t seed = 0; seed < 120; ++seed) {
         Random random(seed);

@@ -197,7 +197,8 @@ constexpr BuildKind kBuilds[] = {
     {"car on bumps", [](Build& build, double mass) { buildCar<false>(build, mass, false); }},
     {"car with springs", [](Build& build, double mass) { buildCar<true>(build, mass, false); }, 5e-4},
     {"car with motors", [](Build& build, double mass) { buildCar<false>(build, mass, true); }, 5e-4, true},
-    {"car with springs and motors", [](Build& build, double mass) { buildCar<true>(build, mass, true); }, 5e-4, true},
+    // Of forty starts, 1 cm/s apart, the worst has 0.57 mm, and half have less than 0.24.
+    {"car with springs and motors", [](Build& build, double mass) { buildCar<true>(build, mass, true); }, 6e-4, true},
     {"hammer that falls",
      [](Build& build, double mass) {
          build.addGround();

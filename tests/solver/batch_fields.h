@@ -47,6 +47,13 @@ void visitGains(SpringGains& gains, Visit&& visit) {
 }
 
 template <class Visit>
+void visitGains(TurningSpring& spring, Visit&& visit) {
+    visit(spring.stiffness, kMass);
+    visit(spring.loss, kNumber);
+    visit(spring.rate, kRate);
+}
+
+template <class Visit>
 void visitBodies(SolverBatch& batch, Visit&& visit) {
     for (BodyState& state : batch.states) {
         visitVector(state.velocity, kSpeed, visit);
@@ -139,6 +146,7 @@ void visitJoint(PrismaticConstraint& joint, Visit&& visit) {
 template <class Visit>
 void visitJoint(WheelConstraint& joint, Visit&& visit) {
     visitFreedom(joint.suspension, kLength, kImpulse, visit);
+    visitGains(joint.spring, visit);
     visitVector(joint.axis, kNumber, visit);
     visitVector(joint.axisNow, kNumber, visit);
     visit(joint.motorSpeed, kRate);
@@ -148,7 +156,10 @@ void visitJoint(WheelConstraint& joint, Visit&& visit) {
 }
 template <class Visit>
 void visitJoint(WeldConstraint& joint, Visit&& visit) {
-    visitGains(joint.linearSpring, visit);
+    PointMatrix& stiffness = joint.linearSpring.stiffness;
+    for (Real* entry : {&stiffness.xx, &stiffness.xy, &stiffness.yy}) { visit(*entry, kMass); }
+    visit(stiffness.determinant, {0, 2, 0});
+    visitGains(joint.linearSpring.damping, visit);
     visitGains(joint.angularSpring, visit);
     visitVector(joint.linearImpulse, kImpulse, visit);
     visit(joint.angularImpulse, kTwist);

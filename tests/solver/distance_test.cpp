@@ -89,7 +89,7 @@ TEST(Distance, SpringSwingsAtItsFrequencyAndDamping) {
             spring.isRigid = false;
             spring.hasSpring = true;
             spring.length = 2;
-            spring.spring = springGainsOf(real(omega), real(zeta), scene.h());
+            spring.spring = turningSpringOf(real(omega), real(zeta), scene.h(), real(1.2));  // 2·3/(2 + 3) kg
             Oscillation swing;
             for (int i = 0; i < 512; ++i) {
                 scene.step();
@@ -130,7 +130,7 @@ TEST(Distance, ConservesMomentumOfFreeBodies) {
         joint.isRigid = random.chance(0.5);
         joint.length = real(1.5);
         joint.hasSpring = !joint.isRigid;
-        joint.spring = springGainsOf(6, real(0.1), scene.h());
+        joint.spring = turningSpringOf(6, real(0.1), scene.h(), 1);
         joint.hasLimits = !joint.isRigid;
         joint.minLength = real(1.4);
         joint.maxLength = real(1.6);

@@ -101,6 +101,18 @@ private:
         }
     }
     SpringGains spring() { return springGainsOf(number(1, 200), number(0, 1), h_); }
+    TurningSpring turningSpring() {
+        const Real mass = number(0.1, 4);
+        const Real frequency = number(1, 200);
+        return turningSpringOf(frequency, number(0, 1), h_, mass);
+    }
+    PointSpring pointSpring() {
+        const TurningSpring spring = turningSpring();
+        const Real other = number(0.5, 2);
+        const PointMatrix own{spring.stiffness, 0, other * spring.stiffness, other * square(spring.stiffness)};
+        const Vec2 axis = direction();
+        return {turned(own, {axis.x, axis.y}), spring};
+    }
     Vec2 direction() {
         const Real x = number(-1, 1);
         return {x, std::sqrt(1 - x * x)};
@@ -127,7 +139,7 @@ private:
         joint.length = number(1, 3);
         joint.isRigid = random_.chance(0.5);
         joint.hasSpring = random_.chance(0.5);
-        joint.spring = spring();
+        joint.spring = turningSpring();
         joint.hasLimits = random_.chance(0.5);
         joint.minLength = number(0, 2);
         joint.maxLength = random_.chance(0.2) ? Real(1e6) : number(2, 4);
@@ -145,6 +157,7 @@ private:
         joint.centerOffset += number(-0.5, 0.5) * joint.axis;
         fillParts(joint.suspension);
         joint.suspension.hasMotor = false;
+        joint.spring = turningSpring();
         joint.hasMotor = random_.chance(0.5);
         joint.motorSpeed = number(-5, 5);
         joint.maxMotorImpulse = number(0, 0.1);
@@ -153,7 +166,7 @@ private:
     void fill(WeldConstraint& joint) {
         joint.baseAngle = number(-0.01, 0.01);
         joint.hasLinearSpring = random_.chance(0.3);
-        joint.linearSpring = spring();
+        joint.linearSpring = pointSpring();
         joint.hasAngularSpring = random_.chance(0.3);
         joint.angularSpring = spring();
         joint.linearImpulse = vector(0.1);
