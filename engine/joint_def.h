@@ -39,7 +39,8 @@ struct JointDef {
 };
 
 /// Undamped it keeps its amplitude while a sub-step is less than 1/25 of its period; what is stiffer is damped by as
-/// much as a stable step needs.
+/// much as a stable step needs. Its stiffness is the one with which it swings at `hertz` at the poses that the bodies
+/// have when the joint is made, with the masses that they have now: it does not change as they turn.
 struct Spring {
     Real hertz = 0;         ///< greater than 0; of the two bodies alone, held by nothing but this joint
     Real dampingRatio = 0;  ///< at least 0; 1 is critical
