@@ -14,6 +14,9 @@ struct EnergyAccount {
     double kinetic = 0;       ///< at the end
     double gained = 0;        ///< of kinetic energy, since the start
     double work = 0;          ///< of gravity and forces
+    double springs = 0;       ///< work of springs: what they held before the solve, less what they hold after it
+    double stored = 0;        ///< what they hold at the end
+    bool isSprung = false;    ///< these two are known
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
     double drift = 0;         ///< kinetic, of how an island goes as a whole that joints alone hold together
     bool isDriven = false;

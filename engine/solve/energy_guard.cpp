@@ -9,6 +9,7 @@
 #include "energy_gain.h"
 #include "energy_shares.h"
 #include "joint_builder.h"
+#include "spring_energy.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -288,7 +289,62 @@ void book(WorldState& world, SolveDesk& desk) {
     if (account != nullptr) { sums.writeTo(*account); }
 }
 
-void settleAccounts(WorldState& world, const TiedGroup& group, Real time) {
+namespace {
+
+/// How a body stood and moved before the solve, from what that did to it.
+BodyMotion motionBefore(const WorldState& world, const SolveDesk& desk, std::uint32_t slot) {
+    BodyMotion motion = world.motions[slot];
+    if (world.solverSlots[slot] == kFixedSlot) { return motion; }
+    const EnergyEntry& entry = desk.energyEntries[world.solverSlots[slot] - 1];
+    motion.center -= toDouble(entry.moved);
+    motion.angle -= static_cast<double>(entry.turned);
+    motion.pose.rotation = rotationFromAngle(motion.angle);
+    motion.velocity = entry.velocityBefore;
+    motion.angularVelocity = entry.spinBefore;
+    return motion;
+}
+
+EnergyAccount& accountOf(WorldState& world, const JointTie& tie) {
+    return accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
+}
+
+/// Of what moves in a solve: its place there, once more while springs are asked.
+void placeMovable(WorldState& world, const SolveDesk& desk, bool isAsked) {
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        world.solverSlots[desk.bodies[i]] = isAsked ? static_cast<BodySlot>(i + 1) : kFixedSlot;
+    }
+}
+
+/// What springs gave, or took, of islands that gained more than gravity and forces gave them. Of others nobody need
+/// know.
+void bookSprings(WorldState& world, const TiedGroup& group, Real h) {
+    const auto isAsked = [&](std::uint32_t joint) {
+        const JointTie& tie = world.jointTies[joint];
+        if (!tie.isSprung) { return false; }
+        const EnergyAccount& account = accountOf(world, tie);
+        return account.solve == group.desk.energySolve && account.gained > account.work;
+    };
+    if (std::none_of(group.joints.begin(), group.joints.end(), isAsked)) { return; }
+    placeMovable(world, group.desk, true);
+    for (const std::uint32_t i : group.joints) {
+        if (!isAsked(i)) { continue; }
+        const JointTie& tie = world.jointTies[i];
+        const Joint& joint = world.joints[i];
+        const double before = springEnergyOf(world, joint, h, motionBefore(world, group.desk, tie.bodyA),
+                                             motionBefore(world, group.desk, tie.bodyB));
+        const double after = springEnergyOf(world, joint, h, world.motions[tie.bodyA], world.motions[tie.bodyB]);
+        EnergyAccount& account = accountOf(world, tie);
+        account.springs += before - after;
+        account.stored += after;
+        account.isSprung = true;
+    }
+    placeMovable(world, group.desk, false);
+}
+
+}  // namespace
+
+void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
     const bool hasJoints = !group.joints.empty();
     const auto hasGainedAnything = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
@@ -300,7 +356,10 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time) {
     const bool any = std::any_of(roots.begin(), roots.end(), hasGainedAnything) ||
                      (hasJoints && std::any_of(roots.begin(), roots.end(), hasGainedIfTied));
     if (!any) { return; }
-    if (hasJoints) { noteJointed(world, group); }
+    if (hasJoints) {
+        noteJointed(world, group);
+        bookSprings(world, group, h);
+    }
     noteDriven(world, group);
     const auto drifts = [&](std::uint32_t root) { return mayDrift(world.energyAccounts[root]); };
     if (std::any_of(roots.begin(), roots.end(), drifts)) { findDrifts(world, group.desk); }

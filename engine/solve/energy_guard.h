@@ -9,7 +9,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// a little of it is left behind. So what the kinetic energy of an island of contacts gained in a solve is held against
 /// the work that gravity and forces did, and what is beyond that is taken from the motion of its members relative to
 /// each other, or to the ground that they press on, along which they slide on as they did. So it is with joints that
-/// have neither motor nor spring, beyond what their gaps may give back. Islands with other joints and what touches
+/// have no motor, beyond what their springs held and what their gaps may give back. Islands with other joints and what touches
 /// kinematic bodies or belts are left alone: those may do work.
 
 /// Begins a solve. @return whether it is watched at all: what is settled is not
@@ -21,6 +21,7 @@ EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState
 void book(WorldState& world, SolveDesk& desk);
 /// Takes back what islands gained. @pre all members were booked, and have their new motions
 /// @param time  that was solved for, s
-void settleAccounts(WorldState& world, const TiedGroup& group, Real time);
+/// @param h     length of its sub-steps, s
+void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "../../solver/joints/pin.h"
 #include "../state/profile.h"
 #include "driven_joints.h"
+#include "rest_springs.h"
 #include "step_change.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 /// Part of the way to its pose that a motor joint covers in a step, as far as its force allows.
 constexpr Real kApproachRatio = Real(0.3);
 
@@ -26,54 +25,6 @@ Vec2 centerOffset(const WorldState& world, const Joint& joint) {
 
 Vec2 axisOf(const WorldState& world, const Joint& joint) {
     return rotate(world.motions[joint.bodyA].pose.rotation, joint.localAxis);
-}
-
-SpringGains gainsOf(const Spring& spring, Real h) {
-    return springGainsOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h);
-}
-
-/// What moves on a spring of fixed stiffness, as its joint was made: masses now, arms as they were then, in axes of
-/// which the first is that of the joint.
-struct Rest {
-    Rest(const WorldState& world, const Joint& joint)
-        : a(inertiaOf(world, joint.bodyA)),
-          b(inertiaOf(world, joint.bodyB)),
-          armA(along(joint.localAxis, joint.localAnchorA - world.bodies[joint.bodyA].localCenter)),
-          armB(along(joint.localAxisB, joint.localAnchorB - world.bodies[joint.bodyB].localCenter)) {}
-
-    PointMatrix points() const { return pointMatrix(a, armA, b, armB); }
-    /// Along the axis.
-    Real massOfRod() const {
-        const Real response =
-            a.inverseMass + b.inverseMass + a.inverseInertia * square(armA.y) + b.inverseInertia * square(armB.y);
-        return response > 0 ? 1 / response : Real(0);
-    }
-    /// Along it, while nothing moves across it.
-    Real massOfWheel() const {
-        const Real across =
-            a.inverseMass + b.inverseMass + a.inverseInertia * square(armA.x) + b.inverseInertia * square(armB.x);
-        const Real all = points().determinant;
-        return all > 0 ? across / all : Real(0);
-    }
-
-    BodyInertia a;
-    BodyInertia b;
-    Vec2 armA;
-    Vec2 armB;
-
-private:
-    static BodyInertia inertiaOf(const WorldState& world, std::uint32_t slot) {
-        const Body& body = world.bodies[slot];
-        BodyInertia inertia;
-        inertia.inverseMass = body.inverseMass;
-        inertia.inverseInertia = body.inverseInertia;
-        return inertia;
-    }
-    static Vec2 along(Vec2 axis, Vec2 arm) { return {dot(axis, arm), cross(axis, arm)}; }
-};
-
-TurningSpring turningSpring(const Spring& spring, Real h, Real mass) {
-    return turningSpringOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h, mass);
 }
 
 template <class Limits>
@@ -140,7 +91,7 @@ struct ConstraintFiller {
     void operator()(DistanceConstraint& constraint, const DistanceJointDef& def) const {
         constraint.length = joint.length;
         constraint.hasSpring = def.spring.has_value();
-        if (def.spring) { constraint.spring = turningSpring(*def.spring, h, Rest(world, joint).massOfRod()); }
+        if (def.spring) { constraint.spring = rodSpringOf(world, joint, *def.spring, h); }
         constraint.hasLimits = def.limits.has_value();
         if (def.limits) {
             constraint.minLength = def.limits->min;
@@ -160,29 +111,17 @@ struct ConstraintFiller {
         fillLimits(constraint.suspension, def.limits);
         fillMotor(constraint, def.motor, def.motor ? def.motor->maxTorque : Real(0));
         constraint.suspension.hasSpring = def.spring.has_value();
-        if (def.spring) { constraint.spring = turningSpring(*def.spring, h, Rest(world, joint).massOfWheel()); }
+        if (def.spring) { constraint.spring = wheelSpringOf(world, joint, *def.spring, h); }
     }
     void operator()(WeldConstraint& constraint, const WeldJointDef& def) const {
         constraint.baseAngle = baseAngle();
         constraint.hasLinearSpring = def.linearSpring.has_value();
-        if (def.linearSpring) { constraint.linearSpring = pointSpring(*def.linearSpring, !def.angularSpring); }
+        if (def.linearSpring) {
+            constraint.linearSpring = pointSpringOf(world, joint, *def.linearSpring, h, !def.angularSpring,
+                                                    world.motions[joint.bodyA].pose.rotation);
+        }
         constraint.hasAngularSpring = def.angularSpring.has_value();
         if (def.angularSpring) { constraint.angularSpring = gainsOf(*def.angularSpring); }
-    }
-    PointSpring pointSpring(const Spring& spring, bool isAngleHeld) const {
-        const Rest rest(world, joint);
-        const Pin pin{rest.armA, rest.armB, rest.points()};
-        BodyState stillA;
-        BodyState stillB;
-        const PointMatrix response = isAngleHeld ? matrixAtAngle(pin, {stillA, stillB, rest.a, rest.b}) : pin.matrix;
-        const TurningSpring unit = turningSpring(spring, h, 1);
-        if (!(response.determinant > 0)) { return {{}, unit}; }
-        // θ² times the inverse, in axes of the world: of a joint without axis that of A is (1, 0) of the world then.
-        const Real scale = unit.stiffness / response.determinant;
-        const Vec2 axis = axisOf(world, joint);
-        const PointMatrix own{scale * response.yy, -scale * response.xy, scale * response.xx,
-                              square(unit.stiffness) / response.determinant};
-        return {turned(own, {axis.x, axis.y}), unit};
     }
     void operator()(MotorConstraint& constraint, const MotorJointDef& def) const {
         const MotorDrive& drive = def.drive;

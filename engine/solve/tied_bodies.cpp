@@ -180,7 +180,7 @@ void setBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<vo
 }
 
 /// What each body did is found by any worker, and added up in order.
-void readBodies(WorldState& world, const TiedGroup& group, Real time) {
+void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h) {
     SolveDesk& desk = group.desk;
     const bool isWatched = openAccounts(world, group);
     if (isWatched) { desk.energyEntries.resize(desk.bodies.size()); }
@@ -192,7 +192,7 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time) {
     desk.anyFlung = desk.anyFlung || anyFlung;
     if (!isWatched) { return; }
     book(world, desk);
-    settleAccounts(world, group, time);
+    settleAccounts(world, group, time, h);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -13,7 +13,8 @@ void giveSlots(WorldState& world, const TiedGroup& group);
 /// @param beside  what one worker does while the others do that: it may ask for the slots alone
 void setBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<void()> beside);
 
-/// Takes back what the solve did to them in `time`, s, and takes from their islands what energy these gained.
-void readBodies(WorldState& world, const TiedGroup& group, Real time);
+/// Takes back what the solve did to them in `time`, s, by sub-steps of `h`, and takes from their islands what energy
+/// these gained.
+void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h);
 
 }  // namespace swept::inline SWEPT_PRECISION

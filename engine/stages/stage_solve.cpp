@@ -191,7 +191,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     const SolveReport report =
         onlyContacts ? desk.solver.solve(desk.batch, settings, *desk.loops) : solveWithJoints(world, group, settings);
     if (!areLinked) { contacts.readConstraints(); }
-    readBodies(world, group, time);
+    readBodies(world, group, time, h);
     const bool isSolved = scope != DirectScope::all || (report.isDirect && report.direct.givenUp == 0);
     if (scope == DirectScope::all) {
         rememberSearch(world, group,

@@ -37,16 +37,14 @@ struct DrivenJoints {
         return isDriven;
     }
 };
-/// Whether a joint gives no energy: neither motor nor spring; nor what follows a target.
+/// Whether a joint gives no energy but what its springs held: no motor, nor what follows a target.
 struct PassiveJoints {
-    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
-        return !part.def.linearSpring && !part.def.angularSpring;
-    }
     bool operator()(const JointPart<MotorJointDef, MotorConstraint>&) const { return false; }
     bool operator()(const JointPart<MouseJointDef, MouseConstraint>&) const { return false; }
     template <class Part>
     bool operator()(const Part& part) const {
-        return !DrivenJoints{}(part);
+        if constexpr (requires { part.def.motor.has_value(); }) { return !part.def.motor.has_value(); }
+        return true;
     }
 };
 bool isPassive(const Joint& joint) { return std::visit(PassiveJoints{}, joint.parts); }
@@ -60,6 +58,19 @@ struct AngleJoints {
         return false;
     }
 };
+/// Whether it has a spring, and is passive.
+struct SprungJoints {
+    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
+        return part.def.linearSpring || part.def.angularSpring;
+    }
+    template <class Part>
+    bool operator()(const Part& part) const {
+        if constexpr (requires { part.def.spring.has_value(); }) { return part.def.spring && PassiveJoints{}(part); }
+        return false;
+    }
+};
+bool isSprung(const Joint& joint) { return std::visit(SprungJoints{}, joint.parts); }
+
 bool holdsAngle(const Joint& joint) { return std::visit(AngleJoints{}, joint.parts); }
 
 bool isDriven(const Joint& joint) { return std::visit(DrivenJoints{}, joint.parts); }
@@ -83,6 +94,7 @@ JointTie tieOf(const Joint& joint) {
             .isPassive = isPassive(joint),
             .isDriven = isDriven(joint),
             .holdsAngle = holdsAngle(joint),
+            .isSprung = isSprung(joint),
             .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
 }
 

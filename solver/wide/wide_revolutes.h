@@ -7,9 +7,9 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// What the solve of a hinge has beside its point. All joints of a block have the same.
 struct HingeParts {
-    bool hasSpring = false;
-    bool hasMotor = false;
-    bool hasLimits = false;
+    bool hasSpring : 1 = false;
+    bool hasMotor : 1 = false;
+    bool hasLimits : 1 = false;
 
     bool any() const { return hasSpring || hasMotor || hasLimits; }
     bool operator==(const HingeParts&) const = default;
