@@ -66,6 +66,10 @@ bool isTorn(const WorldState& world, const Joint& joint) {
     return errors.length > kTornRatio * smallest || errors.angle > kTornTurn;
 }
 
+EnergyAccount& accountOf(WorldState& world, const JointTie& tie) {
+    return accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
+}
+
 /// Kinematic bodies do work, and so do joints that calls move. What they lead may hang on levers, or whirl, and go as
 /// fast as it likes, unless its joints are torn or closed at once: then what goes faster than `kMostLead` has it is not
 /// driven. (A box on joints to two things that part, by a metre in a second, was at 350 m/s when they stopped, and with
@@ -89,7 +93,7 @@ void findDriven(WorldState& world, const TiedGroup& group) {
     };
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
-        EnergyAccount& account = accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
+        EnergyAccount& account = accountOf(world, tie);
         if (account.solve != desk.energySolve || account.anchors < 2 || account.isTorn || !mayTear(account)) {
             continue;
         }
@@ -302,10 +306,6 @@ BodyMotion motionBefore(const WorldState& world, const SolveDesk& desk, std::uin
     motion.velocity = entry.velocityBefore;
     motion.angularVelocity = entry.spinBefore;
     return motion;
-}
-
-EnergyAccount& accountOf(WorldState& world, const JointTie& tie) {
-    return accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
 }
 
 /// Of what moves in a solve: its place there, once more while springs are asked.
