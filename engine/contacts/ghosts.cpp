@@ -42,13 +42,25 @@ bool isFaceContact(const GroundContact& contact) {
     return false;
 }
 
+bool isGroundAtRest(const WorldState& world, const Contact& contact) {
+    return world.bodies[contact.dynamicA ? contact.bodyB : contact.bodyA].def.type == BodyType::fixed;
+}
+
+/// Ground that the body has yet to reach holds it off in this step just as ground does on which it stands: what comes
+/// down beside a seam would else be turned back by the corner of the next piece, before it lands. But what moves may
+/// lay bare what it hides, and of faces that meet at a ridge the body may turn onto either.
+bool mayHideAhead(const WorldState& world, const Contact& stands, const Contact& hidden, const GroundContact& seen) {
+    return isGroundAtRest(world, stands) && isGroundAtRest(world, hidden) && !isFaceContact(seen);
+}
+
 /// @return whether the contact is hidden by another one of the same body
 bool isGhost(const WorldState& world, const GroundContacts& contacts, std::uint32_t index,
              const GroundContact& contact) {
     for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
         const Contact& stands = contacts.all[i];
         if (i == index || !stands.isSolid()) { continue; }
-        if (deepestSeparation(stands.manifold) > kEndRatio * stands.extent) { continue; }
+        const bool isReached = deepestSeparation(stands.manifold) <= kEndRatio * stands.extent;
+        if (!isReached && !mayHideAhead(world, stands, contacts.all[index], contact)) { continue; }
         if (hides(groundContactOf(world, stands), contact)) { return true; }
     }
     return false;

@@ -164,20 +164,21 @@ void noteMet(Flight& flight) {
 }
 
 /// What was met just now, and along whose normal the path only leads away, however the body turns, is not met again:
-/// the separation along that axis grows as the centre goes, less what the turn may bring.
-void dropWhatIsLeft(const Flight& flight, const Sweep& sweep) {
+/// the separation along that axis grows as the centre goes, less what the turn may bring. It is still there for what
+/// it hides: a body that falls along a wall of flush pieces meets the top of each.
+void clearWhatIsLeft(const Flight& flight, const Sweep& sweep) {
     FlightScratch& scratch = *flight.scratch;
-    if (scratch.met.empty()) { return; }
-    std::erase_if(scratch.obstacles, [&](const FlightObstacle& obstacle) {
-        const auto isSame = [&](const MetGround& met) {
+    for (const MetGround& met : scratch.met) {
+        const auto isSame = [&](const FlightObstacle& obstacle) {
             return met.own == obstacle.own && met.other == obstacle.other;
         };
-        const auto met = std::find_if(scratch.met.begin(), scratch.met.end(), isSame);
-        if (met == scratch.met.end()) { return false; }
-        const DVec2 normal = toDouble(met->normal);
+        const auto obstacle = std::find_if(scratch.obstacles.begin(), scratch.obstacles.end(), isSame);
+        if (obstacle == scratch.obstacles.end()) { continue; }
+        const DVec2 normal = toDouble(met.normal);
         const double slowest = dot(sweep.c1 - sweep.c0, normal) - std::fabs(dot(sweep.k, normal));
-        return slowest >= std::fabs(sweep.a1 - sweep.a0) * turningArm(flight.world->shapes[obstacle.own]);
-    });
+        const double turning = std::fabs(sweep.a1 - sweep.a0) * turningArm(flight.world->shapes[obstacle->own]);
+        obstacle->isClear = obstacle->isClear || slowest >= turning;
+    }
     scratch.met.clear();
 }
 
@@ -248,7 +249,7 @@ void advance(Flight& flight, const Sweep& sweep, double fraction) {
 
 FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
     findObstacles(*flight.world, flight.slot, sweep, flight.elapsed, *flight.scratch);
-    dropWhatIsLeft(flight, sweep);
+    clearWhatIsLeft(flight, sweep);
     const auto count = static_cast<std::size_t>(flight.carrierCount);
     if (count > 0) { allowSag(*flight.world, {flight.carriers.data(), count}, flight.elapsed, *flight.scratch); }
     return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch, limit);

@@ -1,0 +1,133 @@
+#include <array>
+
+#include "../support/random.h"
+#include "world_support.h"
+
+/// Seams in walls that bodies fall along, and beside which they land: flush pieces without friction turn nothing back.
+
+namespace swept::test {
+namespace {
+
+enum class Pieces { tiles, segments };
+
+/// A row of flush pieces from the origin along x, solid below; or along y, solid to the right.
+void addRow(World& world, Pieces pieces, int count, bool isWall) {
+    for (int i = -5; i < count; ++i) {
+        if (pieces == Pieces::segments) {
+            addStatic(world, isWall ? segment(0, i, 0, i + 1) : segment(i, 0, i + 1, 0), material(0));
+        } else {
+            addStatic(world, box(0.5, 0.5), material(0), isWall ? DVec2{0.5, i + 0.5} : DVec2{i + 0.5, -0.5});
+        }
+    }
+}
+
+struct Rider {
+    const char* name;
+    Polygon polygon;
+    double halfWidth;
+    bool isUpright;
+};
+std::array<Rider, 4> riders() {
+    return {Rider{"box that does not turn", box(0.4, 0.5), 0.4, true}, Rider{"box", box(0.4, 0.5), 0.4, false},
+            Rider{"capsule that does not turn", capsule(0.2, 0.4), 0.6, true},
+            Rider{"circle", circle(0.4), 0.4, false}};
+}
+
+BodyId addRider(World& world, const Rider& rider, DVec2 place, Vec2 velocity) {
+    BodyDef def = dynamicAt(place, velocity);
+    def.fixedRotation = rider.isUpright;
+    return addBody(world, def, rider.polygon, material(0));
+}
+
+WorldSettings settingsFor(ContinuousMode mode, Profile profile) {
+    WorldSettings settings = awakeSettings();
+    settings.continuous = mode;
+    settings.profile = profile;
+    return settings;
+}
+
+/// Largest part of its speed along the floor that one of so many lost that came down on it at random places.
+double worstLanding(const Rider& rider, Pieces pieces, Vec2 velocity, Profile profile, std::uint64_t seed) {
+    constexpr int kStarts = 60;
+    Random random(seed);
+    double worst = 0;
+    for (int i = 0; i < kStarts; ++i) {
+        World world = makeWorld(settingsFor(ContinuousMode::subStep, profile));
+        addRow(world, pieces, 40, false);
+        const double x = random.range(0, 1);
+        const double y = random.range(0.5, 2.5);
+        const BodyId body = addRider(world, rider, {x, y}, velocity);
+        for (int step = 0; step < 45 && world.position(body).x < 38; ++step) { must(world.step(kStep)); }
+        worst = std::max(worst, 1 - velocityOf(world, body).x / static_cast<double>(velocity.x));
+    }
+    return worst;
+}
+
+TEST(SeamLandings, LoseNothing) {
+    for (const Pieces pieces : {Pieces::tiles, Pieces::segments}) {
+        for (const Rider& rider : riders()) {
+            for (const Vec2 velocity : {vec(5, -3), vec(5, -10), vec(15, -10)}) {
+                for (const Profile profile : {Profile::accurate, Profile::fast}) {
+                    const std::string at =
+                        std::string(rider.name) + " on pieces " + std::to_string(static_cast<int>(pieces)) + " at " +
+                        testing::PrintToString(velocity.x) + ", " + testing::PrintToString(velocity.y) +
+                        " m/s, profile " + std::to_string(static_cast<int>(profile));
+                    expectAtMost(at + ": speed lost", worstLanding(rider, pieces, velocity, profile, 17), 1e-3);
+                }
+            }
+        }
+    }
+}
+
+/// How much slower than in free fall something falls along a wall that it is pushed against, at worst, m/s.
+double worstFall(const Rider& rider, Pieces pieces, double speed, ContinuousMode mode, std::uint64_t seed) {
+    constexpr int kStarts = 20;
+    Random random(seed);
+    double worst = 0;
+    for (int i = 0; i < kStarts; ++i) {
+        World world = makeWorld(settingsFor(mode, Profile::accurate));
+        addRow(world, pieces, 60, true);
+        const BodyId body = addRider(world, rider, {-0.02 - rider.halfWidth, random.range(50, 51)}, vec(0, -speed));
+        double fallen = speed;
+        for (int step = 0; step < 90 && world.position(body).y > 3; ++step) {
+            must(world.setVelocity(body, {3, world.velocity(body).y}, 0));
+            must(world.step(kStep));
+            fallen += kGravity * kStep;
+            worst = std::max(worst, fallen + velocityOf(world, body).y);
+        }
+    }
+    return worst;
+}
+
+TEST(SeamLandings, NothingIsStoppedThatFallsAlongAWall) {
+    for (const ContinuousMode mode : {ContinuousMode::subStep, ContinuousMode::stop, ContinuousMode::off}) {
+        // What is stopped where it comes to the wall loses the rest of that step.
+        const double most = mode == ContinuousMode::stop ? 0.05 + kGravity * kStep : 0.05;
+        for (const Pieces pieces : {Pieces::tiles, Pieces::segments}) {
+            for (const Rider& rider : riders()) {
+                for (const double speed : {0.0, 10.0, 25.0}) {
+                    const std::string at = std::string(rider.name) + " along pieces " +
+                                           std::to_string(static_cast<int>(pieces)) + " from " + std::to_string(speed) +
+                                           " m/s, mode " + std::to_string(static_cast<int>(mode));
+                    expectAtMost(at + ": slower by", worstFall(rider, pieces, speed, mode, 23), most);
+                }
+            }
+        }
+    }
+}
+
+/// What stands out from the floor is no seam: a step.
+TEST(SeamLandings, StepsAreStillInTheWay) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        World world = makeWorld(settingsFor(ContinuousMode::subStep, profile));
+        addStatic(world, box(5, 0.5), material(0), {-4, -0.5});
+        addStatic(world, box(5, 0.5), material(0), {6, -0.45});
+        const BodyId body = addRider(world, riders()[0], {0.2, 0.7}, vec(5, -10));
+        for (int step = 0; step < 60; ++step) { must(world.step(kStep)); }
+        EXPECT_LT(velocityOf(world, body).x, 0.1) << static_cast<int>(profile);
+        EXPECT_LT(world.position(body).x, 0.61) << static_cast<int>(profile);
+    }
+}
+
+}  // namespace
+}  // namespace swept::test
