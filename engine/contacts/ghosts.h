@@ -8,8 +8,8 @@
 /// Ghost collisions: a body that slides from one flush piece of ground to the next meets the side or the corner of the
 /// next piece, which the ground before it hides. What tells them apart from a wall: along the normal of the ground it
 /// stands on, or comes down on, the body is already clear of the next piece. So a contact yields to another one of the
-/// same body whose normal keeps the two shapes apart just as well, to within the slop. Corners yield to faces, never the
-/// other way round.
+/// same body whose normal keeps the two shapes apart just as well, to within the slop. Corners yield to faces, never
+/// the other way round.
 
 namespace swept::inline SWEPT_PRECISION {
 
