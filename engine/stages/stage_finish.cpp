@@ -47,9 +47,24 @@ void countRest(Body& body, const BodyMotion& motion, double dt) {
     body.restSteps = 0;
 }
 
-bool isTired(const WorldState& world, const Body& body) {
-    const bool held = body.hasContact || body.holdingJoints > 0;
-    return held && body.restSteps >= kRestSteps && body.restTime >= restTimeOf(world, body);
+/// How far something goes on that only damping slows down, by its speed: without end where there is none.
+double wayLeft(Real speed, Real damping) {
+    return speed > 0 ? static_cast<double>(speed) / static_cast<double>(damping) : 0;
+}
+
+/// Whether nothing moves the body, and it hardly will move ever. What drifts goes on, however slowly; what flies is
+/// still for a moment where it turns back.
+bool staysByItself(const WorldState& world, const Body& body, const BodyMotion& motion) {
+    if (accelerationOf(world, body) != Vec2{}) { return false; }  // a torque is over with its step
+    const double way = wayLeft(length(motion.velocity), body.def.linearDamping) +
+                       static_cast<double>(body.radius) *
+                           wayLeft(std::fabs(motion.angularVelocity), body.def.angularDamping);
+    return way <= static_cast<double>(kRestRatio * body.extent);
+}
+
+bool isTired(const WorldState& world, const Body& body, const BodyMotion& motion) {
+    if (body.restSteps < kRestSteps || body.restTime < restTimeOf(world, body)) { return false; }
+    return body.hasContact || body.holdingJoints > 0 || staysByItself(world, body, motion);
 }
 
 /// Of all that is awake.
@@ -60,8 +75,9 @@ void countRests(WorldState& world, double dt) {
             Body& body = world.bodies[world.awake[i]];
             world.tiredness[i] = Tiredness::driven;
             if (!body.isDynamic()) { continue; }
-            countRest(body, world.motions[world.awake[i]], dt);
-            world.tiredness[i] = isTired(world, body) ? Tiredness::tired : Tiredness::restless;
+            const BodyMotion& motion = world.motions[world.awake[i]];
+            countRest(body, motion, dt);
+            world.tiredness[i] = isTired(world, body, motion) ? Tiredness::tired : Tiredness::restless;
         }
     });
 }

@@ -110,6 +110,71 @@ TEST(Sleep, ImpulseWakes) {
     EXPECT_GT(stack.world.position(stack.boxes[4]).x, 0.1);
 }
 
+WorldSettings sleepyVoid() {
+    WorldSettings settings = awakeSettings(0);
+    settings.sleep = true;
+    return settings;
+}
+
+/// Seen from above, most of a game's bodies touch nothing.
+TEST(Sleep, WhatNothingPullsAtFallsAsleepByItself) {
+    World world = makeWorld(sleepyVoid());
+    const BodyId crate = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5));
+    run(world, 40);
+    EXPECT_FALSE(world.isAwake(crate));
+    must(world.applyImpulse(crate, vec(1, 0)));
+    run(world, 40);
+    EXPECT_TRUE(world.isAwake(crate));
+    EXPECT_GT(world.position(crate).x, 0.5);
+}
+
+TEST(Sleep, WhatDriftsOrTurnsEverSoSlowlyStaysAwake) {
+    World world = makeWorld(sleepyVoid());
+    const BodyId drifting = addBody(world, dynamicAt({0, 0}, vec(1e-4, 0)), box(0.5, 0.5));
+    const BodyId turning = addBody(world, dynamicAt({5, 0}, {}, 1e-4), box(0.5, 0.5));
+    runFor(world, 60);
+    expectAtMost("way", std::abs(world.position(drifting).x - 6e-3), 1e-6);
+    expectAtMost("turn", std::abs(world.angle(turning) - 6e-3), 1e-6);
+}
+
+/// v / c metres, w / c radians: less than a thousandth of the extent is left where it falls asleep.
+TEST(Sleep, WhatIsDampedGoesAllItsWayFirst) {
+    World world = makeWorld(sleepyVoid());
+    BodyDef def = dynamicAt({0, 0}, vec(2, 0), 3);
+    def.linearDamping = real(0.5);
+    def.angularDamping = real(2);
+    const BodyId crate = addBody(world, def, box(0.5, 0.5));
+    runFor(world, 10);
+    EXPECT_TRUE(world.isAwake(crate));
+    runFor(world, 20);
+    EXPECT_FALSE(world.isAwake(crate));
+    expectAtMost("way left", std::abs(world.position(crate).x - 4), 1.0 / 1024);
+    expectAtMost("turn left", std::abs(world.angle(crate) - 1.5), 1.0 / 1024);
+}
+
+TEST(Sleep, WhatGravityLeavesAloneFallsAsleepUntilItIsNot) {
+    WorldSettings settings = awakeSettings();
+    settings.sleep = true;
+    World world = makeWorld(settings);
+    BodyDef def = dynamicAt({0, 0});
+    def.gravityScale = 0;
+    const BodyId balloon = addBody(world, def, box(0.5, 0.5));
+    BodyDef kept = dynamicAt({5, 0});
+    const BodyId hovering = addBody(world, kept, box(0.5, 0.5));
+    for (int i = 0; i < 200; ++i) {
+        must(world.applyForce(hovering, vec(0, kGravity * world.mass(hovering))));
+        must(world.step(kStep));
+    }
+    EXPECT_FALSE(world.isAwake(balloon));
+    EXPECT_TRUE(world.isAwake(hovering));
+    def = world.definition(balloon);
+    def.gravityScale = 1;
+    must(world.redefine(balloon, def));
+    runFor(world, 1);
+    EXPECT_LT(world.position(balloon).y, -4);
+    EXPECT_LT(world.position(hovering).y, -4);
+}
+
 TEST(Sensor, ReportsBeginAndEndAndDoesNotCollide) {
     for (const double speed : {2.0, 10.0}) {
         World world = makeWorld(0);
