@@ -84,9 +84,9 @@ public:
     /// As it was made or redefined; pose, velocities, `awake` and `enabled` as they are now.
     BodyDef definition(BodyId id) const;
     /// Gives a body another definition; its pose and velocities stay as they are (but for those that the new one does
-    /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it. A new type ends its contacts.
-    /// Errors: as of createBody; `wrongBodyType` with "type" where it has joints and would be of another type, or
-    /// chains and would be dynamic.
+    /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it. A new type ends its contacts;
+    /// joints between what is not dynamic rest (as those of a disabled body do: setEnabled) until one of it is.
+    /// Errors: as of createBody; `wrongBodyType` with "type" where it has chains and would be dynamic.
     Status redefine(BodyId id, const BodyDef& def);
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
     /// end, and begin anew where it is. Wakes the body and what it touched. What is to push others on its way (a lift)

@@ -4,7 +4,9 @@
 #include "../../shapes/room.h"
 #include "../contacts/travel.h"
 #include "../modes/modes.h"
+#include "../solve/joint_builder.h"
 #include "../state/number_range.h"
+#include "joint_switch.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -39,7 +41,7 @@ Status check(const BodyDef& def) {
     return Status::success();
 }
 
-/// @pre it is awake, if it can be; nothing holds it to others
+/// @pre it is awake, if it can be
 void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
     dropContacts(world, slot);
     Body& body = world.bodies[slot];
@@ -55,6 +57,14 @@ void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
     body.def.type = type;
     body.mass = 0;
     if (body.isDynamic()) { weigh(world, body.shapes); }
+}
+
+/// Its joints hold something else now, or nothing: they begin anew, and what is on them, too.
+void renewJoints(WorldState& world, std::uint32_t slot) {
+    for (const std::uint32_t joint : world.bodies[slot].joints) { forgetImpulses(world.joints[joint]); }
+    switchJoints(world, slot);
+    wakeJoined(world, slot);
+    world.jointChains.areCurrent = false;
 }
 
 /// All that may fail when memory runs out, before a body is made.
@@ -148,7 +158,6 @@ Status World::redefine(BodyId id, const BodyDef& given) {
     if (!status.ok()) { return status; }
     Body& body = world.bodies[slot];
     const bool isOtherType = def.type != body.def.type;
-    if (isOtherType && !body.joints.empty()) { return {StatusCode::wrongBodyType, "type"}; }
     const auto isChain = [&world](std::uint32_t shape) { return world.shapes[shape].isChainSegment; };
     if (def.type == BodyType::dynamic && std::any_of(body.shapes.begin(), body.shapes.end(), isChain)) {
         return {StatusCode::wrongBodyType, "type"};
@@ -162,7 +171,10 @@ Status World::redefine(BodyId id, const BodyDef& given) {
     countBody(world, body, 1);
     updateMass(world, slot);
     wake(world, slot);
-    if (isOtherType) { renewKinds(world, body.shapes); }
+    if (isOtherType) {
+        renewJoints(world, slot);
+        renewKinds(world, body.shapes);
+    }
     updateProxies(world, slot);
     return Status::success();
 }

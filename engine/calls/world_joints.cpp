@@ -65,7 +65,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
     std::span<const std::uint32_t> pairs;
     if (joint.keepsApart()) { pairs = pairsBetween(world, joint); }
     makeRoomForJoint(world, joint, pairs.size());
-    joint.isOff = tiesDisabled(world, joint);
+    joint.isOff = !canHold(world, joint);
     const std::optional<JointId> id = world.joints.insert(std::move(joint));
     if (!id) { return Status{StatusCode::outOfMemory, "joint"}; }
     const Joint& placed = world.joints[id->index];

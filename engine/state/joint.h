@@ -72,7 +72,7 @@ struct Joint {
     Vec2 localAxisB;                                       ///< the same in the frame of B, at creation
     std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
     std::size_t bodyCount = 0;
-    bool isOff = false;       ///< one of them is disabled
+    bool isOff = false;       ///< it cannot hold: see `canHold`
     double gearConstant = 0;  ///< metres or radians
     JointDef base;
 

@@ -127,10 +127,12 @@ void restAnew(WorldState& world) {
     for (const std::uint32_t slot : world.awake) { startResting(world.bodies[slot], world.motions[slot]); }
 }
 
-bool tiesDisabled(const WorldState& world, const Joint& joint) {
+bool canHold(const WorldState& world, const Joint& joint) {
     const std::span<const std::uint32_t> bodies = joint.allBodies();
-    return std::any_of(bodies.begin(), bodies.end(),
-                       [&world](std::uint32_t body) { return !world.bodies[body].def.enabled; });
+    const auto isEnabled = [&world](std::uint32_t body) { return world.bodies[body].def.enabled; };
+    if (!std::all_of(bodies.begin(), bodies.end(), isEnabled)) { return false; }
+    const bool movesA = world.bodies[joint.bodyA].isDynamic() && joint.type() != JointType::mouse;
+    return movesA || world.bodies[joint.bodyB].isDynamic();
 }
 
 void wakeJoined(WorldState& world, std::uint32_t body) {

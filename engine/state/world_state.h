@@ -318,8 +318,8 @@ void removeFromAwake(WorldState& world, std::uint32_t body);
 void countBody(WorldState& world, const Body& body, std::int32_t sign);
 /// All that is awake counts its rest from now on: nothing counts while sleep is off.
 void restAnew(WorldState& world);
-/// Whether one of its bodies is disabled: then it is off.
-bool tiesDisabled(const WorldState& world, const Joint& joint);
+/// Whether all of its bodies are enabled, and what it moves is dynamic: A or B, of a mouse joint B. Else it is off.
+bool canHold(const WorldState& world, const Joint& joint);
 /// Wakes everything that a joint holds to the body.
 void wakeJoined(WorldState& world, std::uint32_t body);
 /// Notes the masses of shapes that came to a dynamic body, or have another density.

@@ -202,9 +202,6 @@ TEST(Redefine, RefusalsChangeNothing) {
     run(world, 5);
     const std::uint64_t before = digestOf(world, known);
     BodyDef def = world.definition(body);
-    def.type = BodyType::kinematic;
-    EXPECT_EQ(world.redefine(body, def).code, StatusCode::wrongBodyType);  // it has a joint
-    def = world.definition(body);
     def.linearDamping = -1;
     EXPECT_EQ(world.redefine(body, def).code, StatusCode::negative);
     EXPECT_EQ(world.redefine(BodyId{}, def).code, StatusCode::staleId);
