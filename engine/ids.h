@@ -8,7 +8,8 @@
 namespace swept {
 
 /// Names of things in a world: a slot and its generation. A default one is null; one whose thing was destroyed is stale
-/// for ever (a slot is retired when its generation would wrap). Both are refused with `staleId`.
+/// for ever (a slot is retired when its generation would wrap). Both are refused with `staleId`. They name things in
+/// their world and its copies; in another world the same id may name something else.
 struct BodyId {
     std::uint32_t index = 0xFFFFFFFFu;
     std::uint32_t generation = 0;

@@ -6,11 +6,13 @@
 
 namespace swept {
 
-/// Which shapes a query sees: those whose category is in `mask` and whose mask has `category`.
+/// Which shapes a query sees: those whose category is in `mask` and whose mask has `category`, but for sensors and one
+/// body.
 struct QueryFilter {
     std::uint32_t category = 1;
     std::uint32_t mask = 0xFFFFFFFFu;
     bool sensors = false;  ///< whether it sees sensors, too
+    BodyId ignore{};       ///< no shape of this body: of whom looks around, say
 };
 
 }  // namespace swept

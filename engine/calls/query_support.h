@@ -7,8 +7,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-inline bool sees(const QueryFilter& filter, const Shape& shape) {
+inline bool sees(const WorldState& world, const QueryFilter& filter, const Shape& shape) {
     if (shape.def.sensor && !filter.sensors) { return false; }
+    if (shape.body == filter.ignore.index && world.bodies.isValid(filter.ignore)) { return false; }
     return (shape.def.filter.category & filter.mask) != 0 && (filter.category & shape.def.filter.mask) != 0;
 }
 

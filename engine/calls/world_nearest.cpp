@@ -82,7 +82,7 @@ NearestShape nearestTo(const WorldState& world, const Polygon& polygon, const Wo
         world.broadphase->query(grown(own, looked), [&](ProxyId proxy) {
             const std::uint32_t slot = slotOf(world, proxy);
             const bool mayBeNearest = gapOf(world.broadphase->box(proxy), own) <= std::max(search.least(), Real(0));
-            if (mayBeNearest && sees(filter, world.shapes[slot])) { search.offer(slot); }
+            if (mayBeNearest && sees(world, filter, world.shapes[slot])) { search.offer(slot); }
             return ++visited < most;
         });
         if (visited == most) {

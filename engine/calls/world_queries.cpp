@@ -79,7 +79,7 @@ void visitOnRay(const WorldState& world, DVec2 origin, Vec2 translation, const Q
     if (!isGood(origin, translation)) { return; }
     world.broadphase->ray(origin, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
         const std::uint32_t slot = slotOf(world, proxy);
-        if (!sees(filter, world.shapes[slot])) { return limit; }
+        if (!sees(world, filter, world.shapes[slot])) { return limit; }
         const CastHit hit = rayAgainst(world, world.shapes[slot], origin, translation, limit);
         return hit.hit ? std::min(limit, visit(Met{hit, slot})) : limit;
     });
@@ -90,7 +90,7 @@ void liftOff(const WorldState& world, const QueryFilter& filter, const Aabb& sta
     std::vector<Support> supports;  // asks for memory only where there are some
     world.broadphase->query(start, [&](ProxyId proxy) {
         const std::uint32_t slot = slotOf(world, proxy);
-        if (!sees(filter, world.shapes[slot])) { return true; }
+        if (!sees(world, filter, world.shapes[slot])) { return true; }
         if (const std::optional<Support> support = supportOf(world, slot, carried)) { supports.push_back(*support); }
         return true;
     });
@@ -138,7 +138,7 @@ void visitOnWay(const WorldState& world, const Polygon& polygon, const WorldTran
     const Aabb lifted = grown(start, static_cast<Real>(length(carried.lift)));
     world.broadphase->sweep(lifted, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
         const std::uint32_t slot = slotOf(world, proxy);
-        if (!sees(filter, world.shapes[slot]) || !(limit > 0)) { return limit; }
+        if (!sees(world, filter, world.shapes[slot]) || !(limit > 0)) { return limit; }
         const Met met = castAgainst(world, slot, carried, limit);
         return met.hit.hit ? std::min(limit, visit(met)) : limit;
     });
@@ -182,7 +182,7 @@ void World::queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<boo
     world.broadphase->query(box, [&](ProxyId proxy) {
         const Shape& shape = shapeOf(world, proxy);
         const bool overlapping = overlaps(box, boundsOf(shape.polygon, world.motions[shape.body].pose));
-        if (!overlapping || !sees(filter, shape) || !seen.isNew(shape)) { return true; }
+        if (!overlapping || !sees(world, filter, shape) || !seen.isNew(shape)) { return true; }
         return visit(world.shapes.idOf(shape.head));
     });
 }
@@ -194,7 +194,7 @@ void World::overlapShape(const Polygon& polygon, const WorldTransform& pose, con
     ChainsSeen seen;
     world.broadphase->query(boundsOf(polygon, pose), [&](ProxyId proxy) {
         const Shape& shape = shapeOf(world, proxy);
-        if (!sees(filter, shape) || distanceTo(world, shape, polygon, pose).distance > 0) { return true; }
+        if (!sees(world, filter, shape) || distanceTo(world, shape, polygon, pose).distance > 0) { return true; }
         if (!seen.isNew(shape)) { return true; }
         return visit(world.shapes.idOf(shape.head));
     });

@@ -20,8 +20,9 @@ struct Item {
     ShapeDef def;
 };
 
-bool sees(const QueryFilter& query, const ShapeDef& def) {
-    if (def.sensor && !query.sensors) { return false; }
+bool sees(const QueryFilter& query, const Item& item) {
+    const ShapeDef& def = item.def;
+    if (item.body == query.ignore || (def.sensor && !query.sensors)) { return false; }
     return (def.filter.category & query.mask) != 0 && (query.category & def.filter.mask) != 0;
 }
 
@@ -98,7 +99,11 @@ struct Scenery {
     }
 
     QueryFilter filter() {
-        return {1u << random.integer(0, 2), random.chance(0.7) ? 0xFFFFFFFFu : 3u, random.chance(0.5)};
+        QueryFilter query{1u << random.integer(0, 2), random.chance(0.7) ? 0xFFFFFFFFu : 3u, random.chance(0.5)};
+        if (random.chance(0.5)) {
+            query.ignore = items[static_cast<std::size_t>(random.integer(0, static_cast<int>(items.size()) - 1))].body;
+        }
+        return query;
     }
     WorldTransform pose(const Item& item) const {
         return {world.position(item.body), rotationFromAngle(world.angle(item.body))};
@@ -110,7 +115,7 @@ struct Scenery {
     std::optional<Real> rayFraction(const QueryFilter& query, DVec2 from, Vec2 along) const {
         std::optional<Real> best;
         for (const Item& item : items) {
-            if (!sees(query, item.def)) { continue; }
+            if (!sees(query, item)) { continue; }
             for (const Polygon& part : item.parts) {
                 const WorldTransform frame = pose(item);
                 const RayCastHit hit = rayCast(part, applyInverse(frame, from), unrotate(frame.rotation, along), 1);
@@ -130,7 +135,7 @@ struct Scenery {
     Real clearance(const QueryFilter& query, const Polygon& polygon, const WorldTransform& where) const {
         Real smallest = std::numeric_limits<Real>::infinity();
         for (const Item& item : items) {
-            if (sees(query, item.def)) { smallest = std::min(smallest, distanceTo(item, polygon, where)); }
+            if (sees(query, item)) { smallest = std::min(smallest, distanceTo(item, polygon, where)); }
         }
         return smallest;
     }
@@ -185,7 +190,7 @@ TEST(Queries, OverlapsAgreeWithAWalkOverAllShapes) {
                         std::count_if(seen.begin(), seen.end(), [&](ShapeId id) { return s.isOf(item, id); });
                     const Real gap = s.distanceTo(item, polygon, where);
                     if (std::fabs(gap) < real(1e-5)) { continue; }  // may go either way
-                    const bool wanted = sees(query, item.def) && gap <= 0;
+                    const bool wanted = sees(query, item) && gap <= 0;
                     ASSERT_EQ(count > 0, wanted) << "seed " << seed << " query " << i << " gap " << gap;
                     found += wanted ? 1 : 0;
                 }
@@ -266,7 +271,7 @@ TEST(Queries, BoxesSeeEachShapeOnce) {
                 for (const Polygon& part : item.parts) {
                     wanted = wanted || overlaps(area, boundsOf(part, s.pose(item)));
                 }
-                wanted = wanted && sees(query, item.def);
+                wanted = wanted && sees(query, item);
                 const bool got = std::any_of(seen.begin(), seen.end(), [&](ShapeId id) { return s.isOf(item, id); });
                 ASSERT_EQ(got, wanted) << "seed " << seed << " query " << i;
                 found += wanted ? 1 : 0;
@@ -332,6 +337,22 @@ TEST(Queries, VisitorsMayStop) {
     int calls = 0;
     s.world.queryBox({vec(-20, -20), vec(20, 20)}, {.sensors = true}, [&](ShapeId) { return ++calls < 3; });
     EXPECT_EQ(calls, 3);
+}
+
+/// Who looks around does not see itself, but sees what has its slot later.
+TEST(Queries, LeaveOutOneBody) {
+    World world = makeWorld();
+    const BodyId self = addBody(world, dynamicAt({0, 0}), circle(0.5));
+    const BodyId other = addBody(world, dynamicAt({3, 0}), circle(0.5));
+    const QueryFilter filter{.ignore = self};
+    EXPECT_EQ(world.castRay({0, 0}, vec(9, 0)).body, self);
+    EXPECT_EQ(world.castRay({0, 0}, vec(9, 0), filter).body, other);
+    EXPECT_EQ(world.castShape(circle(0.5), {{0, 0}, {}}, vec(9, 0), filter).body, other);
+    EXPECT_EQ(world.bodyOf(world.nearest({0, 0}, 9, filter).shape), other);
+    must(world.destroyBody(self));
+    const BodyId next = addBody(world, dynamicAt({0, 0}), circle(0.5));
+    ASSERT_EQ(next.index, self.index);
+    EXPECT_EQ(world.castRay({0, 0}, vec(9, 0), filter).body, next);
 }
 
 /// Their boxes are made as a step begins, for all of it, however long it is and wherever they were put before.
