@@ -53,11 +53,12 @@ void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit
     const auto isOfBody = [slot = id.index](const ContactPair& pair) {
         return pair.bodyA == slot || pair.bodyB == slot;
     };
-    (void)pairsOf(world, body->shapes, isOfBody);
-    std::vector<std::uint32_t> places;
-    places.swap(world.pairsOfShapes.found);  // for as long as the visit may ask again
-    visitContactsAt(world, places, [&](const Contact& contact) { visitPoints(world, contact, visit); });
-    places.swap(world.pairsOfShapes.found);
+    // All are looked at before any is told: the visit may ask again, and must not crash where it changes the world.
+    std::vector<ContactView> views;
+    visitContactsAt(world, pairsOf(world, body->shapes, isOfBody), [&](const Contact& contact) {
+        visitPoints(world, contact, [&views](const ContactView& view) { views.push_back(view); });
+    });
+    for (const ContactView& view : views) { visit(view); }
 }
 
 void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) {
