@@ -89,6 +89,7 @@ run_tests release "default compiler, release, f32 and f64"
 
 if [ "$sanitizers" = yes ]; then
     export UBSAN_OPTIONS="print_stacktrace=1:${UBSAN_OPTIONS:-}"
+    export LSAN_OPTIONS="suppressions=$PWD/tests/leaks_of_libraries.txt:print_suppressions=0:${LSAN_OPTIONS:-}"
     build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick" quick
     if [ "$long" = yes ]; then
         build_and_test asan "clang 14, address and undefined behaviour sanitizers, tests labelled quick_long" quick_long

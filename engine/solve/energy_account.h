@@ -30,6 +30,8 @@ struct EnergyAccount {
     /// By joints to kinematic bodies, and by those that calls move. Noted only of what may have gained.
     bool isLed = false;
     bool isTorn = false;            ///< its joints cannot all hold, and it goes faster than it is led: so it pays
+    Real gapBefore = 0;             ///< largest one of its joints (`gapOf`), of what may have burst
+    Real gapAfter = 0;
     double leadSpeed = 0;           ///< of the fastest one, m/s
     double leadSpin = 0;            ///< rad/s
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most

@@ -55,6 +55,10 @@ inline EnergyAccount& accountOf(WorldState& world, std::uint32_t slot) {
     return world.energyAccounts[world.islands.find(slot)];
 }
 
+inline EnergyAccount& accountOf(WorldState& world, const JointTie& tie) {
+    return accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
+}
+
 /// Of the members of the group, those whose island gained.
 template <class Visit>
 void forEachGainer(WorldState& world, const TiedGroup& group, const Visit& visit) {

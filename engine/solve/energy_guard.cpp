@@ -6,6 +6,7 @@
 
 #include "../../solver/joint_islands/joint_island.h"
 #include "driven_joints.h"
+#include "energy_calm.h"
 #include "energy_gain.h"
 #include "energy_shares.h"
 #include "joint_builder.h"
@@ -52,23 +53,9 @@ void noteJoint(WorldState& world, std::uint32_t joint) {
     }
 }
 
-/// Whether a joint does not hold, by far. Where it is one of several that hold an island to what it does not move, they
-/// cannot all hold; of a single one, what hangs there may be heavy, or whirl.
-bool isTorn(const WorldState& world, const Joint& joint) {
-    constexpr Real kTornTurn = Real(1) / 8;   // rad
-    constexpr Real kTornRatio = Real(1) / 8;  // of the smallest extent of its bodies
-    Real smallest = std::numeric_limits<Real>::infinity();
-    for (const std::uint32_t slot : joint.allBodies()) {
-        const Body& body = world.bodies[slot];
-        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
-    }
-    const JointErrors errors = errorsOf(world, joint);
-    return errors.length > kTornRatio * smallest || errors.angle > kTornTurn;
-}
-
-EnergyAccount& accountOf(WorldState& world, const JointTie& tie) {
-    return accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
-}
+/// Of a joint that does not hold, by far, at least this. Where it is one of several that hold an island to what it does
+/// not move, they cannot all hold; of a single one, what hangs there may be heavy, or whirl.
+constexpr Real kTornGap = Real(1) / 8;
 
 /// Kinematic bodies do work, and so do joints that calls move. What they lead may hang on levers, or whirl, and go as
 /// fast as it likes, unless its joints are torn or closed at once: then what goes faster than `kMostLead` has it is not
@@ -97,36 +84,12 @@ void findDriven(WorldState& world, const TiedGroup& group) {
         if (account.solve != desk.energySolve || account.anchors < 2 || account.isTorn || !mayTear(account)) {
             continue;
         }
-        account.isTorn = isTorn(world, world.joints[i]);
+        account.isTorn = gapOf(world, world.joints[i]) > kTornGap;
     }
     for (const std::uint32_t root : desk.energyRoots) {
         EnergyAccount& account = world.energyAccounts[root];
         const bool mayPay = account.isTorn || (account.isYanked && mayTear(account));
         account.isDriven = account.isDriven || (account.isLed && !mayPay);
-    }
-}
-
-/// Joints that are torn work against each other. What each begins the next step with would grow without end, and so
-/// would the way that bodies go: they go as far as what is left of their speed takes them.
-void calmTorn(WorldState& world, const TiedGroup& group) {
-    const SolveDesk& desk = group.desk;
-    const auto isToBeCalmed = [&desk](const EnergyAccount& account) {
-        return account.solve == desk.energySolve && account.isTorn && !account.isDriven && account.motion != kNoIndex;
-    };
-    for (const std::uint32_t i : group.joints) {
-        const JointTie& tie = world.jointTies[i];
-        const std::uint32_t slot = world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB;
-        if (isToBeCalmed(accountOf(world, slot))) { forgetStart(world.joints[i]); }
-    }
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        const std::uint32_t slot = desk.bodies[i];
-        const EnergyAccount& account = accountOf(world, slot);
-        if (!isToBeCalmed(account)) { continue; }
-        const double part = 1 - desk.islandMotions[account.motion].share;
-        world.motions[slot].center -= part * toDouble(desk.energyEntries[i].moved);
-        world.motions[slot].angle -= part * static_cast<double>(desk.energyEntries[i].turned);
-        updatePose(world, slot);
     }
 }
 
@@ -377,7 +340,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
     };
     if (std::none_of(roots.begin(), roots.end(), pays)) { return; }
     takeBackGains(world, group, static_cast<double>(time));
-    if (hasJoints) { calmTorn(world, group); }
+    if (hasJoints) { calmTorn(world, group, static_cast<double>(time)); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -124,6 +124,15 @@ double rigidEnergy(const IslandMotion& island, DVec2 velocity, double spin) {
     return 0.5 * (island.mass * squared(velocity) + island.inertia * squared(spin));
 }
 
+/// Where all of the motion relative to it is not enough, what joints gained moves the island as a whole. (A chain whose
+/// joints contradicted each other as it lay on the ground slid away at 640 m/s.)
+void slowDown(IslandMotion& island, double excess) {
+    const double kept = rigidEnergy(island, island.keptVelocity, island.keptSpin);
+    const double left = kept > excess ? std::sqrt(1 - excess / kept) : 0;
+    island.keptVelocity = left * island.keptVelocity;
+    island.keptSpin *= left;
+}
+
 /// What is left of the motion relative to that of the island takes back what was gained. The ground pushes an island
 /// away from it; how it slides along it, that is none of the ground's doing, and stays: a stack that landed on ice lost
 /// most of its momentum otherwise.
@@ -149,6 +158,7 @@ void findShares(WorldState& world, SolveDesk& desk, double time) {
         const double excess = excessOf(account) - (rigid - rigidEnergy(island, island.keptVelocity, island.keptSpin));
         const double relative = account.kinetic - rigid;
         if (excess > 0) { island.share = relative > excess ? std::sqrt(1 - excess / relative) : 0; }
+        if (account.isJointed && excess > relative) { slowDown(island, excess - relative); }
     }
 }
 

@@ -12,9 +12,19 @@
 namespace swept::test {
 namespace {
 
+/// Of what a joint leaves free, in metres or radians.
+struct Free {
+    double least;
+    double most;
+};
+
 template <class Def>
-void tie(World& world, const JointDef& base, DVec2 anchor, double angle, const std::optional<Spring>& spring) {
+void tie(World& world, const JointDef& base, DVec2 anchor, double angle, const std::optional<Spring>& spring,
+         const std::optional<Free>& free) {
     Def def;
+    if constexpr (requires { def.limits; }) {
+        if (free) { def.limits = {real(free->least), real(free->most)}; }
+    }
     if constexpr (requires { def.spring; }) { def.spring = spring; }
     if constexpr (requires { def.linearSpring; }) { def.linearSpring = spring; }
     def.base = base;
@@ -23,26 +33,31 @@ void tie(World& world, const JointDef& base, DVec2 anchor, double angle, const s
     must(world.createJoint(def));
 }
 
-enum class Ties : std::uint8_t { overlapping, sprung };
+enum class Ties : std::uint8_t { overlapping, sprung, limited };
 
 void tieSomehow(World& world, BodyId a, BodyId b, Ties ties, Random& random) {
     JointDef base = between(a, b);
-    base.collideConnected = ties == Ties::overlapping && random.chance(0.5);
+    base.collideConnected = ties != Ties::sprung && random.chance(0.5);
     std::optional<Spring> spring;
     if (ties == Ties::sprung && random.chance(0.6)) { spring = Spring{real(random.range(1, 30)), 0}; }
+    std::optional<Free> free;
+    if (ties == Ties::limited && random.chance(0.5)) {
+        const double least = random.range(-0.5, 0);
+        free = Free{least, random.range(0, 0.5)};
+    }
     const DVec2 middle = 0.5 * (world.position(a) + world.position(b));
     const double aside = random.range(-0.2, 0.2);
     const DVec2 anchor = middle + DVec2{aside, random.range(-0.2, 0.2)};
     const double angle = random.range(0, 2 * kPi);
     switch (random.integer(0, 4)) {
         case 0:
-            return tie<RevoluteJointDef>(world, base, anchor, angle, spring);
+            return tie<RevoluteJointDef>(world, base, anchor, angle, spring, free);
         case 1:
-            return tie<PrismaticJointDef>(world, base, anchor, angle, spring);
+            return tie<PrismaticJointDef>(world, base, anchor, angle, spring, free);
         case 2:
-            return tie<WheelJointDef>(world, base, anchor, angle, spring);
+            return tie<WheelJointDef>(world, base, anchor, angle, spring, free);
         case 3:
-            return tie<WeldJointDef>(world, base, anchor, angle, spring);
+            return tie<WeldJointDef>(world, base, anchor, angle, spring, free);
         default:
             break;
     }
@@ -51,6 +66,10 @@ void tieSomehow(World& world, BodyId a, BodyId b, Ties ties, Random& random) {
     rod.anchorA = world.position(a) + DVec2{aside, 0.1};
     rod.anchorB = world.position(b) + DVec2{0.1, aside};
     rod.spring = spring;
+    if (free) {
+        const double length = swept::length(rod.anchorB - rod.anchorA);
+        rod.limits = LengthLimits{real(0.7 * length), real(1.3 * length)};
+    }
     must(world.createJoint(rod));
 }
 
@@ -106,6 +125,17 @@ double growthOf(const WorldSettings& settings, double massRatio, Ties ties, std:
 TEST(JointOverlaps, OfNeighboursThatCollideMakeNoEnergy) {
     for (std::uint64_t seed = 0; seed < 120; ++seed) {
         const double growth = growthOf(awakeSettings(), seed % 2 == 0 ? 10 : 100, Ties::overlapping, seed);
+        expectAtMost("seed " + std::to_string(seed), growth, 1.1);
+    }
+}
+
+/// Where a limit holds them overlapping, what it carries and what the contact carries fed each other, a thousandfold in
+/// a step. (Of the first 400 such chains 193 had 2.7 times its energy then in float, 362 in double 6.5 times.)
+TEST(JointOverlaps, OfNeighboursWithLimitsMakeNoEnergy) {
+    std::vector<std::uint64_t> seeds{193, 362};
+    for (std::uint64_t seed = 0; seed < 80; ++seed) { seeds.push_back(seed); }
+    for (const std::uint64_t seed : seeds) {
+        const double growth = growthOf(awakeSettings(), seed % 2 == 0 ? 10 : 100, Ties::limited, seed);
         expectAtMost("seed " + std::to_string(seed), growth, 1.1);
     }
 }

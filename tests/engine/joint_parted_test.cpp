@@ -196,5 +196,49 @@ TEST(JointParted, WhatWhirlsAboutASlowCarrierGoesOn) {
     }
 }
 
+/// Four boxes in a row, on a floor or in the air, and what ties them.
+struct Row {
+    std::vector<BodyId> boxes;
+    std::vector<JointId> joints;
+};
+template <class Tie>
+Row addRow(World& world, double height, const Tie& tie) {
+    Row row;
+    for (int i = 0; i < 4; ++i) {
+        row.boxes.push_back(addBody(world, dynamicAt({0.6 * i, height}), box(0.25, 0.25)));
+        if (i == 0) { continue; }
+        row.joints.push_back(tie(row.boxes[static_cast<std::size_t>(i) - 1], row.boxes.back(), 0.6 * i - 0.3));
+    }
+    return row;
+}
+
+/// Their joints pull together what a call has put elsewhere: that makes as much energy as it takes, and is no burst.
+TEST(JointParted, WhatIsPutElsewhereIsPulledBack) {
+    for (const Profile profile : kProfiles) {
+        for (const double height : {0.25, 20.0}) {
+            for (const double by : {0.1, 1.0, 10.0, 100.0}) {
+                for (const bool isWeld : {false, true}) {
+                    WorldSettings settings = awakeSettings();
+                    settings.profile = profile;
+                    World world = makeWorld(settings);
+                    addStatic(world, box(200, 1), material(0.6), {0, -1});
+                    const Row row = addRow(world, height, [&](BodyId a, BodyId b, double x) {
+                        if (isWeld) { return must(world.createJoint(WeldJointDef{between(a, b), {x, height}})); }
+                        return must(world.createJoint(RevoluteJointDef{between(a, b), {x, height}}));
+                    });
+                    run(world, 20);
+                    const DVec2 place = world.position(row.boxes[2]);
+                    must(world.setPose(row.boxes[2], place + by * DVec2{0.6, 0.8}, world.angle(row.boxes[2])));
+                    run(world, 40);
+                    for (const JointId joint : row.joints) {
+                        EXPECT_LT(static_cast<double>(world.jointError(joint)), 0.02)
+                            << nameOf(profile) << " at " << height << " by " << by << (isWeld ? ", welded" : "");
+                    }
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

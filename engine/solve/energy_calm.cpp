@@ -1,0 +1,129 @@
+#include "energy_calm.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "energy_gain.h"
+#include "joint_builder.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Whether a solve may have gone off: what joints and contacts carry against each other fed itself. By more than so
+/// many times the energy that there was, and that a fall gives, nothing else adds, but for what closes gaps that calls
+/// made.
+bool mayHaveBurst(const EnergyAccount& account) {
+    constexpr double kBurst = 64;
+    if (!account.isJointed || account.isYanked) { return false; }
+    const double before = std::max(account.kinetic - account.gained, 0.0);
+    return excessOf(account) > kBurst * (before + account.fall);
+}
+
+class Calmer {
+public:
+    Calmer(WorldState& world, const TiedGroup& group) : world_(world), group_(group) {}
+
+    void calm(double time) {
+        const auto mayBe = [](const EnergyAccount& account) { return account.isTorn || mayHaveBurst(account); };
+        if (!noteGaps(mayBe, &EnergyAccount::gapAfter)) { return; }
+        const auto isOff = [&mayBe](const EnergyAccount& account) {
+            // What closed the gaps of its joints had a reason to be fast.
+            return mayBe(account) && (account.isTorn || !(account.gapAfter < account.gapBefore));
+        };
+        findWaysBack(time, mayBe);
+        move(1);
+        noteGaps(mayBe, &EnergyAccount::gapBefore);
+        std::erase_if(ways_, [&](const WayBack& way) { return isOff(accountOf(world_, way.slot)); });
+        move(-1);  // there again
+        forget(isOff);
+    }
+
+private:
+    bool pays(const EnergyAccount& account) const {
+        return account.solve == group_.desk.energySolve && !account.isDriven && account.motion != kNoIndex;
+    }
+
+    /// @return whether there are any
+    template <class IsMeant>
+    bool noteGaps(const IsMeant& isMeant, Real EnergyAccount::*gap) {
+        bool any = false;
+        for (const std::uint32_t i : group_.joints) {
+            EnergyAccount& account = accountOf(world_, world_.jointTies[i]);
+            if (!pays(account) || !isMeant(account)) { continue; }
+            account.*gap = std::max(account.*gap, gapOf(world_, world_.joints[i]));
+            any = true;
+        }
+        return any;
+    }
+
+    /// To where a body gets with what is left of its motion relative to its island, as the island goes as a whole.
+    template <class IsMeant>
+    void findWaysBack(double time, const IsMeant& isMeant) {
+        const SolveDesk& desk = group_.desk;
+        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+            const std::uint32_t slot = desk.bodies[i];
+            const EnergyAccount& account = accountOf(world_, slot);
+            if (!pays(account) || !isMeant(account)) { continue; }
+            const IslandMotion& island = desk.islandMotions[account.motion];
+            const DVec2 arm = world_.motions[slot].center - world_.motions[island.root].center - island.center;
+            const DVec2 whole = island.keptVelocity + island.keptSpin * DVec2{-arm.y, arm.x};
+            const double part = 1 - island.share;
+            ways_.push_back({slot, part * (time * whole - toDouble(desk.energyEntries[i].moved)),
+                             part * (time * island.keptSpin - static_cast<double>(desk.energyEntries[i].turned))});
+        }
+    }
+
+    void move(double sign) {
+        for (const WayBack& way : ways_) {
+            world_.motions[way.slot].center += sign * way.moved;
+            world_.motions[way.slot].angle += sign * way.turned;
+            updatePose(world_, way.slot);
+        }
+    }
+
+    /// What the next step would begin with.
+    template <class IsMeant>
+    void forget(const IsMeant& isMeant) {
+        const auto isCalmed = [&](const EnergyAccount& account) { return pays(account) && isMeant(account); };
+        for (const std::uint32_t i : group_.joints) {
+            if (isCalmed(accountOf(world_, world_.jointTies[i]))) { forgetStart(world_.joints[i]); }
+        }
+        const auto forgetContact = [&](Contact& contact) {
+            if (!isCalmed(accountOf(world_, contact.dynamicA ? contact.bodyA : contact.bodyB))) { return; }
+            contact.normalImpulse = contact.tangentImpulse = {};
+        };
+        if (group_.role == BodyRole::solved) {
+            for (const TouchingPair& pair : world_.touching) { forgetContact(world_.contacts[pair.contact]); }
+        } else {
+            for (Contact& contact : group_.contacts) { forgetContact(contact); }
+        }
+    }
+
+    struct WayBack {
+        std::uint32_t slot;
+        DVec2 moved;
+        double turned;
+    };
+
+    WorldState& world_;
+    const TiedGroup& group_;
+    std::vector<WayBack> ways_;
+};
+
+}  // namespace
+
+Real gapOf(const WorldState& world, const Joint& joint) {
+    Real smallest = std::numeric_limits<Real>::infinity();
+    for (const std::uint32_t slot : joint.allBodies()) {
+        const Body& body = world.bodies[slot];
+        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
+    }
+    const JointErrors errors = errorsOf(world, joint);
+    return std::max(errors.length / smallest, errors.angle);
+}
+
+void calmTorn(WorldState& world, const TiedGroup& group, double time) { Calmer(world, group).calm(time); }
+
+}  // namespace swept::inline SWEPT_PRECISION
