@@ -78,6 +78,8 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
         expectRunRefused({scene_, flag, "-"},
                          "swept: " + std::string(flag) + " -: cannot write to standard output");
     }
+    // The tests' standard output is a file: states would overwrite what the command tells, or be overwritten by it.
+    expectRunRefused({scene_, "--csv", "/dev/stdout"}, "--csv /dev/stdout: is where standard output goes");
     expectRefused({"inspect", scene_, "--json", "-"}, "--json -: cannot write to standard output");
     expectRefused({"tune", scene_, "--max-error", "penetration=1", "--out", "-"},
                   "--out -: cannot write to standard output");

@@ -27,6 +27,12 @@ bool isDevice(const std::string& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+/// Whether standard output goes into this very file: one would write over the other. (A pipe gets both in turn.)
+bool isStandardOutput(const std::string& path) {
+    std::error_code ignored;
+    return !isDevice(path) && fs::equivalent(path, "/dev/stdout", ignored);
+}
+
 }  // namespace
 
 void OutputFiles::protect(const std::string& path) {
@@ -80,6 +86,10 @@ bool OutputFiles::refuseClashes(std::string& error) const {
     }
     for (std::size_t i = 0; i < files_.size(); ++i) {
         if (isDevice(files_[i].path)) { continue; }
+        if (isStandardOutput(files_[i].path)) {
+            error = files_[i].flag + ' ' + files_[i].path + ": is where standard output goes; give another name";
+            return false;
+        }
         for (const std::string& input : protected_) {
             if (!samePlace(files_[i].path, input)) { continue; }
             error = files_[i].flag + ' ' + files_[i].path + ": would overwrite the input";

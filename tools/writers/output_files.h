@@ -21,7 +21,7 @@ public:
     void addDirectory(const std::string& flag, const std::string& path,
                       std::function<bool(const std::string& name)> writes = {});
     /// The first part of `open`, for files that are written later. @return false, and one line in `error`, when one of
-    /// them is protected, two options name the same one, or one is "-", as if standard output were a place.
+    /// them is protected, two options name the same one, or one is standard output, which gets what the command tells.
     bool refuseClashes(std::string& error) const;
     /// @return false, and one line in `error`, when some place cannot be written, or of the reasons above.
     bool open(std::string& error);
