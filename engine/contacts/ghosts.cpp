@@ -46,11 +46,20 @@ bool isGroundAtRest(const WorldState& world, const Contact& contact) {
     return world.bodies[contact.dynamicA ? contact.bodyB : contact.bodyA].def.type == BodyType::fixed;
 }
 
+/// How far the other ground is below the plane of what the body stands on, metres.
+Real stepDown(const GroundContact& stands, const GroundContact& other) {
+    const auto heightAbove = [&stands](const GroundContact& c) {
+        return separationAlong(c.ground, c.groundPose, c.own, c.ownPose, stands.normal);
+    };
+    return heightAbove(other) - heightAbove(stands);
+}
+
 /// Ground that the body has yet to reach holds it off in this step just as ground does on which it stands: what comes
 /// down beside a seam would else be turned back by the corner of the next piece, before it lands. But what moves may
-/// lay bare what it hides, and of faces that meet at a ridge the body may turn onto either.
+/// lay bare what it hides, of faces that meet at a ridge the body may turn onto either, and a step is in the way.
 bool mayHideAhead(const WorldState& world, const Contact& stands, const Contact& hidden, const GroundContact& seen) {
-    return isGroundAtRest(world, stands) && isGroundAtRest(world, hidden) && !isFaceContact(seen);
+    if (!isGroundAtRest(world, stands) || !isGroundAtRest(world, hidden) || isFaceContact(seen)) { return false; }
+    return std::fabs(stepDown(groundContactOf(world, stands), seen)) <= seen.slop;
 }
 
 /// @return whether the contact is hidden by another one of the same body
