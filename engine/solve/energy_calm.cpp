@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "energy_gain.h"
@@ -31,11 +32,11 @@ public:
             // What closed the gaps of its joints had a reason to be fast.
             return mayBe(account) && (account.isTorn || !(account.gapAfter < account.gapBefore));
         };
-        findWaysBack(time, mayBe);
-        move(1);
+        findPlacesBack(time, mayBe);
+        changePlaces();
         noteGaps(mayBe, &EnergyAccount::gapBefore);
-        std::erase_if(ways_, [&](const WayBack& way) { return isOff(accountOf(world_, way.slot)); });
-        move(-1);  // there again
+        std::erase_if(places_, [&](const Place& place) { return isOff(accountOf(world_, place.slot)); });
+        changePlaces();  // the others are there again
         forget(isOff);
     }
 
@@ -57,9 +58,9 @@ private:
         return any;
     }
 
-    /// To where a body gets with what is left of its motion relative to its island, as the island goes as a whole.
+    /// Where a body gets with what is left of its motion relative to its island, as the island goes as a whole.
     template <class IsMeant>
-    void findWaysBack(double time, const IsMeant& isMeant) {
+    void findPlacesBack(double time, const IsMeant& isMeant) {
         const SolveDesk& desk = group_.desk;
         for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
             if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
@@ -70,16 +71,20 @@ private:
             const DVec2 arm = world_.motions[slot].center - world_.motions[island.root].center - island.center;
             const DVec2 whole = island.keptVelocity + island.keptSpin * DVec2{-arm.y, arm.x};
             const double part = 1 - island.share;
-            ways_.push_back({slot, part * (time * whole - toDouble(desk.energyEntries[i].moved)),
-                             part * (time * island.keptSpin - static_cast<double>(desk.energyEntries[i].turned))});
+            const BodyMotion& motion = world_.motions[slot];
+            const double turned = time * island.keptSpin - static_cast<double>(desk.energyEntries[i].turned);
+            places_.push_back({slot, motion.center + part * (time * whole - toDouble(desk.energyEntries[i].moved)),
+                               motion.angle + part * turned});
         }
     }
 
-    void move(double sign) {
-        for (const WayBack& way : ways_) {
-            world_.motions[way.slot].center += sign * way.moved;
-            world_.motions[way.slot].angle += sign * way.turned;
-            updatePose(world_, way.slot);
+    /// Of bodies and what is noted: twice, and all are where they were, to the bit.
+    void changePlaces() {
+        for (Place& place : places_) {
+            BodyMotion& motion = world_.motions[place.slot];
+            std::swap(motion.center, place.center);
+            std::swap(motion.angle, place.angle);
+            updatePose(world_, place.slot);
         }
     }
 
@@ -101,15 +106,15 @@ private:
         }
     }
 
-    struct WayBack {
+    struct Place {
         std::uint32_t slot;
-        DVec2 moved;
-        double turned;
+        DVec2 center;
+        double angle;
     };
 
     WorldState& world_;
     const TiedGroup& group_;
-    std::vector<WayBack> ways_;
+    std::vector<Place> places_;
 };
 
 }  // namespace
