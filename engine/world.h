@@ -26,8 +26,9 @@ struct WorldState;
 ///
 /// Every call that takes input checks it first and changes nothing when it refuses (see `Status`). Getters of a stale
 /// id return a default value (zeros, false). One thread at a time; queries may run at the same time as each other. What
-/// a query or visit calls back must not change the world. A world that was moved from may only be assigned to
-/// or destroyed. The same calls give the same bits on every machine, compiler and number of threads.
+/// a query or visit calls back may change the world: it is told of what was there when it was asked. What was destroyed
+/// since is left out, what was moved or made since may be. A world that was moved from may only be assigned to or
+/// destroyed. The same calls give the same bits on every machine, compiler and number of threads.
 ///
 /// Where memory runs out, `std::bad_alloc` comes through (a library without exceptions ends the program). A call that
 /// was to make a body, shape, chain or joint has made nothing then, and with the default broadphase the world can be
@@ -212,9 +213,8 @@ public:
     // --- queries, at the present poses; nothing is found for what is no number, a translation of 0, a bad polygon.
     // Chains are met from either side.
     CastHit castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
-    /// Calls `visit` for every shape on the ray, in no particular order. It returns the fraction of the ray to go on
-    /// with: 1 goes on, that of the hit shortens the ray to it, 0 ends the query. Of a chain for each segment, from
-    /// either side.
+    /// Calls `visit` for every shape on the ray, the nearest first. It returns the fraction of the ray to go on with: 1
+    /// goes on, that of the hit shortens the ray to it, 0 ends the query. Of a chain for each segment, from either side.
     void castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                     FunctionRef<Real(const CastHit&)> visit) const;
     /// First shape that a polygon meets when it is carried along `translation` without turning. It is stopped about

@@ -4,12 +4,12 @@
 #include "../contacts/pairs_of_shapes.h"
 #include "../state/world_state.h"
 
-/// What touches, asked between steps.
+/// What touches, asked between steps. What is called back may change the world: all is listed before any is told.
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-void visitPoints(const WorldState& world, const Contact& contact, FunctionRef<void(const ContactView&)> visit) {
+void listPoints(const WorldState& world, const Contact& contact, std::vector<ContactView>& views) {
     if (!contact.isSolid()) { return; }
     const WorldTransform& pose = world.motions[contact.bodyA].pose;
     ContactView view;
@@ -22,7 +22,13 @@ void visitPoints(const WorldState& world, const Contact& contact, FunctionRef<vo
         view.point = apply(pose, contact.manifold.points[i].point);
         view.separation = contact.manifold.points[i].separation;
         view.impulse = contact.totalImpulse[i];
-        visit(view);
+        views.push_back(view);
+    }
+}
+
+void tellAll(const World& world, const std::vector<ContactView>& views, FunctionRef<void(const ContactView&)> visit) {
+    for (const ContactView& view : views) {
+        if (world.isValid(view.shapeA) && world.isValid(view.shapeB)) { visit(view); }
     }
 }
 
@@ -39,11 +45,13 @@ void visitContactsAt(WorldState& world, std::span<const std::uint32_t> places, c
 }  // namespace
 
 void World::visitContacts(FunctionRef<void(const ContactView&)> visit) const {
+    std::vector<ContactView> views;
     for (const std::span<const ContactProbe> probes : {std::span(state_->probes), state_->parked.probes.all()}) {
         for (const ContactProbe& probe : probes) {
-            if (!isGap(probe)) { visitPoints(*state_, state_->contacts[probe.contact], visit); }
+            if (!isGap(probe)) { listPoints(*state_, state_->contacts[probe.contact], views); }
         }
     }
+    tellAll(*this, views, visit);
 }
 
 void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) {
@@ -53,12 +61,10 @@ void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit
     const auto isOfBody = [slot = id.index](const ContactPair& pair) {
         return pair.bodyA == slot || pair.bodyB == slot;
     };
-    // All are looked at before any is told: the visit may ask again, and must not crash where it changes the world.
     std::vector<ContactView> views;
-    visitContactsAt(world, pairsOf(world, body->shapes, isOfBody), [&](const Contact& contact) {
-        visitPoints(world, contact, [&views](const ContactView& view) { views.push_back(view); });
-    });
-    for (const ContactView& view : views) { visit(view); }
+    visitContactsAt(world, pairsOf(world, body->shapes, isOfBody),
+                    [&](const Contact& contact) { listPoints(world, contact, views); });
+    tellAll(*this, views, visit);
 }
 
 void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) {
@@ -67,16 +73,18 @@ void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) {
     const std::uint32_t head = sensor.index;
     std::vector<std::uint32_t> slots;
     listSlots(world, head, slots);
-    std::vector<std::uint32_t> others;
+    std::vector<ShapeId> others;
     visitContactsAt(world, pairsOfShape(world, slots), [&](const Contact& contact) {
         if (contact.sensor && contact.touching && world.shapes[contact.shapeA].head == head) {
-            others.push_back(world.shapes[contact.shapeB].head);
+            others.push_back(world.shapes.idOf(world.shapes[contact.shapeB].head));
         }
     });
     // A chain has one id, however many of its segments overlap.
-    std::sort(others.begin(), others.end());
+    std::sort(others.begin(), others.end(), [](ShapeId a, ShapeId b) { return a.index < b.index; });
     others.erase(std::unique(others.begin(), others.end()), others.end());
-    for (const std::uint32_t other : others) { visit(world.shapes.idOf(other)); }
+    for (const ShapeId other : others) {
+        if (isValid(other)) { visit(other); }
+    }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -8,10 +8,11 @@
 #include "cast_start.h"
 #include "query_support.h"
 
+/// What is called back may change the world, so nothing is gone through meanwhile that it might change: first all is
+/// listed, then it is told.
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-const Shape& shapeOf(const WorldState& world, ProxyId proxy) { return world.shapes[slotOf(world, proxy)]; }
 
 CastHit rayAgainst(const WorldState& world, const Shape& shape, DVec2 origin, Vec2 translation, Real limit) {
     const WorldTransform& pose = world.motions[shape.body].pose;
@@ -53,16 +54,18 @@ struct Met {
     double depth = 0;  ///< of a shape that is stopped as it starts: its overlap, metres; else 0
 };
 
-/// The first thing met so far. Of equal fractions the deeper counts: at a seam of the ground the one that holds, not
-/// the edge beside. Then the lower shape, of a chain the lower segment, so that the answer does not depend on the order
-/// of the visits.
+/// Of equal fractions the deeper comes first: at a seam of the ground the one that holds, not the edge beside. Then the
+/// lower shape, of a chain the lower segment, so that the answer does not depend on the order in which they are found.
+bool isBefore(const Met& a, const Met& b) {
+    const auto key = [](const Met& m) { return std::make_tuple(m.hit.fraction, -m.depth, m.hit.shape.index, m.slot); };
+    return key(a) < key(b);
+}
+
+/// The first thing met so far.
 class Closest {
 public:
     void offer(const Met& met) {
-        const auto key = [](const Met& m) {
-            return std::make_tuple(m.hit.fraction, -m.depth, m.hit.shape.index, m.slot);
-        };
-        if (!first_.hit.hit || key(met) < key(first_)) { first_ = met; }
+        if (!first_.hit.hit || isBefore(met, first_)) { first_ = met; }
     }
     /// Beyond which nothing counts any more.
     Real limit() const { return std::nextafter(first_.hit.fraction, Real(2)); }
@@ -144,11 +147,45 @@ void visitOnWay(const WorldState& world, const Polygon& polygon, const WorldTran
     });
 }
 
+/// Tells of each shape or chain of which a part is near the box, seen and accepted, until a visit returns false.
+/// Whether it is accepted is asked when its turn comes, as the world is then: most who ask end with the first.
+/// @param state  of the world itself, since a visit may give it another
+template <class Accepts>
+void tellNear(const std::unique_ptr<WorldState>& state, const Aabb& box, const QueryFilter& filter,
+              const Accepts& accepts, FunctionRef<bool(ShapeId)> visit) {
+    std::vector<ShapeId> candidates;
+    state->broadphase->query(box, [&](ProxyId proxy) {
+        candidates.push_back(state->shapes.idOf(slotOf(*state, proxy)));
+        return true;
+    });
+    ChainsSeen seen;
+    for (const ShapeId part : candidates) {
+        const Shape* shape = state->shapes.find(part);
+        if (shape == nullptr || !sees(*state, filter, *shape) || !accepts(*shape) || !seen.isNew(*shape)) { continue; }
+        if (!visit(state->shapes.idOf(shape->head))) { return; }
+    }
+}
+
+/// Up to the fraction to which visits shorten the way.
+void tellInOrder(const World& world, std::vector<Met>& found, FunctionRef<Real(const CastHit&)> visit) {
+    std::sort(found.begin(), found.end(), isBefore);
+    Real limit = 1;
+    for (const Met& met : found) {
+        if (!(limit > 0) || met.hit.fraction > limit) { return; }
+        if (world.isValid(met.hit.shape)) { limit = std::min(limit, visit(met.hit)); }
+    }
+}
+
 }  // namespace
 
 void World::castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                        FunctionRef<Real(const CastHit&)> visit) const {
-    visitOnRay(*state_, origin, translation, filter, [&visit](const Met& met) { return visit(met.hit); });
+    std::vector<Met> found;
+    visitOnRay(*state_, origin, translation, filter, [&found](const Met& met) {
+        found.push_back(met);
+        return Real(1);
+    });
+    tellInOrder(*this, found, visit);
 }
 
 CastHit World::castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter) const {
@@ -162,7 +199,12 @@ CastHit World::castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter
 
 void World::castShapeAll(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                          const QueryFilter& filter, FunctionRef<Real(const CastHit&)> visit) const {
-    visitOnWay(*state_, polygon, pose, translation, filter, [&visit](const Met& met) { return visit(met.hit); });
+    std::vector<Met> found;
+    visitOnWay(*state_, polygon, pose, translation, filter, [&found](const Met& met) {
+        found.push_back(met);
+        return Real(1);
+    });
+    tellInOrder(*this, found, visit);
 }
 
 CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
@@ -176,28 +218,20 @@ CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec
 }
 
 void World::queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<bool(ShapeId)> visit) const {
-    const WorldState& world = *state_;
     if (!swept::isValid(box)) { return; }
-    ChainsSeen seen;
-    world.broadphase->query(box, [&](ProxyId proxy) {
-        const Shape& shape = shapeOf(world, proxy);
-        const bool overlapping = overlaps(box, boundsOf(shape.polygon, world.motions[shape.body].pose));
-        if (!overlapping || !sees(world, filter, shape) || !seen.isNew(shape)) { return true; }
-        return visit(world.shapes.idOf(shape.head));
-    });
+    const auto accepts = [this, &box](const Shape& shape) {
+        return overlaps(box, boundsOf(shape.polygon, state_->motions[shape.body].pose));
+    };
+    tellNear(state_, box, filter, accepts, visit);
 }
 
 void World::overlapShape(const Polygon& polygon, const WorldTransform& pose, const QueryFilter& filter,
                          FunctionRef<bool(ShapeId)> visit) const {
-    const WorldState& world = *state_;
     if (!isGood(polygon, pose)) { return; }
-    ChainsSeen seen;
-    world.broadphase->query(boundsOf(polygon, pose), [&](ProxyId proxy) {
-        const Shape& shape = shapeOf(world, proxy);
-        if (!sees(world, filter, shape) || distanceTo(world, shape, polygon, pose).distance > 0) { return true; }
-        if (!seen.isNew(shape)) { return true; }
-        return visit(world.shapes.idOf(shape.head));
-    });
+    const auto accepts = [this, &polygon, &pose](const Shape& shape) {
+        return distanceTo(*state_, shape, polygon, pose).distance <= 0;
+    };
+    tellNear(state_, boundsOf(polygon, pose), filter, accepts, visit);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,16 +1,22 @@
+#include <algorithm>
+#include <vector>
+
 #include "../../shapes/bit_cast.h"
 #include "../solve/joint_builder.h"
 #include "../state/world_state.h"
 
-/// All that there is, one after the other: for editors, debug drawing, games that keep no lists of their own.
+/// All that there is, one after the other: for editors, debug drawing, games that keep no lists of their own. What is
+/// called back may change the world, so no visit holds on to anything of it meanwhile.
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-template <class Id, class Pool>
-void visitAll(const Pool& pool, FunctionRef<void(Id)> visit) {
-    for (std::uint32_t slot = 0; slot < pool.slotCount(); ++slot) {
-        if (pool.isAlive(slot)) { visit(pool.idOf(slot)); }
+/// @param poolOf  of the world: asked anew for each, since a visit may change all of it
+template <class Id, class PoolOf>
+void visitAll(const PoolOf& poolOf, FunctionRef<void(Id)> visit) {
+    const std::uint32_t end = poolOf().slotCount();  // what visits make must not keep this going
+    for (std::uint32_t slot = 0; slot < std::min(end, poolOf().slotCount()); ++slot) {
+        if (poolOf().isAlive(slot)) { visit(poolOf().idOf(slot)); }
     }
 }
 
@@ -30,7 +36,10 @@ private:
 
 }  // namespace
 
-void World::visitBodies(FunctionRef<void(BodyId)> visit) const { visitAll<BodyId>(state_->bodies, visit); }
+void World::visitBodies(FunctionRef<void(BodyId)> visit) const {
+    visitAll<BodyId>(
+        [this]() -> const auto& { return state_->bodies; }, visit);
+}
 
 BodyId World::bodyWithoutMass() const {
     const auto& bodies = state_->bodies;
@@ -42,7 +51,8 @@ BodyId World::bodyWithoutMass() const {
 }
 
 void World::visitMoved(FunctionRef<void(BodyId)> visit) const {
-    for (const std::uint32_t slot : state_->stepped) {
+    for (std::size_t i = 0; i < state_->stepped.size(); ++i) {  // by index: a visit may make it another list
+        const std::uint32_t slot = state_->stepped[i];
         if (!state_->bodies.isAlive(slot)) { continue; }
         const Body& body = state_->bodies[slot];
         const BodyMotion& motion = state_->motions[slot];
@@ -64,26 +74,39 @@ std::uint64_t World::stateHash() const {
     return hash.sum();
 }
 
-void World::visitJoints(FunctionRef<void(JointId)> visit) const { visitAll<JointId>(state_->joints, visit); }
+void World::visitJoints(FunctionRef<void(JointId)> visit) const {
+    visitAll<JointId>(
+        [this]() -> const auto& { return state_->joints; }, visit);
+}
 
 void World::visitShapes(BodyId id, FunctionRef<void(ShapeId)> visit) const {
     const Body* body = state_->bodies.find(id);
     if (body == nullptr) { return; }
+    std::vector<ShapeId> shapes;
     for (const std::uint32_t slot : body->shapes) {
-        if (state_->shapes[slot].head == slot) { visit(state_->shapes.idOf(slot)); }  // of a chain the first segment
+        if (state_->shapes[slot].head == slot) { shapes.push_back(state_->shapes.idOf(slot)); }  // of a chain the first
+    }
+    for (const ShapeId shape : shapes) {
+        if (isValid(shape)) { visit(shape); }
     }
 }
 
 void World::visitJoints(BodyId id, FunctionRef<void(JointId)> visit) const {
     const Body* body = state_->bodies.find(id);
     if (body == nullptr) { return; }
-    for (const std::uint32_t slot : body->joints) { visit(state_->joints.idOf(slot)); }
+    std::vector<JointId> joints;
+    for (const std::uint32_t slot : body->joints) { joints.push_back(state_->joints.idOf(slot)); }
+    for (const JointId joint : joints) {
+        if (isValid(joint)) { visit(joint); }
+    }
 }
 
 void World::visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const {
-    if (!isValid(id)) { return; }
-    for (std::uint32_t slot = id.index; slot != kNoIndex; slot = state_->shapes[slot].nextInChain) {
-        visit(state_->shapes[slot].polygon);
+    std::uint32_t slot = id.index;
+    while (slot != kNoIndex && isValid(id)) {
+        const Polygon polygon = state_->shapes[slot].polygon;  // a copy: the visit may make it move, or destroy it
+        slot = state_->shapes[slot].nextInChain;
+        visit(polygon);
     }
 }
 

@@ -238,7 +238,10 @@ private:
     Status ask() {
         const DVec2 from = place();
         (void)world_.castRay(from, vector());
-        world_.queryBox({vector(), vector()}, {}, [](ShapeId) { return true; });
+        world_.queryBox({vector(), vector()}, {}, [this](ShapeId shape) {
+            if (input_.flag()) { (void)world_.destroyBody(world_.bodyOf(shape)); }
+            return true;
+        });
         return Status::success();
     }
 
