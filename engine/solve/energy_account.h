@@ -30,7 +30,7 @@ struct EnergyAccount {
     /// By joints to kinematic bodies, and by those that calls move. Noted only of what may have gained.
     bool isLed = false;
     bool isTorn = false;            ///< its joints cannot all hold, and it goes faster than it is led: so it pays
-    Real gapBefore = 0;             ///< largest one of its joints (`gapOf`), of what may have burst
+    Real gapBefore = 0;             ///< of its joints and limits (energy_calm.cpp), of what may have burst
     Real gapAfter = 0;
     double leadSpeed = 0;           ///< of the fastest one, m/s
     double leadSpin = 0;            ///< rad/s

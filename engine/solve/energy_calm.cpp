@@ -21,6 +21,16 @@ bool mayHaveBurst(const EnergyAccount& account) {
     return excessOf(account) > kBurst * (before + account.fall);
 }
 
+/// Metres over the extent of the smallest body of the joint, or rad.
+Real ratioOf(const WorldState& world, const Joint& joint, const JointErrors& errors) {
+    Real smallest = std::numeric_limits<Real>::infinity();
+    for (const std::uint32_t slot : joint.allBodies()) {
+        const Body& body = world.bodies[slot];
+        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
+    }
+    return std::max(errors.length / smallest, errors.angle);
+}
+
 class Calmer {
 public:
     Calmer(WorldState& world, const TiedGroup& group) : world_(world), group_(group) {}
@@ -45,6 +55,8 @@ private:
         return account.solve == group_.desk.energySolve && !account.isDriven && account.motion != kNoIndex;
     }
 
+    /// Of all joints of an island, added up: what closes one of them has a reason, whatever the others do. And how far
+    /// they are beyond their limits.
     /// @return whether there are any
     template <class IsMeant>
     bool noteGaps(const IsMeant& isMeant, Real EnergyAccount::*gap) {
@@ -52,7 +64,8 @@ private:
         for (const std::uint32_t i : group_.joints) {
             EnergyAccount& account = accountOf(world_, world_.jointTies[i]);
             if (!pays(account) || !isMeant(account)) { continue; }
-            account.*gap = std::max(account.*gap, gapOf(world_, world_.joints[i]));
+            const Joint& joint = world_.joints[i];
+            account.*gap += gapOf(world_, joint) + ratioOf(world_, joint, limitErrorsOf(world_, joint));
             any = true;
         }
         return any;
@@ -119,15 +132,7 @@ private:
 
 }  // namespace
 
-Real gapOf(const WorldState& world, const Joint& joint) {
-    Real smallest = std::numeric_limits<Real>::infinity();
-    for (const std::uint32_t slot : joint.allBodies()) {
-        const Body& body = world.bodies[slot];
-        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
-    }
-    const JointErrors errors = errorsOf(world, joint);
-    return std::max(errors.length / smallest, errors.angle);
-}
+Real gapOf(const WorldState& world, const Joint& joint) { return ratioOf(world, joint, errorsOf(world, joint)); }
 
 void calmTorn(WorldState& world, const TiedGroup& group, double time) { Calmer(world, group).calm(time); }
 

@@ -346,6 +346,26 @@ JointErrors errorsOf(const WorldState& world, const Joint& joint) {
     return errors;
 }
 
+JointErrors limitErrorsOf(const WorldState& world, const Joint& joint) {
+    const auto beyond = [](double coordinate, const auto& limits) {
+        if (!limits) { return Real(0); }
+        const double below = static_cast<double>(limits->lower) - coordinate;
+        const double above = coordinate - static_cast<double>(limits->upper);
+        return static_cast<Real>(std::max({below, above, 0.0}));
+    };
+    if (const auto* hinge = std::get_if<HingePart>(&joint.parts)) {
+        return {0, beyond(angleOf(world, joint), hinge->def.limits)};
+    }
+    const auto slid = static_cast<double>(translationOf(world, joint));
+    if (const auto* slider = std::get_if<JointPart<PrismaticJointDef, PrismaticConstraint>>(&joint.parts)) {
+        return {beyond(slid, slider->def.limits), 0};
+    }
+    if (const auto* wheel = std::get_if<JointPart<WheelJointDef, WheelConstraint>>(&joint.parts)) {
+        return {beyond(slid, wheel->def.limits), 0};
+    }
+    return {};
+}
+
 double angleOf(const WorldState& world, const Joint& joint) {
     return world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle - joint.referenceAngle;
 }

@@ -32,6 +32,8 @@ struct JointErrors {
     Real angle = 0;
 };
 JointErrors errorsOf(const WorldState& world, const Joint& joint);
+/// How far a hinge, slider or wheel is beyond its limits. (A distance joint that is has an error.)
+JointErrors limitErrorsOf(const WorldState& world, const Joint& joint);
 
 /// Angle of B relative to A beyond the initial one, rad.
 double angleOf(const WorldState& world, const Joint& joint);

@@ -212,6 +212,39 @@ Row addRow(World& world, double height, const Tie& tie) {
     return row;
 }
 
+/// Beyond its limits something may begin, or be put: it gets to them at once, and stays.
+TEST(JointParted, WhatIsBeyondItsLimitsGetsToThem) {
+    for (const Profile profile : kProfiles) {
+        for (const char* kind : {"hinge", "slider", "wheel"}) {
+            for (const double lower : {0.01, 0.1, 0.5, 1.0}) {
+                World world = makeWorld(weightless(profile));
+                const BodyId post = must(world.createBody({}));
+                const BodyId bar = addBody(world, dynamicAt({1, 0}), box(0.5, 0.1));
+                JointId joint;
+                if (kind[0] == 'h') {
+                    RevoluteJointDef def{between(post, bar), {0.5, 0}};
+                    def.limits = AngleLimits{real(lower), 2};
+                    joint = must(world.createJoint(def));
+                } else if (kind[0] == 's') {
+                    PrismaticJointDef def{between(post, bar), {1, 0}, {0, 1}};
+                    def.limits = TranslationLimits{real(lower), 2};
+                    joint = must(world.createJoint(def));
+                } else {
+                    WheelJointDef def{between(post, bar), {1, 0}, {0, 1}};
+                    def.limits = TranslationLimits{real(lower), 2};
+                    joint = must(world.createJoint(def));
+                }
+                run(world, 60);
+                const bool turns = kind[0] == 'h';
+                EXPECT_NEAR(turns ? world.jointAngle(joint) : static_cast<double>(world.jointTranslation(joint)), lower,
+                            0.001)
+                    << kind << ' ' << nameOf(profile);
+                EXPECT_LT(kineticOf(world, bar), 1e-4) << kind << ' ' << nameOf(profile) << " from " << lower;
+            }
+        }
+    }
+}
+
 /// Their joints pull together what a call has put elsewhere: that makes as much energy as it takes, and is no burst.
 TEST(JointParted, WhatIsPutElsewhereIsPulledBack) {
     for (const Profile profile : kProfiles) {
