@@ -151,7 +151,7 @@ void advance(WorldState& world, double dt) {
     assignRoles(world, step);
     findIslands(world);
     assignEfforts(world, dt);
-    world.fastIslands.any = false;
+    world.fastIslands.any = world.fastIslands.anyDissolved = false;
     if (world.anyFast) { findFastIslands(world); }
     clock.stop(world.stageTimes.islands);
     moveFreeBodies(world, dt);

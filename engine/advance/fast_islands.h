@@ -6,6 +6,7 @@
 
 #include "../contacts/contact.h"
 #include "../containers/island_items.h"
+#include "../flight/clash.h"
 #include "../state/body.h"
 #include "../state/joint.h"
 
@@ -36,7 +37,8 @@ struct FastIslands {
     std::vector<std::uint32_t>
         numbers;  ///< by body slot: which of these islands it is in, if any; by their lowest members
     std::vector<std::uint32_t> roots;   ///< the lowest members of these islands, ascending
-    std::vector<std::uint8_t> isDone;   ///< by island, this step: its bodies bounced off each other in flight (clash.h)
+    std::vector<ClashEnd> clashes;      ///< by island, this step
+    bool anyDissolved = false;          ///< of these
     std::vector<std::uint8_t> isTried;  ///< by island, this step: solved with all else at first (first_try.h)
     std::vector<double> meets;  ///< by island: fraction of the step at which it met something then; 1: it did not
     std::vector<TriedPlace> triedPlaces;      ///< by island, likewise: in the last two of these

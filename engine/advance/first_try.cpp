@@ -15,7 +15,7 @@ constexpr std::size_t kTryGrain = 4;
 /// step is little, and is put back.
 bool mayBeTried(const WorldState& world, std::size_t island, double dt) {
     const FastIslands& fast = world.fastIslands;
-    if (fast.isDone[island] != 0) { return false; }
+    if (fast.clashes[island] != ClashEnd::none) { return false; }
     const Effort effort = world.bodies[fast.bodies.of(island)[0]].effort;
     const std::span<const std::uint32_t> joints = fast.joints.of(island);
     const auto isHinge = [&world](std::uint32_t joint) { return world.jointTies[joint].isHinge; };
@@ -134,7 +134,7 @@ void takeBackContacts(WorldState& world) {
 
 void beginFirstTry(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
-    const std::size_t count = fast.isDone.size();
+    const std::size_t count = fast.clashes.size();
     fast.isTried.assign(count, 0);
     fast.meets.assign(count, 1);
     fast.eventsBefore = world.contactEvents.size();

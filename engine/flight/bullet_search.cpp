@@ -35,13 +35,14 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
     const Body& body = world.bodies[slot];
     BulletPartner partner{.flight = flightOf(world, slot, dt, scratch), .path = {}};
     partner.isBullet = isBullet(world, slot);
-    partner.tied = isTied(body);
+    partner.clash = dissolvedClashOf(world, slot);
     if (body.awake && body.role == BodyRole::flyer) {
         partner.flies = partner.moved = true;
         limitSpeed(partner.flight);
         resolveStart(partner.flight);
         return partner;
     }
+    partner.tied = isTied(body);
     const BodyMotion& motion = world.motions[slot];
     partner.path = {.localCenter = toDouble(body.localCenter),
                     .c0 = body.awake ? body.startCenter : motion.center,
@@ -82,7 +83,9 @@ void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, Fl
     const BulletPartner& first = work.partners[inOrder ? one : other];
     const BulletPartner& second = work.partners[inOrder ? other : one];
     const double from = std::max(first.pathFrom, second.pathFrom);
-    if ((!first.isBullet && !second.isBullet) || (first.tied && second.tied) || !(from < work.dt)) { return; }
+    const bool wereTogether = first.clash != kNoIndex && first.clash == second.clash;
+    if (!first.isBullet && !second.isBullet && !wereTogether) { return; }
+    if ((first.tied && second.tied) || !(from < work.dt)) { return; }
     const Body& firstBody = world.bodies[first.flight.slot];
     const Body& secondBody = world.bodies[second.flight.slot];
     const Sweep path = pathAfter(second, from);
@@ -118,7 +121,7 @@ void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, Fl
 
 /// Whether it looks for others. Where there are bullets that do not, what may meet them does.
 bool searches(const BulletWork& work, const BulletPartner& partner) {
-    return partner.isBullet || (!partner.tied && work.areSomeAtRest);
+    return partner.isBullet || partner.clash != kNoIndex || (!partner.tied && work.areSomeAtRest);
 }
 
 /// What is slow, and lies where the paths of some partners lead that are near each other; some of it more than once.

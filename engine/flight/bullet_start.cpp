@@ -17,10 +17,11 @@ Real speedBound(const WorldState& world, std::uint32_t slot, Real dt) {
            (body.isDynamic() ? dt * length(accelerationOf(world, body)) : Real(0));
 }
 
-/// Where a body may get within the step, whatever direction it is sent into.
-Aabb realmOf(const WorldState& world, std::uint32_t slot, Real reach) {
+/// Where a body may get that goes no farther than that.
+Aabb realmOfReach(const WorldState& world, std::uint32_t slot, Real reach) {
     const Body& body = world.bodies[slot];
-    return grown(roundedOutward(body.startCenter, body.startCenter), reach + body.radius);
+    const DVec2 start = body.awake ? body.startCenter : world.motions[slot].center;
+    return grown(roundedOutward(start, start), reach + body.radius);
 }
 
 /// How far the solver moved any point of a body in this step, metres.
@@ -62,15 +63,12 @@ void reachThoseAtRest(const WorldState& world, Real reach, std::array<Aabb, kWid
 
 /// Takes out of `early` what is no bullet and gets to no place to which one may get.
 void dropOutOfReach(WorldState& world, Real dt) {
-    Real fastest = 0;
-    for (const std::uint32_t slot : world.awake) {
-        if (world.bodies[slot].isDynamic()) { fastest = std::max(fastest, speedBound(world, slot, dt)); }
-    }
     BulletWork& work = world.bulletWork;
+    const Real farthest = farthestOf(world, dt);
     work.boxes.clear();
     for (const std::uint32_t slot : work.early) {
         if (isBullet(world, slot)) {
-            work.boxes.push_back(realmOf(world, slot, dt * (speedBound(world, slot, dt) + fastest)));
+            work.boxes.push_back(realmOfReach(world, slot, dt * speedBound(world, slot, dt) + farthest));
         }
     }
     WideTree& realms = work.tree;
@@ -84,14 +82,14 @@ void dropOutOfReach(WorldState& world, Real dt) {
             boxes.fill(kNoBox);
             for (std::size_t i = first; i < last; ++i) {
                 const std::uint32_t slot = work.early[i];
-                work.reached[i] = isBullet(world, slot) ? 1 : 0;
+                work.reached[i] = isBullet(world, slot) || dissolvedClashOf(world, slot) != kNoIndex ? 1 : 0;
                 if (work.reached[i] != 0) { continue; }
-                boxes[i - first] = realmOf(world, slot, dt * speedBound(world, slot, dt));
+                boxes[i - first] = realmOf(world, slot, dt);
             }
             widestKernels().queries(realms, WideBoxes::of(boxes),
                                     [&](std::uint32_t lane, ProxyId) { work.reached[first + lane] = 1; });
             if (work.areSomeAtRest) {
-                reachThoseAtRest(world, dt * fastest, boxes, std::span(work.reached).subspan(first));
+                reachThoseAtRest(world, farthest, boxes, std::span(work.reached).subspan(first));
             }
         }
     });
@@ -110,27 +108,49 @@ bool isBullet(const WorldState& world, std::uint32_t slot) {
     return body.isDynamic() && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep;
 }
 
+Real farthestOf(const WorldState& world, Real dt) {
+    Real fastest = 0;
+    for (const std::uint32_t slot : world.awake) {
+        if (world.bodies[slot].isDynamic()) { fastest = std::max(fastest, speedBound(world, slot, dt)); }
+    }
+    return dt * fastest;
+}
+
+Aabb realmOf(const WorldState& world, std::uint32_t slot, Real dt) {
+    return realmOfReach(world, slot, dt * speedBound(world, slot, dt));
+}
+
+std::uint32_t dissolvedClashOf(const WorldState& world, std::uint32_t slot) {
+    const FastIslands& fast = world.fastIslands;
+    if (!fast.anyDissolved) { return kNoIndex; }
+    const std::uint32_t number = fast.numbers[slot];
+    return number != kNoIndex && fast.clashes[number] == ClashEnd::dissolved ? number : kNoIndex;
+}
+
 void findEarly(WorldState& world, Real dt) {
     BulletWork& work = world.bulletWork;
     work.early.clear();
     work.drift = 0;
     std::uint32_t bullets = 0;
+    bool mayBeOutOfReach = false;
     for (const std::uint32_t slot : world.awake) {
         const Body& body = world.bodies[slot];
         if (!body.isDynamic()) { continue; }
         const bool isOne = isBullet(world, slot);
-        const bool isEarly = body.fast || (isOne && body.role == BodyRole::flyer);
+        const bool isOfClash = dissolvedClashOf(world, slot) != kNoIndex;
+        const bool isEarly = body.fast || isOfClash || (isOne && body.role == BodyRole::flyer);
         const Real way = isEarly ? 0 : wayOf(world, slot);
         if (isEarly || (isOne && way > kSlowRatio * body.extent)) {
             work.early.push_back(slot);
             bullets += isOne ? 1 : 0;
+            mayBeOutOfReach = mayBeOutOfReach || (!isOne && !isOfClash);
         } else {
             work.drift = std::max(work.drift, way);
         }
     }
     work.areSomeAtRest = bullets < world.bulletBodies;
     orderByPlace(world, work.early);
-    if (bullets < work.early.size()) { dropOutOfReach(world, dt); }
+    if (mayBeOutOfReach) { dropOutOfReach(world, dt); }
 }
 
 void orderByPlace(WorldState& world, std::vector<std::uint32_t>& slots) {

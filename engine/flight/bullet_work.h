@@ -16,6 +16,7 @@ struct BulletPartner {
     Sweep path;           ///< from `pathFrom` to the end of the step
     double pathFrom = 0;  ///< seconds
     int impacts = 0;
+    std::uint32_t clash = kNoIndex;  ///< that dissolved, of which it was: it may meet all other members
     bool isBullet = false;
     bool flies = false;  ///< else it is on its way by the solver, or rests
     bool tied = false;   ///< to other bodies: it stays on its way, whatever hits it; only its velocity changes
@@ -69,6 +70,7 @@ struct BulletWork {
     WideTree tree;                      ///< of the boxes
     std::vector<BulletFinds> finds;     ///< by worker
     Real drift = 0;                     ///< no body that is none of the early partners leaves its box farther, metres
+    Real farthest = 0;                  ///< how far any body gets at the speed that it has as the step begins, metres
     bool areSomeAtRest = false;         ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 

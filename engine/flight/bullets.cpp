@@ -67,6 +67,22 @@ void report(WorldState& world, const BulletMeeting& pair, const ContactConstrain
         hitOf(world, pair.shapes.other, pair.shapes.own, constraint, second.motion.center, pair.time / second.dt));
 }
 
+/// In the contact that they have, if it was that of a clash.
+void noteImpulse(WorldState& world, const BulletMeeting& pair, const ContactConstraint& constraint) {
+    const std::uint32_t clash = partnerIn(world, pair.first).clash;
+    if (clash == kNoIndex || clash != partnerIn(world, pair.second).clash) { return; }
+    for (const std::uint32_t index : world.fastIslands.contacts.of(clash)) {
+        Contact& contact = world.contacts[world.probes[index].contact];
+        const bool isTheirs = (contact.shapeA == pair.shapes.other && contact.shapeB == pair.shapes.own) ||
+                              (contact.shapeA == pair.shapes.own && contact.shapeB == pair.shapes.other);
+        if (!isTheirs) { continue; }
+        for (std::size_t k = 0; k < contact.totalImpulse.size(); ++k) {
+            contact.totalImpulse[k] += constraint.points[k].totalNormalImpulse;
+            contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
+        }
+    }
+}
+
 /// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on
 /// it.
 void setApart(WorldState& world, const BulletMeeting& pair, const Manifold& manifold, Vec2 normal) {
@@ -114,6 +130,7 @@ void collideBodies(WorldState& world, const BulletMeeting& pair) {
         flight->motion.angularVelocity = scratch.states[slot].angularVelocity;
     }
     report(world, pair, constraint);
+    noteImpulse(world, pair, constraint);
     setApart(world, pair, manifold, constraint.normal);
     const bool bounces = constraint.restitution > 0 && impactSpeed(constraint) > second.threshold();
     setCarrier(world.bulletWork, pair, bounces ? Vec2{} : constraint.normal);

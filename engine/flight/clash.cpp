@@ -5,6 +5,7 @@
 
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
+#include "bullet_start.h"
 #include "clash_contacts.h"
 #include "flight_state.h"
 #include "sweep_circles.h"
@@ -63,11 +64,14 @@ bool begin(Clash& clash, std::span<const std::uint32_t> members, std::span<const
     ClashScratch& work = clash.work;
     work.pairs.clear();
     work.anyRides = false;
+    work.anyBullets =
+        std::any_of(members.begin(), members.end(), [&](std::uint32_t slot) { return isBullet(clash.world, slot); });
     work.impacts = 0;
     work.isNearGround.assign(members.size(), 0);
     if (!listPairs(clash, members, contacts)) { return false; }
     work.flights.clear();
     work.paths.resize(members.size());
+    work.hulls.assign(members.size(), kNoBox);
     for (const std::uint32_t slot : members) {
         work.flights.push_back(flightOf(clash.world, slot, clash.dt, clash.scratch));
         limitSpeed(work.flights.back());
@@ -141,8 +145,17 @@ NextImpact nextImpactOf(Clash& clash) {
     return next;
 }
 
+void growHull(ClashScratch& work, std::size_t flight, double fraction) {
+    const Sweep& path = work.paths[flight];
+    const Body& body = work.flights[flight].body();
+    const auto reach = static_cast<double>(body.radius + kTargetRatio * body.widest);
+    const Aabb box = boxOfPath(fraction < 1 ? part(path, 0, fraction) : path, reach);
+    work.hulls[flight] = hullOf(work.hulls[flight], box);
+}
+
 void advanceAll(Clash& clash, double fraction) {
     for (std::size_t i = 0; i < clash.work.flights.size(); ++i) {
+        if (clash.work.anyBullets) { growHull(clash.work, i, fraction); }
         advance(clash.work.flights[i], clash.work.paths[i], fraction);
     }
     for (ClashPair& pair : clash.work.pairs) { pair.isMet = false; }
@@ -166,16 +179,17 @@ bool giveUp(Clash& clash) {
     return true;
 }
 
-/// @return whether the step was used up within the budget of impacts
-bool flyThrough(Clash& clash) {
+/// To the end of the step, if the budget of impacts lasts so far. What chatters comes to rest, which is for the solver;
+/// but that would let a fast bullet sink in.
+ClashEnd flyThrough(Clash& clash) {
     ClashScratch& work = clash.work;
     resolvePairs(clash, true);
-    if (!allLeave(clash)) { return false; }
+    if (!allLeave(clash)) { return ClashEnd::none; }
     resolveGround(clash);
     for (; !isExhausted(clash); ++work.impacts) {
         const NextImpact next = nextImpactOf(clash);
         advanceAll(clash, next.hit ? next.fraction : 1);
-        if (!next.hit) { return true; }
+        if (!next.hit) { return ClashEnd::bounced; }
         ++clash.scratch.impacts;
         if (next.isPair) {
             resolvePairs(clash, false);
@@ -185,7 +199,46 @@ bool flyThrough(Clash& clash) {
         }
         for (const Flight& flight : work.flights) { notePose(flight); }
     }
-    return giveUp(clash);
+    if (giveUp(clash)) { return ClashEnd::bounced; }
+    return work.anyBullets ? ClashEnd::dissolved : ClashEnd::none;
+}
+
+/// Whether the clash looks at these two shapes.
+bool isPair(const ClashScratch& work, std::uint32_t a, std::uint32_t b) {
+    return std::any_of(work.pairs.begin(), work.pairs.end(), [a, b](const ClashPair& pair) {
+        const FlightObstacle& both = pair.shapes;
+        return (both.own == a && both.other == b) || (both.own == b && both.other == a);
+    });
+}
+
+/// Whether a bullet that is a member, or another one, may get to where these members were, and the clash does not know:
+/// of other members only those are pairs that were near when the step began. Where others get to in clashes of their
+/// own is not known here, but all that is early is within the reach of the fastest.
+bool mayMeetMore(const Clash& clash, std::span<const std::uint32_t> members) {
+    const WorldState& world = clash.world;
+    const ClashScratch& work = clash.work;
+    std::array<Aabb, kMostClashing> boxes;
+    std::transform(work.hulls.begin(), work.hulls.end(), boxes.begin(),
+                   [&world](const Aabb& hull) { return grown(hull, world.bulletWork.farthest); });
+    bool mayMeet = false;
+    world.broadphase->queryDynamic(std::span(boxes).first(members.size()), [&](std::size_t i, ProxyId id) {
+        const std::uint32_t other = world.proxyShapes[static_cast<std::uint32_t>(id)];
+        const Shape& shape = world.shapes[other];
+        if (mayMeet || shape.body == members[i] || !world.bodies[shape.body].isDynamic() || shape.def.sensor) {
+            return;
+        }
+        if (!isBullet(world, members[i]) && !isBullet(world, shape.body)) { return; }
+        const std::uint32_t index = memberIndex(members, shape.body);
+        const bool isMember = index != members.size();
+        const Aabb way = isMember ? work.hulls[index] : realmOf(world, shape.body, static_cast<Real>(clash.dt));
+        if (!overlaps(work.hulls[i], way)) { return; }
+        const std::vector<std::uint32_t>& own = world.bodies[members[i]].shapes;
+        mayMeet = std::any_of(own.begin(), own.end(), [&](std::uint32_t slot) {
+            if (isMember && isPair(work, slot, other)) { return false; }
+            return !world.shapes[slot].def.sensor && mayTouch(world, world.shapes[slot], shape);
+        });
+    });
+    return mayMeet;
 }
 
 void store(Clash& clash) {
@@ -203,23 +256,27 @@ void store(Clash& clash) {
 
 }  // namespace
 
-bool clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
-           double dt, FlightScratch& scratch, ClashScratch& work) {
+ClashEnd clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
+               double dt, FlightScratch& scratch, ClashScratch& work) {
     Clash clash{world, scratch, work, dt};
-    if (!begin(clash, members, contacts)) { return false; }
     const std::size_t events = scratch.events.size();
     const std::size_t poses = scratch.impactPoses.size();
+    const std::size_t losses = scratch.lostTime.size();
     const std::uint64_t impacts = scratch.impacts;
     const std::uint64_t speedsLimited = scratch.speedsLimited;
-    if (flyThrough(clash)) {
+    if (!begin(clash, members, contacts)) { return ClashEnd::none; }
+    ClashEnd end = flyThrough(clash);
+    if (end == ClashEnd::bounced && work.anyBullets && mayMeetMore(clash, members)) { end = ClashEnd::dissolved; }
+    if (end == ClashEnd::bounced) {
         store(clash);
-        return true;
+        return end;
     }
     scratch.events.resize(events);
     scratch.impactPoses.resize(poses);
+    scratch.lostTime.erase(scratch.lostTime.begin() + static_cast<std::ptrdiff_t>(losses), scratch.lostTime.end());
     scratch.impacts = impacts;
     scratch.speedsLimited = speedsLimited;
-    return false;
+    return end;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../../shapes/aabb.h"
 #include "flight.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -27,14 +28,22 @@ struct alignas(kCacheLine) ClashScratch {
     std::vector<Flight> flights;
     std::vector<Sweep> paths;                ///< by flight: the rest of its step
     std::vector<std::uint8_t> isNearGround;  ///< by flight: something static or kinematic is beside its path
+    std::vector<Aabb> hulls;                 ///< by flight, of clashes with bullets: of the way so far
     std::vector<ClashPair> pairs;
     std::vector<ContactConstraint> constraints;
     bool anyRides = false;
-    int impacts = 0;  ///< so far
+    bool anyBullets = false;  ///< among the members
+    int impacts = 0;          ///< so far
 };
 
 /// Every impact looks at all pairs of the clash anew: more bodies are cheaper in the solver.
 inline constexpr std::size_t kMostClashing = 8;
+
+enum class ClashEnd : std::uint8_t {
+    none,       ///< this is no such island, or something comes to rest in it, so it is for the solver
+    bounced,    ///< all are where they are at the end of the step
+    dissolved,  ///< a bullet among them, or what it strikes, may meet somebody else on the way: all fly by themselves
+};
 
 /// A few bodies that bounce off each other in flight: nothing carries or joins them, so each flies on its own parabola
 /// from impact to impact, and what meets at one moment is reflected together. Exact where sub-steps approximate, and
@@ -44,9 +53,8 @@ inline constexpr std::size_t kMostClashing = 8;
 /// @param members   slots of dynamic bodies, all of the island
 /// @param contacts  indices of the probes of the contacts of the island: of all pairs of members that may meet, and of
 /// ground
-/// @return false: this is no such island, or something comes to rest in it, so it is for the solver. Nothing was
-/// changed.
-bool clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
-           double dt, FlightScratch& scratch, ClashScratch& work);
+/// @return unless they bounced, nothing was changed
+ClashEnd clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
+               double dt, FlightScratch& scratch, ClashScratch& work);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -3,6 +3,7 @@
 #include "../advance/first_try.h"
 #include "../advance/island_advance.h"
 #include "../advance/island_contacts.h"
+#include "../flight/bullet_start.h"
 #include "../flight/clash.h"
 #include "../modes/modes.h"
 #include "step.h"
@@ -55,7 +56,7 @@ void numberIslands(WorldState& world) {
     fast.any = !roots.empty();
     std::sort(roots.begin(), roots.end());
     for (std::uint32_t i = 0; i < roots.size(); ++i) { fast.numbers[roots[i]] = i; }
-    fast.isDone.assign(roots.size(), 0);
+    fast.clashes.assign(roots.size(), ClashEnd::none);
 }
 
 /// Gives all bodies of the islands the role `together`, and the number of their island.
@@ -70,7 +71,7 @@ void listBodies(WorldState& world) {
         fast.numbers[slot] = number;
         fast.bodies.add(number, slot);
     }
-    fast.bodies.sort(fast.isDone.size());
+    fast.bodies.sort(fast.clashes.size());
     const std::span<const std::uint32_t> members = fast.bodies.all();
     world.loops->run(members.size(), kMemberGrain, [&world, members](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { world.bodies[members[i]].role = BodyRole::together; }
@@ -138,7 +139,7 @@ void listFastContacts(WorldState& world) {
     });
     fast.contacts.clear();
     for (std::size_t block = 0; block < blocks; ++block) { fast.contacts.add(fast.contactsOfBlocks[block]); }
-    fast.contacts.sort(fast.isDone.size());
+    fast.contacts.sort(fast.clashes.size());
 }
 
 void listFastJoints(WorldState& world) {
@@ -148,7 +149,7 @@ void listFastJoints(WorldState& world) {
         const std::uint32_t number = fast.numbers[memberOf(world, i)];
         if (number != kNoIndex) { fast.joints.add(number, i); }
     }
-    fast.joints.sort(fast.isDone.size());
+    fast.joints.sort(fast.clashes.size());
 }
 
 /// Islands per task: each has several sweeps.
@@ -159,17 +160,36 @@ constexpr std::size_t kIslandGrain = 1;
 /// What bounces off each other in flight.
 void clashAll(WorldState& world, double dt) {
     FastIslands& fast = world.fastIslands;
+    if (world.bullets > 0) { world.bulletWork.farthest = farthestOf(world, static_cast<Real>(dt)); }
     const auto workers = static_cast<std::size_t>(world.loops->workerCount());
     world.flightScratch.resize(std::max(workers, world.flightScratch.size()));
     world.clashScratch.resize(std::max(workers, world.clashScratch.size()));
-    world.loops->run(fast.isDone.size(), kClashGrain, [&](std::size_t begin, std::size_t end, int worker) {
+    world.loops->run(fast.clashes.size(), kClashGrain, [&](std::size_t begin, std::size_t end, int worker) {
         const auto w = static_cast<std::size_t>(worker);
         for (std::size_t i = begin; i < end; ++i) {
-            const bool isDone = fast.joints.of(i).empty() && clash(world, fast.bodies.of(i), fast.contacts.of(i), dt,
-                                                                   world.flightScratch[w], world.clashScratch[w]);
-            fast.isDone[i] = isDone ? 1 : 0;
+            if (!fast.joints.of(i).empty()) { continue; }
+            fast.clashes[i] =
+                clash(world, fast.bodies.of(i), fast.contacts.of(i), dt, world.flightScratch[w], world.clashScratch[w]);
         }
     });
+}
+
+/// Their members fly by themselves, in order of time with all that bullets meet (bullets.h).
+void dissolveClashes(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
+    for (std::uint32_t island = 0; island < fast.clashes.size(); ++island) {
+        if (fast.clashes[island] != ClashEnd::dissolved) { continue; }
+        fast.anyDissolved = true;
+        for (const std::uint32_t slot : fast.bodies.of(island)) {
+            world.bodies[slot].role = BodyRole::flyer;
+            world.flyers.push_back(slot);
+        }
+        for (const std::uint32_t index : fast.contacts.of(island)) {
+            Contact& contact = world.contacts[world.probes[index].contact];
+            contact.normalImpulse = contact.tangentImpulse = contact.totalImpulse = {};
+            contact.pressed = false;
+        }
+    }
 }
 
 /// Contacts of dynamic bodies of two islands (a member that touches nothing yet) stay with the first; those are left
@@ -262,8 +282,9 @@ void advanceOne(WorldState& world, SolveDesk& desk, std::size_t island, double d
 void listWaiting(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.waiting.clear();
-    for (std::uint32_t island = 0; island < fast.isDone.size(); ++island) {
-        if (fast.isDone[island] != 0) {
+    for (std::uint32_t island = 0; island < fast.clashes.size(); ++island) {
+        if (fast.clashes[island] != ClashEnd::none) {
+            if (fast.clashes[island] == ClashEnd::dissolved) { continue; }
             ++world.counters.clashes;
             world.counters.sweeps += fast.bodies.of(island).size();
             continue;
@@ -321,6 +342,7 @@ void findFastIslands(WorldState& world) {
 
 void beginFastIslands(WorldState& world, double dt) {
     clashAll(world, dt);
+    dissolveClashes(world);
     beginFirstTry(world, dt);
 }
 
