@@ -40,7 +40,9 @@ struct JointDef {
 
 /// Undamped it keeps its amplitude while a sub-step is less than 1/25 of its period; what is stiffer is damped by as
 /// much as a stable step needs. Its stiffness is the one with which it swings at `hertz` at the poses that the bodies
-/// have when the joint is made, with the masses that they have now: it does not change as they turn.
+/// have when the joint is made, with the masses that they have now: it does not change as they turn. Two kinds have
+/// their hertz at any pose instead, so that theirs changes: of a mouse joint; and of an angle between two dynamic
+/// bodies whose anchors are held together (a hinge; a weld without a linear spring).
 struct Spring {
     Real hertz = 0;         ///< greater than 0; of the two bodies alone, held by nothing but this joint
     Real dampingRatio = 0;  ///< at least 0; 1 is critical
@@ -49,6 +51,8 @@ struct AngleLimits {
     Real lower = 0;  ///< radians from the initial relative angle
     Real upper = 0;  ///< at least `lower`
 };
+/// What a motor, angular or linear, moves by less than a thousandth of its size in 4·√(size / g) falls asleep like all
+/// that hardly moves, and stops. A kinematic body does not, nor anything where `WorldSettings::sleep` is off.
 struct AngularMotor {
     Real speed = 0;      ///< rad/s of B relative to A
     Real maxTorque = 0;  ///< N·m, at least 0
@@ -136,7 +140,8 @@ struct MotorJointDef {
 
 /// Pulls a point of B to a target in the world; A takes no part, and may be any body: the level, say. The two collide
 /// as if there were no joint, whatever `collideConnected` says. B must be dynamic. A target that is set elsewhere moves
-/// there within the next step, and what it drags gets its speed; by a spring it follows 2ζv/ω behind.
+/// there within the next step, and what it drags gets its speed; by a spring it follows 2ζv/ω behind. A spring that
+/// holds B off its centre may add energy unless it is damped (LIMITS.md).
 struct MouseJointDef {
     JointDef base{};
     DVec2 target{};
