@@ -42,7 +42,8 @@ void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint
 void removePairs(WorldState& world, std::span<const std::uint32_t> places);
 /// Of a contact that is about to be dropped: its end, if it touches.
 void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events);
-/// As a step begins: what stays moves up, in its order (who comes first is solved first). Nobody asks for places then.
+/// As a step begins, or before anything else gives pairs other places: what stays moves up, in its order (who comes
+/// first is solved first), and who asks next looks anew. Nobody may hold on to places then.
 void closeUpPairs(WorldState& world);
 
 }  // namespace swept::inline SWEPT_PRECISION

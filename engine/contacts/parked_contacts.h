@@ -26,6 +26,7 @@ struct ParkedContacts {
 /// to move up.
 void parkContacts(WorldState& world);
 /// Brings back the contacts of what woke: a look at those, and at no others. @return how many, at the end of the probes
+/// @pre pairs are closed up (`closeUpPairs`): places are other ones then
 std::size_t unparkContacts(WorldState& world);
 
 }  // namespace swept::inline SWEPT_PRECISION

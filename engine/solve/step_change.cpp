@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../contacts/pairs_of_shapes.h"
 #include "../contacts/parked_contacts.h"
 #include "../islands/held_islands.h"
 
@@ -64,6 +65,7 @@ void changeStep(WorldState& world, double dt) {
 void changeSubSteps(WorldState& world, int before, int after) {
     if (before == after || !(world.lastDt > 0)) { return; }
     const double ratio = static_cast<double>(after) / before;
+    closeUpPairs(world);  // what comes back stands behind the other contacts: all candidates get other places
     unparkContacts(world);
     scaleContacts(world, static_cast<Real>(1 / ratio));
     world.closingStretch = std::max(1.0, world.closingStretch * ratio);

@@ -88,6 +88,37 @@ TEST_P(TouchVisits, OfOneBodyAreThoseOfTheListOfAll) {
     }
 }
 
+/// What other settings bring back from where it was set aside stands elsewhere among the contacts by then, however many
+/// questions were asked, and whatever went before.
+TEST_P(TouchVisits, AreTheSameUnderOtherSettings) {
+    std::uint64_t aside = 0;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        Chamber chamber(seed, GetParam());
+        runFor(chamber.world, 15);
+        for (int round = 0; round < 6; ++round) {
+            SCOPED_TRACE(testing::Message() << "round " << round);
+            runFor(chamber.world, 1);
+            aside += chamber.world.counters().settledBodies;
+            for (const BodyId body : chamber.bodies) { aside += chamber.world.isAwake(body) ? 0U : 1U; }
+            ASSERT_NO_FATAL_FAILURE(expectEachHasItsOwn(chamber));
+            if (round % 2 == 1) {
+                must(chamber.world.destroyBody(chamber.bodies.back()));
+                chamber.bodies.pop_back();
+            }
+            for (const BodyId body : chamber.bodies) { must(chamber.world.setAwake(body, true)); }
+            WorldSettings settings = chamber.world.settings();
+            settings.subSteps = 4 + round;
+            must(chamber.world.configure(settings));
+            ASSERT_NO_FATAL_FAILURE(expectEachHasItsOwn(chamber));
+            must(chamber.world.destroyBody(chamber.bodies.back()));
+            chamber.bodies.pop_back();
+            ASSERT_NO_FATAL_FAILURE(expectEachHasItsOwn(chamber));
+        }
+    }
+    EXPECT_GT(aside, 100U) << "too little was set aside";
+}
+
 TEST_P(TouchVisits, OfASensorAreWhatEventsTell) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
