@@ -50,10 +50,9 @@ std::array<std::size_t, 2> proxiesOf(const ContactPair& pair) {
     return {static_cast<std::size_t>(pair.proxyA), static_cast<std::size_t>(pair.proxyB)};
 }
 
-/// Sorts places by proxy, by counting.
+/// Sorts places by proxy, by counting. They count as listed once they are: memory may run out meanwhile.
 void listPairs(WorldState& world) {
     PairsOfShapes& lists = world.pairsOfShapes;
-    lists.isListed = true;
     lists.begins.assign(world.proxyShapes.size() + 1, 0);
     std::uint32_t entries = 0;
     forEachPair(world, [&](const ContactPair& pair, std::uint32_t) {
@@ -67,6 +66,7 @@ void listPairs(WorldState& world) {
     forEachPair(world, [&](const ContactPair& pair, std::uint32_t place) {
         for (const std::size_t proxy : proxiesOf(pair)) { lists.places[--lists.begins[proxy]] = place; }
     });
+    lists.isListed = true;
 }
 
 /// Those of the parked pairs of a shape that are meant.

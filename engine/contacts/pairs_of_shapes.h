@@ -19,7 +19,7 @@ struct WorldState;
 /// what the world has.
 struct PairsOfShapes {
     int scans = 0;                      ///< since the last step: pairs that were found by a look at all not parked
-    bool isListed = false;              ///< since the last step: the two lists below are made
+    bool isListed = false;              ///< since the last step: the two lists below are made, to their end
     std::size_t gaps = 0;               ///< that are still there
     std::vector<std::uint32_t> begins;  ///< by proxy, and of one more: where its places begin
     std::vector<std::uint32_t> places;
