@@ -181,6 +181,7 @@ std::uint64_t Grid::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> vi
 }
 
 void Grid::visitAlong(SweepVisit& visit) const {
+    if (filed_ == 0) { return; }  // then `used_` may be no range at all: halving it would go on for ever
     for (std::uint32_t slot = firstGiant_; slot != kEnd; slot = next_[slot]) {
         if (visit.meets(table().boxAt(slot))) { visit.show(slot); }
         if (visit.isOver()) { return; }

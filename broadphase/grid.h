@@ -64,7 +64,7 @@ private:
     std::uint32_t giants_ = 0;
     std::uint32_t filed_ = 0;  // giants included
     std::uint32_t giantsAtRefiling_ = 0;
-    CellRange used_;   // all cells with something in them, and maybe more
+    CellRange used_;   // all cells with something in them, and maybe more; if nothing is filed maybe none
     double cell_ = 1;  // length of a cell, metres
 };
 

@@ -246,6 +246,38 @@ TEST(Queries, OfAnEmptyWorldFindNothing) {
     }
 }
 
+/// Likewise once all that there was is gone, when the structure was fitted to so many, or not yet; what comes then is
+/// found.
+TEST(Queries, OfAClearedWorldFindNothing) {
+    for (const BroadphaseKind kind : kEveryKind) {
+        for (const int count : {1, 15, 16, 17, 40, 500}) {
+            for (const bool isFitted : {false, true}) {
+                SCOPED_TRACE(testing::Message() << nameOf(kind) << ", " << count << (isFitted ? ", fitted" : ""));
+                const auto broadphase = makeBroadphase(kind);
+                std::vector<ProxyPair> pairs;
+                std::vector<ProxyId> ids;
+                for (int i = 0; i < count; ++i) {
+                    ids.push_back(broadphase->insert(boxAround(3 * i, 0, 0.5, 0.5), ProxyKind::dynamic).value());
+                }
+                broadphase->pairs(pairs);
+                // What moved keeps the next call from being about nothing.
+                ASSERT_TRUE(broadphase->move(ids[0], boxAround(0.5, 0, 0.5, 0.5)).ok());
+                for (const ProxyId id : ids) { ASSERT_TRUE(broadphase->remove(id).ok()); }
+                if (isFitted) { broadphase->pairs(pairs); }
+                int visits = 0;
+                const auto visit = [&visits](ProxyId, Real limit) { return ++visits, limit; };
+                broadphase->query({{-9, -9}, {2000, 9}}, [&visits](ProxyId) { return ++visits > 0; });
+                broadphase->ray({-5, 0}, {2000, 0}, 1, visit);
+                broadphase->sweep({{-5, 0}, {-4, 1}}, {2000, 1}, 1, visit);
+                ASSERT_EQ(visits, 0);
+                ASSERT_TRUE(broadphase->insert(boxAround(1e5, 0, 0.5, 0.5), ProxyKind::dynamic).ok());
+                broadphase->ray({-5, 0}, {2e5, 0}, 1, visit);
+                ASSERT_EQ(visits, 1);
+            }
+        }
+    }
+}
+
 TEST(Queries, StopWhenTheVisitorReturnsZero) {
     for (const BroadphaseKind kind : kEveryKind) {
         const auto broadphase = makeBroadphase(kind);
