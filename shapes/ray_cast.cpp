@@ -131,19 +131,54 @@ Clip clipToEdges(const Polygon& polygon, const Ray& ray) {
     return clip;
 }
 
-/// Ray from outside against two or more vertices. The moved half-planes meet in sharp corners; where the ray enters
-/// beyond the end of an edge it is in one such corner, and leaves it through the arc of that vertex or not at all.
+/// In units of the edge squared: where beside it the ray is at a fraction, from its first vertex on.
+double alongAt(const Polygon& polygon, int i, const Ray& ray, double fraction) {
+    return dot((ray.origin - vertexOf(polygon, i)) + fraction * ray.direction, edgeOf(polygon, i));
+}
+
+/// Fraction at which the ray gets into the moved half-plane of an edge; negative if it starts there, or never does.
+double entranceOf(const Polygon& polygon, int i, const Ray& ray) {
+    const DVec2 edge = edgeOf(polygon, i);
+    const double rate = cross(ray.direction, edge);
+    if (!(rate < 0)) { return -1; }
+    const double radius = static_cast<double>(polygon.radius);
+    return (cross(ray.origin - vertexOf(polygon, i), edge) - radius * length(edge)) / -rate;
+}
+
+/// Ray that enters the moved half-planes beyond an end of an edge: it is in the sharp corner there, and leaves it
+/// through the arc of that vertex or not at all. It gets past the other side of the corner before that, on the near
+/// side of the vertex. Only rounding tells otherwise: the two edges are parallel but for that, either may seem to be
+/// entered last, and it is the other one through which the ray goes, or one farther on.
+Entry enterCorner(const Polygon& polygon, const Ray& ray, const Clip& clip, bool isAtEnd) {
+    int edge = clip.edge;
+    double fraction = clip.enter;
+    for (int i = 2; i < polygon.count; ++i) {  // by one of the others at least it leaves
+        const int beside = isAtEnd ? polygon.next(edge) : polygon.previous(edge);
+        const double entrance = entranceOf(polygon, beside, ray);
+        if (!(entrance >= 0)) { break; }
+        const double along = alongAt(polygon, beside, ray, entrance);
+        const double size = dot(edgeOf(polygon, beside), edgeOf(polygon, beside));
+        const double past = isAtEnd ? along : size - along;  // the vertex
+        if (past < 0) { break; }
+        if (past <= size) { return {true, entrance, normalOf(polygon, beside)}; }
+        edge = beside;
+        fraction = entrance;
+    }
+    return enterDisk(polygon, isAtEnd ? polygon.next(edge) : edge, ray, fraction);
+}
+
+/// Ray from outside against two or more vertices. The moved half-planes meet in sharp corners.
 Entry enterOutline(const Polygon& polygon, const Ray& ray) {
     const Clip clip = clipToEdges(polygon, ray);
     if (clip.empty) { return {}; }
     if (clip.edge < 0) { return enterDisk(polygon, nearestVertex(polygon, ray.origin), ray, 0); }
-    const Entry throughEdge{true, clip.enter, normalOf(polygon, clip.edge)};
-    if (polygon.radius == 0) { return throughEdge; }
-    const DVec2 edge = edgeOf(polygon, clip.edge);
-    const double along = dot((ray.origin - vertexOf(polygon, clip.edge)) + clip.enter * ray.direction, edge);
-    if (along < 0) { return enterDisk(polygon, clip.edge, ray, clip.enter); }
-    if (along > dot(edge, edge)) { return enterDisk(polygon, polygon.next(clip.edge), ray, clip.enter); }
-    return throughEdge;
+    if (polygon.radius > 0) {
+        const double along = alongAt(polygon, clip.edge, ray, clip.enter);
+        const DVec2 edge = edgeOf(polygon, clip.edge);
+        if (along < 0) { return enterCorner(polygon, ray, clip, false); }
+        if (along > dot(edge, edge)) { return enterCorner(polygon, ray, clip, true); }
+    }
+    return {true, clip.enter, normalOf(polygon, clip.edge)};
 }
 
 Entry enter(const Polygon& polygon, const Ray& ray) {

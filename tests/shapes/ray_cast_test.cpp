@@ -213,6 +213,42 @@ TEST(RayCast, NothingLeaksBetweenEdgeAndArc) {
     }
 }
 
+/// A side with vertices that lie on it to rounding, as hulls of placed points have: in f64 two of its edges are entered
+/// at the same time, and either may seem to be the later one.
+TEST(RayCast, NothingLeaksWhereEdgesAreParallelToRounding) {
+    Random random(5);
+    int split = 0;
+    int rays = 0;
+    for (int i = 0; i < 6'000; ++i) {
+        const Vec2 center = randomVec(random, -100, 100);
+        const double angle = random.range(0, 6.283);
+        const auto at = [&](double x, double y) {
+            return Vec2{center.x + real(std::cos(angle) * x - std::sin(angle) * y),
+                        center.y + real(std::sin(angle) * x + std::cos(angle) * y)};
+        };
+        const std::array corners{
+            at(-1, -1), at(random.range(-0.9, 0), -1), at(random.range(0.1, 0.9), -1), at(1, -1), at(1, 1), at(-1, 1)};
+        const Result<Polygon> hull = convexHull(corners, real(std::pow(10.0, random.range(-3, -1))));
+        if (!hull.ok() || hull.value().count == 4) { continue; }
+        ++split;
+        const Polygon& polygon = hull.value();
+        for (int k = 0; k < 4; ++k) {
+            const double x = random.range(-0.9, 0.9);
+            const double far = std::pow(10.0, random.range(0, 3));
+            const Vec2 origin = at(x + random.range(-1, 1) * far, -1 - far);
+            const Vec2 target = at(x, -1);
+            const RayCastHit got = rayCast(polygon, origin, target - origin, real(1.5));
+            ASSERT_TRUE(got.hit) << "case " << i << ": " << polygon << " from " << origin << " to " << target;
+            // The fraction, and the vertices beside each other, are rounded.
+            const long double slack = 16 * kEps * (200 + exact(real(far)));
+            ASSERT_LE(std::fabs(outside(polygon, exact(got.point))), slack) << "case " << i << ": " << polygon;
+            ++rays;
+        }
+    }
+    EXPECT_GT(split, 500);
+    EXPECT_GT(rays, 2'000);
+}
+
 TEST(RayCast, DegenerateRaysHitOnlyWhatTheyStartIn) {
     const Polygon box = makeBox({1, 1}).value();
     EXPECT_TRUE(rayCast(box, {0, 0}, {0, 0}, 1).hit);
