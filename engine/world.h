@@ -104,7 +104,8 @@ public:
     /// keeps its id, shapes, joints, pose and velocities, all of which may be changed meanwhile. To disable it ends its
     /// contacts, forgets its forces, and wakes what touched it and what its joints held; enabled again it is awake, and
     /// moves on from where it is. Its joints pull their bodies together again, but turn none by more than half a turn,
-    /// and gears go on from where they are. For bodies that come and go, without making them anew.
+    /// nor back by whole turns to where they want it, and gears go on from where they are. For bodies that come and go,
+    /// without making them anew.
     Status setEnabled(BodyId id, bool enabled);
     bool isEnabled(BodyId id) const;
     // The calls below are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange` when the sum of the

@@ -1,5 +1,6 @@
 #include "joint_switch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -11,17 +12,54 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+using GearPart = JointPart<GearJointDef, GearConstraint>;
+
+/// Of the angles at which a joint lets its bodies rest the one nearest to theirs, rad. Where it has none, that at which
+/// it was made.
+double restAngleOf(const Joint& joint, double angle) {
+    if (const auto* const hinge = std::get_if<HingePart>(&joint.parts); hinge != nullptr && hinge->def.limits) {
+        const AngleLimits& limits = *hinge->def.limits;
+        return std::clamp(angle, static_cast<double>(limits.lower), static_cast<double>(limits.upper));
+    }
+    if (const auto* const motor = std::get_if<JointPart<MotorJointDef, MotorConstraint>>(&joint.parts)) {
+        return static_cast<double>(motor->def.drive.angularOffset.value_or(0));
+    }
+    return 0;
+}
+
+void setConstant(Joint& gear, double constant) {
+    if (isInRange(constant)) { gear.gearConstant = constant; }
+}
+
+/// The same place of a hinge counts as another angle from now on: gears on it that hold meanwhile have their error as
+/// before. (Those that do not begin anew when they do.) @param less  by so much, rad
+void recountGears(WorldState& world, JointId hinge, double less) {
+    const Joint& joint = world.joints[hinge.index];
+    for (const std::uint32_t slot : fewerJoints(world, joint.bodyA, joint.bodyB)) {
+        Joint& gear = world.joints[slot];
+        const auto* const part = std::get_if<GearPart>(&gear.parts);
+        if (part == nullptr) { continue; }
+        if (part->def.jointA == hinge) { setConstant(gear, gear.gearConstant - less); }
+        if (part->def.jointB == hinge) {
+            setConstant(gear, gear.gearConstant - static_cast<double>(part->def.ratio) * less);
+        }
+    }
+}
+
 /// A joint takes hold of its bodies as they are by then: nothing is turned back by whole turns, and a gear goes on from
 /// where its wheels are.
-void takeHold(const WorldState& world, Joint& joint) {
+void takeHold(WorldState& world, std::uint32_t slot) {
     constexpr double kTurn = 2 * std::numbers::pi;
-    joint.referenceAngle += kTurn * std::round(angleOf(world, joint) / kTurn);
-    const auto* const gear = std::get_if<JointPart<GearJointDef, GearConstraint>>(&joint.parts);
+    Joint& joint = world.joints[slot];
+    const double angle = angleOf(world, joint);
+    const double turns = kTurn * std::round((angle - restAngleOf(joint, angle)) / kTurn);
+    joint.referenceAngle += turns;
+    if (turns != 0 && joint.type() == JointType::revolute) { recountGears(world, world.joints.idOf(slot), turns); }
+    const auto* const gear = std::get_if<GearPart>(&joint.parts);
     if (gear == nullptr) { return; }
-    const double constant =
-        coordinateOf(world, world.joints[gear->def.jointA.index]) +
-        static_cast<double>(gear->def.ratio) * coordinateOf(world, world.joints[gear->def.jointB.index]);
-    if (isInRange(constant)) { joint.gearConstant = constant; }
+    setConstant(joint,
+                coordinateOf(world, world.joints[gear->def.jointA.index]) +
+                    static_cast<double>(gear->def.ratio) * coordinateOf(world, world.joints[gear->def.jointB.index]));
 }
 
 void switchJoint(WorldState& world, std::uint32_t slot) {
@@ -31,7 +69,7 @@ void switchJoint(WorldState& world, std::uint32_t slot) {
     const bool held = joint.holds();
     joint.isOff = isOff;
     forgetImpulses(joint);
-    if (!isOff) { takeHold(world, joint); }
+    if (!isOff) { takeHold(world, slot); }
     world.jointTies[slot] = tieOf(joint);
     world.jointChains.areCurrent = false;
     for (const std::uint32_t body : joint.allBodies()) {

@@ -30,13 +30,6 @@ MassProperties massOfShapes(WorldState& world, const Body& body) {
     return combine(parts);
 }
 
-/// Of one of two bodies: ground may have thousands.
-std::span<const std::uint32_t> fewerJoints(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
-    const std::vector<std::uint32_t>& ofA = world.bodies[bodyA].joints;
-    const std::vector<std::uint32_t>& ofB = world.bodies[bodyB].joints;
-    return ofA.size() <= ofB.size() ? ofA : ofB;
-}
-
 bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
     for (const std::uint32_t slot : fewerJoints(world, bodyA, bodyB)) {
         const Joint& joint = world.joints[slot];
@@ -47,7 +40,7 @@ bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bo
     return false;
 }
 
-/// A gear that the joint is part of. It is listed at the bodies of both its joints.
+/// A gear that the joint is part of.
 std::optional<JointId> gearOn(const WorldState& world, JointId id) {
     const Joint& joint = world.joints[id.index];
     for (const std::uint32_t slot : fewerJoints(world, joint.bodyA, joint.bodyB)) {
@@ -58,6 +51,12 @@ std::optional<JointId> gearOn(const WorldState& world, JointId id) {
 }
 
 }  // namespace
+
+std::span<const std::uint32_t> fewerJoints(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
+    const std::vector<std::uint32_t>& ofA = world.bodies[bodyA].joints;
+    const std::vector<std::uint32_t>& ofB = world.bodies[bodyB].joints;
+    return ofA.size() <= ofB.size() ? ofA : ofB;
+}
 
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
     if (a.body == b.body || !shouldCollide(a.def.filter, b.def.filter)) { return false; }

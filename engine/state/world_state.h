@@ -357,6 +357,9 @@ void reachWithVelocity(WorldState& world, std::uint32_t body);
 /// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
 /// @param leaving  slot of a body that is about to be destroyed: nothing will meet it
 void removeJoint(WorldState& world, JointId id, std::uint32_t leaving = kNoIndex);
+/// Slots of the joints of one of two bodies (ground may have thousands): all between the two are among them, and all
+/// gears on these, which are listed at the bodies of both their joints.
+std::span<const std::uint32_t> fewerJoints(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB);
 /// Of the two that a joint may keep apart the one by whose shapes their pairs are found sooner.
 std::uint32_t bodyOfFewerShapes(const WorldState& world, const Joint& joint);
 /// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its

@@ -205,5 +205,46 @@ TEST(JointedTypes, OfEveryKindOfJoint) {
     }
 }
 
+/// Gears on a hinge whose wheel is led meanwhile, with which it rests, go on from where they are when it is free again:
+/// not a turn is made up for. Either of the hinges may be the first one of the gear.
+TEST(JointedTypes, GearsGoOnFromWhereALedWheelIs) {
+    for (const bool isFirst : {true, false}) {
+        for (const double speed : {2.0, -7.0, 0.3}) {
+            SCOPED_TRACE(testing::Message() << "first " << isFirst << ", speed " << speed);
+            World world = makeWorld(0);
+            const BodyId post = anchorOf(world);
+            std::vector<BodyId> wheels;
+            std::vector<JointId> hinges;
+            for (int i = 0; i < 3; ++i) {
+                wheels.push_back(addBody(world, dynamicAt({3.0 * i, 0}), circle(0.5)));
+                hinges.push_back(hinge(world, post, wheels.back(), {3.0 * i, 0}));
+            }
+            std::vector<JointId> gears;
+            for (std::size_t i = 1; i < 3; ++i) {
+                const Real ratio = real(0.5 * static_cast<double>(i));
+                gears.push_back(must(world.createJoint(isFirst ? GearJointDef{{}, hinges[0], hinges[i], ratio}
+                                                               : GearJointDef{{}, hinges[i], hinges[0], ratio})));
+            }
+            makeType(world, wheels[0], BodyType::kinematic);
+            must(world.setVelocity(wheels[0], {}, real(speed)));
+            run(world, 300);
+            must(world.setVelocity(wheels[0], {}, 0));
+            run(world, 60);
+            std::vector<double> angles;
+            for (const BodyId wheel : wheels) { angles.push_back(world.angle(wheel)); }
+            EXPECT_NEAR(angles[0], 5 * speed, 1e-3);
+            EXPECT_GT(std::fabs(angles[1]), 0.5) << "it took part";
+            makeType(world, wheels[0], BodyType::dynamic);
+            EXPECT_LE(std::fabs(world.jointAngle(hinges[0])), 1.001 * kPi);
+            for (const JointId gear : gears) { EXPECT_LT(static_cast<double>(world.jointAngleError(gear)), 1e-4); }
+            run(world, 120);
+            for (std::size_t i = 0; i < 3; ++i) { EXPECT_NEAR(world.angle(wheels[i]), angles[i], 1e-3) << i; }
+            must(world.setVelocity(wheels[0], {}, real(1)));
+            run(world, 30);
+            EXPECT_GT(std::fabs(spinOf(world, wheels[2])), 0.1) << "and they mesh";
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
