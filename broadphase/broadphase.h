@@ -112,7 +112,8 @@ public:
     virtual void queryDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const = 0;
 
     /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns
-    /// the new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop.
+    /// the new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop (less, where the given one is
+    /// 0: up to there all that is met at the start is).
     virtual void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const = 0;
 
     /// The same for a box that is carried along `translation`.

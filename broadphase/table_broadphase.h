@@ -40,15 +40,22 @@ public:
     }
     bool meets(const Aabb& box) { return touch(box) != BoxSweep::kNever; }
     /// Shows a proxy that is met to the visitor.
-    void show(std::uint32_t slot) { limit_ = std::min(limit_, visit_(static_cast<ProxyId>(slot), limit_)); }
+    void show(std::uint32_t slot) {
+        const Real limit = visit_(static_cast<ProxyId>(slot), limit_);
+        if (!(limit < limit_)) { return; }
+        limit_ = limit;
+        isOver_ = !(limit > 0);
+    }
     const BoxSweep& sweep() const { return sweep_; }
-    bool isOver() const { return !(limit_ > 0); }
+    /// Whether a visitor stopped it. A limit that was 0 from the start leaves what is met there to be shown.
+    bool isOver() const { return isOver_; }
     double limit() const { return static_cast<double>(limit_); }
     std::uint64_t tests() const { return tests_; }
 
 private:
     const BoxSweep& sweep_;
     Real limit_;
+    bool isOver_ = false;
     FunctionRef<Real(ProxyId, Real)> visit_;
     std::uint64_t tests_ = 0;
 };

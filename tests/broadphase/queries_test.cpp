@@ -230,6 +230,33 @@ TEST_P(Queries, OfRaysShortenedByTheVisitorEndAtTheNearest) {
     EXPECT_GT(hits, 100);
 }
 
+/// A ray of no length, or one that ends where it begins, meets all that is there.
+TEST_P(Queries, OfRaysAndSweepsUpToTheStartFindWhatIsThere) {
+    Random random(400 + static_cast<std::uint64_t>(GetParam()));
+    const Filled all = filled(GetParam(), random, 150);
+    std::size_t found = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Aabb from = randomBox(GetParam(), random);
+        const Aabb point = {from.lower, from.lower};
+        const DVec2 by = i % 3 == 0 ? DVec2{} : DVec2{random.range(-50, 50), random.range(-50, 50)};
+        const Real limit = i % 3 == 0 ? static_cast<Real>(i % 2) : Real(0);
+        const std::set<std::uint32_t> atPoint = all.model.overlapping(point);
+        const std::set<std::uint32_t> atBox = all.model.overlapping(from);
+        for (std::size_t k = 0; k < all.each.size(); ++k) {
+            const Broadphase& broadphase = *all.each[k];
+            const auto onRay = visited([&](auto visit) { broadphase.ray(toDouble(from.lower), by, limit, visit); });
+            const auto onSweep = visited([&](auto visit) { broadphase.sweep(from, by, limit, visit); });
+            ASSERT_EQ(onRay, atPoint) << nameOf(kEveryKind[k]) << " case " << i;
+            ASSERT_EQ(onSweep, atBox) << nameOf(kEveryKind[k]) << " case " << i;
+            int visits = 0;
+            broadphase.sweep(from, by, limit, [&visits](ProxyId, Real) { return ++visits, Real(-1); });
+            ASSERT_EQ(visits, atBox.empty() ? 0 : 1) << nameOf(kEveryKind[k]) << " case " << i << ": less than 0 stops";
+        }
+        found += atBox.size();
+    }
+    EXPECT_GT(found, 100U);
+}
+
 INSTANTIATE_TEST_SUITE_P(AllFamilies, Queries, testing::ValuesIn(kFamilies),
                          [](const testing::TestParamInfo<Family>& family) { return nameOf(family.param); });
 
