@@ -13,6 +13,7 @@ struct TouchTraits {
     bool isBelt : 1 = false;          ///< friction drags (`ShapeDef::surfaceSpeed`)
     bool resistsRolling : 1 = false;  ///< at one point (`ShapeDef::rollingResistance`)
     bool isOpen : 1 = false;          ///< its points are farther apart than those of touching shapes (`kEndRatio`)
+    bool mayMeet : 1 = false;         ///< do not touch, and may come to that in this step
     bool isDeep : 1 = false;  ///< of what does not yield: overlaps too far to be swept out of it (`kShallowRatio`)
 
     bool areDynamic() const { return dynamicA && dynamicB; }

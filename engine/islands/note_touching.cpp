@@ -7,6 +7,7 @@
 
 #include "../../shapes/branchless.h"
 #include "../contacts/hemmed_pairs.h"
+#include "../contacts/near_miss.h"
 #include "../state/tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -64,7 +65,8 @@ Real closingSpeed(const WorldState& world, const Contact& contact, Vec2 normal, 
     return turning - dot(motionB.velocity - motionA.velocity, normal) + dt * length(pull);
 }
 
-/// Dynamic bodies that are near each other, one of them fast, but will not meet in this step do not hold each other.
+/// Whether bodies that are near each other will not meet in this step, whatever the others do to them that they have
+/// met already. If both are dynamic, and one of them is fast, they do not hold each other.
 /// @pre `TouchingPair::isOpen`
 bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
@@ -75,13 +77,23 @@ bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
 bool asksForContact(const TouchingPair& pair, BodyTraits a, BodyTraits b) {
     const std::uint32_t isOneFast = ((a | b) / kIsFast) & 1;
     const std::uint32_t mayStrike = (std::uint32_t{pair.bounces} | isOneFast | std::uint32_t{pair.isDeep});
-    return (pair.areDynamic() ? std::uint32_t{pair.isOpen} & isOneFast : mayStrike) != 0;  // one branch for all
+    const std::uint32_t asks = pair.areDynamic() ? std::uint32_t{pair.isOpen} & isOneFast : mayStrike;
+    return (std::uint32_t{pair.mayMeet} | asks) != 0;  // one branch for all
+}
+
+/// Of what does not touch, but may come to that in this step.
+TouchFindings lookAtMiss(const WorldState& world, Contact& contact, Real dt) {
+    if (!isNearMiss(world, contact, dt)) { return {}; }
+    contact.manifold.count = 0;
+    return {.passes = true};
 }
 
 /// Of bodies that are dynamic both. What passes stays without points, unless it turns out to be hemmed in.
 TouchFindings lookAtPassing(WorldState& world, const TouchingPair& pair, Real dt) {
     Contact& contact = world.contacts[pair.contact];
-    if (!passEachOther(world, contact, dt)) { return {}; }
+    if (!passEachOther(world, contact, dt)) { return lookAtMiss(world, contact, dt); }
+    const bool isOneFast = ((world.traits[pair.bodyA] | world.traits[pair.bodyB]) & kIsFast) != 0;
+    if (!pair.isOpen || !isOneFast) { return {}; }
     const bool areAwake = (world.traits[pair.bodyA] & world.traits[pair.bodyB] & kIsAwake) != 0;
     if (areAwake && deepestSeparation(contact.manifold) <= kHemRatio * contact.extent) { return {.mayHem = true}; }
     contact.manifold.count = 0;
@@ -89,11 +101,13 @@ TouchFindings lookAtPassing(WorldState& world, const TouchingPair& pair, Real dt
 }
 
 /// Of a dynamic body that is awake, and something static or kinematic.
-TouchFindings lookAtGround(const WorldState& world, const TouchingPair& pair, Real dt) {
+TouchFindings lookAtGround(WorldState& world, const TouchingPair& pair, Real dt) {
     const std::uint32_t slot = pair.dynamicBody();
     if ((world.traits[slot] & kIsAwake) == 0) { return {}; }
-    const Contact& contact = world.contacts[pair.contact];
-    const bool mayStrike = pair.bounces || (world.traits[slot] & kIsFast) != 0;
+    Contact& contact = world.contacts[pair.contact];
+    const bool isFast = (world.traits[slot] & kIsFast) != 0;  // then it is swept, or goes on behind pieces of ground
+    if (pair.mayMeet && !isFast && lookAtMiss(world, contact, dt).passes) { return {.passes = true}; }
+    const bool mayStrike = pair.bounces || isFast;
     const std::uint32_t other = slot == pair.bodyA ? pair.bodyB : pair.bodyA;
     TouchFindings found = mayStrike ? footingOf(world, slot, other, contact, dt) : TouchFindings{};
     found.isSunken = pair.isDeep && deepestSeparation(contact.manifold) < -kSlackRatio * contact.extent;

@@ -85,6 +85,16 @@ ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const 
     return {margin, bodies.passesBeyond(static_cast<Real>(world.lastDt))};
 }
 
+/// Whether what is so far apart may meet in this step, along the normal of now: cheaper here, where all is at hand.
+bool mayMeet(const WorldState& world, const Contact& contact, Real gap) {
+    const BodyGlance& a = world.glances[contact.bodyA];
+    const BodyGlance& b = world.glances[contact.bodyB];
+    if (!contact.dynamicA || !contact.dynamicB || !a.isAwake() || !b.isAwake()) { return true; }
+    const auto dt = static_cast<Real>(world.lastDt);
+    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    return (a.swing + b.swing - dot(b.velocity - a.velocity, normal) + dt * length(b.pull - a.pull)) * dt > gap;
+}
+
 /// A contact that may have points has its manifold.
 [[gnu::always_inline]] inline void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact,
                                               const Transform& bInA) {
@@ -101,6 +111,7 @@ ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const 
     probe.points = static_cast<std::uint8_t>(contact.manifold.count);
     probe.turns = (int{contact.manifold.count > 0} & int{deepest <= limit}) != int{contact.touching};
     probe.isOpen = deepest > kEndRatio * contact.extent;
+    probe.mayMeet = deepest > limit && mayMeet(world, contact, deepest);
     probe.isDeep = !probe.isPlain && deepest < -kShallowRatio * contact.extent;
 }
 

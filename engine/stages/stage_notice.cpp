@@ -60,6 +60,7 @@ TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
                              .isBelt = contact.isBelt,
                              .resistsRolling = contact.resistsRolling,
                              .isOpen = isOpen(contact),
+                             .mayMeet = !contact.touching,
                              .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
     return {traits, place, contact.bodyA, contact.bodyB};
 }

@@ -91,7 +91,7 @@ TEST(Heaps, OthersDoNotPayForOne) {
         iterated += heap.world.counters().directBodies > kBoxes ? 0 : 1;
         takenBack += heap.world.counters().bodiesAgain > 0 ? 1 : 0;
     }
-    EXPECT_GT(takenBack, 1) << "nothing was searched in vain";
+    EXPECT_GT(takenBack, 0) << "nothing was searched in vain";
     EXPECT_LE(iterated, 8 * takenBack) << "steps of " << takenBack << " searches in vain";
 }
 
