@@ -14,6 +14,7 @@
 #include "bullet_paths.h"
 #include "bullet_start.h"
 #include "flight_state.h"
+#include "free_path.h"
 #include "sweep_circles.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -49,6 +50,11 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
                     .c1 = motion.center,
                     .a0 = body.awake ? body.startAngle : motion.angle,
                     .a1 = motion.angle};
+    if (body.awake && body.role == BodyRole::free) {
+        const Drift drift = driftOf(world, body, dt);
+        const DVec2 way = partner.path.c1 - partner.path.c0;
+        partner.path.k = way - dt * toDouble(velocityBefore(way, 0, drift).linear);
+    }
     return partner;
 }
 

@@ -10,6 +10,7 @@
 #include "bullet_paths.h"
 #include "bullet_search.h"
 #include "flight_state.h"
+#include "free_path.h"
 #include "hit_event.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -24,6 +25,28 @@ BulletPartner& partnerIn(WorldState& world, std::uint32_t slot) {
     return world.bulletWork.partners[world.bulletWork.indices[slot]];
 }
 
+/// Its velocity is that of the end of the step, with all that forces and damping do till then, which its flight does
+/// once more. Of what is on the ground gravity does nothing; else the solver did what else there was.
+void takeBackRest(const WorldState& world, BulletPartner& partner, double time) {
+    Flight& flight = partner.flight;
+    const Body& body = flight.body();
+    BodyMotion& motion = flight.motion;
+    if (body.role == BodyRole::free) {
+        const Drift whole = driftOf(world, body, flight.dt);
+        const double turn = partner.path.a1 - partner.path.a0;
+        const FreeVelocity start = velocityBefore(partner.path.c1 - partner.path.c0, turn, whole);
+        motion.velocity = start.linear;
+        motion.angularVelocity = start.angular;
+        const FreeVelocity now = velocityAfter(motion, driftOf(world, body, time));
+        motion.velocity = now.linear;
+        motion.angularVelocity = now.angular;
+        return;
+    }
+    const auto rest = static_cast<Real>(flight.dt - time);
+    motion.velocity -= rest * body.inverseMass * body.force;
+    motion.angularVelocity -= rest * angularAccelerationOf(body);
+}
+
 /// From the solver's hands, or from sleep, into flight: with the velocity that it has at this time.
 void takeOff(WorldState& world, BulletPartner& partner, double time) {
     Flight& flight = partner.flight;
@@ -34,9 +57,7 @@ void takeOff(WorldState& world, BulletPartner& partner, double time) {
     flight.motion.center = now.center;
     flight.motion.angle = now.angle;
     flight.motion.pose = now.pose;
-    if (body.awake && body.role == BodyRole::free) {  // its velocity is that of the end of the step
-        flight.motion.velocity -= static_cast<Real>(flight.dt - time) * accelerationOf(world, body);
-    }
+    if (body.awake) { takeBackRest(world, partner, time); }
     flight.elapsed = time;
     partner.flies = true;
 }
@@ -220,7 +241,11 @@ void storeAll(WorldState& world, Real dt) {
     // What sleeps has begun no step lately: where it stands is where this one began.
     const std::size_t before = world.awake.size();
     for (const BulletPartner& partner : partners) {
-        if (partner.moved) { wake(world, partner.flight.slot); }
+        if (!partner.moved) { continue; }
+        wake(world, partner.flight.slot);
+        Body& body = world.bodies[partner.flight.slot];
+        body.restTime = 0;  // however little of the step was left for it to move in
+        body.restSteps = 0;
     }
     resetBodies(world, std::span(world.awake).subspan(before), dt);
     world.loops->run(partners.size(), kGrain, [&](std::size_t begin, std::size_t end, int worker) {

@@ -46,6 +46,14 @@ Sweep freePath(const Body& body, const BodyMotion& motion, const Drift& drift) {
                   drift.angular.phi2 * time * time * drift.angularAcceleration};
 }
 
+FreeVelocity velocityBefore(DVec2 way, double turn, const Drift& drift) {
+    const double time = drift.time;
+    const DVec2 byVelocity = way - (drift.linear.phi2 * time * time) * drift.acceleration;
+    const double bySpin = turn - drift.angular.phi2 * time * time * drift.angularAcceleration;
+    return {toReal(1 / (drift.linear.phi1 * time) * byVelocity),
+            static_cast<Real>(bySpin / (drift.angular.phi1 * time))};
+}
+
 FreeVelocity velocityAfter(const BodyMotion& motion, const Drift& drift) {
     const DVec2 velocity = toDouble(motion.velocity);
     const auto spin = static_cast<double>(motion.angularVelocity);

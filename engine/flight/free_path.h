@@ -23,6 +23,8 @@ struct FreeVelocity {
 Drift driftOf(const WorldState& world, const Body& body, double time);
 /// The parabola through its exact end points with the present velocity. Exact without damping.
 Sweep freePath(const Body& body, const BodyMotion& motion, const Drift& drift);
+/// With which a body began that got so far, and turned so far (rad), by its end.
+FreeVelocity velocityBefore(DVec2 way, double turn, const Drift& drift);
 /// At the end of the drift.
 FreeVelocity velocityAfter(const BodyMotion& motion, const Drift& drift);
 

@@ -274,6 +274,7 @@ void watchPair(WorldState& world, const SensorPair& pair, double dt) {
 }  // namespace
 
 void sweepSensors(WorldState& world, double dt) {
+    if (!world.parked.woken.empty()) { unparkContacts(world); }  // what bullets woke is in some sensors already
     std::vector<SensorPair>& pairs = world.sensorSweeps.pairs;
     pairs.clear();
     world.sensorSweeps.ways.clear();

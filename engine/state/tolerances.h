@@ -69,5 +69,7 @@ inline constexpr Real kRestRatio = kTargetRatio;
 /// … for so many steps, and for so many times √(extent/|gravity|).
 inline constexpr int kRestSteps = 32;
 inline constexpr double kRestTimes = 4;
+/// Without gravity that is no time, and steps may be as short as slow motion has them: then for so many seconds.
+inline constexpr double kWeightlessRest = 0.5;
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -203,5 +203,20 @@ TEST(Sensor, ReportsBeginAndEndAndDoesNotCollide) {
     }
 }
 
+/// Slow motion is no rest: without gravity nothing tells how long that is but seconds.
+TEST(Sleep, WhatTurnsSlowlyGoesOnInShortStepsWithoutGravity) {
+    for (const double rate : {60.0, 600.0, 6000.0}) {
+        WorldSettings settings = awakeSettings(0);
+        settings.sleep = true;
+        World world = makeWorld(settings);
+        RevoluteJointDef hinge;
+        hinge.base.bodyA = must(world.createBody({}));
+        hinge.base.bodyB = addBody(world, dynamicAt({0, 0}, {}, 0.1), box(0.5, 0.5));
+        must(world.createJoint(hinge));
+        run(world, 200, 1 / rate);
+        EXPECT_NEAR(world.angularVelocity(hinge.base.bodyB), 0.1, 1e-5) << rate << " Hz";
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -1,0 +1,119 @@
+#include <cmath>
+
+#include "world_support.h"
+
+/// What a bullet strikes goes on from there as it would have, but for the blow.
+
+namespace swept::test {
+namespace {
+
+BodyId shoot(World& world, DVec2 from, Vec2 velocity, double density) {
+    BodyDef def = dynamicAt(from, velocity);
+    def.bullet = true;
+    def.gravityScale = 0;
+    return addBody(world, def, circle(0.1), material(0, 0, density));
+}
+
+/// What forces and damping do to a body until the end of the step is part of its motion already: a bullet of next to no
+/// mass changes nothing of it.
+TEST(BulletStrikes, OfAFeatherChangeNothing) {
+    struct Case {
+        const char* name;
+        double damping, force, torque;
+        bool onGround;
+    };
+    for (const Case& one : {Case{"pushed", 0, 3, 0, false}, Case{"damped", 20, 60, 0, false},
+                            Case{"much damped", 100, 300, 0, false}, Case{"turned", 0, 0, 6, false},
+                            Case{"damped and turned", 5, 0, 6, false}, Case{"pushed on ground", 0, 12, 0, true}}) {
+        for (const double late : {0.1, 0.5, 0.9}) {
+            World world = makeWorld(one.onGround ? kGravity : 0);
+            addStatic(world, box(50, 1), material(0), {0, -1});
+            BodyDef def = dynamicAt({0, one.onGround ? 1.0 : 5.0}, vec(1, 0), 0.5 * one.torque);
+            def.linearDamping = def.angularDamping = real(one.damping);
+            const BodyId body = addBody(world, def, box(1, 1), material(0));
+            World alone = world;
+            run(world, 5);
+            run(alone, 5);
+            const double top = world.position(body).y + 1.1 + (one.torque != 0 ? 1 : 0);
+            shoot(world, {world.position(body).x, top + 10 * late}, vec(0, -600), 1e-7);
+            for (World* const each : {&world, &alone}) {
+                const double mass = each->mass(body);
+                must(each->applyForce(body, vec(one.force * mass, 0)));
+                must(each->applyTorque(body, real(one.torque * each->inertia(body))));
+                run(*each, 1);
+            }
+            const std::string what = std::string(one.name) + ", struck at about " + std::to_string(late);
+            EXPECT_NEAR(world.velocity(body).x, alone.velocity(body).x, 2e-5) << what;
+            // On ground it flies for the rest of the step, and is caught in the next one.
+            EXPECT_NEAR(world.velocity(body).y, alone.velocity(body).y, one.onGround ? kGravity * kStep : 2e-5) << what;
+            EXPECT_NEAR(world.angularVelocity(body), alone.angularVelocity(body), 2e-5) << what;
+            // Where it is within the step is told by a parabola, which damping is not.
+            EXPECT_NEAR(world.position(body).x, alone.position(body).x, 2e-3) << what;
+            EXPECT_GT(world.counters().impacts, alone.counters().impacts) << what << ": not struck";
+        }
+    }
+}
+
+/// However long it rested, and however little of the step is left: the momentum stays.
+TEST(BulletStrikes, MoveWhatRestedLong) {
+    for (const int rested : {1, 20, 70, 300}) {
+        World world = makeWorld([] {
+            WorldSettings settings = awakeSettings();
+            settings.sleep = true;
+            return settings;
+        }());
+        addStatic(world, box(50, 0.5), material(0), {0, -0.5});
+        const BodyId lower = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0));
+        run(world, rested);
+        const BodyId upper = addBody(world, dynamicAt({0, 1.5}), box(0.5, 0.5), material(0));
+        run(world, 20);
+        const BodyId shot = shoot(world, {-3.9, 0.5}, vec(200, 0), 0.16);  // there at 0.99 of the step
+        const auto momentum = [&] {
+            double sum = 0;
+            for (const BodyId body : {lower, upper, shot}) { sum += world.mass(body) * velocityOf(world, body).x; }
+            return sum;
+        };
+        const double before = momentum();
+        run(world, 30);
+        EXPECT_NEAR(momentum(), before, 1e-3 * before) << "rested " << rested;
+        EXPECT_GT(velocityOf(world, lower).x, 0.5) << "rested " << rested;
+    }
+}
+
+/// What lies in a sensor, asleep or not, is told to leave it once, and to be in it no second time.
+TEST(BulletStrikes, OfWhatLiesInASensorEndItOnce) {
+    for (const int rested : {5, 40, 300}) {
+        World world = makeWorld([] {
+            WorldSettings settings = awakeSettings();
+            settings.sleep = true;
+            return settings;
+        }());
+        const BodyId ground = addStatic(world, box(200, 0.5), material(0.3), {0, -0.5});
+        ShapeDef sensor;
+        sensor.sensor = true;
+        must(world.addShape(ground, must(makeBox(vec(2, 2), vec(0, 2))), sensor));
+        const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.3));
+        int begins = 0;
+        int ends = 0;
+        const auto step = [&](int steps) {
+            for (int i = 0; i < steps; ++i) {
+                run(world, 1);
+                for (const ContactEvent& event : world.contactEvents()) {
+                    const bool isOurs = event.bodyA == body || event.bodyB == body;
+                    begins += isOurs && event.type == ContactEventType::sensorBegin ? 1 : 0;
+                    ends += isOurs && event.type == ContactEventType::sensorEnd ? 1 : 0;
+                }
+            }
+        };
+        step(rested);
+        EXPECT_EQ(begins, 1);
+        shoot(world, {-6, 0.6}, vec(300, 0), 60);
+        step(60);
+        EXPECT_GT(world.position(body).x, 3) << "rested " << rested;
+        EXPECT_EQ(begins, 1) << "rested " << rested;
+        EXPECT_EQ(ends, 1) << "rested " << rested;
+    }
+}
+
+}  // namespace
+}  // namespace swept::test
