@@ -12,6 +12,7 @@
 #include "flight_state.h"
 #include "free_path.h"
 #include "hit_event.h"
+#include "take_along.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -170,15 +171,17 @@ bool isExhausted(BulletPartner& partner) {
     return isExhausted(partner.flight, partner.impacts++, LostTimeReason::budget);
 }
 
-/// It stays where it is.
+/// It stays where it is, unless something kinematic takes it along.
 void stop(BulletPartner& partner, double time, LostTimeReason reason) {
     const Flight& flight = partner.flight;
     enterLedger(flight, reason);
+    BodyMotion end = flight.motion;
+    takeAlong(*flight.world, flight.slot, end, time, flight.dt, *flight.scratch);
     partner.path = {.localCenter = toDouble(flight.body().localCenter),
                     .c0 = flight.motion.center,
-                    .c1 = flight.motion.center,
+                    .c1 = end.center,
                     .a0 = flight.motion.angle,
-                    .a1 = flight.motion.angle};
+                    .a1 = end.angle};
     partner.pathFrom = time;
     partner.flies = false;
     partner.tied = true;

@@ -115,5 +115,30 @@ TEST(BulletStrikes, OfWhatLiesInASensorEndItOnce) {
     }
 }
 
+/// A bat that is led turns so fast that a ball on it has no end of impacts in a step: the bat takes it along, a bullet
+/// as any other.
+TEST(BulletStrikes, OfALedBatEndBeforeIt) {
+    for (const bool bullet : {false, true}) {
+        for (const double spin : {10.0, 20.0, 40.0}) {
+            for (int phase = 0; phase < 20; ++phase) {
+                World world = makeWorld(0);
+                const BodyId bat = must(world.createBody(bodyAt(BodyType::kinematic, {0, 0}, -0.5)));
+                must(world.addShape(bat, must(makeCapsule({}, vec(1.5, 0), real(0.01)))));
+                BodyDef def = dynamicAt(turned({0.6 + 0.04 * phase, 0.12}, -0.5));
+                def.bullet = bullet;
+                const BodyId ball = addBody(world, def, circle(0.1));
+                double angle = -0.5;
+                for (int i = 0; i < 60; ++i) {
+                    angle = std::min(0.5, angle + spin * kStep);
+                    must(world.driveTo(bat, {0, 0}, angle, kStep));
+                    run(world, 1);
+                }
+                EXPECT_GT(turned(world.position(ball), -angle).y, 0)
+                    << spin << " rad/s, phase " << phase << (bullet ? ", bullet" : "");
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

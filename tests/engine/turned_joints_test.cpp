@@ -14,7 +14,9 @@ struct TurnedJoint {
 
 /// Held within limits, or driven to an offset, that may be some turns from 0.
 TurnedJoint addTurned(World& world, Random& random, bool isMotor) {
-    TurnedJoint turned{.wheel = addBody(world, dynamicAt({0, 0}), circle(0.5)), .wanted = random.range(-30, 30)};
+    TurnedJoint turned;
+    turned.wheel = addBody(world, dynamicAt({0, 0}), circle(0.5));
+    turned.wanted = random.range(-30, 30);
     const JointDef base = between(anchorOf(world), turned.wheel);
     if (isMotor) {
         MotorJointDef def{.base = base};
