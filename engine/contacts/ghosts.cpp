@@ -46,12 +46,14 @@ bool isGroundAtRest(const WorldState& world, const Contact& contact) {
     return world.bodies[contact.dynamicA ? contact.bodyB : contact.bodyA].def.type == BodyType::fixed;
 }
 
+/// Of the body over its ground, metres.
+Real heightAbove(const GroundContact& contact, Vec2 normal) {
+    return separationAlong(contact.ground, contact.groundPose, contact.own, contact.ownPose, normal);
+}
+
 /// How far the other ground is below the plane of what the body stands on, metres.
 Real stepDown(const GroundContact& stands, const GroundContact& other) {
-    const auto heightAbove = [&stands](const GroundContact& c) {
-        return separationAlong(c.ground, c.groundPose, c.own, c.ownPose, stands.normal);
-    };
-    return heightAbove(other) - heightAbove(stands);
+    return heightAbove(other, stands.normal) - heightAbove(stands, stands.normal);
 }
 
 /// Ground that the body has yet to reach holds it off in this step just as ground does on which it stands: what comes
@@ -124,7 +126,11 @@ bool hides(const GroundContact& stands, const GroundContact& other) {
     const bool yields = isFaceContact(stands) && !isFaceContact(other);
     const bool areOne = dot(stands.normal, other.normal) > kSameNormal;
     if (!yields && (areOne || isFaceContact(other) != isFaceContact(stands))) { return false; }
-    return separationAlong(other.ground, other.groundPose, other.own, other.ownPose, stands.normal) >= -other.slop;
+    const Real clear = heightAbove(other, stands.normal);
+    if (clear >= -other.slop) { return true; }
+    // What is heavy sinks in: then the next piece, flush with what holds it, is no more in the way than that.
+    const Real sunk = heightAbove(stands, stands.normal);
+    return sunk < 0 && clear >= sunk - other.slop;
 }
 
 Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygon& b, const WorldTransform& poseB,

@@ -84,7 +84,7 @@ void dropOutOfReach(WorldState& world, Real dt) {
                 const std::uint32_t slot = work.early[i];
                 work.reached[i] = isBullet(world, slot) || dissolvedClashOf(world, slot) != kNoIndex ? 1 : 0;
                 if (work.reached[i] != 0) { continue; }
-                boxes[i - first] = realmOf(world, slot, dt);
+                boxes[i - first] = realmOfReach(world, slot, dt * speedBound(world, slot, dt));
             }
             widestKernels().queries(realms, WideBoxes::of(boxes),
                                     [&](std::uint32_t lane, ProxyId) { work.reached[first + lane] = 1; });
@@ -116,8 +116,14 @@ Real farthestOf(const WorldState& world, Real dt) {
     return dt * fastest;
 }
 
-Aabb realmOf(const WorldState& world, std::uint32_t slot, Real dt) {
-    return realmOfReach(world, slot, dt * speedBound(world, slot, dt));
+Aabb realmAtStart(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Body& body = world.bodies[slot];
+    if (!body.awake) { return realmOfReach(world, slot, 0); }
+    const BodyGlance& glance = world.glances[slot];
+    // What is struck in a clash of its own may become faster, and of what woke since the glance tells nothing.
+    const bool isKnown = glance.isAwake() && body.role != BodyRole::together;
+    const Real reach = dt * (length(glance.velocity) + dt * length(glance.pull));
+    return realmOfReach(world, slot, isKnown ? reach : world.bulletWork.farthest);
 }
 
 std::uint32_t dissolvedClashOf(const WorldState& world, std::uint32_t slot) {

@@ -9,8 +9,9 @@ bool isBullet(const WorldState& world, std::uint32_t slot);
 inline bool isTied(const Body& body) { return body.holdingJoints > 0 || body.touchesDynamic; }
 /// How far any awake dynamic body gets at its speed in this step, metres.
 Real farthestOf(const WorldState& world, Real dt);
-/// Where a body may get within the step, whatever direction it is sent into at its speed.
-Aabb realmOf(const WorldState& world, std::uint32_t slot, Real dt);
+/// Where a body may get within the step, whatever direction it is sent into at the speed that it began the step with:
+/// told while others are moved. @pre `BulletWork::farthest`
+Aabb realmAtStart(const WorldState& world, std::uint32_t slot, Real dt);
 /// The number of the clash that the body was in before that dissolved (clash.h), else `kNoIndex`.
 std::uint32_t dissolvedClashOf(const WorldState& world, std::uint32_t slot);
 /// Who is a partner from the start of the step on, into `BulletWork::early`: bullets, and what is fast and near enough

@@ -230,7 +230,7 @@ bool mayMeetMore(const Clash& clash, std::span<const std::uint32_t> members) {
         if (!isBullet(world, members[i]) && !isBullet(world, shape.body)) { return; }
         const std::uint32_t index = memberIndex(members, shape.body);
         const bool isMember = index != members.size();
-        const Aabb way = isMember ? work.hulls[index] : realmOf(world, shape.body, static_cast<Real>(clash.dt));
+        const Aabb way = isMember ? work.hulls[index] : realmAtStart(world, shape.body, static_cast<Real>(clash.dt));
         if (!overlaps(work.hulls[i], way)) { return; }
         const std::vector<std::uint32_t>& own = world.bodies[members[i]].shapes;
         mayMeet = std::any_of(own.begin(), own.end(), [&](std::uint32_t slot) {

@@ -129,5 +129,34 @@ TEST(SeamLandings, StepsAreStillInTheWay) {
     }
 }
 
+/// What is heavy, or pulled hard, sinks into the ground farther than flush ground may be uneven: the sides of the
+/// pieces ahead are hidden all the same.
+TEST(SeamLandings, WhatSinksInIsNotStoppedBySeams) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        for (const double gravity : {10.0, 20.0, 30.0}) {
+            for (const double below : {0.25, 0.1}) {  // half the height of every second piece
+                for (const bool isCrate : {false, true}) {
+                    WorldSettings settings = awakeSettings(gravity);
+                    settings.profile = profile;
+                    World world = makeWorld(settings);
+                    for (int i = -2; i < 20; ++i) {
+                        const double half = i % 2 == 0 ? 0.25 : below;
+                        addStatic(world, box(0.5, half), material(0), {i + 0.5, -half});
+                    }
+                    BodyDef def = dynamicAt({0.3, isCrate ? 0.4 : 0.7}, vec(4, 0));
+                    def.fixedRotation = !isCrate;
+                    const Polygon player = must(makeCapsule(vec(0, -0.4), vec(0, 0.4), real(0.3)));
+                    const BodyId body = addBody(world, def, isCrate ? box(0.4, 0.4) : player, material(0));
+                    run(world, 240);
+                    const std::string what = std::string(isCrate ? "crate" : "player") + " under " +
+                                             std::to_string(gravity) + " m/s^2, profile " +
+                                             std::to_string(static_cast<int>(profile)) + ": slower by";
+                    expectAtMost(what, 4 - velocityOf(world, body).x, 0.01);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
