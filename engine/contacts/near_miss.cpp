@@ -57,27 +57,63 @@ WorldTransform endOf(const Sweep& path) {
     return poseOf(centerAt(path, 1), rotationFromAngle(angleAt(path, 1)), toReal(path.localCenter));
 }
 
+Real separationAtEnd(const Polygon& a, const Sweep& pathA, const Polygon& b, const Sweep& pathB) {
+    return distance(a, b, relativeTransform(endOf(pathA), endOf(pathB))).distance;
+}
+
+/// @param level  separation that counts as meeting, metres
+bool arePathsApart(const Polygon& a, const Sweep& pathA, const Polygon& b, const Sweep& pathB, Real level,
+                   Real tolerance) {
+    const ToiSettings settings{.target = static_cast<double>(level), .tolerance = static_cast<double>(tolerance)};
+    return timeOfImpact(asToiPolygon(a), pathA, asToiPolygon(b), pathB, settings).state == ToiState::separated;
+}
+
+/// Whether the solver would stop what does not meet on these paths, or only along an edge, by less than half of what
+/// that would be, and less than the slop.
+/// @param end  in: separation at the end, no less, metres; out: that of these paths
+bool misses(const WorldState& world, const Contact& contact, const FreeMotion& a, const FreeMotion& b, Real dt,
+            Real& end) {
+    const Real depth = depthAhead(world, contact, a, b, dt);
+    const Real grazed = std::min(kTargetRatio * contact.extent, depth / 2);
+    if (!(depth > 0) || end <= -grazed) { return false; }
+    const Polygon& shapeA = world.shapes[contact.shapeA].polygon;
+    const Polygon& shapeB = world.shapes[contact.shapeB].polygon;
+    const Sweep pathA = a.path(world.bodies[contact.bodyA].localCenter, dt);
+    const Sweep pathB = b.path(world.bodies[contact.bodyB].localCenter, dt);
+    end = separationAtEnd(shapeA, pathA, shapeB, pathB);
+    if (end <= -grazed) { return false; }  // mostly they have met by the end
+    const Real radii = shapeA.radius + shapeB.radius;
+    const Real level = -std::min(grazed, radii);
+    if (end > level && arePathsApart(shapeA, pathA, shapeB, pathB, level, grazed / 8)) { return true; }
+    if (radii >= grazed) { return false; }
+    // No separation below zero is told of what has no radius: it goes that much beside its way instead.
+    const DVec2 way = (pathB.c1 - pathB.c0) - (pathA.c1 - pathA.c0);
+    const double far = length(way);
+    if (!(far > 0)) { return false; }
+    for (const double side : {1.0, -1.0}) {
+        const DVec2 aside = side * static_cast<double>(grazed) / far * DVec2{-way.y, way.x};
+        Sweep beside = pathB;
+        beside.c0 += aside;
+        beside.c1 += aside;
+        const bool isPast = separationAtEnd(shapeA, pathA, shapeB, beside) > 0;
+        if (isPast && arePathsApart(shapeA, pathA, shapeB, beside, 0, grazed / 8)) { return true; }
+    }
+    return false;
+}
+
 }  // namespace
 
 bool isNearMiss(const WorldState& world, const Contact& contact, Real dt) {
     if (world.watched && isAhead(world, contact)) { return false; }  // the mode is just that
-    const FreeMotion a(world, contact.bodyA);
-    const FreeMotion b(world, contact.bodyB);
-    const Real depth = depthAhead(world, contact, a, b, dt);
-    if (!(depth > 0)) { return false; }
-    const Polygon& shapeA = world.shapes[contact.shapeA].polygon;
-    const Polygon& shapeB = world.shapes[contact.shapeB].polygon;
-    const Real slop = kTargetRatio * contact.extent;
-    const Real level = -std::min({slop, depth / 2, shapeA.radius + shapeB.radius});
-    const Sweep pathA = a.path(world.bodies[contact.bodyA].localCenter, dt);
-    const Sweep pathB = b.path(world.bodies[contact.bodyB].localCenter, dt);
-    // Mostly they have met by the end.
-    const Transform bInA = relativeTransform(endOf(pathA), endOf(pathB));
-    if (distance(shapeA, shapeB, bInA).distance <= level) { return false; }
-    const ToiSettings settings{.target = static_cast<double>(level),
-                               .tolerance = static_cast<double>(std::min(slop, depth) / 8)};
-    const Toi toi = timeOfImpact(asToiPolygon(shapeA), pathA, asToiPolygon(shapeB), pathB, settings);
-    return toi.state == ToiState::separated;
+    FreeMotion a(world, contact.bodyA);
+    FreeMotion b(world, contact.bodyB);
+    Real end = 0;
+    if (misses(world, contact, a, b, dt, end)) { return true; }
+    if (a.pull == b.pull) { return false; }
+    // What something else carries does not fall: it goes straight on, beside the edge of what is flush with that.
+    end += square(dt) / 2 * length(b.pull - a.pull);
+    a.pull = b.pull = {};
+    return misses(world, contact, a, b, dt, end);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

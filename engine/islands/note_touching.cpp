@@ -105,9 +105,9 @@ TouchFindings lookAtGround(WorldState& world, const TouchingPair& pair, Real dt)
     const std::uint32_t slot = pair.dynamicBody();
     if ((world.traits[slot] & kIsAwake) == 0) { return {}; }
     Contact& contact = world.contacts[pair.contact];
-    const bool isFast = (world.traits[slot] & kIsFast) != 0;  // then it is swept, or goes on behind pieces of ground
-    if (pair.mayMeet && !isFast && lookAtMiss(world, contact, dt).passes) { return {.passes = true}; }
-    const bool mayStrike = pair.bounces || isFast;
+    // What is fast or bounces is swept, to the time of its impact; or, not swept, it goes on behind pieces of ground.
+    const bool mayStrike = pair.bounces || (world.traits[slot] & kIsFast) != 0;
+    if (pair.mayMeet && !mayStrike && lookAtMiss(world, contact, dt).passes) { return {.passes = true}; }
     const std::uint32_t other = slot == pair.bodyA ? pair.bodyB : pair.bodyA;
     TouchFindings found = mayStrike ? footingOf(world, slot, other, contact, dt) : TouchFindings{};
     found.isSunken = pair.isDeep && deepestSeparation(contact.manifold) < -kSlackRatio * contact.extent;
