@@ -138,10 +138,11 @@ struct MotorJointDef {
     MotorDrive drive{};
 };
 
-/// Pulls a point of B to a target in the world; A takes no part, and may be any body: the level, say. The two collide
-/// as if there were no joint, whatever `collideConnected` says. B must be dynamic. A target that is set elsewhere moves
-/// there within the next step, and what it drags gets its speed; by a spring it follows 2ζv/ω behind. A spring that
-/// holds B off its centre may add energy unless it is damped (LIMITS.md).
+/// Pulls a point of B to a target in the world; nothing pulls at A, which may be any body: the level, say (one that is
+/// dynamic is awake as long as B is). The two collide as if there were no joint, whatever `collideConnected` says. B
+/// must be dynamic. A target that is set elsewhere moves there within the next step, and what it drags gets its speed;
+/// by a spring it follows 2ζv/ω behind. A spring that holds B off its centre may add energy unless it is damped
+/// (LIMITS.md).
 struct MouseJointDef {
     JointDef base{};
     DVec2 target{};

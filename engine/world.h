@@ -98,7 +98,8 @@ public:
     Status setVelocity(BodyId id, Vec2 velocity, Real angularVelocity);
     /// Gives a kinematic body the velocities that take its origin to `position` (world, metres) and turn it to `angle`
     /// (rad) in a step of `dt` seconds; they stay until others are given. Errors: `wrongBodyType` of others;
-    /// `notPositive` dt; `outOfRange` with "position" or "angle" where that is farther than a body may be fast.
+    /// `notPositive` dt; `outOfRange` with "position" or "angle" where that is farther than a body may be fast; as of
+    /// setVelocity.
     Status driveTo(BodyId id, DVec2 position, double angle, double dt);
     /// What is disabled takes no part: it does not move, meets nothing, no query finds it, and its joints are off. It
     /// keeps its id, shapes, joints, pose and velocities, all of which may be changed meanwhile. To disable it ends its
@@ -216,7 +217,8 @@ public:
     // Chains are met from either side.
     CastHit castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
     /// Calls `visit` for every shape on the ray, the nearest first. It returns the fraction of the ray to go on with: 1
-    /// goes on, that of the hit shortens the ray to it, 0 ends the query. Of a chain for each segment, from either side.
+    /// goes on, that of the hit shortens the ray to it, 0 ends the query. Of a chain for each segment, from either
+    /// side.
     void castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                     FunctionRef<Real(const CastHit&)> visit) const;
     /// First shape that a polygon meets when it is carried along `translation` without turning. It is stopped about

@@ -1,7 +1,6 @@
 #include "near_miss.h"
 
 #include <algorithm>
-#include <array>
 
 #include "../../shapes/distance.h"
 #include "../../toi/time_of_impact.h"
