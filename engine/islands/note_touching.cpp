@@ -67,7 +67,7 @@ Real closingSpeed(const WorldState& world, const Contact& contact, Vec2 normal, 
 
 /// Whether bodies that are near each other will not meet in this step, whatever the others do to them that they have
 /// met already. If both are dynamic, and one of them is fast, they do not hold each other.
-/// @pre `TouchingPair::isOpen`
+/// @pre they do not touch
 bool passEachOther(const WorldState& world, const Contact& contact, Real dt) {
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     return closingSpeed(world, contact, normal, dt) * dt < deepestSeparation(contact.manifold);
