@@ -203,9 +203,10 @@ Status World::configure(const WorldSettings& settings) {
         world.broadphase = makeBroadphase(settings.broadphase);
     }
     if (!restsAlike(settings, world.settings)) { releaseAllHeld(world); }
+    const bool isOtherPull = settings.gravity != world.settings.gravity;
     const bool isForbidden = world.settings.sleep && !settings.sleep;
-    if (settings.gravity != world.settings.gravity || isForbidden) { wakeAll(world); }
-    if (settings.sleep && !world.settings.sleep) { restAnew(world); }
+    if (isOtherPull || isForbidden) { wakeAll(world); }
+    if (isOtherPull || (settings.sleep && !world.settings.sleep)) { restAnew(world); }
     changeSubSteps(world, subStepsOf(world.settings), subStepsOf(settings));
     world.settings = settings;
     return Status::success();

@@ -75,7 +75,7 @@ void switchJoint(WorldState& world, std::uint32_t slot) {
     for (const std::uint32_t body : joint.allBodies()) {
         world.bodies[body].holdingJoints += joint.holds() ? 1 : 0;
         world.bodies[body].holdingJoints -= held ? 1 : 0;
-        wake(world, body);
+        rouse(world, body);
     }
 }
 

@@ -170,7 +170,7 @@ Status World::redefine(BodyId id, const BodyDef& given) {
     world.motions[slot].angularVelocity = def.angularVelocity;
     countBody(world, body, 1);
     updateMass(world, slot);
-    wake(world, slot);
+    rouse(world, slot);
     if (isOtherType) {
         renewJoints(world, slot);
         renewKinds(world, body.shapes);
@@ -225,7 +225,7 @@ Status World::setPose(BodyId id, DVec2 position, double angle) {
         if (!status.ok()) { return status; }
     }
     dropContacts(world, id.index);
-    wake(world, id.index);
+    rouse(world, id.index);
     BodyMotion& motion = world.motions[id.index];
     motion.angle = angle;
     motion.pose = {position, rotationFromAngle(angle)};
@@ -245,10 +245,7 @@ Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
         if (!status.ok()) { return status; }
     }
     if (body->def.fixedRotation && angularVelocity != 0) { return {StatusCode::outOfRange, "angularVelocity"}; }
-    wake(world, id.index);
-    world.motions[id.index].velocity = velocity;
-    world.motions[id.index].angularVelocity = angularVelocity;
-    reachWithVelocity(world, id.index);
+    setInMotion(world, id.index, velocity, angularVelocity);
     return Status::success();
 }
 
@@ -285,7 +282,7 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
     const Vec2 sum = body->force + force;
     const Real torque = body->torque + cross(toReal(point - world.motions[id.index].center), force);
     if (!isInRange(sum) || !isInRange(static_cast<double>(torque))) { return {StatusCode::outOfRange, "force"}; }
-    wake(world, id.index);
+    rouse(world, id.index);
     world.forcesGiven = true;
     body->force = sum;
     body->torque = torque;
@@ -302,7 +299,7 @@ Status World::applyTorque(BodyId id, Real torque) {
     if (!number.ok()) { return number; }
     const Real sum = body->torque + torque;
     if (!isInRange(static_cast<double>(sum))) { return {StatusCode::outOfRange, "torque"}; }
-    wake(world, id.index);
+    rouse(world, id.index);
     world.forcesGiven = true;
     body->torque = sum;
     return Status::success();
@@ -316,15 +313,12 @@ Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
     for (const Status& status : {checkNumber(impulse, "impulse"), checkNumber(point, "point")}) {
         if (!status.ok()) { return status; }
     }
-    BodyMotion& motion = world.motions[id.index];
+    const BodyMotion& motion = world.motions[id.index];
     const Vec2 velocity = motion.velocity + body->inverseMass * impulse;
     const Real spin = motion.angularVelocity + body->inverseInertia * cross(toReal(point - motion.center), impulse);
     const bool good = isInRange(velocity) && isInRange(static_cast<double>(spin));
     if (!good) { return {StatusCode::outOfRange, "impulse"}; }
-    wake(world, id.index);
-    motion.velocity = velocity;
-    motion.angularVelocity = spin;
-    reachWithVelocity(world, id.index);
+    setInMotion(world, id.index, velocity, spin);
     return Status::success();
 }
 
@@ -335,12 +329,10 @@ Status World::applyAngularImpulse(BodyId id, Real impulse) {
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
     const Status number = checkNumber(static_cast<double>(impulse), "impulse");
     if (!number.ok()) { return number; }
-    BodyMotion& motion = world.motions[id.index];
+    const BodyMotion& motion = world.motions[id.index];
     const Real spin = motion.angularVelocity + body->inverseInertia * impulse;
     if (!isInRange(static_cast<double>(spin))) { return {StatusCode::outOfRange, "impulse"}; }
-    wake(world, id.index);
-    motion.angularVelocity = spin;
-    reachWithVelocity(world, id.index);
+    setInMotion(world, id.index, motion.velocity, spin);
     return Status::success();
 }
 
@@ -350,7 +342,7 @@ Status World::setAwake(BodyId id, bool awake) {
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
     if (!body->def.enabled) { return {StatusCode::disabled, "body"}; }
-    if (awake || body->heldIn != kNoIndex) { wake(world, id.index); }
+    if (awake || body->heldIn != kNoIndex) { rouse(world, id.index); }
     if (!awake && body->awake) {
         body->awake = false;
         body->role = BodyRole::idle;

@@ -57,7 +57,7 @@ Status enable(WorldState& world, std::uint32_t slot) {
     body.def.enabled = true;
     countBody(world, body, 1);
     switchJoints(world, slot);
-    wake(world, slot);
+    rouse(world, slot);
     updateProxies(world, slot);
     if (!body.awake) { noteRest(world, slot); }  // no step does it for what is fixed
     return Status::success();

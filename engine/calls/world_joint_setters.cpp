@@ -34,7 +34,7 @@ concept HasSpring = requires(Part& part, std::optional<Spring> value) {
 };
 
 void wakeBodies(WorldState& world, const Joint& joint) {
-    for (const std::uint32_t body : joint.allBodies()) { wake(world, body); }
+    for (const std::uint32_t body : joint.allBodies()) { rouse(world, body); }
 }
 
 void setTie(WorldState& world, JointId id, const Joint& joint) {

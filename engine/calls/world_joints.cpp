@@ -76,7 +76,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
         world.bodies[body].joints.push_back(id->index);
         world.bodies[body].holdingJoints += placed.holds() ? 1 : 0;
         resistTurns(world, body, placed);
-        wake(world, body);
+        rouse(world, body);
     }
     removePairs(world, pairs);
     return *id;

@@ -110,7 +110,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
 void refresh(WorldState& world, std::uint32_t body, std::size_t first) {
     const BodyTravel before = world.travels[body];
     updateMass(world, body);
-    if (!world.bodies[body].fresh) { wake(world, body); }  // what was made asleep sleeps on
+    if (!world.bodies[body].fresh) { rouse(world, body); }  // what was made asleep sleeps on
     updateProxiesFrom(world, body, first, before);
 }
 
@@ -339,7 +339,7 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
         if (world.bodies[body].isDynamic()) { weigh(world, slots); }
         refreshWithout(world, body);
     }
-    if (isOtherMass || meetsOthers || isOtherSurface) { wake(world, body); }
+    if (isOtherMass || meetsOthers || isOtherSurface) { rouse(world, body); }
     return Status::success();
 }
 

@@ -142,7 +142,7 @@ void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint
         const ContactProbe* const probe = probeAt(world, place);
         if (probe == nullptr) { return; }  // candidates do not touch
         const Contact& contact = world.contacts[probe->contact];
-        if (contact.isSolid()) { wake(world, contact.bodyA == body ? contact.bodyB : contact.bodyA); }
+        if (contact.isSolid()) { rouse(world, contact.bodyA == body ? contact.bodyB : contact.bodyA); }
     }
 }
 

@@ -52,10 +52,14 @@ struct BodyGlances {
     bool areBeyondReach(double gap) const { return static_cast<double>(a.ahead) + static_cast<double>(b.ahead) < gap; }
     /// @pre both are dynamic
     bool areBeyondHem(double gap) const { return static_cast<double>(kHemRatio * std::min(a.widest, b.widest)) < gap; }
+    /// Fastest that they close in on each other along a world normal from A to B within the step, m/s.
+    Real closingSpeed(Vec2 normal, Real dt) const {
+        return (a.swing + b.swing) - dot(b.velocity - a.velocity, normal) + dt * length(b.pull - a.pull);
+    }
     /// How far the bodies have moved, compared with `ContactProbe::apartUntil`: metres.
     double movedSince(const ContactProbe& probe) const;
     /// Dynamic bodies that are awake, one of them fast, pass each other where their shapes are farther apart than this,
-    /// metres: whatever points they would have are dropped by `passEachOther` (stage_roles.cpp), which looks along the
+    /// metres: whatever points they would have are dropped by `passEachOther` (note_touching.cpp), which looks along the
     /// normal. Others never pass: infinite.
     /// @pre both are dynamic
     Real passesBeyond(Real dt) const;

@@ -8,6 +8,7 @@
 #include "../../shapes/branchless.h"
 #include "../contacts/hemmed_pairs.h"
 #include "../contacts/near_miss.h"
+#include "../contacts/travel.h"
 #include "../state/tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -49,12 +50,8 @@ TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32
 
 /// Fastest that the bodies of a contact close in on each other within the step, m/s.
 Real closingSpeed(const WorldState& world, const Contact& contact, Vec2 normal, Real dt) {
-    const BodyGlance& glanceA = world.glances[contact.bodyA];
-    const BodyGlance& glanceB = world.glances[contact.bodyB];
-    if (glanceA.isAwake() && glanceB.isAwake()) {
-        const Real turning = glanceA.swing + glanceB.swing;
-        return turning - dot(glanceB.velocity - glanceA.velocity, normal) + dt * length(glanceB.pull - glanceA.pull);
-    }
+    const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
+    if (bodies.a.isAwake() && bodies.b.isAwake()) { return bodies.closingSpeed(normal, dt); }
     // Likewise, of what woke since, or sleeps.
     const Body& a = world.bodies[contact.bodyA];
     const Body& b = world.bodies[contact.bodyB];

@@ -87,12 +87,11 @@ ManifoldReach reachOf(const WorldState& world, const ContactProbe& probe, const 
 
 /// Whether what is so far apart may meet in this step, along the normal of now: cheaper here, where all is at hand.
 bool mayMeet(const WorldState& world, const Contact& contact, Real gap) {
-    const BodyGlance& a = world.glances[contact.bodyA];
-    const BodyGlance& b = world.glances[contact.bodyB];
-    if (!contact.dynamicA || !contact.dynamicB || !a.isAwake() || !b.isAwake()) { return true; }
+    const BodyGlances bodies{world.glances[contact.bodyA], world.glances[contact.bodyB]};
+    if (!contact.dynamicA || !contact.dynamicB || !bodies.a.isAwake() || !bodies.b.isAwake()) { return true; }
     const auto dt = static_cast<Real>(world.lastDt);
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
-    return (a.swing + b.swing - dot(b.velocity - a.velocity, normal) + dt * length(b.pull - a.pull)) * dt > gap;
+    return bodies.closingSpeed(normal, dt) * dt > gap;
 }
 
 /// A contact that may have points has its manifold.

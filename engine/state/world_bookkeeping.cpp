@@ -85,6 +85,19 @@ void wake(WorldState& world, std::uint32_t start) {
     } while (slot != start);
 }
 
+void rouse(WorldState& world, std::uint32_t slot) {
+    wake(world, slot);
+    startResting(world.bodies[slot], world.motions[slot]);
+}
+
+void setInMotion(WorldState& world, std::uint32_t slot, Vec2 velocity, Real angularVelocity) {
+    rouse(world, slot);
+    BodyMotion& motion = world.motions[slot];
+    motion.velocity = velocity;
+    motion.angularVelocity = angularVelocity;
+    reachWithVelocity(world, slot);
+}
+
 void wakeAll(WorldState& world) {
     if (!anyAsleep(world)) { return; }
     for (std::uint32_t slot = 0; slot < world.bodies.slotCount(); ++slot) {
@@ -138,7 +151,7 @@ void wakeJoined(WorldState& world, std::uint32_t body) {
     for (const std::uint32_t slot : world.bodies[body].joints) {
         const Joint& joint = world.joints[slot];
         for (const std::uint32_t other : joint.allBodies()) {
-            if (other != body && joint.holds()) { wake(world, other); }
+            if (other != body && joint.holds()) { rouse(world, other); }
         }
     }
 }
@@ -248,7 +261,7 @@ void removeJoint(WorldState& world, JointId id, std::uint32_t leaving) {
         std::erase(body.joints, id.index);
         body.holdingJoints -= joint.holds() ? 1 : 0;
         if (isAtLever(body)) { resistTurns(world, slot); }
-        wake(world, slot);
+        rouse(world, slot);
     }
     const bool mayMeet = joint.bodyA != leaving && joint.bodyB != leaving;
     // So that the pairs it kept apart are found, each of which has a shape of either.

@@ -297,6 +297,11 @@ bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
 /// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake, static and disabled
 /// bodies.
 void wake(WorldState& world, std::uint32_t body);
+/// Likewise, when something happens to a body between steps. What is awake rests anew: if it was about to fall asleep,
+/// it would do so in the very step that shows what comes of it, and hang in the air, or lose a speed it was given.
+void rouse(WorldState& world, std::uint32_t body);
+/// Gives a body other velocities, between steps, and rouses it.
+void setInMotion(WorldState& world, std::uint32_t body, Vec2 velocity, Real angularVelocity);
 /// Wakes all that fell asleep; what was made asleep, and nothing woke yet, sleeps on.
 void wakeAll(WorldState& world);
 /// Whether a body wakes what it touches: it is awake and can push. A kinematic body at rest lets others sleep on it.
@@ -316,7 +321,7 @@ void dropContacts(WorldState& world, std::uint32_t body);
 void removeFromAwake(WorldState& world, std::uint32_t body);
 /// Counts a body among those of its kind. @param sign  1, or −1 when it is one of them no longer
 void countBody(WorldState& world, const Body& body, std::int32_t sign);
-/// All that is awake counts its rest from now on: nothing counts while sleep is off.
+/// All that is awake counts its rest from now on: after another gravity; and nothing counts while sleep is off.
 void restAnew(WorldState& world);
 /// Whether all of its bodies are enabled, and what it moves is dynamic: A or B, of a mouse joint B. Else it is off.
 bool canHold(const WorldState& world, const Joint& joint);

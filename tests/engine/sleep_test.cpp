@@ -110,6 +110,50 @@ TEST(Sleep, ImpulseWakes) {
     EXPECT_GT(stack.world.position(stack.boxes[4]).x, 0.1);
 }
 
+/// Two hinged crates on a floor. Whenever something happens to them, however close they are to falling asleep, they do
+/// not do so before it shows.
+TEST(Sleep, NothingIsLostOnWhatIsAboutToFallAsleep) {
+    const double dt = 1.0 / 240;
+    World world;
+    const BodyId floor = addStatic(world, box(20, 0.5), material(0), {0, -0.5});
+    std::array<BodyId, 2> crates{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        crates.at(i) = addBody(world, dynamicAt({1.1 * static_cast<double>(i), 0.5}), box(0.5, 0.5), material(0));
+    }
+    const RevoluteJointDef def{.base = {.bodyA = crates[0], .bodyB = crates[1]}, .anchor = {0.55, 1}};
+    const JointId hinge = world.createJoint(def).value();
+    const auto fallen = [&](const World& after) { return after.velocity(crates[0]).y < real(-0.1); };
+    int asleep = 0;
+    for (int step = 0; step < 480; ++step, must(world.step(dt))) {
+        SCOPED_TRACE(testing::Message() << "step " << step);
+        asleep += world.isAwake(crates[0]) ? 0 : 1;
+        World without = world;
+        must(without.destroyBody(floor));
+        run(without, 4, dt);
+        EXPECT_TRUE(fallen(without)) << "floor destroyed";
+        World elsewhere = world;
+        must(elsewhere.setPose(floor, {0, -20}, 0));
+        run(elsewhere, 4, dt);
+        EXPECT_TRUE(fallen(elsewhere)) << "floor put elsewhere";
+        World pushed = world;
+        must(pushed.setVelocity(crates[0], vec(0.05, 0), 0));
+        must(pushed.setVelocity(crates[1], vec(0.05, 0), 0));
+        run(pushed, 1, dt);
+        EXPECT_GT(pushed.velocity(crates[0]).x, real(0.04)) << "pushed";
+        World pulled = world;
+        WorldSettings settings = pulled.settings();
+        settings.gravity = vec(1, -9.81);
+        must(pulled.configure(settings));
+        run(pulled, 4, dt);
+        EXPECT_GT(pulled.velocity(crates[0]).x, real(0.01)) << "pulled aside";
+        World driven = world;
+        must(driven.setAngularMotor(hinge, AngularMotor{.speed = real(0.2), .maxTorque = real(1e6)}));
+        run(driven, 1, dt);
+        EXPECT_GT(driven.angularVelocity(crates[1]), real(0.01)) << "driven";
+    }
+    EXPECT_GT(asleep, 100);
+}
+
 WorldSettings sleepyVoid() {
     WorldSettings settings = awakeSettings(0);
     settings.sleep = true;
