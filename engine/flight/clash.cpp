@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../broadphase/proxy_table.h"
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
 #include "bullet_start.h"

@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::set<std::string> kLibraryFolders = {"shapes", "broadphase", "toi", "solver", "engine"};
-
 const std::map<std::string, std::set<std::string>> kAllowed = {
     {"shapes", {}},
     {"broadphase", {"shapes"}},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ std::filesystem::path sourceRoot();
 /// Folders that hold our sources.
 inline constexpr const char* kSourceFolders[] = {"shapes", "broadphase", "toi",   "solver",
                                                  "engine", "samples",    "tools", "tests"};
+
+/// Those of the libraries.
+inline const std::set<std::string> kLibraryFolders = {"shapes", "broadphase", "toi", "solver", "engine"};
 
 /// C++ files (.h and .cpp) in a folder of the root and below, sorted by path.
 std::vector<SourceFile> cppFilesIn(const std::string& folder);
