@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../state/tolerances.h"
 #include "../state/world_state.h"
 
 /// What the continuous modes (`ContinuousMode`) have to do beside the sweeps of `stop` and `subStep`.
@@ -16,6 +17,14 @@ inline ContinuousMode modeOf(const WorldState& world, const Body& body) {
 
 /// Whether fast bodies of this mode are swept against what they may hit.
 constexpr bool isSwept(ContinuousMode mode) { return mode == ContinuousMode::stop || mode == ContinuousMode::subStep; }
+
+/// Whether a body is fast of which some point may move so far in the step, metres.
+inline bool isFast(const WorldState& world, const Body& body, Real motion) {
+    if (motion > kFastRatio * body.extent) { return body.extent > 0; }
+    const bool mayBeFree = world.bulletBodies > 0 && !body.hasContact && body.holdingJoints == 0;
+    if (!mayBeFree || !(motion > kFastBulletRatio * body.extent)) { return false; }
+    return body.isDynamic() && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep && body.extent > 0;
+}
 
 /// Whether a mode has anything to do before and after the solve.
 constexpr bool isWatched(ContinuousMode mode) {

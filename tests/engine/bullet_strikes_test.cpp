@@ -140,5 +140,33 @@ TEST(BulletStrikes, OfALedBatEndBeforeIt) {
     }
 }
 
+/// Billiards: a smooth ball sends another one along the line of their centres as they meet, however slowly, and
+/// wherever in the step.
+TEST(BulletStrikes, OfSlowBallsGoAlongTheLineOfCentres) {
+    const double radius = 0.0286;
+    for (const double speed : {0.05, 0.2, 0.5, 0.9, 2.0, 8.0}) {
+        for (const double aside : {0.3, 0.8, 0.95}) {  // of both radii
+            for (int late = 0; late < 8; ++late) {
+                World world = makeWorld(0);
+                const double from = -0.1 - speed * kStep * late / 8;
+                const auto ball = [&](DVec2 at, Vec2 velocity) {
+                    BodyDef def = dynamicAt(at, velocity);
+                    def.bullet = true;
+                    return addBody(world, def, circle(radius), material(0, 1));
+                };
+                const BodyId struck = ball({0, 0}, {});
+                ball({from, -2 * radius * aside}, vec(speed, 0));
+                runFor(world, 0.5 + 0.2 / speed);
+                const Vec2 velocity = world.velocity(struck);
+                const std::string what =
+                    std::to_string(speed) + " m/s, " + std::to_string(aside) + " of the radii aside";
+                const double most = speed * std::sqrt(1 - aside * aside);
+                EXPECT_NEAR(length(velocity), most, 0.01 * speed) << what;
+                EXPECT_NEAR(std::atan2(velocity.y, velocity.x), std::asin(aside), 0.005) << what;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
