@@ -173,10 +173,13 @@ bool isExhausted(const Clash& clash) {
 }
 
 /// The solver would have turning faces stand still for the rest of the step, and a bullet would get through: all stay
-/// where they are.
+/// where they are, or where a kinematic body that goes on takes them.
 bool giveUp(Clash& clash) {
     if (!clash.work.anyRides) { return false; }
-    for (const Flight& flight : clash.work.flights) { enterLedger(flight, LostTimeReason::budget); }
+    for (Flight& flight : clash.work.flights) {
+        enterLedger(flight, LostTimeReason::budget);
+        takeAlong(clash.world, flight.slot, flight.motion, flight.elapsed, clash.dt, clash.scratch);
+    }
     return true;
 }
 

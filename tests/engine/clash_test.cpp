@@ -198,5 +198,40 @@ TEST(Clash, WhatBouncesTooOftenIsForTheSolver) {
     EXPECT_LE(energyOf(world, bodies, 0), energy * (1 + 1e-6));
 }
 
+/// Bullets that ride on each other stay where they are once the impacts are used up, and a kinematic plate that comes
+/// meanwhile takes them along.
+TEST(Clash, ThatGivesUpLetsNoPlateThrough) {
+    Random random(7);
+    int lost = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        WorldSettings settings = awakeSettings(0);
+        settings.maxImpacts = 1;
+        World world = makeWorld(settings);
+        BodyDef def;
+        def.type = BodyType::kinematic;
+        def.position = {random.range(0.3, 1.1), 0};
+        def.velocity = vec(-random.range(10, 70), 0);
+        const BodyId plate = addBody(world, def, box(0.05, 20), material(0.6));
+        std::array<BodyId, 2> bullets{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double x = random.range(-0.3, -0.25);
+            const double along = random.range(0, 10);
+            const double across = random.range(0, 6);
+            def = dynamicAt({x, 0.215 * static_cast<double>(i)}, vec(along, i == 0 ? across : -across));
+            def.angularVelocity = real(random.range(-100, 100));
+            def.bullet = true;
+            bullets.at(i) = addBody(world, def, trial % 2 == 0 ? box(0.1, 0.1) : circle(0.1), material(0.6));
+        }
+        for (int step = 0; step < 8; ++step) {
+            run(world, 1);
+            lost += static_cast<int>(world.lostTime().size());
+            for (const BodyId bullet : bullets) {
+                ASSERT_LT(world.position(bullet).x, world.position(plate).x) << "trial " << trial << ", step " << step;
+            }
+        }
+    }
+    EXPECT_GT(lost, 500) << "too few gave up to prove anything";
+}
+
 }  // namespace
 }  // namespace swept::test
