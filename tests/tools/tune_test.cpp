@@ -352,22 +352,35 @@ TEST(TuneAblation, WhatTheEngineRefusesIsNotCalledNeeded) {
     EXPECT_EQ(report.find("needed"), std::string::npos) << report;
 }
 
+/// Plots one row, of a scene of this name.
+void plotNamed(const std::string& name, const ScratchDirectory& scratch) {
+    Subject subject = crates();
+    subject.scene.name = name;
+    Knowledge known;
+    Row row;
+    row.cost = 1;
+    row.errors[Measure::penetration] = 0.01;
+    known.rows = {row};
+    std::string error;
+    (void)plotRows(scratch.path("."), subject, {{Measure::penetration, 0.05, false}}, known, {}, error);
+    EXPECT_EQ(error, "");
+}
+
 TEST(TunePlot, IsCalledAsTheSceneIfThatHasAName) {
     for (const char* const name : {"", "crates"}) {
         const ScratchDirectory scratch;
-        Subject subject = crates();
-        subject.scene.name = name;
-        Knowledge known;
-        Row row;
-        row.cost = 1;
-        row.errors[Measure::penetration] = 0.01;
-        known.rows = {row};
-        std::string error;
-        (void)plotRows(scratch.path("."), subject, {{Measure::penetration, 0.05, false}}, known, {}, error);
-        EXPECT_EQ(error, "");
+        plotNamed(name, scratch);
         const std::string title = *name == '\0' ? "'what accuracy costs'" : "'crates: what accuracy costs'";
         EXPECT_NE(scratch.read("tune.gp").find("set title " + title), std::string::npos) << scratch.read("tune.gp");
     }
+}
+
+/// A line of gnuplot that begins with an exclamation mark is one for the shell.
+TEST(TunePlot, RunsNothingThatANameHasInIt) {
+    const ScratchDirectory scratch;
+    plotNamed("crates'\n!touch made_by_shell\nset title 'x", scratch);
+    EXPECT_FALSE(scratch.has("made_by_shell"));
+    EXPECT_EQ(scratch.read("tune.gp").find("\n!"), std::string::npos) << scratch.read("tune.gp");
 }
 
 TEST(TuneAblation, TellsChangesOfCostInWholePerCent) {

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "../bench/plot_files.h"
+#include "../writers/gnuplot_text.h"
 #include "../writers/number_text.h"
 
 namespace swept::tune {
@@ -66,11 +67,10 @@ struct Block {
 };
 
 void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, const std::vector<Block>& blocks) {
-    // In gnuplot a quote within a quoted text is doubled.
-    std::string title;
-    for (const char c : subject.scene.name) { title += c == '\'' ? std::string("''") : std::string(1, c); }
+    const std::string& name = subject.scene.name;
+    const std::string title = name + (name.empty() ? "" : ": ") + "what accuracy costs";
     out << bench::kPlotStyle << "set logscale xy\nset format y '10^{%T}'\nset key outside right top vertical\n"
-        << "set title '" << title << (title.empty() ? "" : ": ") << "what accuracy costs' noenhanced\n"
+        << "set title " << gnuplotQuoted(title) << " noenhanced\n"
         << "set xlabel 'processor time, ms per simulated second'\nset ylabel '" << axis.label()
         << "'\nset grid\nset yrange [" << roundedText(0.7 * axis.floor(), 6) << ":]\n"
         << "do for [terminal in \"png svg\"] {\n"
