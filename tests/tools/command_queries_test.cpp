@@ -58,6 +58,27 @@ TEST(CommandQueries, DrawsTheAnatomyOfAQuery) {
     EXPECT_EQ(nlohmann::json::parse(drawn.out).at("state"), "hit");
 }
 
+TEST(CommandQueries, DrawsBodiesThatTouchFromTheStart) {
+    const ScratchDirectory scratch;
+    const std::string picture = scratch.path("anatomy.png");
+    for (const char* const family : {"overlap", "touch"}) {
+        const std::string query = runSwept({"toi", "--generate", family, "--seed", "1", "--count", "1"}).out;
+        const auto drawn = runSwept({"toi", "--anatomy", picture}, query);
+        if (drawn.err.find("not installed") != std::string::npos) { GTEST_SKIP() << drawn.err; }
+        EXPECT_EQ(drawn.exitCode, 0) << family << ": " << drawn.err;
+        EXPECT_EQ(drawn.out, runSwept({"toi"}, query).out);
+    }
+}
+
+TEST(CommandQueries, TheAnatomyTellsWhichLineOfWhatIsBad) {
+    const ScratchDirectory scratch;
+    const std::string picture = scratch.path("anatomy.png");
+    const std::string file = scratch.write("queries.jsonl", "\n \n{\"id\": 1,}\n");
+    expectRefused({"toi", file, "--anatomy", picture}, file + ": line 3, column 10: ");
+    expectRefused({"toi", "--anatomy", picture}, "standard input: line 2: /a: is missing", "\n{\"id\": 1}\n");
+    expectRefused({"toi", "--anatomy", picture}, "standard input: there is no query", "\n");
+}
+
 TEST(CommandQueries, APictureThatDoesNotArriveIsNoSuccess) {
     if (!std::filesystem::exists("/dev/full")) { GTEST_SKIP() << "this system has no /dev/full"; }
     const ScratchDirectory scratch;
@@ -65,7 +86,7 @@ TEST(CommandQueries, APictureThatDoesNotArriveIsNoSuccess) {
     if (full.err.find("not installed") != std::string::npos) { GTEST_SKIP() << full.err; }
     EXPECT_EQ(full.exitCode, 2);
     EXPECT_EQ(full.err, "swept: --anatomy /dev/full: could not be written to the end\n");
-    EXPECT_EQ(full.out, "");
+    EXPECT_EQ(full.out, runSwept({"toi"}, kBallFallsOnEdge).out) << "the answer needs no picture";
     expectRefused({"toi", "--anatomy", scratch.path("a.jpg")}, "--anatomy " + scratch.path("a.jpg") + ": writes PNG",
                   kBallFallsOnEdge);
     EXPECT_TRUE(scratch.isEmpty());

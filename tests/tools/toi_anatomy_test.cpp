@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include <swept/tools/toi/toi_anatomy.h>
 #include <swept/tools/toi/toi_families.h>
@@ -39,6 +41,29 @@ TEST(ToiAnatomy, TheScriptHasAGhostForEachLook) {
         EXPECT_NE(script.find("$ghost" + std::to_string(i) + " << EOD"), std::string::npos) << i;
     }
     EXPECT_EQ(script.find("nan"), std::string::npos);
+}
+
+/// The range of the axis of separations.
+std::pair<double, double> rangeIn(const std::string& script) {
+    std::size_t at = script.rfind("set yrange [") + 12;
+    std::size_t length = 0;
+    const double low = std::stod(script.substr(at), &length);
+    at += length + 1;
+    return {low, std::stod(script.substr(at))};
+}
+
+TEST(ToiAnatomy, TheAxisHasRoomForWhatTouchesFromTheStart) {
+    for (const ToiFamily family : {ToiFamily::overlap, ToiFamily::touch}) {
+        for (std::uint64_t index = 0; index < 20; ++index) {
+            const ToiQuery q = makeToiCase(family, 1, index);
+            SCOPED_TRACE(::testing::Message() << nameOf(family) << ' ' << index << ' ' << q);
+            const ToiAnatomy anatomy = dissectToi(q);
+            const auto [low, high] = rangeIn(anatomyScript(anatomy, "x.png"));
+            EXPECT_LT(low, std::min(anatomy.answer.separation, 0.0));
+            EXPECT_GT(high, anatomy.answer.separation);
+            EXPECT_GE(high - low, q.settings.tolerance);
+        }
+    }
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "../bench/gnuplot.h"
 #include "../bench/picture_check.h"
 #include "../toi/toi_anatomy.h"
-#include "../writers/output_files.h"
 #include "picture_output.h"
 
 namespace swept {
@@ -68,20 +67,23 @@ std::string drawnBy(const std::string& script, std::string& error) {
 
 }  // namespace
 
-bool drawAnatomy(const ToiQuery& query, const std::string& file, const std::string& input, std::string& error) {
-    OutputFiles files;
-    files.protect(input);
-    files.addFile("--anatomy", file);
-    if (files.refuseClashes(error)) { error = endingFault("--anatomy", file, "PNG"); }
-    if (!error.empty() || !files.open(error)) { return false; }
+bool AnatomyPicture::open(const std::string& file, const std::string& input, std::string& error) {
+    file_ = file;
+    files_.protect(input);
+    files_.addFile("--anatomy", file);
+    if (files_.refuseClashes(error)) { error = endingFault("--anatomy", file, "PNG"); }
+    return error.empty() && files_.open(error);
+}
+
+bool AnatomyPicture::draw(const ToiQuery& query, std::string& error) {
     const std::string picture = drawnBy(anatomyScript(dissectToi(query), kDrawn), error);
     if (picture.empty()) {
-        error = "--anatomy " + file + ": " + error;
-        files.discard();
+        error = "--anatomy " + file_ + ": " + error;
+        files_.discard();
         return false;
     }
-    *files.stream(file) << picture;
-    return files.close(error);
+    *files_.stream(file_) << picture;
+    return files_.close(error);
 }
 
 }  // namespace swept

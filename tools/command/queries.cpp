@@ -56,16 +56,22 @@ int answerAll(const std::string& path, const Answerer& answer) {
 /// Answers the first query alone, and draws how the answer was found.
 int drawFirst(const QueryArguments& arguments) {
     return withLines(arguments.file, [&arguments](std::istream& lines) {
+        const std::string source = arguments.file.empty() || arguments.file == "-" ? "standard input" : arguments.file;
         std::string line;
-        while (line.find_first_not_of(" \t\r") == std::string::npos) {
-            if (!std::getline(lines, line)) { return refuse("--anatomy: there is no query"); }
+        int number = 0;
+        for (; line.find_first_not_of(" \t\r") == std::string::npos; ++number) {
+            if (!std::getline(lines, line)) { return refuse("--anatomy: " + source + ": there is no query"); }
         }
         ToiQuery query;
-        if (const auto error = readToiLine(line, query)) { return refuse(*error); }
+        if (const auto fault = readToiLine(line, query)) {
+            return refuse(source + ": " + namingTheLine(*fault, number));
+        }
+        AnatomyPicture picture;
         std::string error;
-        if (!drawAnatomy(query, arguments.anatomy, arguments.file, error)) { return refuse(error); }
+        if (!picture.open(arguments.anatomy, arguments.file, error)) { return refuse(error); }
+        // Whatever becomes of the picture.
         std::cout << answerToiLine(line).text << '\n';
-        return kExitDone;
+        return picture.draw(query, error) ? kExitDone : refuse(error);
     });
 }
 

@@ -125,17 +125,20 @@ std::optional<std::string> readChecked(std::string_view line, QueryLine& query, 
     return textOf(status, query);
 }
 
-/// The reason of a refusal begins with the number of the line; a syntax error counts its own as the first.
-std::string namingTheLine(std::string refusal, int number) {
+/// The same of a whole refusal.
+std::string refusalNamingTheLine(const std::string& refusal, int number) {
     const std::string key = ",\"error\":\"";  // quotes inside of strings are escaped: only the member itself looks so
     const std::size_t start = refusal.rfind(key) + key.size();
-    const std::string own = "line 1, ";
-    const bool isSyntax = refusal.compare(start, own.size(), own) == 0;
-    const std::string name = "line " + std::to_string(number) + (isSyntax ? ", " : ": ");
-    return refusal.replace(start, isSyntax ? own.size() : 0, name);
+    return refusal.substr(0, start) + namingTheLine(refusal.substr(start), number);
 }
 
 }  // namespace
+
+std::string namingTheLine(const std::string& reason, int number) {
+    const std::string own = "line 1, ";  // of a syntax error
+    const std::string name = "line " + std::to_string(number);
+    return reason.starts_with(own) ? name + ", " + reason.substr(own.size()) : name + ": " + reason;
+}
 
 std::optional<std::string> readToiLine(std::string_view line, ToiQuery& query) {
     QueryLine read;
@@ -192,7 +195,7 @@ int answerQueries(std::istream& in, std::ostream& out, const std::function<LineA
         ++number;
         if (line.find_first_not_of(" \t\r") == std::string::npos) { continue; }
         const LineAnswer answered = answer(line);
-        out << (answered.good ? answered.text : namingTheLine(answered.text, number)) << '\n';
+        out << (answered.good ? answered.text : refusalNamingTheLine(answered.text, number)) << '\n';
         allGood = allGood && answered.good;
     }
     return allGood ? 0 : 2;

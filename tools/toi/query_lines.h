@@ -31,6 +31,9 @@ std::optional<std::string> readToiLine(std::string_view line, ToiQuery& query);
 /// centres.
 LineAnswer answerDistanceLine(std::string_view line, Precision precision = Precision::f64);
 
+/// What is wrong with a line, as readToiLine tells it, with the line's own number instead of that of its only one.
+std::string namingTheLine(const std::string& reason, int number);
+
 /// Answers each line in order; skips blank ones. The error of a bad one begins with "line N", counted from 1.
 /// @param answer  one of the functions above with its second argument bound.
 /// @return 0, or 2 when a line was bad.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../writers/gnuplot_text.h"
 #include "../writers/number_text.h"
 #include "toi_anatomy.h"
 
@@ -256,10 +257,14 @@ std::string sceneOf(const ToiAnatomy& anatomy) {
     script += "set xrange [" + text(view.low.x) + ':' + text(view.high.x) + "]\nset yrange [" + text(view.low.y) + ':' +
               text(view.high.y) + "]\n";
     const Outline rest = frame.place(outlineOf(aRests ? q.a : q.b), resting, 0);
-    script += block("resting", rest) + block("visible", view.clipped(rest)) + block("path", path);
-    std::string plot =
-        "plot $visible with filledcurves closed fs solid fc rgb '#d9dde3' notitle, \\\n"
-        "  $resting with lines lw 2 lc rgb '#59616b' notitle, \\\n"
+    const Outline visible = view.clipped(rest);
+    script += block("resting", rest) + block("visible", visible) + block("path", path);
+    std::string plot = "plot ";
+    if (!visible.empty()) {  // of a block without points gnuplot warns
+        plot += "$visible with filledcurves closed fs solid fc rgb '#d9dde3' notitle, \\\n  ";
+    }
+    plot +=
+        "$resting with lines lw 2 lc rgb '#59616b' notitle, \\\n"
         "  $path with lines dt 3 lw 1.5 lc rgb '#999999' notitle";
     script += block("start", start) + block("end", end);
     plot +=
@@ -290,22 +295,45 @@ std::string sceneOf(const ToiAnatomy& anatomy) {
     return script + plot + "\nunset label\n";
 }
 
+/// What the separations go through, upwards.
+struct Range {
+    double low;
+    double high;
+};
+
+/// From somewhat below 0 to the highest look. Where even that is about at the target (bodies that touch from the start)
+/// there is no search to be seen: then all that the separation does.
+Range separationsShown(const ToiAnatomy& anatomy, const std::vector<Sight>& sights) {
+    const ToiSettings& settings = anatomy.query.settings;
+    const double atTarget = std::fabs(settings.target) + 2 * settings.tolerance;
+    double low = 0;
+    double high = 0;
+    for (const Sight& sight : sights) { high = std::max(high, sight.separation); }
+    for (const ToiAnatomy::Point& p : anatomy.truth) { low = std::min(low, p.separation); }
+    if (high > atTarget) {
+        low = std::max(low, -0.3 * high);
+    } else {
+        high = std::max(high, atTarget);
+        for (const ToiAnatomy::Point& p : anatomy.truth) { high = std::max(high, p.separation); }
+        for (const Sight& sight : sights) { low = std::min(low, sight.separation); }
+    }
+    const double margin = 0.06 * (high - low);
+    return {low - margin, high + 2 * margin};
+}
+
 /// Separation, bounds, looks.
 std::string curvesOf(const ToiAnatomy& anatomy) {
     const ToiQuery& q = anatomy.query;
     const std::vector<Sight> sights = sightsOf(anatomy);
     const std::size_t last = sights.size() - 1;
-    double highest = 0;
-    double lowest = 0;
-    for (const Sight& sight : sights) { highest = std::max(highest, sight.separation); }
-    for (const ToiAnatomy::Point& p : anatomy.truth) { lowest = std::min(lowest, p.separation); }
-    const double low = std::max(lowest, -0.3 * highest) - 0.06 * highest;
-    const double high = 1.12 * highest;
+    const auto [low, high] = separationsShown(anatomy, sights);
     std::string script = panel(kCurveBottom, kCurveTop) +
                          "set xtics nomirror auto\nset ytics nomirror auto\nset border 3 lc rgb '#555555'\n"
                          "set key at screen 0.5,0.43 center horizontal reverse Left samplen 2.5 width 2\n"
                          "set xlabel 'fraction of the step'\n"
-                         "set ylabel 'separation, m'\nset xrange [0:" +
+                         // Where the numbers leave room for it, however wide they are.
+                         "set label 101 'separation, m' at screen 0.015,0.235 center rotate\n"
+                         "set format y '%g'\nset xrange [0:" +
                          text(q.settings.tMax) + "]\nset yrange [" + text(low) + ':' + text(high) + "]\n";
     script += "set object 1 rectangle from 0," + text(q.settings.target - q.settings.tolerance) + " to " +
               text(q.settings.tMax) + ',' + text(q.settings.target + q.settings.tolerance) +
@@ -347,13 +375,11 @@ std::string curvesOf(const ToiAnatomy& anatomy) {
 std::string anatomyScript(const ToiAnatomy& anatomy, const std::string& picture) {
     const Toi& answer = anatomy.answer;
     const std::size_t looks = anatomy.looks.size() + 1;
-    std::string quoted;
-    for (const char c : picture) { quoted += c == '\'' ? std::string("''") : std::string(1, c); }
     return "set terminal pngcairo size " + text(kWidth) + ',' + text(kHeight) +
-           " font 'sans,12' background rgb 'white'\nset output '" + quoted + "'\nset encoding utf8\nset multiplot\n" +
-           "set label 100 '" + wordFor(answer.state) + " at " + roundedText(answer.fraction, 6) + ", after " +
-           std::to_string(looks) + (looks == 1 ? " look" : " looks") + "' at screen 0.5,0.968 center font ',15'\n" +
-           sceneOf(anatomy) + curvesOf(anatomy) + "unset multiplot\n";
+           " font 'sans,12' background rgb 'white'\nset output " + gnuplotQuoted(picture) +
+           "\nset encoding utf8\nset multiplot\n" + "set label 100 '" + wordFor(answer.state) + " at " +
+           roundedText(answer.fraction, 6) + ", after " + std::to_string(looks) + (looks == 1 ? " look" : " looks") +
+           "' at screen 0.5,0.968 center font ',15'\n" + sceneOf(anatomy) + curvesOf(anatomy) + "unset multiplot\n";
 }
 
 }  // namespace swept
