@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_reader.h>
@@ -9,6 +10,20 @@
 
 namespace swept {
 namespace {
+
+TEST(CommandScenes, TheDoctorWarnsOfWhatRunRefuses) {
+    const std::vector<std::string> scene{"falling-shapes", "--set", "/gravity=[0,-1e30]"};
+    std::vector<std::string> inspect{"inspect", "--strict"};
+    inspect.insert(inspect.end(), scene.begin(), scene.end());
+    const ProgramResult result = runSwept(inspect);
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.out.find("warning [refused] /gravity\n"), std::string::npos) << result.out;
+    std::vector<std::string> run{"run"};
+    run.insert(run.end(), scene.begin(), scene.end());
+    expectRefused(run, "/gravity: ");
+    // A step longer than all of the time matters to a run alone.
+    EXPECT_EQ(runSwept({"inspect", "falling-shapes", "--set", "/settings/dt=100"}).err, "");
+}
 
 TEST(CommandScenes, ListsEveryScene) {
     const auto result = runSwept({"scenes"});

@@ -71,6 +71,22 @@ TEST(NumberText, RoundsForHumans) {
     EXPECT_EQ(roundedText(0.000123456, 3), "0.000123");
 }
 
+TEST(NumberText, RoundsDownWhereALimitMustHold) {
+    EXPECT_EQ(roundedDownText(0.015, 2), "0.015");
+    EXPECT_EQ(roundedDownText(1.0 / 60, 2), "0.016");
+    EXPECT_EQ(roundedDownText(1.0 / 60, 4), "0.01666");
+    EXPECT_EQ(roundedDownText(0.99999, 3), "0.999");
+    EXPECT_EQ(roundedDownText(1999, 2), "1.9e+03");
+    EXPECT_EQ(roundedDownText(0, 4), "0");
+    for (double value = 1e-9; value < 1e9; value *= 1.37) {
+        for (const int digits : {1, 2, 4}) {
+            const double rounded = readBack(roundedDownText(value, digits));
+            EXPECT_LE(rounded, value) << digits;
+            EXPECT_GT(rounded, value * (1 - std::pow(10, 1 - digits))) << digits;
+        }
+    }
+}
+
 TEST(NumberText, CountsForHumans) {
     EXPECT_EQ(countText(0, "step"), "0 steps");
     EXPECT_EQ(countText(1, "step"), "1 step");

@@ -93,6 +93,7 @@ void addInspectCommand(Command app) {
     const Command command =
         app.command("inspect", "The scene doctor: what may go wrong, and what the scene needs, before it runs");
     const auto arguments = std::make_shared<InspectArguments>();
+    arguments->scene.isRun = false;
     addSceneArguments(command, arguments->scene);
     command.option("--json", arguments->json, "All findings and needs as JSON").type("FILE");
     command.flag("--strict", arguments->strict, "Exit code 1 when there is a warning");

@@ -97,7 +97,7 @@ std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double dt, 
         return std::nullopt;
     }
     const double steps = std::round(duration / dt);
-    if (steps == 0 && duration > 0) {
+    if (steps == 0 && duration > 0 && arguments.isRun) {
         std::cerr << "swept: warning: " << roundedText(duration) << " s is less than half a step of " << roundedText(dt)
                   << " s: no step is run\n";
     }

@@ -11,6 +11,8 @@
 
 namespace swept {
 
+/// What the engine refuses to build, in one precision or both. @return whether f32 does, and f64 does not
+bool checkRefusals(const SceneDescription& scene, std::vector<Finding>& findings);
 /// Single bodies: units, size against the step, place, shape, speed.
 void checkBodies(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Bodies that touch or overlap at the start, and the ground under them.

@@ -38,13 +38,13 @@ void checkStepAgainstSize(const PlacedScene& placed, const PlacedBody& body, std
     if (gravity == 0 || body.extent == 0) { return; }
     const double natural = std::sqrt(body.extent / gravity);
     if (natural >= envelope::kStepsPerNaturalTime * dt) { return; }
-    const double needed = natural / envelope::kStepsPerNaturalTime;
-    findings.push_back({Severity::warning, "step-too-long", pointerOf(body),
-                        body.name + " is " + metres(body.extent) + " thin; under this gravity it falls that far in " +
-                            seconds(std::sqrt(2.0) * natural) + ", a step is " + seconds(dt) +
-                            ": stacks of such bodies sink in or topple",
-                        "--set /settings/dt=" + roundedText(needed, 2) + " (" + roundedText(std::ceil(1 / needed), 4) +
-                            " Hz), or larger bodies"});
+    const double hertz = std::ceil(envelope::kStepsPerNaturalTime / natural);
+    findings.push_back(
+        {Severity::warning, "step-too-long", pointerOf(body),
+         body.name + " is " + metres(body.extent) + " thin; under this gravity it falls that far in " +
+             seconds(std::sqrt(2.0) * natural) + ", a step is " + seconds(dt) +
+             ": stacks of such bodies sink in or topple",
+         "--set /settings/dt=" + roundedDownText(1 / hertz, 4) + " (" + roundedText(hertz) + " Hz), or larger bodies"});
 }
 
 void checkPlace(const PlacedBody& body, std::vector<Finding>& findings) {

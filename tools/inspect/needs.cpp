@@ -95,7 +95,9 @@ Need rollingNeed(const PlacedScene& placed) {
 Need rotationNeed(const PlacedScene& placed) {
     const PlacedBody* const body =
         firstBody(placed, [](const PlacedBody& b) { return b.isDynamic() && !b.description->fixedRotation; });
-    return {"rotation", body != nullptr, body != nullptr ? body->name + " may turn" : "all rotations are fixed"};
+    if (body != nullptr) { return {"rotation", true, body->name + " may turn"}; }
+    const bool isMoving = firstBody(placed, [](const PlacedBody& b) { return b.isDynamic(); }) != nullptr;
+    return {"rotation", false, isMoving ? "all rotations are fixed" : "no body is dynamic"};
 }
 
 Need jointNeed(const PlacedScene& placed) {

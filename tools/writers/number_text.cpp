@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace swept {
 namespace {
@@ -31,6 +32,14 @@ std::string roundedText(double value, int digits) {
     const auto result = std::to_chars(characters.data(), characters.data() + characters.size(), value,
                                       std::chars_format::general, digits);
     return std::string(characters.data(), result.ptr);
+}
+
+std::string roundedDownText(double value, int digits) {
+    std::string text = roundedText(value, digits);
+    if (!(std::strtod(text.c_str(), nullptr) > value)) { return text; }
+    // One less in the last of the digits is below the value, as rounding up adds less than that.
+    const double unit = std::pow(10, std::floor(std::log10(value)) - digits + 1);
+    return roundedText(value - 0.75 * unit, digits);
 }
 
 std::string countText(std::int64_t count, const std::string& noun) {

@@ -14,6 +14,9 @@ void appendJsonNumber(std::string& text, double value);
 /// A number for a human: at most `digits` significant digits.
 std::string roundedText(double value, int digits = 4);
 
+/// The same of a number that is not negative, but never a larger number than it is: for what must not be exceeded.
+std::string roundedDownText(double value, int digits);
+
 /// "1 step", "2 steps".
 std::string countText(std::int64_t count, const std::string& noun);
 
