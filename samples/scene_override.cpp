@@ -7,7 +7,7 @@
 namespace swept {
 namespace {
 
-enum class Step : std::uint8_t { ok, notAnIndex, pastTheEnd, notAContainer };
+enum class Step : std::uint8_t { ok, notAnIndex, pastTheEnd, notAContainer, notThere };
 
 // RFC 6901: "0", or digits that do not start with 0.
 bool parseIndex(const std::string& token, std::size_t& index) {
@@ -30,15 +30,20 @@ bool unescape(std::string_view escaped, std::string& token) {
     return true;
 }
 
-// Goes down one token. Missing members of objects are made; the element behind the last of an array only as the target.
+// Goes down one token. Missing members of objects are made, and objects to hold them; the element behind the last of an
+// array only as the target, and arrays not at all: what else would be in them?
 Step descend(Json*& at, const std::string& token, bool isLast) {
-    if (at->is_null()) { *at = Json::object(); }
+    std::size_t index = 0;
+    if (at->is_null()) {
+        if (token == "-" || parseIndex(token, index)) { return Step::notThere; }
+        *at = Json::object();
+    }
     if (at->is_object()) {
         at = &(*at)[token];
         return Step::ok;
     }
     if (!at->is_array()) { return Step::notAContainer; }
-    std::size_t index = at->size();
+    index = at->size();
     if (token != "-" && !parseIndex(token, index)) { return Step::notAnIndex; }
     if (index > at->size() || (index == at->size() && !isLast)) { return Step::pastTheEnd; }
     if (index == at->size()) { at->push_back(nullptr); }
@@ -54,6 +59,9 @@ std::string reasonFor(Step step, const Json& at, const std::string& token) {
             return "there is no element " + inQuotes(token) + ", the array has " + std::to_string(at.size());
         case Step::notAContainer:
             return "there is no " + inQuotes(token) + " inside " + kindOf(at);
+        case Step::notThere:
+            return "the scene leaves out the array that would have element " + inQuotes(token) +
+                   ": set all of it, as in [0, 1]";
         case Step::ok:
             break;
     }

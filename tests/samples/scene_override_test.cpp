@@ -62,11 +62,14 @@ TEST(SceneOverride, Errors) {
         {{"/bodies/ball/mass", "1"}, "/bodies/ball/mass", "\"ball\" is not the index"},
         {{"/bodies/01", "{}"}, "/bodies/01", "is not the index"},
         {{"/bodies/99999999999999999999", "{}"}, "/bodies/99999999999999999999", "is not the index"},
+        {{"/gravity/1", "-1"}, "/gravity/1", "the scene leaves out the array that would have element \"1\": set all"},
+        {{"/bodies/1/shapes/0/polygon/vertices/-", "1"},
+         "/bodies/1/shapes/0/polygon/vertices/-",
+         "leaves out the array"},
         {{"/name/x", "1"}, "/name/x", "there is no \"x\" inside a string"},
         // Those that are well-formed fail as the same text in the file would.
         {{"/setings/dt", "1"}, "/setings", "did you mean \"settings\"?"},
         {{"/settings/dt", "\"fast\""}, "/settings/dt", "must be a number, not a string"},
-        {{"/gravity/1", "-1"}, "/gravity", "must be two numbers [x, y], not an object"},  // it is not in the text
         {{"/settings/dt", "0"}, "/settings/dt", "must be greater than 0, not 0"},
         {{"/bodies/1/shapes/0/circle/a~1b", "0"}, "/bodies/1/shapes/0/circle/a~1b", "unknown key \"a/b\""},
     };
