@@ -84,6 +84,17 @@ ViewDescription fittedView(const SceneDescription& scene, double aspect) {
     return {0.5 * (all.low + all.high), height > 0 ? height : 10};
 }
 
+double halfWidthOf(const SceneDescription& scene, const ViewDescription& view, double most) {
+    double half = 0;
+    for (const BodyDescription& body : scene.bodies) {
+        const WorldBox box = boxOf(body);
+        if (box.empty()) { continue; }
+        const double reach = std::max(box.high.x - view.center.x, view.center.x - box.low.x);
+        if (reach <= most) { half = std::max(half, reach); }
+    }
+    return half;
+}
+
 double penScale(const RenderOptions& options) {
     return std::clamp(std::min(options.height / 540.0, options.width / 960.0), 0.7, 4.0);
 }

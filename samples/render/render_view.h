@@ -44,6 +44,10 @@ private:
 /// @param aspect  width by height of the picture.
 ViewDescription fittedView(const SceneDescription& scene, double aspect);
 
+/// Metres to either side of the centre of a view that the bodies of a scene take up. Those that are not whole within
+/// `most` do not count: they are seen in part, or not at all, in any case.
+double halfWidthOf(const SceneDescription& scene, const ViewDescription& view, double most);
+
 /// How large lines and letters are in a picture, against one of 960 × 540.
 double penScale(const RenderOptions& options);
 

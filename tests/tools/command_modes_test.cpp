@@ -21,6 +21,21 @@ TEST(CommandModes, HasALineForEveryModeAndOnePicture) {
     EXPECT_EQ(scratch.read("modes.png").substr(1, 3), "PNG");
 }
 
+/// What flies on through empty space gains nothing, however little energy it has to compare with.
+TEST(CommandModes, TellsTheChangeOfEnergy) {
+    const std::string scene = R"({"gravity": [0, 0], "bodies": [
+      {"type": "dynamic", "velocity": [0, -1], "shapes": [{"circle": {"radius": 0.5}}]}]})";
+    for (const char* const velocity : {"[0,0]", "[1,2]"}) {
+        const ProgramResult result =
+            runSwept({"modes", "-", "--steps", "1", "--set", "/bodies/0/velocity=" + std::string(velocity)}, scene);
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_NE(result.out.find("energy gained (J)"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("off                0        0        0          0                  0 "),
+                  std::string::npos)
+            << result.out;
+    }
+}
+
 TEST(CommandModes, RefusesWhatItCannotDo) {
     EXPECT_EQ(runSwept({"modes", "no-such-scene"}).exitCode, 2);
     EXPECT_EQ(runSwept({"modes", "continuous-off", "--steps", "1", "--size", "big", "--png", "x.png"}).exitCode, 2);

@@ -3,12 +3,14 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <swept/samples/render/contact_sheet.h>
 #include <swept/samples/render/image_png.h>
+#include <swept/samples/render/render_view.h>
 #include <swept/samples/render/scene_renderer.h>
 #include <swept/samples/scene_names.h>
 
@@ -82,15 +84,16 @@ bool runMode(const LoadedScene& loaded, SceneContinuous mode, ModeRun& run, std:
 
 void printTable(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
     std::cout << loaded.source << ": " << countText(loaded.steps, "step") << " in each mode\n"
-              << "mode         impacts   sweeps      TOI  lost (ms)  energy end/start  deepest (mm)  us a step\n";
+              << "mode         impacts   sweeps      TOI  lost (ms)  energy gained (J)  deepest (mm)  us a step\n";
     for (const ModeRun& run : runs) {
         const auto steps = static_cast<double>(std::max<std::int64_t>(loaded.steps, 1));
-        const double energy = run.report.startEnergy != 0 ? run.report.endEnergy / run.report.startEnergy : 1;
+        // No part of what there was: where energy counts from, and with it that part, is anyone's choice.
+        const double energy = run.report.endEnergy - run.report.startEnergy;
         std::cout << std::left << std::setw(12) << run.name << std::right << std::setw(8)
                   << roundedText(run.counter("impacts"), 9) << std::setw(9) << roundedText(run.counter("sweeps"), 9)
                   << std::setw(9) << roundedText(run.counter("toiCalls"), 9) << std::setw(11)
-                  << roundedText(1000 * run.lostSeconds) << std::setw(18) << roundedText(energy) << std::setw(14)
-                  << roundedText(1000 * run.report.deepestPenetration, 3) << std::setw(11)
+                  << roundedText(1000 * run.lostSeconds) << std::setw(19) << roundedText(withoutMinusZero(energy))
+                  << std::setw(14) << roundedText(1000 * run.report.deepestPenetration, 3) << std::setw(11)
                   << roundedText(1e6 * run.seconds / steps, 3) << '\n';
     }
 }
@@ -98,6 +101,31 @@ void printTable(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
 std::string captionOf(const ModeRun& run) {
     if (run.lostSeconds > 0) { return run.name + " \u00B7 lost " + roundedText(1000 * run.lostSeconds, 3) + " ms"; }
     return run.counter("impacts") > 0 ? run.name + " \u00B7 nothing lost" : run.name;
+}
+
+/// The scene as a run has left it.
+SceneDescription movedTo(SceneDescription scene, const Frame& frame) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        scene.bodies[i].position = frame.bodies[i].position;
+        scene.bodies[i].angle = frame.bodies[i].angle;
+    }
+    return scene;
+}
+
+/// The scene's own view is meant for the pictures of a run. Panels are narrower: where that would cut off bodies that
+/// begin or end in sight of it, they show more above and below instead.
+std::optional<ViewDescription> viewOf(const LoadedScene& loaded, const std::vector<ModeRun>& runs, PictureSize size) {
+    constexpr double kAspect = 16.0 / 9;
+    constexpr double kMargin = 1.02;
+    if (!loaded.scene.view) { return std::nullopt; }
+    ViewDescription view = *loaded.scene.view;
+    const double most = 0.5 * kAspect * view.height;
+    double half = halfWidthOf(loaded.scene, view, most);
+    for (const ModeRun& run : runs) {
+        half = std::max(half, halfWidthOf(movedTo(loaded.scene, run.frame), view, most));
+    }
+    view.height = std::max(view.height, 2 * kMargin * half * size.height / size.width);
+    return view;
 }
 
 /// All modes side by side.
@@ -108,6 +136,7 @@ bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const std
     options.height = size.height;
     options.sweeps = true;
     options.sweepWork = false;
+    options.view = viewOf(loaded, runs, size);
     options.title = options.legend = options.time = false;
     std::vector<Image> tiles;
     std::vector<std::string> captions;
