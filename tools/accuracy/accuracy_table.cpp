@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <ostream>
 
-#include "../bench/plot_files.h"
 #include "../bench/text_table.h"
 #include "../writers/csv_writer.h"
 #include "../writers/number_text.h"
@@ -119,40 +118,6 @@ void writeCsv(std::ostream& out, std::span<const Row> rows) {
             out << record << '\n';
         }
     }
-}
-
-std::string plotTrade(const std::string& directory, std::span<const Row> rows, std::string& error) {
-    const std::vector<std::string> scenes = distinct(rows, sceneOf);
-    const std::vector<std::string> contestants = distinct(rows, contestantOf);
-    const auto data = [&](std::ostream& out) {
-        out << "# a block for each scene and contestant: us per simulated second, error\n";
-        for (const std::string& scene : scenes) {
-            for (const std::string& contestant : contestants) {
-                out << '"' << contestant << "\"\n";
-                for (const Row& row : rows) {
-                    const bool isMine = row.scene == scene && row.contestant == contestant;
-                    if (isMine && row.verdict.empty() && !row.values.empty() && row.microseconds > 0) {
-                        out << roundedText(row.microseconds, 6) << ' ' << roundedText(row.values[0].value, 6) << '\n';
-                    }
-                }
-                out << "\n\n";
-            }
-        }
-    };
-    const auto script = [&](std::ostream& out) {
-        const std::size_t columns = std::min<std::size_t>(scenes.size(), 3);
-        const std::size_t lines = (scenes.size() + columns - 1) / columns;
-        out << bench::kPlotStyle << "set terminal pngcairo size " << 480 * columns << ',' << 380 * lines
-            << " font 'sans,11'\nset output 'accuracy-trade.png'\nset multiplot layout " << lines << ',' << columns
-            << "\nset logscale xy\nset format xy '10^{%T}'\nset xlabel 'us per simulated second'\nset ylabel 'error'\n";
-        for (std::size_t i = 0; i < scenes.size(); ++i) {
-            out << "set title '" << scenes[i] << "'\nplot for [i=0:" << contestants.size() - 1
-                << "] 'accuracy-trade.dat' index (i+" << i * contestants.size()
-                << ") using 1:2 with points ls (i+1) ps 1.3 title columnheader(1)\n";
-        }
-        out << "unset multiplot\n";
-    };
-    return bench::drawPlots(directory, {{"accuracy-trade", data, script}}, error);
 }
 
 }  // namespace swept::accuracy

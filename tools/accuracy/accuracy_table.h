@@ -2,7 +2,6 @@
 
 #include <iosfwd>
 #include <span>
-#include <string>
 
 #include "accuracy_bench.h"
 
@@ -17,8 +16,5 @@ void writeTradeTables(std::ostream& out, std::span<const Row> rows);
 
 /// A record for each value, under a header; runs without values have one record with their verdict.
 void writeCsv(std::ostream& out, std::span<const Row> rows);
-
-/// Error against cost, both logarithmic, a panel for each scene. @return what was drawn, or why not
-std::string plotTrade(const std::string& directory, std::span<const Row> rows, std::string& error);
 
 }  // namespace swept::accuracy

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "../accuracy/accuracy_bench.h"
+#include "../accuracy/accuracy_plot.h"
 #include "../accuracy/accuracy_table.h"
 #include "bench_run.h"
 #include "commands.h"
