@@ -164,7 +164,9 @@ void drawGrid(Paint& paint, const PixelView& view) {
     gridLines(paint, view, coarse * fine, 0, style::kGridCoarse);
 }
 
-void drawTitle(Paint& paint, const OverlayMetrics& m, const std::string& title) {
+void drawTitle(Paint& paint, const OverlayMetrics& m, const std::string& whole, const std::string& clock) {
+    const double taken = clock.empty() ? 0 : textWidth(clock, m.title) + 2 * m.padding + m.margin;
+    const std::string title = cutToWidth(whole, m.title, paint.box().high.x - 2 * m.margin - 2 * m.padding - taken);
     const DVec2 size{textWidth(title, m.title) + 2 * m.padding, m.title + 2 * m.padding};
     const PixelBox box = panel(paint, m, {m.margin, paint.box().high.y - m.margin - size.y}, size);
     drawText(paint, title, box.low + DVec2{m.padding, m.padding}, m.title, style::kText);

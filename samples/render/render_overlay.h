@@ -60,8 +60,9 @@ struct OverlayMetrics {
 
 /// Fine lines at a round distance, stronger ones at five or ten times it.
 void drawGrid(Paint& paint, const PixelView& view);
-/// In the upper left corner.
-void drawTitle(Paint& paint, const OverlayMetrics& metrics, const std::string& title);
+/// In the upper left corner; what is too long for the picture is cut off.
+/// @param clock  what `drawTime` writes beside it; empty: nothing
+void drawTitle(Paint& paint, const OverlayMetrics& metrics, const std::string& title, const std::string& clock);
 /// In the upper right corner.
 void drawTime(Paint& paint, const OverlayMetrics& metrics, const std::string& label);
 /// In the lower left corner. The bar is black and begins and ends with an upright tick; its length is that between the

@@ -79,9 +79,10 @@ void SceneRenderer::drawMarks(const Frame& frame) {
 }
 
 void SceneRenderer::drawOverlay(const Frame& frame, const Reference* reference) {
-    if (options_.title && !title_.empty()) { drawTitle(paint_, metrics_, title_); }
+    const std::string clock = options_.time ? timeLabel(frame.time, dt_) : "";
+    if (options_.title && !title_.empty()) { drawTitle(paint_, metrics_, title_, clock); }
     if (options_.sweeps && options_.sweepWork) { drawSweepWork(paint_, metrics_, frame.work); }
-    if (options_.time) { drawTime(paint_, metrics_, timeLabel(frame.time, dt_)); }
+    if (options_.time) { drawTime(paint_, metrics_, clock); }
     if (options_.scaleBar) { drawScaleBar(paint_, metrics_, scaleBar(view_.scale, kScaleBarShare * options_.width)); }
     if (options_.legend && reference != nullptr) {
         const std::vector<LegendEntry> entries{

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "plain_letters.h"
 #include "stroke_font_glyphs.h"
 
 namespace swept {
@@ -110,28 +111,27 @@ const Glyph& glyphOf(char32_t letter) {
     return found != glyphs.end() ? *found : missing;
 }
 
-/// The letters of a UTF-8 text; bytes that are not UTF-8 give letters that the font does not have.
-std::u32string decode(std::string_view text) {
-    std::u32string letters;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80) {
-            letters.push_back(byte);
-        } else if (byte < 0xC0 && !letters.empty()) {
-            letters.back() = letters.back() << 6 | (byte & 0x3Fu);
-        } else {
-            letters.push_back(byte < 0xE0 ? byte & 0x1Fu : byte < 0xF0 ? byte & 0x0Fu : byte & 0x07u);
-        }
-    }
-    return letters;
-}
-
 }  // namespace
 
 double textWidth(std::string_view text, double height) {
     double width = 0;
-    for (const char32_t letter : decode(text)) { width += glyphOf(letter).width + kLetterGap; }
+    for (const char32_t letter : plainLetters(text)) { width += glyphOf(letter).width + kLetterGap; }
     return std::max(0.0, width - kLetterGap) * height / kUnitsPerCapital;
+}
+
+std::string cutToWidth(std::string_view text, double height, double width) {
+    const std::string mark = "...";
+    const auto isInside = [&text](std::size_t i) {  // of the bytes of one letter
+        return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0u) == 0x80u;
+    };
+    std::string kept;
+    for (std::size_t end = 0; end < text.size();) {
+        do { ++end; } while (isInside(end));
+        const std::string start(text.substr(0, end));
+        if (textWidth(start, height) > width) { return kept + mark; }
+        if (textWidth(start + mark, height) <= width) { kept = start; }
+    }
+    return std::string(text);
 }
 
 void drawText(Paint& paint, std::string_view text, DVec2 base, double height, Color color, TextAlign align) {
@@ -139,7 +139,7 @@ void drawText(Paint& paint, std::string_view text, DVec2 base, double height, Co
     const double width = textWidth(text, height);
     double x = base.x - (align == TextAlign::left ? 0 : align == TextAlign::center ? width / 2 : width);
     std::vector<DVec2> points;
-    for (const char32_t letter : decode(text)) {
+    for (const char32_t letter : plainLetters(text)) {
         const Glyph& glyph = glyphOf(letter);
         for (const Stroke& stroke : glyph.strokes) {
             points.clear();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <swept/samples/render/plain_letters.h>
 #include <swept/samples/render/stroke_font.h>
 
 #include "render_support.h"
@@ -85,6 +86,42 @@ TEST(StrokeFont, EveryPrintableLetterIsItself) {
     EXPECT_NEAR(textWidth("swept", 40), 2 * textWidth("swept", 20), 1e-9);
     for (const char* digit : {"0", "1", "4", "9"}) { EXPECT_EQ(textWidth(digit, 20), textWidth("8", 20)) << digit; }
     EXPECT_EQ(textWidth("", 20), 0);
+}
+
+TEST(StrokeFont, LatinLettersLoseTheirAccents) {
+    EXPECT_EQ(plainLetters("Fl\u00FCge, \u00C5se & \u0141\u00F3d\u017A"), U"Fluge, Ase & Lodz");
+    EXPECT_EQ(plainLetters("Stra\u00DFe \u2013 c\u0153ur \u201Ee\u0301\u201C\u2026"), U"Strasse \u2013 coeur \"e\"...");
+    EXPECT_EQ(plainLetters("3 \u00D7 4 \u00B0 \u4E2D"), U"3 \u00D7 4 \u00B0 \u4E2D");
+    EXPECT_EQ(textWidth("\u00FC", 20), textWidth("u", 20));
+}
+
+TEST(StrokeFont, LongTextsAreCutToTheRoomThereIs) {
+    EXPECT_EQ(cutToWidth("short", 20, textWidth("short", 20)), "short");
+    EXPECT_EQ(cutToWidth("short", 20, textWidth("short", 20) - 0.01), "sho...");
+    EXPECT_EQ(cutToWidth("short", 20, 0), "...");
+    EXPECT_EQ(cutToWidth("", 20, 0), "");
+    EXPECT_EQ(cutToWidth("m\u00FCller", 20, textWidth("m\u00FC...", 20)), "m\u00FC...") << "no letter is cut in two";
+    EXPECT_EQ(cutToWidth(std::string(1'000'000, 'm'), 20, 100), "mmmm...") << "at once";
+}
+
+TEST(RenderOverlay, ALongTitleStopsBeforeTheTime) {
+    SceneDescription scene = oneBall();
+    RenderOptions options = bareOptions();
+    options.title = options.time = true;
+    scene.name = std::string(500, 'm');
+    const Image image = picture(scene, options);
+    scene.name = "";
+    const Image timeOnly = picture(scene, options);
+    int first = 960;  // column of the panel of the time
+    for (int x = 0; x < 960; ++x) {
+        for (int y = 0; y < 60; ++y) {
+            first = pixel(timeOnly, x, y) == style::kBackground ? first : std::min(first, x);
+        }
+    }
+    ASSERT_LT(first, 960);
+    for (int x = first - 4; x < 960; ++x) {
+        for (int y = 0; y < 60; ++y) { ASSERT_EQ(pixel(image, x, y), pixel(timeOnly, x, y)) << x << ' ' << y; }
+    }
 }
 
 TEST(RenderOverlay, TitleTimeAndLegendAppearWhenAskedFor) {
