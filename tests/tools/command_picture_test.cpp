@@ -122,6 +122,48 @@ TEST(CommandPictures, ThatCannotBeWrittenNameTheirOptionAndLeaveDevicesAlone) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
+TEST(CommandPictures, CloserThanAMillisecondAreInSlowMotion) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto errorsOf = [&](const std::string& dt, const std::string& every) {
+        const auto result = runSwept({"run", scene, "--steps", "4", "--set", "/settings/dt=" + dt, "--every", every,
+                                      "--size", "32x32", "--webp", scratch.path("a.webp")});
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return result.err;
+    };
+    EXPECT_EQ(errorsOf("0.00025", "1"),
+              "swept: warning: --webp: pictures 0.25 ms apart are shown for 1 ms each, 4 times as long as they took; "
+              "--every 4 shows real time\n");
+    EXPECT_EQ(errorsOf("0.00025", "4"), "");
+    EXPECT_EQ(errorsOf("0.001", "1"), "");
+}
+
+TEST(CommandPictures, OfAnEarlierRunAreToldApart) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto placesOf = [&](const std::string& steps) {
+        const std::string out =
+            runSwept({"run", scene, "--steps", steps, "--every", "2", "--size", "32x32", "--png", scratch.path("out")})
+                .out;
+        return out.substr(out.find("pictures  "));
+    };
+    const std::string places = "pictures  " + scratch.path("out") + "/frame_*.png";
+    EXPECT_EQ(placesOf("8"), places + '\n');
+    EXPECT_EQ(placesOf("6"), places + " (and 1 picture of an earlier run)\n");
+    EXPECT_EQ(placesOf("2"), places + " (and 3 pictures of an earlier run)\n");
+    EXPECT_EQ(filesIn(scratch.path("out")), 5u) << "nothing is taken away";
+}
+
+TEST(CommandPictures, AFolderIsNotCalledAsAPicture) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    expectRefused({"run", scene, "--png", scratch.path("x.png")}, "x.png: is a directory for pictures");
+    EXPECT_FALSE(scratch.has("x.png"));
+    std::filesystem::create_directory(scratch.path("there.png"));
+    EXPECT_EQ(runSwept({"run", scene, "--steps", "1", "--size", "32x32", "--png", scratch.path("there.png")}).exitCode,
+              0);
+}
+
 TEST(CommandPictures, DrawNothingUnlessAskedTo) {
     const ScratchDirectory scratch;
     const std::string scene = scratch.write("ball.json", kBallScene);

@@ -17,6 +17,8 @@
 #include <swept/samples/render/render_overlay.h>
 #include <swept/samples/render/scene_renderer.h>
 
+#include "../writers/number_text.h"
+
 namespace swept {
 namespace {
 
@@ -143,11 +145,25 @@ private:
     std::vector<std::string> captions_;
 };
 
+/// Animations count in milliseconds.
+void warnOfSlowMotion(const PictureArguments& arguments, std::int64_t steps, double dt) {
+    const double pause = 1000 * dt * static_cast<double>(arguments.every.value_or(1));
+    if (arguments.webp.empty() || steps < arguments.every.value_or(1) || pause > 0.999) { return; }
+    std::cerr << "swept: warning: --webp: pictures " << roundedText(pause) << " ms apart are shown for 1 ms each, "
+              << roundedText(1 / pause, 3) << " times as long as they took; --every "
+              << roundedText(std::ceil(0.001 / dt), 9) << " shows real time\n";
+}
+
 /// What is wrong with the arguments themselves; empty when nothing is.
 std::string faultOf(const PictureArguments& arguments, double duration) {
     if (arguments.every.value_or(1) < 1) { return "--every: must be at least 1"; }
     if (arguments.sheet > 0 && arguments.directory.empty()) {
         return "--sheet: needs --png DIR, into which it writes sheet.png";
+    }
+    std::error_code ignored;
+    if (arguments.directory.ends_with(".png") && !std::filesystem::is_directory(arguments.directory, ignored)) {
+        return "--png " + arguments.directory +
+               ": is a directory for pictures, frame_000000.png and so on; leave out \".png\"";
     }
     if (const std::string fault = endingFault("--webp", arguments.webp, "WebP"); !fault.empty()) { return fault; }
     const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
@@ -160,6 +176,22 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
         return "--webp: the run is too long for an animation";
     }
     return "";
+}
+
+/// Whether a run of so many steps draws that one.
+bool isDrawn(const PictureArguments& arguments, std::int64_t step, std::int64_t steps) {
+    return step <= steps && step % arguments.every.value_or(1) == 0;
+}
+
+/// Pictures in the directory that the run has not drawn.
+std::int64_t olderPictures(const PictureArguments& arguments, std::int64_t steps) {
+    std::int64_t count = 0;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(arguments.directory, ignored)) {
+        const auto step = stepOfPicture(entry.path().filename().string());
+        count += step && !isDrawn(arguments, *step, steps) ? 1 : 0;
+    }
+    return count;
 }
 
 }  // namespace
@@ -223,14 +255,18 @@ void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, s
     const auto isPicture = [=](const std::string& name) {
         if (name == kSheetName) { return arguments.sheet > 0; }
         const std::optional<std::int64_t> step = stepOfPicture(name);
-        return step && *step <= steps && *step % arguments.every.value_or(1) == 0;
+        return step && isDrawn(arguments, *step, steps);
     };
     outputs.addDirectory("--png", arguments.directory, isPicture);
     outputs.addFile("--webp", arguments.webp);
 }
 
-void printPicturePlaces(const PictureArguments& arguments) {
-    if (!arguments.directory.empty()) { std::cout << "pictures  " << arguments.directory << "/frame_*.png\n"; }
+void printPicturePlaces(const PictureArguments& arguments, std::int64_t steps) {
+    if (!arguments.directory.empty()) {
+        const std::int64_t older = olderPictures(arguments, steps);
+        std::cout << "pictures  " << arguments.directory << "/frame_*.png"
+                  << (older > 0 ? " (and " + countText(older, "picture") + " of an earlier run)" : "") << '\n';
+    }
     if (arguments.sheet > 0) { std::cout << "sheet     " << sheetPath(arguments) << '\n'; }
     if (!arguments.webp.empty()) { std::cout << "animation " << arguments.webp << '\n'; }
 }
@@ -243,6 +279,7 @@ std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, 
         return nullptr;
     }
     if (arguments.directory.empty() && arguments.webp.empty()) { return nullptr; }
+    warnOfSlowMotion(arguments, steps, scene.settings.dt);
     auto pictures = std::make_unique<Pictures>(arguments, scene.settings.dt);
     if (pictures->create(scene, size, steps, error)) { return pictures; }
     error = "no pictures: " + error;

@@ -156,7 +156,7 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPlace("states    ", arguments.csv);
     printPlace("events    ", arguments.events);
     printPlace("report    ", arguments.report);
-    printPicturePlaces(arguments.pictures);
+    printPicturePlaces(arguments.pictures, outcome.steps);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError, "m");
     double longestLoss = 0;
