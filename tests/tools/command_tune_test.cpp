@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "run_program.h"
 #include "small_scenes.h"
 #include "tune_rows.h"
@@ -51,11 +49,13 @@ TEST_F(CommandTune, AdvisesGoesOnWhereItWasAndGathersShards) {
     EXPECT_EQ(rowsWithoutCost(again), rowsWithoutCost(rows));
 
     // What nothing can keep; the rows that are there serve any limit.
-    std::remove(scratch.path("out/tuned.json").c_str());
+    ASSERT_TRUE(scratch.has("out/tuned.json"));
     const ProgramResult impossible = tune("out", {"--max-error", "penetration=0.001"});
     EXPECT_EQ(impossible.exitCode, 1) << impossible.out;
     EXPECT_NE(impossible.out.find("None of"), std::string::npos);
-    EXPECT_FALSE(scratch.has("out/tuned.json"));
+    EXPECT_FALSE(scratch.has("out/tuned.json")) << "what was recommended for another limit";
+    EXPECT_NE(impossible.out.find("tuned.json of an earlier search is taken away"), std::string::npos)
+        << impossible.out;
 
     for (const char* const shard : {"1/2", "2/2"}) {
         ASSERT_EQ(tune("parts", with(limit, {"--shard", shard})).exitCode, 0);

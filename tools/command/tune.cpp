@@ -130,9 +130,17 @@ std::string costText(double cost, double now) {
     return ": " + roundedText(part, 2) + " of what the scene costs now";
 }
 
+/// What an earlier search recommended is no advice of this one. @return whether it was there
+bool removeOldAdvice(const std::string& directory) {
+    std::error_code ignored;
+    const std::string path = directory + kTuned;
+    return std::filesystem::is_regular_file(path, ignored) && std::filesystem::remove(path, ignored);
+}
+
 int printAdvice(const Task& task, const tune::Knowledge& known, std::string& error) {
     const tune::Subject& subject = task.options.subject;
     const tune::Verdict verdict = tune::judge(subject, known, task.options.limits);
+    const bool hadAdvice = removeOldAdvice(task.directory);
     std::cout << '\n';
     tune::writeTable(std::cout, subject, task.options.limits, known, verdict);
     const std::string plotted = tune::plotRows(task.directory, subject, task.options.limits, known, verdict, error);
@@ -144,6 +152,7 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
             const tune::Row& row = known.rows[static_cast<std::size_t>(verdict.nearest)];
             std::cout << " Nearest: " << tune::settingsText(subject, row.config);
         }
+        if (hadAdvice) { std::cout << "\nThe " << &kTuned[1] << " of an earlier search is taken away."; }
         std::cout << "\nrows   " << task.directory << "/tune.csv\n" << plotted << '\n';
         return kNotKept;
     }
