@@ -152,6 +152,10 @@ JsonResult parseStrict(std::string_view text) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         return {Json(), JsonError{"line 1, column 1", "there is no JSON value"}};
     }
+    // To the parser it would be the end of the text, wherever it stands.
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+        return {Json(), JsonError{lineAndColumn(text, nul), "a NUL byte, which no JSON text has"}};
+    }
     StrictBuilder builder(text);
     Json::sax_parse(text.begin(), text.end(), &builder);
     return builder.take();

@@ -24,7 +24,7 @@ struct JsonResult {
 };
 
 /// Parses by RFC 8259, and refuses what a lenient reader would let through: duplicate keys, numbers that overflow a
-/// double, invalid UTF-8, anything behind the value, and values nested deeper than 64 levels. Never throws.
+/// double, invalid UTF-8, NUL bytes, anything behind the value, and values nested deeper than 64 levels. Never throws.
 JsonResult parseStrict(std::string_view text);
 
 /// A place in a document, as a chain of nodes on the stack: costs nothing until an error asks for its text.

@@ -51,6 +51,17 @@ TEST(StrictJson, LargestNumbers) {
     EXPECT_EQ(parseStrict("18446744073709551616").value.get<double>(), 0x1p64);  // beyond every integer type
 }
 
+TEST(StrictJson, ANulByteEndsNothing) {
+    for (const char* const text : {"{\"a\": 1}#", "{\"a\": #1}", "1# 2", "#", "{\"a\": \"#\"}"}) {
+        std::string nul = text;
+        nul.replace(nul.find('#'), 1, 1, '\0');
+        const JsonResult result = parseStrict(nul);
+        ASSERT_TRUE(result.error.has_value()) << text;
+        EXPECT_EQ(result.error->where, "line 1, column " + std::to_string(nul.find('\0') + 1));
+        EXPECT_NE(result.error->reason.find("NUL"), std::string::npos) << result.error->reason;
+    }
+}
+
 TEST(Place, WritesPointers) {
     const Place root;
     const Place list = root.at("a/b");
