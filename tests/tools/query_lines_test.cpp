@@ -125,6 +125,47 @@ TEST(QueryLines, EchoesTheIdWithItsType) {
     EXPECT_TRUE(answerOf(answerToiLine("nonsense"))["id"].is_null());
 }
 
+TEST(QueryLines, EchoesAllDigitsOfTheId) {
+    for (const std::string id :
+         {"123456789012345678901234567890", "-98765432109876543210", "0.1000000000000000055511151231257827", "1e2",
+          "[12345678901234567890123,[],{}]", R"({"a":[1,{"b":"x,]"}],"c":18446744073709551617,"d":null})"}) {
+        const std::string line = R"({"id": )" + id + example().dump().substr(std::string(R"({"id":1)").size());
+        const LineAnswer answer = answerToiLine(line);
+        EXPECT_TRUE(answer.good) << answer.text;
+        const std::string start = R"({"id":)" + id + ',';
+        EXPECT_EQ(answer.text.substr(0, start.size()), start);
+        EXPECT_EQ(answerToiLine(R"({"id": )" + id + R"(, "oops": 1})").text.substr(0, start.size()), start);
+    }
+    EXPECT_TRUE(answerOf(answerToiLine(R"({"id": [1, 2)"))["id"].is_null()) << "none that is complete";
+}
+
+TEST(QueryLines, BlamesNoMemberThatIsNotThere) {
+    const auto twoPoints = [](Json& q) {
+        q["a"]["vertices"] = {{0, 0}};
+        q["b"]["radius"] = 0;
+        q.erase("target");
+        q.erase("tolerance");
+    };
+    expectStartsWith(errorAfter(twoPoints), "/tolerance: is missing: ");
+    Json line = example();
+    twoPoints(line);
+    line["target"] = 0.01;
+    line["tolerance"] = 0.001;
+    EXPECT_EQ(toiOf(line)["state"], "hit");
+}
+
+TEST(QueryLines, TellsWhatSinglePrecisionDoesNotHold) {
+    Json line = example();
+    line["b"]["radius"] = 1e300;
+    const LineAnswer answer = answerDistanceLine(line.dump(), Precision::f32);
+    EXPECT_EQ(answerOf(answer)["error"], "/b: has numbers too large for f32");
+    line = example();
+    line["a"]["vertices"] = {{0, 0}, {1e-60, 0}, {0, 1e-60}};
+    EXPECT_TRUE(answerDistanceLine(line.dump()).good);
+    expectStartsWith(answerOf(answerDistanceLine(line.dump(), Precision::f32))["error"].get<std::string>(),
+                     "/a: rounded to f32, it ");
+}
+
 TEST(QueryLines, TellsTheRangeOfWhatIsOutOfIt) {
     const std::vector<std::pair<std::string, std::string>> cases{
         {errorAfter([](Json& q) { q["tMax"] = 2; }), "must be greater than 0 and at most 1, not 2"},

@@ -14,7 +14,7 @@ namespace {
 /// One JSON object on one line, member by member.
 class LineWriter {
 public:
-    explicit LineWriter(const Json& id) { text_ = "{\"id\":" + id.dump(); }
+    explicit LineWriter(const std::string& id) { text_ = "{\"id\":" + id; }
 
     void add(const char* key, double number) {
         startMember(key);
@@ -73,7 +73,7 @@ const char* nameOf(ToiState state) {
     return "";  // unreachable, but GCC cannot know
 }
 
-LineAnswer refusal(const Json& id, const std::string& reason) {
+LineAnswer refusal(const std::string& id, const std::string& reason) {
     LineWriter line(id);
     line.add("error", reason);
     return {line.take(), false};
@@ -105,6 +105,14 @@ std::string textOf(const Status& status, const QueryLine& query) {
     return placeOf(status.field) + ": " + describe(status.code) + rangeOf(status, query);
 }
 
+/// Of what was right as it was written, and is not as the precision takes it.
+std::string whatRoundingDid(const Status& status, const QueryLine& query) {
+    const std::string_view field = status.field;
+    if (field != "a" && field != "b") { return textOf(status, query); }
+    if (status.code == StatusCode::notFinite) { return placeOf(status.field) + ": has numbers too large for f32"; }
+    return placeOf(status.field) + ": rounded to f32, it " + describe(status.code);
+}
+
 ToiSettings settingsOf(const QueryLine& query) {
     ToiSettings settings = defaultToiSettings(query.a, query.b);
     settings.tMax = query.tMax;
@@ -118,7 +126,11 @@ std::optional<std::string> readChecked(std::string_view line, QueryLine& query, 
     settings = settingsOf(query);
     const Status status = validateToi(query.a, query.sweepA, query.b, query.sweepB, settings);
     if (status.ok()) { return std::nullopt; }
-    if (status.code == StatusCode::outOfRange && status.field == std::string_view("tolerance") && !query.tolerance) {
+    const bool isDefault = status.field == std::string_view("tolerance") && !query.tolerance;
+    if (isDefault && settings.tolerance == 0) {
+        return "/tolerance: is missing: two bodies of which one is a point have no width that a default could follow";
+    }
+    if (status.code == StatusCode::outOfRange && isDefault) {
         return "/a/sweep, /b/sweep: so far or so much about that double does not resolve the default tolerance, " +
                shortestNumber(settings.tolerance) + " m";
     }
@@ -177,7 +189,7 @@ LineAnswer answerDistanceLine(std::string_view line, Precision precision) {
     if (const auto error = readQueryLine(line, query)) { return refusal(query.id, *error); }
     const auto function = precision == Precision::f32 ? queryDistance<Precision::f32> : queryDistance<Precision::f64>;
     const Result<QueryDistance> found = function(query.a, query.sweepA, query.b, query.sweepB);
-    if (!found.ok()) { return refusal(query.id, textOf(found.status(), query)); }
+    if (!found.ok()) { return refusal(query.id, whatRoundingDid(found.status(), query)); }
     const QueryDistance& distance = found.value();
     LineWriter answer(query.id);
     answer.add("distance", distance.distance);

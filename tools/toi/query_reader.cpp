@@ -10,51 +10,80 @@ using Error = std::optional<std::string>;
 
 Error errorAt(const Place& place, const std::string& reason) { return place.pointer() + ": " + reason; }
 
-/// Takes the id of the outermost object out of a line that need not be valid as a whole.
+/// Takes the id of the outermost object out of a line that need not be valid as a whole, as it is written: a number
+/// may have more digits than a double holds.
 class IdFinder : public nlohmann::json_sax<Json> {
 public:
-    Json id;
+    /// JSON; empty: there is none that is complete
+    std::string text() const { return isWhole_ ? text_ : ""; }
 
-    bool null() override { return scalar(nullptr); }
-    bool boolean(bool value) override { return scalar(value); }
-    bool number_integer(number_integer_t value) override { return scalar(value); }
-    bool number_unsigned(number_unsigned_t value) override { return scalar(value); }
-    bool number_float(number_float_t value, const string_t&) override { return scalar(value); }
-    bool string(string_t& value) override { return scalar(value); }
+    bool null() override { return scalar("null"); }
+    bool boolean(bool value) override { return scalar(value ? "true" : "false"); }
+    bool number_integer(number_integer_t value) override { return scalar(std::to_string(value)); }
+    bool number_unsigned(number_unsigned_t value) override { return scalar(std::to_string(value)); }
+    bool number_float(number_float_t, const string_t& token) override { return scalar(token); }
+    bool string(string_t& value) override { return scalar(isId_ ? Json(value).dump() : ""); }
     bool binary(binary_t&) override { return false; }  // exists in binary formats only
-    bool start_object(std::size_t) override { return enter(); }
-    bool start_array(std::size_t) override { return enter(); }
-    bool end_object() override { return leave(); }
-    bool end_array() override { return leave(); }
+    bool start_object(std::size_t) override { return enter('{'); }
+    bool start_array(std::size_t) override { return enter('['); }
+    bool end_object() override { return leave('}'); }
+    bool end_array() override { return leave(']'); }
     bool key(string_t& name) override {
-        isId_ = depth_ == 1 && name == "id";
+        if (isId_) {
+            startPart();
+            text_ += Json(name).dump() + ':';
+            isBehindKey_ = true;
+        }
+        isId_ = isId_ || (depth_ == 1 && name == "id");
         return true;
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
 
 private:
     int depth_ = 0;
-    bool isId_ = false;
+    bool isId_ = false;  ///< what comes is of the id
+    bool isBehindKey_ = false;
+    bool isWhole_ = false;
+    std::string text_;
 
-    template <class Value>
-    bool scalar(const Value& value) {
-        if (isId_) { id = value; }
-        return !isId_;  // found: stop
+    /// A comma where one is needed.
+    void startPart() {
+        const bool isFirst = text_.empty() || text_.back() == '{' || text_.back() == '[';
+        if (!isFirst && !isBehindKey_) { text_ += ','; }
+        isBehindKey_ = false;
     }
-    bool enter() {
+    /// @return false: the id is found, stop
+    bool endPart() {
+        isWhole_ = isId_ && depth_ == 1;
+        return !isWhole_;
+    }
+    bool scalar(const std::string& token) {
+        if (isId_) {
+            startPart();
+            text_ += token;
+        }
+        return endPart();
+    }
+    bool enter(char bracket) {
+        if (isId_) {
+            startPart();
+            text_ += bracket;
+        }
         ++depth_;
-        return !isId_;  // an id that is no scalar is not looked into
-    }
-    bool leave() {
-        --depth_;
         return true;
+    }
+    bool leave(char bracket) {
+        --depth_;
+        if (isId_) { text_ += bracket; }
+        return endPart();
     }
 };
 
-Json idOf(std::string_view line) {
+std::string idOf(std::string_view line) {
     IdFinder finder;
     Json::sax_parse(line.begin(), line.end(), &finder);
-    return finder.id;
+    const std::string text = finder.text();
+    return text.empty() ? "null" : text;
 }
 
 Error checkKeys(const Json& object, const Place& place, std::initializer_list<std::string_view> required,
@@ -134,7 +163,6 @@ std::optional<std::string> readQueryLine(std::string_view line, QueryLine& query
     if (parsed.error) { return (parsed.error->where.empty() ? "" : parsed.error->where + ": ") + parsed.error->reason; }
     const Json& json = parsed.value;
     if (!json.is_object()) { return "the line must be an object, is " + kindOf(json); }
-    if (json.contains("id")) { query.id = json["id"]; }
     const Place root;
     if (const Error error = checkKeys(json, root, {"id", "a", "b", "tMax"}, {"family", "target", "tolerance"})) {
         return error;

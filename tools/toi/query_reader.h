@@ -11,7 +11,7 @@ namespace swept {
 
 /// What a line of a query file says.
 struct QueryLine {
-    Json id;
+    std::string id = "null";  ///< as JSON, all digits of it
     ToiPolygon a;
     Sweep sweepA;
     ToiPolygon b;
