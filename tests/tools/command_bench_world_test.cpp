@@ -54,6 +54,16 @@ TEST(CommandBenchWorld, WhatTakesTooLongIsStopped) {
     EXPECT_NE(result.out.find("stopped"), std::string::npos) << result.out;
 }
 
+TEST(CommandBenchWorld, SaysWhichScenesItWrote) {
+    const ScratchDirectory scratch;
+    const auto result =
+        runSwept({"bench", "world", "--write", scratch.path("scenes"), "--scenes", "rain,crates", "--size", "0.02"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.out,
+              "scene  " + scratch.path("scenes/rain.json") + "\nscene  " + scratch.path("scenes/crates.json") + '\n');
+    EXPECT_TRUE(scratch.has("scenes/crates.json"));
+}
+
 TEST(CommandBenchWorld, RefusesWhatItCannotDo) {
     const std::vector<std::vector<std::string>> wrong = {
         {"bench", "world", "--scenes", "elsewhere"},

@@ -77,7 +77,9 @@ int writeScenes(const WorldArguments& arguments) {
     std::string error;
     if (!files.open(error)) { return refuse(error); }
     for (const auto& [path, entry] : wanted) { *files.stream(path) << writeScene(entry->make(settings.size).scene); }
-    return files.close(error) ? kExitDone : refuse(error);
+    if (!files.close(error)) { return refuse(error); }
+    for (const auto& [path, entry] : wanted) { std::cout << "scene  " << path << '\n'; }
+    return kExitDone;
 }
 
 int measureWorld(const WorldArguments& arguments) {
