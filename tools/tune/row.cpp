@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kReference = "reference";
 /// Part of what is hashed: another number when measures or columns come to mean something else.
-constexpr const char* kFormat = "tune 1";
+/// Rows of another engine are not compared with those of this one.
+constexpr const char* kFormat = "tune 1 " SWEPT_VERSION " ";
 
 /// The fields of a line without quotes, or of one whose quoted fields hold no line breaks.
 std::vector<std::string> fieldsOfLine(const std::string& line) {
@@ -166,12 +167,13 @@ bool parseCsv(const std::string& text, const std::string& file, const Subject& s
         ++line;
         Row row;
         if (fields.size() != kFixedColumns + measures::kMeasureCount) {
-            error = file + ": line " + std::to_string(line) + ": has " + std::to_string(fields.size()) + " fields";
+            error = file + ": line " + std::to_string(line) + ": has " +
+                    countText(static_cast<std::int64_t>(fields.size()), "field");
             return false;
         }
         if (fields[0] != fingerprint) {
-            error =
-                file + ": line " + std::to_string(line) + ": belongs to another scene, or to a run of another length";
+            error = file + ": line " + std::to_string(line) +
+                    ": belongs to another scene, to a run of another length, or to another version of the engine";
             return false;
         }
         const bool isReference = fields[1] == kReference;
