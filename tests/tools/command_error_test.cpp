@@ -75,8 +75,7 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
     expectRunRefused({scene_, "--png", "/proc/no_pictures"}, "--png /proc/no_pictures");
     expectRunRefused({scene_, "--png", scene_ + "/below"}, "--png");
     for (const char* const flag : {"--csv", "--events", "--report", "--png", "--webp"}) {
-        expectRunRefused({scene_, flag, "-"},
-                         "swept: " + std::string(flag) + " -: cannot write to standard output");
+        expectRunRefused({scene_, flag, "-"}, "swept: " + std::string(flag) + " -: cannot write to standard output");
     }
     // The tests' standard output is a file: states would overwrite what the command tells, or be overwritten by it.
     expectRunRefused({scene_, "--csv", "/dev/stdout"}, "--csv /dev/stdout: is where standard output goes");
@@ -164,6 +163,10 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({"bench", "world", "--full", "--steps", "5"}, "--full");
     expectRefused({"bench", "world", "--write", out_.path("scenes"), "--steps", "5"}, "--write");
     expectRefused({"bench", "accuracy", "--plots", out_.path("plots")}, "--trade");
+    for (const char* const seed : {"9223372036854775808", "18446744073709551615"}) {
+        expectRefused({"bench", "toi", "--count", "1", "--seed", seed}, std::string(seed) + " is too large");
+    }
+    expectRefused({"bench", "effort", "--repeats", "0"}, "--repeats");
     expectRefused({"toi", "--precision", "f32"}, "swept: --precision: no such option");
     expectRefused({"modes", scene_, "--size", "big"}, "--size");
     expectRefused({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");

@@ -178,6 +178,14 @@ TEST(Envelope, LimitsEndBeforeTheFirstHole) {
     EXPECT_NE(summary.str().find("nowhere on this map"), std::string::npos) << summary.str();
 }
 
+TEST(Envelope, CountsInWords) {
+    const auto told = [](const Slice& slice, double y) { return slice.told(1, y); };
+    EXPECT_EQ(told(chainSlice(Grain::coarse), 1).substr(0, 23), "a chain of 1 link of 1 ");
+    EXPECT_EQ(told(chainSlice(Grain::coarse), 4).substr(0, 24), "a chain of 4 links of 1 ");
+    EXPECT_EQ(told(wallSlice(Grain::coarse), 1).substr(0, 16), "with 1 sub-step ");
+    EXPECT_EQ(told(wallSlice(Grain::coarse), 4).substr(0, 17), "with 4 sub-steps ");
+}
+
 /// The lines of the committed coarse map of a slice, by engine and y: a '#' for each x that is inside.
 std::vector<std::string> committedLines(const std::string& slice) {
     std::ifstream file(SWEPT_ENVELOPE_LIMITS);

@@ -46,7 +46,7 @@ void addBenchEffort(Command bench) {
         .withinReals(1e-3, 1e3);
     command.option("--repeats", arguments->settings.repeats, "Runs of each that are timed [3]")
         .type("N")
-        .within(0, 1000);
+        .within(1, 1000);
     command.option("--csv", arguments->places.csv, "Write the table").type("FILE");
     command.runs([arguments] { return measureEffort(*arguments); });
 }

@@ -111,7 +111,7 @@ void addEnvelopeCommand(Command app) {
         .type("NAME")
         .oneOf(names)
         .oneValueEach();
-    command.flag("--coarse", arguments->coarse, "Fewer cells, ten seconds of work");
+    command.flag("--coarse", arguments->coarse, "Fewer cells, a few seconds of work");
     command.flag("--box2d", arguments->box2d,
                  "Box2D 2.4.1 as well, and Box2D 3 where it was found when this was built");
     command.option("--threads", arguments->threads, "Cells at a time [all cores]").type("N").within(1, kMostThreads);

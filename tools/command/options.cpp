@@ -100,6 +100,8 @@ Option Option::type(const std::string& name) const {
 
 Option Option::within(std::int64_t least, std::int64_t most) const {
     option_->check(CLI::Range(least, most));
+    // The library takes the largest there is for what is larger still, which unsigned values can be.
+    option_->check(faultOfWholeNumber<std::int64_t>, "");
     return *this;
 }
 

@@ -18,8 +18,8 @@ using build::box;
 using build::circle;
 using build::hinge;
 
-constexpr double kLink = 0.5;    ///< m, length of a link
-constexpr double kBall = 0.5;    ///< m, radius of the load
+constexpr double kLink = 0.5;  ///< m, length of a link
+constexpr double kBall = 0.5;  ///< m, radius of the load
 constexpr double kChainStep = 1.0 / 60;
 /// Length of a run in times √(length/g): down, up on the other side, and back.
 constexpr double kSwingTimes = 6;
@@ -133,8 +133,8 @@ Slice chainSlice(Grain grain) {
             {"links", links},
             chainTrials,
             [](double x, double y) {
-                return "a chain of " + roundedText(y, 3) + " links of 1 kg swings a load of " + roundedText(x, 3) +
-                       " kg";
+                return "a chain of " + roundedText(y, 3) + (y == 1 ? " link" : " links") +
+                       " of 1 kg swings a load of " + roundedText(x, 3) + " kg";
             }};
 }
 

@@ -139,7 +139,9 @@ Slice wallSlice(Grain grain) {
             {"g dt^2 / size", powers(2, -12, 2, full ? 1 : 2)},
             {"sub-steps", powers(2, 0, 6, full ? 1 : 2)},
             wallTrials,
-            [](double x, double y) { return "with " + roundedText(y, 3) + " sub-steps " + hertzOfSizes(x); }};
+            [](double x, double y) {
+                return "with " + roundedText(y, 3) + (y == 1 ? " sub-step " : " sub-steps ") + hertzOfSizes(x);
+            }};
 }
 
 Slice restSlice(Grain grain) {

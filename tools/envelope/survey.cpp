@@ -109,10 +109,16 @@ bool survey(const Slice& slice, const SurveyOptions& options, Rows& rows,
     }
     std::mutex mutex;
     std::size_t done = 0;
+    // In the order of the map, whichever thread is faster: a row waits for those before it.
+    std::vector<bool> isDone(missing.size());
+    std::size_t written = 0;
     tune::runParallel(missing.size(), options.threads, [&](std::size_t i) {
         const Row row = runCell(slice, missing[i].x, missing[i].y, missing[i].engine);
         const std::lock_guard lock(mutex);
-        file << csvLine(slice, row) << std::flush;
+        missing[i] = row;
+        isDone[i] = true;
+        for (; written < missing.size() && isDone[written]; ++written) { file << csvLine(slice, missing[written]); }
+        file << std::flush;
         rows.add(row);
         watch(++done, missing.size());
     });
