@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -36,6 +37,28 @@ TEST(CommandRun, WritesTheStateOfEveryBodyAfterEveryStep) {
     EXPECT_NEAR(std::stod(ball[3]), 0.046875, 1e-6);
     EXPECT_NEAR(std::stod(ball[4]), 5 - 4 * 0.046875 * 0.046875, 1e-6) << "free flight is exact";
     EXPECT_EQ(ball[9], "1");
+}
+
+/// One of the outputs may go to another program, which sees nothing but that.
+TEST(CommandRun, WritesOneOutputToStandardOutput) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    for (const std::string flag : {"--csv", "--events", "--report"}) {
+        const std::vector<std::string> run{"run", scene, "--steps", "80", flag};
+        const auto with = [&](std::vector<std::string> more) {
+            more.insert(more.begin(), run.begin(), run.end());
+            return runSwept(more);
+        };
+        ASSERT_EQ(with({scratch.path("file")}).exitCode, 0);
+        const auto piped = with({"-"});
+        EXPECT_EQ(piped.exitCode, 0) << piped.err;
+        EXPECT_EQ(piped.out, scratch.read("file")) << flag;
+        EXPECT_NE(piped.err.find("ball: 80 steps"), std::string::npos) << piped.err;
+        EXPECT_FALSE(std::filesystem::exists("-"));
+        const auto both = with({"-", flag == "--csv" ? "--report" : "--csv", scratch.path("other")});
+        EXPECT_EQ(both.out, piped.out);
+        EXPECT_TRUE(scratch.has("other"));
+    }
 }
 
 TEST(CommandRun, RunsTheDurationRoundedToSteps) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <string>
 #include <thread>
@@ -89,6 +90,25 @@ TEST(OutputFiles, RefusesStandardOutput) {
         EXPECT_TRUE(scratch.isEmpty());
         EXPECT_FALSE(std::filesystem::exists("-"));
     }
+}
+
+TEST(OutputFiles, AStreamMayBeStandardOutputOnce) {
+    const ScratchDirectory scratch;
+    OutputFiles outputs;
+    outputs.addStream("--csv", "-");
+    outputs.addStream("--events", scratch.path("events"));
+    std::string error;
+    ASSERT_TRUE(outputs.open(error)) << error;
+    EXPECT_EQ(outputs.stream("-"), &std::cout);
+    *outputs.stream(scratch.path("events")) << "something\n";
+    outputs.discard();
+    EXPECT_FALSE(std::filesystem::exists("-"));
+    EXPECT_TRUE(scratch.isEmpty());
+    OutputFiles twice;
+    twice.addStream("--csv", "-");
+    twice.addStream("--events", "-");
+    EXPECT_FALSE(twice.open(error));
+    EXPECT_EQ(error, "--events -: standard output is that of --csv already; give a name");
 }
 
 TEST(OutputFiles, RefusesToOverwriteTheInputOrItself) {

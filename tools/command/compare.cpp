@@ -77,7 +77,7 @@ void printRow(const Deviation& deviation, double ourEnergy, double theirEnergy, 
 /// Position, angle and velocity of each dynamic body in both engines' runs, step by step.
 class DeviationCsv {
 public:
-    DeviationCsv(std::ofstream& out, const std::vector<std::string>& names) : out_(out) {
+    DeviationCsv(std::ostream& out, const std::vector<std::string>& names) : out_(out) {
         for (const std::string& name : names) { fields_.push_back(csvField(name)); }
         out_
             << "step,time,body,x,y,angle,box2dX,box2dY,box2dAngle,positionDeviation,angleDeviation,velocityDeviation\n";
@@ -103,12 +103,12 @@ public:
     }
 
 private:
-    std::ofstream& out_;
+    std::ostream& out_;
     std::vector<std::string> fields_;
 };
 
 /// @param renderer  learns which of our joints break; null: nothing is drawn
-void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, std::ofstream* csvFile,
+void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, std::ostream* csvFile,
                  SceneRenderer* renderer, Comparison& found) {
     const std::vector<std::string> names = bodyNames(loaded.scene);
     std::optional<DeviationCsv> csv;

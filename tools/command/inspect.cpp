@@ -81,7 +81,7 @@ int inspect(const InspectArguments& arguments) {
     const Inspection inspection = inspectScene(loaded->scene);
     printFindings(inspection.findings);
     printNeeds(inspection.needs);
-    if (std::ofstream* const json = outputs.stream(arguments.json)) { *json << jsonOf(loaded->source, inspection); }
+    if (std::ostream* const json = outputs.stream(arguments.json)) { *json << jsonOf(loaded->source, inspection); }
     if (!outputs.close(error)) { return refuse(error); }
     const bool isBad = !inspection.findings.empty() && inspection.findings.front().severity == Severity::warning;
     return arguments.strict && isBad ? kExitNotFinite : kExitDone;

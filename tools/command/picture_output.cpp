@@ -261,14 +261,14 @@ void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, s
     outputs.addFile("--webp", arguments.webp);
 }
 
-void printPicturePlaces(const PictureArguments& arguments, std::int64_t steps) {
+void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, std::int64_t steps) {
     if (!arguments.directory.empty()) {
         const std::int64_t older = olderPictures(arguments, steps);
-        std::cout << "pictures  " << arguments.directory << "/frame_*.png"
-                  << (older > 0 ? " (and " + countText(older, "picture") + " of an earlier run)" : "") << '\n';
+        out << "pictures  " << arguments.directory << "/frame_*.png"
+            << (older > 0 ? " (and " + countText(older, "picture") + " of an earlier run)" : "") << '\n';
     }
-    if (arguments.sheet > 0) { std::cout << "sheet     " << sheetPath(arguments) << '\n'; }
-    if (!arguments.webp.empty()) { std::cout << "animation " << arguments.webp << '\n'; }
+    if (arguments.sheet > 0) { out << "sheet     " << sheetPath(arguments) << '\n'; }
+    if (!arguments.webp.empty()) { out << "animation " << arguments.webp << '\n'; }
 }
 
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,

@@ -53,7 +53,7 @@ std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count);
 /// @param steps  length of the run: later pictures are not written
 void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, std::int64_t steps);
 /// @param steps  so many were run. Pictures of an earlier run that this one did not draw over are told.
-void printPicturePlaces(const PictureArguments& arguments, std::int64_t steps);
+void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, std::int64_t steps);
 
 /// Draws the states it is shown, where and as often as the arguments say.
 class PictureOutput {

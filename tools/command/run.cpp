@@ -43,8 +43,8 @@ public:
         : runner_(runner), loaded_(loaded), names_(std::move(names)) {}
 
     void writeTo(OutputFiles& outputs, const RunArguments& arguments) {
-        if (std::ofstream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_); }
-        if (std::ofstream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
+        if (std::ostream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_); }
+        if (std::ostream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
     }
 
     /// @return false, and the reason in `error`, when a picture could not be written or a step was refused.
@@ -86,9 +86,9 @@ void addRunOptions(Command command, RunArguments& arguments) {
     addSceneArguments(command, arguments.scene);
     addPrecisionArgument(command, arguments.scene);
     addPictureArguments(command, arguments.pictures);
-    command.option("--csv", arguments.csv, "State of every body after every step").type("FILE");
-    command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines").type("FILE");
-    command.option("--report", arguments.report, "Totals of the run as JSON").type("FILE");
+    command.option("--csv", arguments.csv, "State of every body after every step; - is standard output").type("FILE");
+    command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines, or -").type("FILE");
+    command.option("--report", arguments.report, "Totals of the run as JSON, or -").type("FILE");
     command
         .option("--threads", arguments.threads,
                 "Threads that the step may use; never changes the results. Small scenes use one all the same [1]")
@@ -99,31 +99,38 @@ void addRunOptions(Command command, RunArguments& arguments) {
 OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
     OutputFiles outputs;
     outputs.protect(loaded.file);
-    outputs.addFile("--csv", arguments.csv);
-    outputs.addFile("--events", arguments.events);
-    outputs.addFile("--report", arguments.report);
+    outputs.addStream("--csv", arguments.csv);
+    outputs.addStream("--events", arguments.events);
+    outputs.addStream("--report", arguments.report);
     addPicturePlaces(outputs, arguments.pictures, loaded.steps);
     return outputs;
 }
 
-void printSummary(const LoadedScene& loaded, const RunOutcome& outcome, const RunReport& report) {
+/// Where people are told of the run: not in the midst of what another program reads.
+std::ostream& toldIn(const RunArguments& arguments) {
+    const auto files = {&arguments.csv, &arguments.events, &arguments.report};
+    const auto isPiped = [](const std::string* file) { return *file == "-"; };
+    return std::any_of(files.begin(), files.end(), isPiped) ? std::cerr : std::cout;
+}
+
+void printSummary(std::ostream& out, const LoadedScene& loaded, const RunOutcome& outcome, const RunReport& report) {
     const double time = static_cast<double>(outcome.steps) * loaded.scene.settings.dt;
     const std::string& name = loaded.scene.name.empty() ? loaded.source : loaded.scene.name;
-    std::cout << name << ": " << countText(outcome.steps, "step") << " of " << roundedText(loaded.scene.settings.dt)
-              << " s = " << roundedText(time) << " s, computed in " << roundedText(outcome.wallSeconds, 3) << " s ("
-              << (loaded.precision == Precision::f64 ? "f64" : "f32") << ")\n";
-    std::cout << "deepest penetration " << roundedText(report.deepestPenetration, 3) << " m";
+    out << name << ": " << countText(outcome.steps, "step") << " of " << roundedText(loaded.scene.settings.dt)
+        << " s = " << roundedText(time) << " s, computed in " << roundedText(outcome.wallSeconds, 3) << " s ("
+        << (loaded.precision == Precision::f64 ? "f64" : "f32") << ")\n";
+    out << "deepest penetration " << roundedText(report.deepestPenetration, 3) << " m";
     if (!loaded.scene.joints.empty()) {
-        std::cout << ", largest joint error " << roundedText(report.largestJointError, 3) << " m";
+        out << ", largest joint error " << roundedText(report.largestJointError, 3) << " m";
     }
     double lost = 0;
     for (const LostTime& entry : report.lostTime) { lost += entry.seconds; }
-    if (lost > 0) { std::cout << ", lost time " << roundedText(lost, 3) << " s"; }
-    std::cout << '\n';
+    if (lost > 0) { out << ", lost time " << roundedText(lost, 3) << " s"; }
+    out << '\n';
 }
 
-void printPlace(const char* what, const std::string& path) {
-    if (!path.empty()) { std::cout << what << path << '\n'; }
+void printPlace(std::ostream& out, const char* what, const std::string& path) {
+    if (!path.empty() && path != "-") { out << what << path << '\n'; }
 }
 
 void warnOfBudget(const char* name, const std::optional<double>& limit, double value, const char* unit) {
@@ -146,17 +153,18 @@ void warnOfOverflow(const RunReport& report) {
 int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Runner& runner, const RunOutcome& outcome,
               OutputFiles& outputs) {
     const RunReport report = runner.report();
-    if (std::ofstream* const file = outputs.stream(arguments.report)) {
+    if (std::ostream* const file = outputs.stream(arguments.report)) {
         const std::string precision = loaded.precision == Precision::f64 ? "f64" : "f32";
         *file << reportText(loaded.scene, report, {"swept2d " + versionText(), precision, outcome.steps});
     }
     std::string error;
     if (!outputs.close(error)) { return refuse(error); }
-    printSummary(loaded, outcome, report);
-    printPlace("states    ", arguments.csv);
-    printPlace("events    ", arguments.events);
-    printPlace("report    ", arguments.report);
-    printPicturePlaces(arguments.pictures, outcome.steps);
+    std::ostream& out = toldIn(arguments);
+    printSummary(out, loaded, outcome, report);
+    printPlace(out, "states    ", arguments.csv);
+    printPlace(out, "events    ", arguments.events);
+    printPlace(out, "report    ", arguments.report);
+    printPicturePlaces(out, arguments.pictures, outcome.steps);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError, "m");
     double longestLoss = 0;

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <utility>
 
 #include <swept/samples/begun_file.h>
@@ -43,6 +44,11 @@ void OutputFiles::addFile(const std::string& flag, const std::string& path) {
     if (!path.empty()) { files_.push_back({flag, path, {}, {}}); }
 }
 
+void OutputFiles::addStream(const std::string& flag, const std::string& path) {
+    addFile(flag, path);
+    if (path == "-") { files_.back().isStandardOutput = true; }
+}
+
 void OutputFiles::addDirectory(const std::string& flag, const std::string& path,
                                std::function<bool(const std::string& name)> writes) {
     if (!path.empty()) { directories_.push_back({flag, path, {}, std::move(writes)}); }
@@ -59,7 +65,9 @@ bool OutputFiles::open(std::string& error) {
     // Only now that all can be written is anything of an earlier run cut off.
     isBegun_ = true;
     for (Place& place : files_) {
-        if (isDevice(place.path)) { continue; }  // whoever reads a pipe would take it for its end
+        if (place.isStandardOutput || isDevice(place.path)) {
+            continue;
+        }  // whoever reads a pipe would take it for its end
         place.stream.close();
         place.stream.clear();
         place.stream.open(place.path, std::ios::binary | std::ios::trunc);
@@ -70,7 +78,7 @@ bool OutputFiles::open(std::string& error) {
 bool OutputFiles::refuseClashes(std::string& error) const {
     // There it would be mixed with what the command tells.
     const auto refuseStandardOutput = [&error](const Place& place) {
-        if (place.path != "-") { return false; }
+        if (place.path != "-" || place.isStandardOutput) { return false; }
         error = place.flag + " -: cannot write to standard output; give a name (\"./-\" for a file called \"-\")";
         return true;
     };
@@ -84,8 +92,17 @@ bool OutputFiles::refuseClashes(std::string& error) const {
             return false;
         }
     }
+    const Place* piped = nullptr;
+    for (const Place& place : files_) {
+        if (!place.isStandardOutput) { continue; }
+        if (piped != nullptr) {
+            error = place.flag + " -: standard output is that of " + piped->flag + " already; give a name";
+            return false;
+        }
+        piped = &place;
+    }
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        if (isDevice(files_[i].path)) { continue; }
+        if (files_[i].isStandardOutput || isDevice(files_[i].path)) { continue; }
         if (isStandardOutput(files_[i].path)) {
             error = files_[i].flag + ' ' + files_[i].path + ": is where standard output goes; give another name";
             return false;
@@ -96,7 +113,7 @@ bool OutputFiles::refuseClashes(std::string& error) const {
             return false;
         }
         for (std::size_t j = 0; j < i; ++j) {
-            if (!samePlace(files_[i].path, files_[j].path)) { continue; }
+            if (files_[j].isStandardOutput || !samePlace(files_[i].path, files_[j].path)) { continue; }
             error = files_[i].flag + ' ' + files_[i].path + ": is already the file of " + files_[j].flag;
             return false;
         }
@@ -147,6 +164,7 @@ bool OutputFiles::openDirectory(const Place& place, std::string& error) {
 }
 
 bool OutputFiles::openFile(Place& place, std::string& error) {
+    if (place.isStandardOutput) { return true; }
     std::error_code ignored;
     const bool existed = fs::exists(place.path, ignored);
     errno = 0;
@@ -159,9 +177,10 @@ bool OutputFiles::openFile(Place& place, std::string& error) {
     return true;
 }
 
-std::ofstream* OutputFiles::stream(const std::string& path) {
+std::ostream* OutputFiles::stream(const std::string& path) {
     for (Place& place : files_) {
-        if (!path.empty() && place.path == path) { return &place.stream; }
+        if (path.empty() || place.path != path) { continue; }
+        return place.isStandardOutput ? &std::cout : static_cast<std::ostream*>(&place.stream);
     }
     return nullptr;
 }
@@ -180,6 +199,7 @@ bool OutputFiles::close(std::string& error) {
 
 void OutputFiles::discard() {
     for (Place& place : files_) {
+        if (place.isStandardOutput) { continue; }
         place.stream.close();
         if (isBegun_ && !isDevice(place.path)) { removeBegunFile(place.path); }
     }

@@ -16,18 +16,22 @@ public:
     void protect(const std::string& path);
     /// @param flag  the option that named it, for errors. An empty path is no output and is left out.
     void addFile(const std::string& flag, const std::string& path);
+    /// The same, but "-" is standard output: for one file of a command, which then tells nothing else there. Whether
+    /// that could be written is for the program to see, as ever.
+    void addStream(const std::string& flag, const std::string& path);
     /// A directory for many files; it and its missing parents are created.
     /// @param writes  whether the command writes a file of this name there: then nothing else may be that file.
     void addDirectory(const std::string& flag, const std::string& path,
                       std::function<bool(const std::string& name)> writes = {});
     /// The first part of `open`, for files that are written later. @return false, and one line in `error`, when one of
-    /// them is protected, two options name the same one, or one is standard output, which gets what the command tells.
+    /// them is protected, two options name the same one, or one is standard output, which gets what the command tells
+    /// (unless it is a stream).
     bool refuseClashes(std::string& error) const;
     /// @return false, and one line in `error`, when some place cannot be written, or of the reasons above.
     bool open(std::string& error);
     /// The open file of a path given to `addFile`; null for an empty path. Files written by others (pictures) are
     /// simply not asked for: they stay empty until the other overwrites them.
-    std::ofstream* stream(const std::string& path);
+    std::ostream* stream(const std::string& path);
     /// Closes all files.
     /// @return false, and one line in `error`, when something could not be written (a full disk): then all is
     /// discarded.
@@ -42,6 +46,7 @@ private:
         std::string path;
         std::ofstream stream;
         std::function<bool(const std::string& name)> writes{};  ///< of a directory
+        bool isStandardOutput = false;                          ///< then nothing is opened, closed or taken away
     };
     const Place* directoryWriting(const std::string& file) const;
     bool openDirectory(const Place& place, std::string& error);
