@@ -83,6 +83,8 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
     expectRefused({"inspect", scene_, "--json", "-"}, "--json -: cannot write to standard output");
     expectRefused({"tune", scene_, "--max-error", "penetration=1", "--out", "-"},
                   "--out -: cannot write to standard output");
+    expectRefused({"tune", scene_, "--ablate", "--max-error", "penetration=1", "--out", scene_ + "/below"},
+                  "--out " + scene_ + "/below: cannot be made a directory");
     expectRefused({"envelope", "--coarse", "--out", "-"}, "--out -: cannot write to standard output");
     expectRunRefused({scene_, "--csv", scene_}, "would overwrite the input");
     EXPECT_EQ(in_.read("ball.json"), kBallScene);

@@ -236,6 +236,10 @@ int tuneScene(const TuneArguments& arguments) {
     if (!arguments.ablate && !readRows(store, subject, arguments.gather, there, known, error)) {
         return refuseOnce(error);
     }
+    // No minute of computing ends at a place that cannot be written.
+    OutputFiles results;
+    results.addDirectory("--out", task.directory);
+    if (isFirst && !results.open(error)) { return refuseOnce(error); }
     tune::ProgressBar bar("tuning " + task.source, isFirst);
     tune::LazyReference reference(subject);
     if (!known.hasReference) {
@@ -247,6 +251,7 @@ int tuneScene(const TuneArguments& arguments) {
     error = tune::whyMeaningless(subject, task.options.limits, known);
     if (!error.empty() || (isFirst && !arguments.ablate && !store.open(error))) {
         bar.clear();
+        results.discard();
         return refuseOnce(error);
     }
     if (isFirst) {
