@@ -71,7 +71,7 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
     glance.reach = reachFrom(body, glance.center, glance.ahead);
     if (body.isDynamic()) {
         const BodyMotion& motion = world.motions[slot];
-        glance.isFast = isFast(world, body, glance.motion);
+        glance.isFast = body.extent > 0 && glance.motion > kFastRatio * body.extent;
         glance.velocity = motion.velocity;
         glance.pull = accelerationOf(world, body);
         glance.swing = std::fabs(motion.angularVelocity) * body.radius;

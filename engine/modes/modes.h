@@ -18,11 +18,10 @@ inline ContinuousMode modeOf(const WorldState& world, const Body& body) {
 /// Whether fast bodies of this mode are swept against what they may hit.
 constexpr bool isSwept(ContinuousMode mode) { return mode == ContinuousMode::stop || mode == ContinuousMode::subStep; }
 
-/// Whether a body is fast of which some point may move so far in the step, metres.
-inline bool isFast(const WorldState& world, const Body& body, Real motion) {
-    if (motion > kFastRatio * body.extent) { return body.extent > 0; }
-    const bool mayBeFree = world.bulletBodies > 0 && !body.hasContact && body.holdingJoints == 0;
-    if (!mayBeFree || !(motion > kFastBulletRatio * body.extent)) { return false; }
+/// Whether a body is a bullet that flies freely, and fast as such. @param motion  of some point in the step, metres
+inline bool isFastFreeBullet(const WorldState& world, const Body& body, Real motion) {
+    const bool isFree = !body.hasContact && body.holdingJoints == 0;
+    if (!isFree || !(motion > kFastBulletRatio * body.extent)) { return false; }
     return body.isDynamic() && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep && body.extent > 0;
 }
 

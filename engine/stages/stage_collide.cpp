@@ -32,6 +32,14 @@ void noteSome(WorldState& world, std::span<const std::uint32_t> awake, bool have
     }
 }
 
+/// After the motions of all that is awake.
+void noteFreeBullets(WorldState& world) {
+    for (const std::uint32_t slot : world.awake) {
+        BodyGlance& glance = world.glances[slot];
+        if (isFastFreeBullet(world, world.bodies[slot], glance.motion)) { glance.isFast = true; }
+    }
+}
+
 /// Of all that is awake, while one worker takes up the new pairs. What these release is awake then, too.
 void noteMotions(WorldState& world, bool haveContacts) {
     const std::span<const std::uint32_t> awake = world.awake;
@@ -43,6 +51,7 @@ void noteMotions(WorldState& world, bool haveContacts) {
         *world.loops, [&world] { addPairs(world); }, before, kNoteGrain, note);
     releaseMet(world);
     noteSome(world, std::span(world.awake).subspan(before), haveContacts);
+    if (haveContacts && world.bulletBodies > 0) { noteFreeBullets(world); }
 }
 
 /// `contactReach` of one side. @tparam kWatched  whether the world is: that of speculative bodies is not what was noted

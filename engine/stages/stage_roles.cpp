@@ -42,13 +42,24 @@ void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     // What just woke has no bound yet.
     const Real known = world.glances[slot].motion;
     const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
-    body.fast = isFast(world, body, bound);
+    body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
     const bool isAtRest = isStill(body, motion, restSpeed, dt);
     if (!isAtRest) { body.soughtSteps = 0; }
     world.traits[slot] = static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) |
                                                  (body.fast ? kIsFast : 0) | (isAtRest ? kIsStill : 0));
     body.startCenter = motion.center;
     body.startAngle = motion.angle;
+}
+
+/// @param awake  that were reset
+void speedUpFreeBullets(WorldState& world, std::span<const std::uint32_t> awake, Real dt) {
+    for (const std::uint32_t slot : awake) {
+        const Real known = world.glances[slot].motion;
+        Body& body = world.bodies[slot];
+        if (!isFastFreeBullet(world, body, known < 0 ? motionBound(world, slot, dt) : known)) { continue; }
+        body.fast = true;
+        world.traits[slot] = static_cast<BodyTraits>(world.traits[slot] | kIsFast);
+    }
 }
 
 void startle(WorldState& world, const Contact& contact, Real dt) {
@@ -149,6 +160,7 @@ void resetBodies(WorldState& world, std::span<const std::uint32_t> awake, Real d
         fetchForReset(world, awake.subspan(i));
         resetBody(world, awake[i], restSpeed, dt);
     }
+    if (world.bulletBodies > 0) { speedUpFreeBullets(world, awake, dt); }
 }
 
 void assignRoles(WorldState& world, Real dt) {
