@@ -8,6 +8,7 @@
 #include "../modes/modes.h"
 #include "../solve/tied_group.h"
 #include "../state/profile.h"
+#include "cut_motion.h"
 #include "island_contacts.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -185,16 +186,11 @@ bool isSweptMember(const WorldState& world, std::uint32_t slot, double share) {
     return isSwept(modeOf(world, body)) && (body.startled || movedFast(world, slot, share));
 }
 
-/// All members stand where they were at a fraction of the part, and did not fall in the rest of it.
+/// All members stand where they were at a fraction of the part.
 void cutPart(Course& course, double time, double fraction) {
-    AdvancingIsland& island = course.island;
+    const AdvancingIsland& island = course.island;
     for (std::size_t i = 0; i < island.members.size(); ++i) {
-        const BodyMotion& before = island.membersBefore[i];
-        BodyMotion& motion = course.world.motions[island.members[i]];
-        motion.center = before.center + fraction * (motion.center - before.center);
-        motion.angle = before.angle + fraction * (motion.angle - before.angle);
-        updatePose(course.world, island.members[i]);
-        takeBackFall(course.world, island.members[i], (1 - fraction) * time);
+        cutMotion(course.world, island.members[i], island.membersBefore[i], time, fraction);
     }
 }
 

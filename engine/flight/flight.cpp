@@ -220,6 +220,16 @@ void flyThrough(Flight& flight) {
     }
 }
 
+/// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it
+/// moves along it. Kept, that speed would be energy without a height to pay for it.
+void takeBackFall(WorldState& world, std::uint32_t slot, double seconds) {
+    Vec2& velocity = world.motions[slot].velocity;
+    const Vec2 acceleration = accelerationOf(world, world.bodies[slot]);
+    const Real along = dot(velocity, acceleration);
+    if (!(along > 0)) { return; }
+    velocity -= std::min(static_cast<Real>(seconds), along / lengthSquared(acceleration)) * acceleration;
+}
+
 }  // namespace
 
 Real Flight::threshold() const { return bounceThreshold(*world, body(), static_cast<Real>(dt)); }
@@ -341,14 +351,6 @@ void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratc
     flyThrough(flight);
     limitSpeed(flight);
     world.motions[slot] = flight.motion;
-}
-
-void takeBackFall(WorldState& world, std::uint32_t slot, double seconds) {
-    Vec2& velocity = world.motions[slot].velocity;
-    const Vec2 acceleration = accelerationOf(world, world.bodies[slot]);
-    const Real along = dot(velocity, acceleration);
-    if (!(along > 0)) { return; }
-    velocity -= std::min(static_cast<Real>(seconds), along / lengthSquared(acceleration)) * acceleration;
 }
 
 void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, LostTimeReason reason,

@@ -97,8 +97,5 @@ void fly(WorldState& world, std::uint32_t body, double dt, FlightScratch& scratc
 /// share of its path that it missed does.
 void clampAtImpact(WorldState& world, std::uint32_t body, const StepPart& part, LostTimeReason reason,
                    FlightScratch& scratch);
-/// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it
-/// moves along it. Kept, that speed would be energy without a height to pay for it.
-void takeBackFall(WorldState& world, std::uint32_t slot, double seconds);
 
 }  // namespace swept::inline SWEPT_PRECISION
