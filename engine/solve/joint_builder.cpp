@@ -6,6 +6,7 @@
 
 #include "../state/profile.h"
 #include "driven_joints.h"
+#include "motor_stop.h"
 #include "rest_springs.h"
 #include "step_change.h"
 
@@ -87,6 +88,7 @@ struct ConstraintFiller {
     void operator()(RevoluteConstraint& constraint, const RevoluteJointDef& def) const {
         constraint.baseAngle = baseAngle();
         fillFreedom(constraint, def, h);
+        endAtLimits(constraint, constraint.baseAngle, dt);
     }
     void operator()(DistanceConstraint& constraint, const DistanceJointDef& def) const {
         constraint.length = joint.length;
@@ -105,6 +107,7 @@ struct ConstraintFiller {
         fillLimits(constraint, def.limits);
         fillMotor(constraint, def.motor, def.motor ? def.motor->maxForce : Real(0));
         fillSpring(constraint, def.spring);
+        endAtLimits(constraint, translationOf(world, joint), dt);
     }
     void operator()(WheelConstraint& constraint, const WheelJointDef& def) const {
         constraint.axis = axisOf(world, joint);
@@ -281,10 +284,11 @@ RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source
     return constraint;
 }
 
-FreedomParts hingeParts(const Joint& joint, Real h) {
+FreedomParts hingeParts(const Joint& joint, Real angle, Real h, Real dt) {
     const auto& part = *std::get_if<HingePart>(&joint.parts);
     FreedomParts parts = rememberedOf(joint, part);
     fillFreedom(parts, part.def, h);
+    endAtLimits(parts, angle, dt);
     dropUnused(parts);
     return parts;
 }

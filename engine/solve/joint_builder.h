@@ -9,8 +9,9 @@ namespace swept::inline SWEPT_PRECISION {
 void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt);
 
 /// The same of hinges, one by one (tied_hinges.h): the whole constraint, or what it has beside its point.
+/// @param angle  of the joint now, rad
 RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt);
-FreedomParts hingeParts(const Joint& joint, Real h);
+FreedomParts hingeParts(const Joint& joint, Real angle, Real h, Real dt);
 
 /// Of what joints hold. @param effort  of the bodies
 Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt);

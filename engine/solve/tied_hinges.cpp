@@ -63,7 +63,9 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
               .softness = softness_,
               .impulse = joint.hinge.point},
              batch.inertias[link.slotA], batch.inertias[link.slotB]);
-    if (block.parts.any()) { fillParts(block, lane, hingeParts(joint, h_), static_cast<Real>(angleOf(world_, joint))); }
+    if (!block.parts.any()) { return; }
+    const auto angle = static_cast<Real>(angleOf(world_, joint));
+    fillParts(block, lane, hingeParts(joint, angle, h_, dt_), angle);
 }
 
 void TiedHinges::fetchAhead(std::size_t i) const {
