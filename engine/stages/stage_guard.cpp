@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "../contacts/parked_contacts.h"
 #include "../solve/joint_builder.h"
 #include "../state/number_range.h"
 #include "step.h"
@@ -19,7 +20,8 @@ bool isSound(const BodyMotion& motion) {
            isInRange(static_cast<double>(motion.angularVelocity));
 }
 
-/// Impulses to start from, and points, that belong to a state that is gone.
+/// Impulses to start from, and points, that belong to a state that is gone. @pre no contact of the body is parked:
+/// those with points are counted
 void forgetContactsOf(WorldState& world, std::uint32_t slot) {
     for (Contact& contact : world.contacts) {
         if (contact.bodyA != slot && contact.bodyB != slot) { continue; }
@@ -89,6 +91,7 @@ std::vector<bool> findOverflown(const WorldState& world) {
 void putBackOverflown(WorldState& world) {
     if (areSound(world)) { return; }
     const std::vector<bool> isOverflown = findOverflown(world);
+    if (!world.parked.woken.empty()) { unparkContacts(world); }  // of what a bullet woke in this step
     for (const std::uint32_t slot : world.awake) {
         if (isOverflown[slot]) { putBack(world, slot); }
     }

@@ -176,6 +176,33 @@ TEST(FreeFlight, OnlyWhatLeavesTheRangeIsPutBack) {
     EXPECT_EQ(velocityOf(world, leaver).x, 0);
 }
 
+/// A sleeper that is struck out of the range of numbers has contacts again, before they lose their points.
+TEST(FreeFlight, WhatIsPutBackTouchesAsMuchAsBefore) {
+    WorldSettings settings = awakeSettings();
+    settings.sleep = true;
+    settings.profile = Profile::fast;
+    World world = makeWorld(settings);
+    addStatic(world, box(50, 1), {}, {0, -1});
+    const BodyId struck = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.6, 1, 0.001));
+    addBody(world, dynamicAt({20, 0.5}), box(0.5, 0.5));
+    run(world, 200);
+    ASSERT_FALSE(world.isAwake(struck));
+    ASSERT_EQ(world.counters().touching, 2U);
+    for (int i = 0; i < 3; ++i) {
+        BodyDef def = dynamicAt({-3, 0.5}, {real(0.97 * kLargestNumber), 0});
+        def.gravityScale = 0;
+        def.bullet = true;
+        const BodyId bullet = addBody(world, def, circle(0.2), material(0.6, 1, 1000));
+        must(world.step(kStep));
+        const std::span<const BodyId> back = world.bodiesPutBack();
+        ASSERT_TRUE(std::find(back.begin(), back.end(), struck) != back.end()) << "shot " << i;
+        must(world.destroyBody(bullet));
+        run(world, 300);
+        EXPECT_FALSE(world.isAwake(struck)) << "shot " << i;
+        EXPECT_EQ(world.counters().touching, 2U) << "shot " << i;
+    }
+}
+
 /// No kind of broadphase takes what flies alone for ground in its own way.
 TEST(FreeFlight, IsTheSameToTheBitWithEveryBroadphase) {
     for (int i = 0; i < 50; ++i) {
