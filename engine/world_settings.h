@@ -24,8 +24,9 @@ struct WorldSettings {
     int subSteps = 0;      ///< 1 … 1024; 0: the profile's
     int relaxPasses = -1;  ///< per sub-step, 0 … 64; −1: the profile's
     ContinuousMode continuous = ContinuousMode::subStep;
-    int maxImpacts = 64;                                    ///< per body and step, at least 1
-    Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s, greater than 0
+    int maxImpacts = 64;  ///< per body and step, at least 1
+    /// m/s, greater than 0; of dynamic bodies: faster ones are slowed to it. Kinematic ones move as they are told.
+    Real maxSpeed = std::numeric_limits<Real>::infinity();
     /// Errors that are accepted. Each island then gets the sub-steps that keep them (effort_budget.h): from a quarter
     /// of those above up to 64; what has no budget gets no worse. Beyond them is counted: `overPenetration` and its
     /// like.

@@ -24,11 +24,24 @@ void findRotations(std::span<const double> angles, std::span<Rotation> rotations
     for (std::size_t i = 0; i < angles.size(); ++i) { rotations[i] = rotationFromAngle(angles[i]); }
 }
 
+namespace {
+
+/// @return whether the speed was cut
 bool limitSpeed(BodyState& body, Real maxSpeed) {
     const Real speed = length(body.velocity);
     if (!(speed > maxSpeed)) { return false; }
     body.velocity = (maxSpeed / speed) * body.velocity;
     return true;
+}
+
+}  // namespace
+
+int limitSpeeds(SolverBatch& batch, Real maxSpeed, std::size_t begin, std::size_t end) {
+    int limited = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        limited += isMovable(batch.inertias[i]) && limitSpeed(batch.states[i], maxSpeed) ? 1 : 0;
+    }
+    return limited;
 }
 
 int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, std::size_t end) {
@@ -39,9 +52,7 @@ int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, st
         body.angularVelocity = drive.angularDecay * body.angularVelocity + drive.angularGain;
     }
     if (!(maxSpeed < std::numeric_limits<Real>::infinity())) { return 0; }
-    int limited = 0;
-    for (std::size_t i = begin; i < end; ++i) { limited += limitSpeed(batch.states[i], maxSpeed) ? 1 : 0; }
-    return limited;
+    return limitSpeeds(batch, maxSpeed, begin, end);
 }
 
 namespace {
@@ -84,9 +95,11 @@ bool integrateAndRepeat(BodyState& body, const BodyDrive& drive, Real maxSpeed, 
 
 template <bool kIsFirst>
 int integrateAndRepeat(SolverBatch& batch, Real maxSpeed, RawVector<Speeds>& free, std::size_t begin, std::size_t end) {
+    constexpr Real kNone = std::numeric_limits<Real>::infinity();
     int limited = 0;
     for (std::size_t i = begin; i < end; ++i) {
-        limited += integrateAndRepeat<kIsFirst>(batch.states[i], batch.drives[i], maxSpeed, free[i]) ? 1 : 0;
+        const Real own = !(maxSpeed < kNone) || isMovable(batch.inertias[i]) ? maxSpeed : kNone;
+        limited += integrateAndRepeat<kIsFirst>(batch.states[i], batch.drives[i], own, free[i]) ? 1 : 0;
     }
     return limited;
 }

@@ -12,9 +12,10 @@ namespace swept::inline SWEPT_PRECISION {
 /// The first half of a state: as many numbers as a register of 16 or 32 bytes holds, of which the last one is no speed.
 using Speeds = std::array<Real, 4>;
 
+/// Of some slots, what can be moved: the others move as they are told.
 /// @param maxSpeed  m/s
-/// @return whether the speed was cut
-bool limitSpeed(BodyState& body, Real maxSpeed);
+/// @return how many speeds were cut
+int limitSpeeds(SolverBatch& batch, Real maxSpeed, std::size_t begin, std::size_t end);
 
 /// Drives of a whole sub-step, or of half a one, of some slots. @return how many speeds were cut
 int integrateVelocities(SolverBatch& batch, Real maxSpeed, std::size_t begin, std::size_t end);

@@ -378,7 +378,7 @@ SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& setti
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
     islands_.solve(batch, h, settings.subSteps, loops, report);
     if (settings.maxSpeed < std::numeric_limits<Real>::infinity()) {
-        for (BodyState& body : batch.states) { report.speedsLimited += limitSpeed(body, settings.maxSpeed) ? 1 : 0; }
+        report.speedsLimited += limitSpeeds(batch, settings.maxSpeed, 0, batch.states.size());
     }
     return report;
 }

@@ -27,7 +27,7 @@ struct SolverSettings {
     int subSteps = 1;                                       ///< at least 1
     int relaxPasses = 1;                                    ///< per sub-step, at least 0
     Real restitutionThreshold = 0;                          ///< slower approaches do not bounce, m/s
-    Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s
+    Real maxSpeed = std::numeric_limits<Real>::infinity();  ///< m/s, of what can be moved
     bool joints = true;                                     ///< false: the batch holds none, and they cost nothing
     /// false: no contact there has restitution, likewise; of a batch with links those that have are alone
     bool bounces = true;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "../contacts/contact_fetch.h"
@@ -56,9 +55,9 @@ double wayLeft(Real speed, Real damping) {
 /// still for a moment where it turns back.
 bool staysByItself(const WorldState& world, const Body& body, const BodyMotion& motion) {
     if (accelerationOf(world, body) != Vec2{}) { return false; }  // a torque is over with its step
-    const double way = wayLeft(length(motion.velocity), body.def.linearDamping) +
-                       static_cast<double>(body.radius) *
-                           wayLeft(std::fabs(motion.angularVelocity), body.def.angularDamping);
+    const double way =
+        wayLeft(length(motion.velocity), body.def.linearDamping) +
+        static_cast<double>(body.radius) * wayLeft(std::fabs(motion.angularVelocity), body.def.angularDamping);
     return way <= static_cast<double>(kRestRatio * body.extent);
 }
 
@@ -139,11 +138,10 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
     ++world.counters.fellAsleep;
 }
 
-/// A kinematic body got where the box of its step ends, unless its speed was cut. The next step makes the box for what
-/// it moves then, before anything looks at it.
+/// A kinematic body got where the box of its step ends. The next step makes the box for what it moves then, before
+/// anything looks at it.
 bool isInBoxOfStep(const WorldState& world, std::uint32_t slot) {
-    return world.bodies[slot].def.type == BodyType::kinematic &&
-           !(world.settings.maxSpeed < std::numeric_limits<Real>::infinity());
+    return world.bodies[slot].def.type == BodyType::kinematic;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "../crew/shared_choice.h"
@@ -43,12 +44,13 @@ constexpr std::size_t kFreeGrain = 64;
 constexpr std::size_t kJointGrain = 256;
 
 /// Exact solution of v′ = a − c·v, ω′ = α − c·ω over dt. Touches the body's own motion alone. @return how often its
-/// speed was cut
+/// speed was cut: never of what is kinematic, which all others of the step took to move as it was told
 std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     const Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
-    std::uint64_t limited = limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
     const bool dynamic = body.isDynamic();
+    const Real maxSpeed = dynamic ? world.settings.maxSpeed : std::numeric_limits<Real>::infinity();
+    std::uint64_t limited = limitSpeed(motion.velocity, maxSpeed) ? 1 : 0;
     const DampedMotion linear = dampedMotion(dynamic ? static_cast<double>(body.def.linearDamping) * dt : 0);
     const DampedMotion angular = dampedMotion(dynamic ? static_cast<double>(body.def.angularDamping) * dt : 0);
     const DVec2 acceleration = dynamic ? toDouble(accelerationOf(world, body)) : DVec2{};
@@ -60,7 +62,7 @@ std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
     motion.angle += angular.phi1 * dt * spin + angular.phi2 * dt * dt * angularAcceleration;
     motion.velocity = toReal(linear.decay * velocity + (linear.phi1 * dt) * acceleration);
     motion.angularVelocity = static_cast<Real>(angular.decay * spin + angular.phi1 * dt * angularAcceleration);
-    limited += limitSpeed(motion.velocity, world.settings.maxSpeed) ? 1 : 0;
+    limited += limitSpeed(motion.velocity, maxSpeed) ? 1 : 0;
     if (motion.angle == angleBefore) {  // much of what flies does not turn, and sines and cosines are most of a pose
         motion.pose = poseOf(motion.center, motion.pose.rotation, body.localCenter);
     } else {
@@ -281,7 +283,7 @@ void solveTiedBodies(WorldState& world, double dt) {
 void moveKinematicBodies(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
         if (world.bodies[slot].def.type != BodyType::kinematic) { continue; }
-        world.counters.speedsLimited += moveFreely(world, slot, dt);
+        moveFreely(world, slot, dt);
     }
 }
 

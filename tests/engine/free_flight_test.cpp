@@ -148,6 +148,51 @@ TEST(FreeFlight, TheUsersMaxSpeedIsKeptAndReported) {
     EXPECT_GT(velocityOf(world, hit).x, 0.9 * kLimit);
 }
 
+/// What is kinematic moves as it is told, for all others of the step as well: a ball meets a plate where that goes.
+TEST(FreeFlight, MaxSpeedSlowsNothingKinematic) {
+    WorldSettings settings = awakeSettings(0);
+    settings.maxSpeed = 10;
+    World world = makeWorld(settings);
+    const BodyId plate = addBody(world, bodyAt(BodyType::kinematic, {0, 0}), box(0.1, 2));
+    const BodyId ball = addBody(world, dynamicAt({1, 0}, vec(-9, 0)), circle(0.1), material(0, 1));
+    must(world.setVelocity(plate, vec(100, 0), 0));
+    int hits = 0;
+    for (int i = 1; i <= 6; ++i) {
+        const double target = i > 3 ? 2.0 * i - 1 : 100 * i * kStep;
+        if (i > 3) { must(world.driveTo(plate, {target, 0}, 0, kStep)); }
+        must(world.step(kStep));
+        EXPECT_NEAR(world.position(plate).x, target, 1e-5) << "step " << i;
+        EXPECT_GT(world.position(ball).x, target) << "step " << i;
+        EXPECT_LE(length(velocityOf(world, ball)), 10 * (1 + 1e-6)) << "step " << i;
+        for (const ContactEvent& event : world.contactEvents()) {
+            if (event.type != ContactEventType::hit) { continue; }
+            ++hits;
+            EXPECT_LE(event.point.x, target + 0.11) << "step " << i;
+        }
+    }
+    EXPECT_GE(hits, 1);
+}
+
+/// Nor does a solve slow it: a crate lies on a platform that slides away under it.
+TEST(FreeFlight, MaxSpeedSlowsNoPlatformInASolve) {
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        WorldSettings settings = awakeSettings();
+        settings.maxSpeed = 10;
+        settings.profile = profile;
+        World world = makeWorld(settings);
+        const BodyId platform = addBody(world, bodyAt(BodyType::kinematic, {0, -0.5}), box(100, 0.5), material(0));
+        const BodyId crate = addBody(world, dynamicAt({0, 0.5}, vec(1, 0)), box(0.5, 0.5), material(0));
+        must(world.setVelocity(platform, vec(20, 0), 0));
+        for (int i = 1; i <= 6; ++i) {
+            must(world.step(kStep));
+            EXPECT_EQ(world.counters().solvedBodies, 1U) << "step " << i;
+            EXPECT_EQ(world.counters().speedsLimited, 0U) << "step " << i;
+            EXPECT_NEAR(world.position(platform).x, 20 * i * kStep, 1e-5) << "step " << i;
+        }
+        EXPECT_NEAR(velocityOf(world, crate).x, 1, 1e-5);
+    }
+}
+
 TEST(FreeFlight, GravityScaleScales) {
     World world = makeWorld();
     BodyDef def = dynamicAt({});
