@@ -245,6 +245,8 @@ void findPartners(WorldState& world, double dt) {
     BulletWork& work = world.bulletWork;
     for (const std::uint32_t slot : work.slots) { work.indices[slot] = kNoIndex; }
     work.indices.resize(world.motions.size(), kNoIndex);
+    work.pressed.resize(world.motions.size());
+    work.isPressedListed = false;
     work.finds.resize(world.flightScratch.size());
     work.slots.clear();
     work.partners.clear();

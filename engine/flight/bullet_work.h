@@ -69,9 +69,12 @@ struct BulletWork {
     std::vector<std::uint32_t> places;  ///< by partner, in the tree
     WideTree tree;                      ///< of the boxes
     std::vector<BulletFinds> finds;     ///< by worker
-    Real drift = 0;                     ///< no body that is none of the early partners leaves its box farther, metres
-    Real farthest = 0;                  ///< how far any body gets at the speed that it has as the step begins, metres
-    bool areSomeAtRest = false;         ///< bullets that look for nobody: they sleep, or hardly move
+    /// By body: some contact pressed it in the solve of this step. Listed when somebody asks.
+    std::vector<std::uint8_t> pressed;
+    bool isPressedListed = false;
+    Real drift = 0;              ///< no body that is none of the early partners leaves its box farther, metres
+    Real farthest = 0;           ///< how far any body gets at the speed that it has as the step begins, metres
+    bool areSomeAtRest = false;  ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 
     // Scratch.

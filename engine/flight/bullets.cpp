@@ -26,21 +26,45 @@ BulletPartner& partnerIn(WorldState& world, std::uint32_t slot) {
     return world.bulletWork.partners[world.bulletWork.indices[slot]];
 }
 
+/// Bodies keep no lists of their contacts: one look at all that touch does for all bodies.
+void listPressed(WorldState& world) {
+    BulletWork& work = world.bulletWork;
+    std::fill(work.pressed.begin(), work.pressed.end(), std::uint8_t{0});
+    for (const TouchingPair& pair : world.touching) {
+        if (!world.contacts[pair.contact].pressed) { continue; }
+        work.pressed[pair.bodyA] = work.pressed[pair.bodyB] = 1;
+    }
+    work.isPressedListed = true;
+}
+
+/// Of a body that was solved, whether a contact did anything to it in this step: what it had may have been in reach
+/// alone.
+bool wasPressed(WorldState& world, std::uint32_t slot) {
+    if (!world.bulletWork.isPressedListed) { listPressed(world); }
+    return world.bulletWork.pressed[slot] != 0;
+}
+
+void setVelocity(BodyMotion& motion, const FreeVelocity& velocity) {
+    motion.velocity = velocity.linear;
+    motion.angularVelocity = velocity.angular;
+}
+
 /// Its velocity is that of the end of the step, with all that forces and damping do till then, which its flight does
 /// once more. Of what is on the ground gravity does nothing; else the solver did what else there was.
-void takeBackRest(const WorldState& world, BulletPartner& partner, double time) {
+void takeBackRest(WorldState& world, BulletPartner& partner, double time) {
     Flight& flight = partner.flight;
     const Body& body = flight.body();
     BodyMotion& motion = flight.motion;
     if (body.role == BodyRole::free) {
         const Drift whole = driftOf(world, body, flight.dt);
         const double turn = partner.path.a1 - partner.path.a0;
-        const FreeVelocity start = velocityBefore(partner.path.c1 - partner.path.c0, turn, whole);
-        motion.velocity = start.linear;
-        motion.angularVelocity = start.angular;
-        const FreeVelocity now = velocityAfter(motion, driftOf(world, body, time));
-        motion.velocity = now.linear;
-        motion.angularVelocity = now.angular;
+        setVelocity(motion, velocityBefore(partner.path.c1 - partner.path.c0, turn, whole));
+        setVelocity(motion, velocityAfter(motion, driftOf(world, body, time)));
+        return;
+    }
+    if (body.role == BodyRole::solved && !wasPressed(world, flight.slot)) {
+        // Not by its path: a solver that goes in sub-steps leaves the parabola.
+        setVelocity(motion, velocityBefore(motion, driftOf(world, body, flight.dt - time)));
         return;
     }
     const auto rest = static_cast<Real>(flight.dt - time);

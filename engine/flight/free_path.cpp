@@ -8,6 +8,9 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+/// Of a speed, after damping: by less than that nothing is multiplied back.
+constexpr double kLeastDecay = 0x1p-10;
+
 /// Whether no box of anything static or kinematic is near a path.
 bool isClear(const WorldState& world, const Body& body, const Sweep& path) {
     return std::all_of(body.shapes.begin(), body.shapes.end(), [&](std::uint32_t slot) {
@@ -52,6 +55,19 @@ FreeVelocity velocityBefore(DVec2 way, double turn, const Drift& drift) {
     const double bySpin = turn - drift.angular.phi2 * time * time * drift.angularAcceleration;
     return {toReal(1 / (drift.linear.phi1 * time) * byVelocity),
             static_cast<Real>(bySpin / (drift.angular.phi1 * time))};
+}
+
+FreeVelocity velocityBefore(const BodyMotion& end, const Drift& drift) {
+    FreeVelocity start{end.velocity, end.angularVelocity};
+    if (drift.linear.decay >= kLeastDecay) {
+        const DVec2 gain = (drift.linear.phi1 * drift.time) * drift.acceleration;
+        start.linear = toReal(1 / drift.linear.decay * (toDouble(end.velocity) - gain));
+    }
+    if (drift.angular.decay >= kLeastDecay) {
+        const double gain = drift.angular.phi1 * drift.time * drift.angularAcceleration;
+        start.angular = static_cast<Real>((static_cast<double>(end.angularVelocity) - gain) / drift.angular.decay);
+    }
+    return start;
 }
 
 FreeVelocity velocityAfter(const BodyMotion& motion, const Drift& drift) {

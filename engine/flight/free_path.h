@@ -25,6 +25,9 @@ Drift driftOf(const WorldState& world, const Body& body, double time);
 Sweep freePath(const Body& body, const BodyMotion& motion, const Drift& drift);
 /// With which a body began that got so far, and turned so far (rad), by its end.
 FreeVelocity velocityBefore(DVec2 way, double turn, const Drift& drift);
+/// With which it began that moves so at the end of the drift. What damping left next to nothing of moves so all the
+/// time: the rest of it is rounding.
+FreeVelocity velocityBefore(const BodyMotion& end, const Drift& drift);
 /// At the end of the drift.
 FreeVelocity velocityAfter(const BodyMotion& motion, const Drift& drift);
 

@@ -54,6 +54,34 @@ TEST(BulletStrikes, OfAFeatherChangeNothing) {
     }
 }
 
+/// Above ground that it has contact points with, but does not press, gravity and damping count as they do in flight.
+TEST(BulletStrikes, AboveGroundCountNothingTwice) {
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const double damping : {0.0, 10.0}) {
+            for (const double speed : {2.0, 4.0}) {
+                for (const double late : {0.1, 0.5, 0.9}) {
+                    WorldSettings settings = awakeSettings();
+                    settings.profile = profile;
+                    World world = makeWorld(settings);
+                    addStatic(world, box(50, 1), material(0), {0, -1});
+                    BodyDef def = dynamicAt({0, 0.52}, vec(0, speed), 0);
+                    def.linearDamping = def.angularDamping = real(damping);
+                    const BodyId body = addBody(world, def, box(0.5, 0.5), material(0));
+                    World alone = world;
+                    shoot(world, {-0.6 - 600 * kStep * late, 0.52 + speed * kStep * late}, vec(600, 0), 0.01);
+                    run(world, 1);
+                    run(alone, 1);
+                    const std::string what = "damping " + std::to_string(damping) + ", " + std::to_string(speed) +
+                                             " m/s, struck at about " + std::to_string(late);
+                    ASSERT_EQ(alone.counters().solvedBodies, 1U) << what;
+                    EXPECT_GT(world.velocity(body).x, 0.1) << what << ": not struck";
+                    EXPECT_NEAR(world.velocity(body).y, alone.velocity(body).y, 2e-5) << what;
+                }
+            }
+        }
+    }
+}
+
 /// However long it rested, and however little of the step is left: the momentum stays.
 TEST(BulletStrikes, MoveWhatRestedLong) {
     for (const int rested : {1, 20, 70, 300}) {
