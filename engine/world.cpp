@@ -207,8 +207,9 @@ Status World::configure(const WorldSettings& settings) {
     const bool isForbidden = world.settings.sleep && !settings.sleep;
     if (isOtherPull || isForbidden) { wakeAll(world); }
     if (isOtherPull || (settings.sleep && !world.settings.sleep)) { restAnew(world); }
-    changeSubSteps(world, subStepsOf(world.settings), subStepsOf(settings));
+    const int before = subStepsOf(world.settings);
     world.settings = settings;
+    changeSubSteps(world, before);
     return Status::success();
 }
 

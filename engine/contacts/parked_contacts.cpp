@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "../state/profile.h"
 #include "../state/world_state.h"
+#include "impulse_growth.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -41,6 +43,30 @@ std::span<const std::uint32_t> placesOfWoken(WorldState& world, const ParkedPair
     return places;
 }
 
+ParkedImpulses impulsesOf(const WorldState& world, const ContactProbe& probe) {
+    const Contact& contact = world.contacts[probe.contact];
+    return {.dt = world.lastDt,
+            .subSteps = subStepsOf(world.settings),
+            .wasStill = wasStill(contact, world.bodies[probe.bodyA], world.bodies[probe.bodyB])};
+}
+
+void park(WorldState& world, const ContactProbe& probe) {
+    ParkedContacts& parked = world.parked;
+    const std::uint32_t place = parked.probes.add(probe);
+    if (place >= parked.impulses.size()) { parked.impulses.resize(place + 1); }
+    parked.impulses[place] = impulsesOf(world, probe);
+}
+
+/// By the same arithmetic as those of what is not parked (step_change.cpp).
+void renewImpulses(WorldState& world, std::uint32_t place) {
+    const ParkedImpulses& before = world.parked.impulses[place];
+    const int subSteps = subStepsOf(world.settings);
+    if ((before.dt == world.lastDt && before.subSteps == subSteps) || !(before.dt > 0)) { return; }
+    const double ratio = static_cast<double>(subSteps) / before.subSteps;
+    Contact& contact = world.contacts[world.parked.probes[place].contact];
+    scaleToSubStep(contact, static_cast<Real>(world.lastDt / before.dt * (1 / ratio)), before.wasStill);
+}
+
 /// What is parked next takes the places from the first one on.
 template <class Pair>
 void erase(ParkedPairs<Pair>& pairs, std::span<const std::uint32_t> places) {
@@ -58,12 +84,13 @@ void parkContacts(WorldState& world) {
         return (parked.isUp[pair.bodyA] | parked.isUp[pair.bodyB]) == 0;
     };
     reserveBoth(world.probes, parked.probes);
+    parked.impulses.reserve(parked.probes.capacity());
     reserveBoth(world.candidates, parked.candidates);
     std::erase_if(world.probes, [&](ContactProbe& probe) {
         if (probe.isUnseen || !rests(probe)) { return false; }
         parked.touching += isSolid(world, probe) ? 1 : 0;
         probe.state = ContactState::asleep;
-        parked.probes.add(probe);
+        park(world, probe);
         return true;
     });
     std::erase_if(world.candidates, [&](const ContactPair& pair) {
@@ -79,6 +106,7 @@ std::size_t unparkContacts(WorldState& world) {
     if (parked.woken.empty()) { return 0; }
     const std::span<const std::uint32_t> places = placesOfWoken(world, parked.probes);
     for (const std::uint32_t place : places) {
+        renewImpulses(world, place);
         world.probes.push_back(parked.probes[place]);
         parked.touching -= isSolid(world, parked.probes[place]) ? 1 : 0;
     }

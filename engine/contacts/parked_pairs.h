@@ -23,11 +23,13 @@ public:
         links_.reserve(2 * count);
     }
 
-    void add(const Pair& pair) {
+    /// @return its place
+    std::uint32_t add(const Pair& pair) {
         const std::uint32_t place = takePlace();
         pairs_[place] = pair;
         link(2 * place, pair.proxyA);
         link(2 * place + 1, pair.proxyB);
+        return place;
     }
 
     void erase(std::uint32_t place) {

@@ -69,8 +69,10 @@ void fallAsleep(WorldState& world, std::uint32_t place) {
     const std::uint32_t first = world.held.list[place].last;
     std::uint32_t slot = first;
     do {
-        world.bodies[slot].heldIn = kNoIndex;
-        slot = world.bodies[slot].nextAsleep;
+        Body& body = world.bodies[slot];
+        body.heldIn = kNoIndex;
+        body.restSteps += world.held.list[place].restSteps;
+        slot = body.nextAsleep;
     } while (slot != first);
     world.counters.fellAsleep += world.held.list[place].bodies;
     closeIsland(world.held, place);

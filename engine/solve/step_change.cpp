@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "../contacts/impulse_growth.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../contacts/parked_contacts.h"
 #include "../islands/held_islands.h"
+#include "../state/profile.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -16,58 +18,35 @@ constexpr double kClosingPace = 1.0 / 32;
 /// s. What longer steps leave is not waited for: springs of seconds would give way by metres.
 constexpr double kLongestClosing = 1.0 / 30;
 
-/// Impulses under what moves grow no more than so many times at once: what was pressed in two short steps may still
-/// have been a blow.
-constexpr Real kMostGrowth = 4;
-
-/// Of the impulses of a contact, as the step grows.
-/// @return at least 1, at most `factor`
-Real growthOf(const WorldState& world, const Contact& contact, Real factor) {
-    const auto wasStill = [&world](std::uint32_t slot) { return world.bodies[slot].soughtSteps > 0; };
-    if ((contact.dynamicA && wasStill(contact.bodyA)) || (contact.dynamicB && wasStill(contact.bodyB))) {
-        return factor;  // there are no blows
-    }
-    return contact.pressedOn ? std::min(factor, kMostGrowth) : Real(1);
-}
-
+/// Of all contacts that are not parked. Those keep their impulses until they come back (parked_contacts.h), so that
+/// sleep costs nothing. So do joints: theirs are found anew within a step, and grown in proportion a jerk would be as
+/// well (a net that hung in steps of 1/60 s and 0.1 ms by turns rose by half a metre).
 void scaleContacts(WorldState& world, Real factor) {
     for (const ContactProbe& probe : world.probes) {
         Contact& contact = world.contacts[probe.contact];
-        const Real own = factor > 1 ? growthOf(world, contact, factor) : factor;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
-            contact.normalImpulse[k] *= own;
-            contact.tangentImpulse[k] *= own;
-        }
-        if (contact.rolls()) { contact.rollingImpulse() *= own; }
+        scaleToSubStep(contact, factor, wasStill(contact, world.bodies[contact.bodyA], world.bodies[contact.bodyB]));
     }
-}
-
-/// What sleeps keeps its impulses, of the step with which it fell asleep, so that it costs nothing. So do joints:
-/// theirs are found anew within a step, and grown in proportion a jerk would be as well (a net that hung in steps of
-/// 1/60 s and 0.1 ms by turns rose by half a metre).
-void scaleImpulses(WorldState& world, double dt) {
-    if (!(world.lastDt > 0)) { return; }
-    unparkContacts(world);
-    scaleContacts(world, static_cast<Real>(dt / world.lastDt));
 }
 
 }  // namespace
 
 void changeStep(WorldState& world, double dt) {
+    const double before = world.lastDt;
     releaseAllHeld(world);  // to be in balance with impulses of this step, it may be that at once
-    scaleImpulses(world, dt);
-    const bool isLonger = dt > world.lastDt;  // the first of all is, too: no box knew it
+    if (before > 0) { scaleContacts(world, static_cast<Real>(dt / before)); }
     world.lastDt = dt;
-    if (!isLonger) { return; }
+    if (before > 0) { unparkContacts(world); }
+    if (!(dt > before)) { return; }  // the first of all is longer, too: no box knew it
     for (const std::uint32_t slot : world.awake) { reachWithVelocity(world, slot); }
 }
 
-void changeSubSteps(WorldState& world, int before, int after) {
+void changeSubSteps(WorldState& world, int before) {
+    const int after = subStepsOf(world.settings);
     if (before == after || !(world.lastDt > 0)) { return; }
     const double ratio = static_cast<double>(after) / before;
     closeUpPairs(world);  // what comes back stands behind the other contacts: all candidates get other places
-    unparkContacts(world);
     scaleContacts(world, static_cast<Real>(1 / ratio));
+    unparkContacts(world);
     world.closingStretch = std::max(1.0, world.closingStretch * ratio);
 }
 

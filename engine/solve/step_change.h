@@ -9,8 +9,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// asks, and impulses of contacts become those of its sub-steps.
 void changeStep(WorldState& world, double dt);
 
-/// The same of settings with other sub-steps, between two steps. @pre what is held was released
-void changeSubSteps(WorldState& world, int before, int after);
+/// The same of settings with other sub-steps than before, between two steps. @pre what is held was released
+void changeSubSteps(WorldState& world, int before);
 
 /// Of a step: errors go on being closed at nearly the pace of longer ones before it.
 /// @return  s, dt or more

@@ -174,5 +174,74 @@ TEST(StepSizes, MoreSubStepsThanBefore) {
     }
 }
 
+/// A stack, or a heap, that fell asleep at 60 Hz, beside what drifts far away.
+struct SleepingPile {
+    World world;
+    std::vector<BodyId> boxes;
+
+    /// @param drifters  of many the contacts of the pile stay among those of what is awake
+    SleepingPile(Profile profile, bool isHeap, int drifters) {
+        if (isHeap) {
+            Heap heap(profile, false, 1);
+            world = heap.world;
+            boxes = heap.boxes;
+        } else {
+            addStatic(world, box(20, 0.5));
+            for (int i = 0; i < 12; ++i) { boxes.push_back(addBody(world, dynamicAt({0, 1.0 + i}), box(0.5, 0.5))); }
+        }
+        for (int i = 0; i < drifters; ++i) {
+            BodyDef def = dynamicAt({1e3 + 3.0 * i, 50}, vec(0.5, 0));
+            def.gravityScale = 0;
+            addBody(world, def, circle(0.2));
+        }
+        WorldSettings settings = awakeSettings();
+        settings.profile = profile;
+        settings.sleep = true;
+        must(world.configure(settings));
+        for (int i = 0; i < 2000 && world.isAwake(boxes[0]); ++i) { must(world.step(kStep)); }
+        EXPECT_FALSE(world.isAwake(boxes[0]));
+    }
+    /// Of the copy: sleeps through a step that is not as those before, and wakes.
+    /// @return the highest speed within half a second, m/s
+    double fastestAfter(double dt, int subSteps) const {
+        World other = world;
+        WorldSettings settings = other.settings();
+        settings.subSteps = subSteps;
+        must(other.configure(settings));
+        must(other.step(dt));
+        for (const BodyId body : boxes) { must(other.setAwake(body, true)); }
+        double fastest = 0;
+        for (int i = 0; i < std::min(300.0, 0.5 / dt); ++i) {
+            must(other.step(dt));
+            for (const BodyId body : boxes) { fastest = std::max(fastest, length(velocityOf(other, body))); }
+        }
+        return fastest;
+    }
+};
+
+/// What slept while steps or sub-steps changed is carried when it wakes as it was before: no more, no less.
+TEST(StepSizes, ChangeWhilePilesSleep) {
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const bool isHeap : {false, true}) {
+            for (const int drifters : {0, 400}) {
+                const SleepingPile pile(profile, isHeap, drifters);
+                for (const auto& [dt, subSteps] : {std::pair{kStep, 0},
+                                                   {kStep / 10, 0},
+                                                   {1e-4, 0},
+                                                   {4 * kStep, 0},
+                                                   {kStep, 1},
+                                                   {kStep, 64},
+                                                   {kStep, 256}}) {
+                    const std::string name = std::string(profile == Profile::fast ? "fast" : "accurate") +
+                                             (isHeap ? " heap" : " stack") + " beside " + std::to_string(drifters) +
+                                             ", then dt " + std::to_string(dt) + ", sub-steps " +
+                                             std::to_string(subSteps);
+                    expectAtMost(name + ", speed", pile.fastestAfter(dt, subSteps), 1e-3);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
