@@ -29,17 +29,35 @@ MouseConstraint* mouseOf(Joint& joint) {
     return part == nullptr ? nullptr : &part->memory;
 }
 
+/// The accounts of what the joint ties, as far as they are of the present solve.
+void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
+    const Joint* const joint = world.joints.find(driven.joint);
+    if (joint == nullptr) { return; }
+    for (const std::uint32_t slot : joint->allBodies()) {
+        if (!world.bodies[slot].isDynamic()) { continue; }
+        EnergyAccount& account = accountOf(world, slot);
+        if (account.solve != desk.energySolve) { continue; }
+        if (driven.isYank) {
+            account.isYanked = true;
+        } else {
+            account.isLed = true;
+            account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(driven.speed));
+        }
+    }
+}
+
 }  // namespace
 
 void noteDriven(WorldState& world, JointId joint, Real moved) {
     if (!(moved > 0)) { return; }
-    const bool yanks = isYank(world, *world.joints.find(joint), moved);
-    const auto noted = std::find_if(world.drivenJoints.begin(), world.drivenJoints.end(),
-                                    [joint](const DrivenJoint& driven) { return driven.joint == joint; });
-    if (noted == world.drivenJoints.end()) {
+    Joint& held = *world.joints.find(joint);
+    const bool yanks = isYank(world, held, moved);
+    if (held.driven == kNotDriven) {
         world.drivenJoints.push_back({joint, kDrivenSteps, yanks, moved});
+        held.driven = static_cast<std::uint32_t>(world.drivenJoints.size() - 1);
     } else {
-        *noted = {joint, kDrivenSteps, noted->isYank || yanks, noted->toGo + moved, noted->speed};
+        DrivenJoint& noted = world.drivenJoints[held.driven];
+        noted = {joint, kDrivenSteps, noted.isYank || yanks, noted.toGo + moved, noted.speed};
     }
 }
 
@@ -53,35 +71,36 @@ void beginDriven(WorldState& world, double dt) {
 }
 
 void endDriven(WorldState& world) {
-    std::erase_if(world.drivenJoints, [&world](DrivenJoint& driven) {
+    std::uint32_t kept = 0;
+    for (DrivenJoint& driven : world.drivenJoints) {
         Joint* const joint = world.joints.find(driven.joint);
-        if (joint == nullptr) { return true; }
+        if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->toGo = mouse->pace = {}; }
-        return --driven.stepsLeft == 0;
-    });
+        joint->driven = kNotDriven;
+        if (--driven.stepsLeft == 0) { continue; }
+        joint->driven = kept;
+        world.drivenJoints[kept++] = driven;
+    }
+    world.drivenJoints.resize(kept);
 }
 
 Real woundSpeed(const WorldState& world, std::uint32_t joint) {
-    const auto noted =
-        std::find_if(world.drivenJoints.begin(), world.drivenJoints.end(),
-                     [joint](const DrivenJoint& driven) { return driven.joint.index == joint && !driven.isYank; });
-    return noted == world.drivenJoints.end() ? Real(0) : noted->speed;
+    const std::uint32_t place = world.joints[joint].driven;
+    if (place == kNotDriven || world.drivenJoints[place].isYank) { return 0; }
+    return world.drivenJoints[place].speed;
 }
 
 void noteDriven(WorldState& world, const TiedGroup& group) {
-    for (const DrivenJoint& driven : world.drivenJoints) {
-        const Joint* const joint = world.joints.find(driven.joint);
-        if (joint == nullptr) { continue; }
-        for (const std::uint32_t slot : joint->allBodies()) {
-            if (!world.bodies[slot].isDynamic()) { continue; }
-            EnergyAccount& account = accountOf(world, slot);
-            if (account.solve != group.desk.energySolve) { continue; }
-            if (driven.isYank) {
-                account.isYanked = true;
-            } else {
-                account.isLed = true;
-                account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(driven.speed));
-            }
+    const std::vector<DrivenJoint>& all = world.drivenJoints;
+    if (group.role == BodyRole::solved || all.size() <= group.bodies.size()) {
+        for (const DrivenJoint& driven : all) { tell(world, driven, group.desk); }
+        return;
+    }
+    // Of an island that advances by itself, all of whose bodies are in the group: there may be thousands of these.
+    for (const std::uint32_t slot : group.bodies) {
+        for (const std::uint32_t index : world.bodies[slot].joints) {
+            const std::uint32_t place = world.joints[index].driven;
+            if (place != kNotDriven) { tell(world, all[place], group.desk); }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <variant>
 
@@ -54,6 +55,7 @@ using JointParts =
 static_assert(std::variant_size_v<JointParts> == static_cast<std::size_t>(JointType::filter) + 1);
 
 inline constexpr std::size_t kMostJointBodies = 4;  ///< a gear's
+inline constexpr std::uint32_t kNotDriven = std::numeric_limits<std::uint32_t>::max();
 
 /// A joint between steps: its definition in body frames, and what the last step left.
 struct Joint {
@@ -72,8 +74,9 @@ struct Joint {
     Vec2 localAxisB;                                       ///< the same in the frame of B, at creation
     std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
     std::size_t bodyCount = 0;
-    bool isOff = false;       ///< it cannot hold: see `canHold`
-    double gearConstant = 0;  ///< metres or radians
+    bool isOff = false;                 ///< it cannot hold: see `canHold`
+    std::uint32_t driven = kNotDriven;  ///< place in `WorldState::drivenJoints`, while a call's move of it is noted
+    double gearConstant = 0;            ///< metres or radians
     JointDef base;
 
     JointType type() const { return static_cast<JointType>(parts.index()); }
