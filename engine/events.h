@@ -22,7 +22,7 @@ enum class ContactEventType : std::uint8_t {
 enum class LostTimeReason : std::uint8_t {
     stop,        ///< continuous mode `stop`
     budget,      ///< `maxImpacts` was used up
-    stuck,       ///< it could not move without passing through something
+    stuck,       ///< it could not move, or hardly, without passing through something
     clamp,       ///< a fast body with joints or touching neighbours was held at its impact
     speedLimit,  ///< continuous mode `speedLimit` cut the speed: the part of its way that it did not go, as time
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../contacts/ghosts.h"
 #include "../modes/modes.h"
@@ -184,6 +185,11 @@ void clearWhatIsLeft(const Flight& flight, const Sweep& sweep) {
 
 /// Impacts beyond `maxImpacts` are for a budget of lost time, up to this many times as many.
 constexpr std::int64_t kMostTimesMaxImpacts = 16;
+/// However many `maxImpacts` are asked for, so many have to take a flyer on by this part of the step: they are for what
+/// bounces (so a step has room for 65 536), and not for what is crushed between two walls, which sink into it by a
+/// rounding with each.
+constexpr int kImpactsToGetOn = 64;
+constexpr double kLeastGain = 1.0 / 1024;
 
 /// How much of a path the body did not go, by its centre and its turn.
 double shareMissed(const Body& body, const Sweep& asked, const BodyMotion& reached) {
@@ -199,10 +205,19 @@ void holdHere(Flight& flight, LostTimeReason reason) {
     takeAlong(*flight.world, flight.slot, flight.motion, flight.elapsed, flight.dt, *flight.scratch);
 }
 
+/// Looks every so many impacts.
+bool hardlyGetsOn(const Flight& flight, int impacts, double& atLastLook) {
+    if (impacts == 0 || impacts % kImpactsToGetOn != 0 || impacts >= flight.world->settings.maxImpacts) {
+        return false;
+    }
+    return flight.elapsed - std::exchange(atLastLook, flight.elapsed) < kLeastGain * flight.dt;
+}
+
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
     resolveStart(flight);
+    double atLastLook = flight.elapsed;
     for (int impacts = 0; flight.remaining() > 0; ++impacts) {
         const Sweep sweep = sweepOf(flight);
         const FirstImpact first = nextImpact(flight, sweep);
@@ -212,6 +227,7 @@ void flyThrough(Flight& flight) {
         }
         const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
         if (isExhausted(flight, impacts, reason)) { return holdHere(flight, reason); }
+        if (hardlyGetsOn(flight, impacts, atLastLook)) { return holdHere(flight, LostTimeReason::stuck); }
         advance(flight, sweep, first.fraction);
         const bool isHit = resolveHere(flight);
         notePose(flight);

@@ -166,5 +166,33 @@ TEST(MovingObstacles, WhatTheyStartleWakesItsNeighbours) {
     }
 }
 
+/// A box between a wall and a plate that closes on it: impacts that hardly take it on are not worth their time, however
+/// many are asked for.
+TEST(MovingObstacles, WhatTheyCrushIsHeldWhateverImpactsItMayHave) {
+    WorldSettings settings = awakeSettings();
+    settings.maxImpacts = 1'000'000;
+    World world = makeWorld(settings);
+    addStatic(world, box(1, 20), {}, {-1, 0});
+    addStatic(world, box(20, 1), {}, {0, -1});
+    BodyDef plate = bodyAt(BodyType::kinematic, {3, 1});
+    plate.velocity = vec(-60, 0);
+    addBody(world, plate, box(0.2, 2));
+    BodyDef def = dynamicAt({1, 1}, vec(0, -30), 50);
+    def.angle = 0.3;
+    const BodyId crushed = addBody(world, def, box(0.3, 0.2), material(0.6, 0.5));
+    std::uint64_t impacts = 0;
+    bool isStuck = false;
+    for (int i = 0; i < 10; ++i) {
+        run(world, 1);
+        impacts = std::max(impacts, world.counters().impacts);
+        for (const LostTimeEntry& entry : world.lostTime()) {
+            isStuck = isStuck || (entry.body == crushed && entry.reason == LostTimeReason::stuck);
+        }
+    }
+    EXPECT_TRUE(isStuck);
+    EXPECT_GT(impacts, 64U) << "or the limit was never asked";
+    EXPECT_LT(impacts, 5000U);
+}
+
 }  // namespace
 }  // namespace swept::test
