@@ -37,6 +37,7 @@
 #include "body.h"
 #include "joint.h"
 #include "shape.h"
+#include "sleeping_pairs.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -207,6 +208,7 @@ struct WorldState : Workers {
     std::vector<ContactPair> droppedPairs;          ///< scratch: of these, some to be dropped together
     RawVector<TouchingPair> touching;               ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                             ///< likewise
+    SleepingPairs sleepingPairs;
     std::vector<ChainPasser> chainPassers;          ///< of this step, in order
     std::vector<std::uint64_t> chainContacts;       ///< scratch of `letThrough`
     std::vector<BodyTraits> traits;                 ///< by body slot, of this step

@@ -30,6 +30,28 @@ TEST_P(SleepersRow, TakeTheMomentumOfWhatHitsThem) {
     EXPECT_NEAR(momentumOf(world, bodies).x, 3, 1e-3);
 }
 
+/// Each end of a long row, put to sleep one by one in any order, wakes all of it within the step.
+TEST(Sleepers, ALongRowWakesFromEitherEnd) {
+    constexpr int kBoxes = 60;
+    for (const int stepsAsleep : {0, 1, 3}) {
+        for (const int kicked : {0, kBoxes / 3, kBoxes - 1}) {
+            World world = makeWorld(weightless());
+            std::vector<BodyId> bodies;
+            for (int i = 0; i < kBoxes; ++i) {
+                bodies.push_back(addBody(world, dynamicAt({1.0 * (i * 7 % kBoxes), 0}), box(0.5, 0.5)));
+            }
+            run(world, 3);
+            for (const BodyId body : bodies) { must(world.setAwake(body, false)); }
+            run(world, stepsAsleep);
+            const std::uint64_t before = world.counters().wokeUp;
+            must(world.setVelocity(bodies[static_cast<std::size_t>(kicked)], vec(0, 1), 0));
+            run(world, 1);
+            for (const BodyId body : bodies) { EXPECT_TRUE(world.isAwake(body)); }
+            EXPECT_EQ(world.counters().wokeUp, before + kBoxes) << "each once";
+        }
+    }
+}
+
 /// The same of two that are welded: what hangs on what was hit wakes with it.
 TEST_P(SleepersRow, WakeAcrossJoints) {
     World world = makeWorld(weightless());
