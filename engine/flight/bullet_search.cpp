@@ -10,6 +10,7 @@
 #include "../../broadphase/wide_kernels.h"
 #include "../containers/move_all.h"
 #include "../modes/modes.h"
+#include "../state/place_order.h"
 #include "../state/tolerances.h"
 #include "bullet_paths.h"
 #include "bullet_start.h"

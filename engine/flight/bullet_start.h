@@ -19,8 +19,5 @@ std::uint32_t dissolvedClashOf(const WorldState& world, std::uint32_t slot);
 /// (`BulletWork::areSomeAtRest`): those in a pile cost as much as if they were none. And how far all but the early ones
 /// move: `BulletWork::drift`.
 void findEarly(WorldState& world, Real dt);
-/// Puts bodies into an order in which those that are near each other follow each other: along a curve that fills the
-/// plane (G. M. Morton 1966).
-void orderByPlace(WorldState& world, std::vector<std::uint32_t>& slots);
 
 }  // namespace swept::inline SWEPT_PRECISION

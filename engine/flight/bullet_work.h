@@ -53,12 +53,6 @@ struct alignas(kCacheLine) BulletFinds {
     std::vector<std::uint32_t> bodies;  ///< slots
 };
 
-/// A body by where it is.
-struct BulletPlace {
-    std::uint64_t key = 0;
-    std::uint32_t slot = 0;
-};
-
 struct BulletWork {
     RawVector<BulletPartner> partners;    ///< at first in an order in which neighbours follow each other
     std::vector<std::uint32_t> slots;     ///< by partner
@@ -82,8 +76,6 @@ struct BulletWork {
     std::vector<std::uint32_t> early;      ///< slots, as the next one
     std::vector<std::uint32_t> found;
     std::vector<std::uint8_t> reached;  ///< by place in `early`
-    std::vector<BulletPlace> order;
-    std::vector<BulletPlace> spare;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

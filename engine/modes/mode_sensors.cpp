@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <span>
 
+#include "../../broadphase/wide_kernels.h"
 #include "../../toi/toi_polygon.h"
 #include "../stages/step.h"
+#include "../state/place_order.h"
 #include "../state/tolerances.h"
 #include "modes.h"
 
@@ -196,7 +198,9 @@ void findPairsOnWay(WorldState& world, std::uint32_t slot, double dt) {
         const Shape& mine = world.shapes[own];
         const Real reach = radiusAbout(mine.polygon, body.localCenter) + kTargetRatio * mine.extent + bulge;
         const Aabb box = grown(roundedOutward(lower, upper), reach);
-        sweeps.ways.push_back({box, own});
+        WaysOfShapes& ways = mine.def.sensor ? sweeps.ofSensors : sweeps.ofOthers;
+        ways.boxes.push_back(box);
+        ways.shapes.push_back(own);
         world.broadphase->query(box, [&](ProxyId id) {
             addPairs(world, world.proxyShapes[static_cast<std::uint32_t>(id)], own);
             return true;
@@ -204,21 +208,34 @@ void findPairsOnWay(WorldState& world, std::uint32_t slot, double dt) {
     }
 }
 
+bool hasSensor(const WorldState& world, std::uint32_t slot) {
+    const std::vector<std::uint32_t>& shapes = world.bodies[slot].shapes;
+    return std::any_of(shapes.begin(), shapes.end(),
+                       [&](std::uint32_t shape) { return world.shapes[shape].def.sensor; });
+}
+
+/// Neighbours follow each other where their ways go into a tree.
+void listFast(WorldState& world) {
+    std::vector<std::uint32_t>& fast = world.sensorSweeps.fast;
+    fast.clear();
+    for (const std::uint32_t slot : world.awake) {
+        if (isFast(world, slot)) { fast.push_back(slot); }
+    }
+    const auto carriesSensor = [&world](std::uint32_t slot) { return hasSensor(world, slot); };
+    if (std::any_of(fast.begin(), fast.end(), carriesSensor)) { orderByPlace(world, fast); }
+}
+
 /// Of what both moves fast, neither need come near where the other one was.
 void findPairsOfWays(WorldState& world) {
-    std::vector<WayOfShape>& ways = world.sensorSweeps.ways;
-    const auto isSensor = [&world](const WayOfShape& way) { return world.shapes[way.shape].def.sensor; };
-    const auto count = std::partition(ways.begin(), ways.end(), isSensor) - ways.begin();
-    const std::span<WayOfShape> sensors = std::span(ways).first(static_cast<std::size_t>(count));
-    const std::span<WayOfShape> others = std::span(ways).subspan(static_cast<std::size_t>(count));
-    if (sensors.empty()) { return; }
-    std::sort(others.begin(), others.end(),
-              [](const WayOfShape& a, const WayOfShape& b) { return a.box.lower.x < b.box.lower.x; });
-    for (const WayOfShape& sensor : sensors) {
-        for (const WayOfShape& other : others) {
-            if (other.box.lower.x > sensor.box.upper.x) { break; }
-            if (overlaps(other.box, sensor.box)) { addPairs(world, sensor.shape, other.shape); }
-        }
+    SensorSweeps& sweeps = world.sensorSweeps;
+    if (sweeps.ofSensors.boxes.empty() || sweeps.ofOthers.boxes.empty()) { return; }
+    sweeps.tree.pack(sweeps.ofOthers.boxes);
+    for (std::size_t i = 0; i < sweeps.ofSensors.boxes.size(); ++i) {
+        bool goesOn = true;
+        widestKernels().query(sweeps.tree, sweeps.ofSensors.boxes[i], goesOn, [&](ProxyId id) {
+            addPairs(world, sweeps.ofSensors.shapes[i], sweeps.ofOthers.shapes[static_cast<std::uint32_t>(id)]);
+            return true;
+        });
     }
 }
 
@@ -277,11 +294,13 @@ void sweepSensors(WorldState& world, double dt) {
     if (!world.parked.woken.empty()) { unparkContacts(world); }  // what bullets woke is in some sensors already
     std::vector<SensorPair>& pairs = world.sensorSweeps.pairs;
     pairs.clear();
-    world.sensorSweeps.ways.clear();
-    listImpacts(world);
-    for (const std::uint32_t slot : world.awake) {
-        if (isFast(world, slot)) { findPairsOnWay(world, slot, dt); }
+    for (WaysOfShapes* const ways : {&world.sensorSweeps.ofSensors, &world.sensorSweeps.ofOthers}) {
+        ways->boxes.clear();
+        ways->shapes.clear();
     }
+    listImpacts(world);
+    listFast(world);
+    for (const std::uint32_t slot : world.sensorSweeps.fast) { findPairsOnWay(world, slot, dt); }
     findPairsOfWays(world);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -36,6 +36,7 @@
 #include "../world.h"
 #include "body.h"
 #include "joint.h"
+#include "place_order.h"
 #include "shape.h"
 #include "sleeping_pairs.h"
 
@@ -67,10 +68,10 @@ struct SensorPair {
     auto operator<=>(const SensorPair&) const = default;
 };
 
-/// Box of a fast shape's way through the step.
-struct WayOfShape {
-    Aabb box{};
-    std::uint32_t shape = 0;  ///< slot
+/// Boxes of the ways of fast shapes through the step.
+struct WaysOfShapes {
+    std::vector<Aabb> boxes;
+    std::vector<std::uint32_t> shapes;  ///< slots, likewise
 };
 
 /// The contact of such a pair.
@@ -128,7 +129,10 @@ struct BodyTravel {
 /// Scratch of mode_sensors.cpp, kept for its capacity.
 struct SensorSweeps {
     std::vector<SensorPair> pairs;
-    std::vector<WayOfShape> ways;
+    std::vector<std::uint32_t> fast;  ///< body slots
+    WaysOfShapes ofSensors;
+    WaysOfShapes ofOthers;
+    WideTree tree;                          ///< of the latter
     std::vector<ContactOfSensor> contacts;  ///< by pair; of sensors
     std::vector<ImpactOfBody> impacts;      ///< by body, and in the order of the list
     std::vector<Waypoint> ofSensor;
@@ -209,9 +213,9 @@ struct WorldState : Workers {
     RawVector<TouchingPair> touching;               ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                             ///< likewise
     SleepingPairs sleepingPairs;
-    std::vector<ChainPasser> chainPassers;          ///< of this step, in order
-    std::vector<std::uint64_t> chainContacts;       ///< scratch of `letThrough`
-    std::vector<BodyTraits> traits;                 ///< by body slot, of this step
+    std::vector<ChainPasser> chainPassers;     ///< of this step, in order
+    std::vector<std::uint64_t> chainContacts;  ///< scratch of `letThrough`
+    std::vector<BodyTraits> traits;            ///< by body slot, of this step
     RawVector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
 
@@ -248,6 +252,7 @@ struct WorldState : Workers {
     bool anyFast = false;   ///< this step: some awake body is, or is a flyer or a bullet
     bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
     BulletWork bulletWork;
+    BodyPlaces bodyPlaces;
     std::vector<FlightScratch> flightScratch;  ///< one per worker
     std::vector<ClashScratch> clashScratch;    ///< likewise
 

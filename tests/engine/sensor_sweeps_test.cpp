@@ -172,6 +172,23 @@ TEST(SensorSweeps, OfFastBodiesSeeFastBodies) {
     }
 }
 
+/// Wherever their ways lie: in a column, in a row, or all over the place; beside those of others.
+TEST(SensorSweeps, OfManyFastBodiesSeeTheirOwnOnes) {
+    for (const DVec2 apart : {DVec2{0, 5}, DVec2{5, 0}, DVec2{3, 4}}) {
+        World world = makeWorld(settingsOf(ContinuousMode::subStep));
+        constexpr int kPairs = 150;
+        for (int i = 0; i < kPairs; ++i) {
+            const DVec2 place = (i * 37 % kPairs) * apart;
+            const BodyId scanner = addBody(world, dynamicAt(place + DVec2{-1, 0}, vec(120, 0)), circle(0.05));
+            must(world.addShape(scanner, circle(0.1), sensorDef()));
+            addBody(world, dynamicAt(place + DVec2{0, -1}, vec(0, 120)), circle(0.1));
+        }
+        run(world, 1);
+        EXPECT_EQ(sensorEventsOf(world).size(), 2U * kPairs);
+        EXPECT_EQ(world.counters().sensorSweeps, kPairs);
+    }
+}
+
 /// Thrown up so that it is at the same height at both ends of a step of 0.2 s, and 5 cm higher in its middle.
 TEST(SensorSweeps, SeeTheTopOfAParabola) {
     WorldSettings settings = settingsOf(ContinuousMode::subStep, kGravity);
