@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "../contacts/contact.h"
@@ -14,10 +13,8 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// What one island needs while it advances (island_advance.h). Kept for its capacity.
 struct AdvancingIsland {
-    std::span<const std::uint32_t> kinematics;  ///< awake ones, of the world
-    std::vector<BodyMotion> kinematicsAtStart;  ///< of the step
-    std::vector<std::uint32_t> members;         ///< dynamic, slots
-    std::vector<std::uint32_t> group;           ///< members, then kinematic bodies
+    std::vector<std::uint32_t> members;  ///< dynamic, slots
+    std::vector<std::uint32_t> group;    ///< members, then kinematic bodies that it came near
     std::vector<std::uint32_t> jointSlots;
     std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
     std::vector<Slide> heldSlides;           ///< of these

@@ -7,6 +7,7 @@
 #include "../contacts/contact.h"
 #include "../containers/island_items.h"
 #include "../flight/clash.h"
+#include "../flight/moving_ground.h"
 #include "../state/body.h"
 #include "../state/joint.h"
 
@@ -50,9 +51,9 @@ struct FastIslands {
     IslandItems contacts;                                           ///< indices of their probes
     std::vector<std::vector<IslandItems::Added>> contactsOfBlocks;  ///< scratch: likewise, by block of probes
     IslandItems joints;                                             ///< slots
-    std::vector<std::uint32_t> kinematics;                          ///< awake ones
-    std::vector<std::uint32_t> waiting;                             ///< islands that are still to advance
-    std::vector<Contact> found;  ///< scratch: what they found on their way, of all desks
+    MovingGround ground;
+    std::vector<std::uint32_t> waiting;  ///< islands that are still to advance
+    std::vector<Contact> found;          ///< scratch: what they found on their way, of all desks
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

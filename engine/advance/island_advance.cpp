@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../flight/moving_ground.h"
 #include "../flight/solved_path.h"
 #include "../islands/rod_turn.h"
 #include "../modes/modes.h"
@@ -47,6 +48,7 @@ struct Course {
     AdvancingIsland& island;
     FlightScratch& scratch;
     double dt;
+    GroundOnTheWay ground{world, scratch};
     double elapsed = 0;
     double shortest = 0;
     double subStepBefore = 0;  ///< the part that is being tried
@@ -73,18 +75,6 @@ double fastestSpin(const Course& course, Spinners which) {
         fastest = std::max(fastest, rodTurnOf(course.world, course.world.joints[slot]));
     }
     return fastest;
-}
-
-/// Kinematic bodies stand where they are at that time.
-void placeKinematics(Course& course, double time) {
-    for (std::size_t i = 0; i < course.island.kinematics.size(); ++i) {
-        const std::uint32_t slot = course.island.kinematics[i];
-        const BodyMotion& start = course.island.kinematicsAtStart[i];
-        BodyMotion& motion = course.world.motions[slot];
-        motion.center = start.center + time * toDouble(start.velocity);
-        motion.angle = start.angle + time * static_cast<double>(start.angularVelocity);
-        updatePose(course.world, slot);
-    }
 }
 
 /// Reactions of the joints are means over the step so far.
@@ -136,6 +126,8 @@ void solvePart(Course& course, double time) {
         .begin = course.elapsed, .length = time, .dt = course.dt, .subSteps = subStepsFor(course, time)};
     setSubStep(course.world, island, time / part.subSteps);
     putTotalsAside(island);
+    island.group = island.members;
+    course.ground.addMet(island.group);
     solveGroup(course.world,
                {.desk = course.desk,
                 .role = BodyRole::together,
@@ -226,30 +218,34 @@ void holdMembers(Course& course, double time, bool isLast) {
     }
 }
 
+/// The ground of contacts and joints.
+void meetWhatIsKnown(Course& course) {
+    for (const Contact& contact : course.island.held) {
+        course.ground.meet(contact.bodyA);
+        course.ground.meet(contact.bodyB);
+    }
+    for (const std::uint32_t joint : course.island.jointSlots) {
+        for (const std::uint32_t slot : course.world.joints[joint].allBodies()) { course.ground.meet(slot); }
+    }
+}
+
 void begin(Course& course) {
     AdvancingIsland& island = course.island;
     course.shortest = kShortestPart * course.dt;
     island.usualSubStep = island.subStep = course.dt / subStepsOf(course.world.settings);
-    island.kinematicsAtStart.clear();
-    for (const std::uint32_t slot : island.kinematics) {
-        island.kinematicsAtStart.push_back(course.world.motions[slot]);
-    }
+    if (course.scratch.ground != nullptr) { meetWhatIsKnown(course); }
     island.membersAtStart.clear();
     for (const std::uint32_t slot : island.members) { island.membersAtStart.push_back(course.world.motions[slot]); }
     for (const std::uint32_t slot : island.jointSlots) {
         course.world.joints[slot].reactionForce = {};
         course.world.joints[slot].reactionTorque = 0;
     }
-    island.group = island.members;
-    island.group.insert(island.group.end(), island.kinematics.begin(), island.kinematics.end());
 }
 
 /// What the next step and its report need: poses at the start of the step, kinematic bodies there, contacts.
 void finish(Course& course) {
     AdvancingIsland& island = course.island;
-    for (std::size_t i = 0; i < island.kinematics.size(); ++i) {
-        course.world.motions[island.kinematics[i]] = island.kinematicsAtStart[i];
-    }
+    course.ground.goBack();
     for (std::size_t i = 0; i < island.members.size(); ++i) {
         Body& body = course.world.bodies[island.members[i]];
         body.startCenter = island.membersAtStart[i].center;
@@ -268,9 +264,9 @@ std::size_t memberTries(const WorldSettings& settings) {
 double tryPart(Course& course, double time, bool fits, double& next) {
     const bool isLast = time < 2 * course.shortest;  // try: it stays as it is
     remember(course, !isLast);
-    placeKinematics(course, course.elapsed);
+    course.ground.goTo(course.elapsed);
     // The whole step begins with the contacts that it has found already.
-    if (course.elapsed > 0 || time < course.dt) { collideHeld(course.world, course.desk, time); }
+    if (course.elapsed > 0 || time < course.dt) { collideHeld(course.world, course.desk, time, course.scratch.ground); }
     solvePart(course, time);
     next = growthOf(course.world.settings) * std::max(time, course.shortest);
     if (isLast) {

@@ -29,7 +29,8 @@ Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
 }
 
 /// Static and kinematic shapes within reach that no contact knows yet.
-void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, std::uint32_t slot, Real time) {
+void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, std::uint32_t slot, Real time,
+                GroundOnTheWay* ground) {
     const Aabb box = boundsOf(own.polygon, world.motions[own.body].pose);
     island.found.clear();
     world.broadphase->queryGround(grown(box, reachWithin(world, own, time)), [&](ProxyId id) {
@@ -43,6 +44,7 @@ void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, st
         const std::uint64_t key = PairTable::keyOf(slot, found);
         const auto place = std::lower_bound(island.heldPairs.begin(), island.heldPairs.end(), key);
         if (place != island.heldPairs.end() && *place == key) { continue; }
+        if (ground != nullptr) { ground->meet(other.body); }
         island.heldPairs.insert(place, key);
         island.held.push_back(contactOf(world, slot, found));
         island.sources.push_back(kNoIndex);
@@ -82,14 +84,14 @@ void tellImpulse(Contact& contact, const Manifold& pointsBefore) {
 
 }  // namespace
 
-void collideHeld(WorldState& world, SolveDesk& desk, double time) {
+void collideHeld(WorldState& world, SolveDesk& desk, double time, GroundOnTheWay* ground) {
     AdvancingIsland& island = desk.island;
     const auto length = static_cast<Real>(time);
     listHeldPairs(island);
     for (const std::uint32_t member : island.members) {
         for (const std::uint32_t slot : world.bodies[member].shapes) {
             const Shape& own = world.shapes[slot];
-            if (!own.def.sensor) { findGround(world, island, own, slot, length); }
+            if (!own.def.sensor) { findGround(world, island, own, slot, length, ground); }
         }
     }
     rememberPoints(island);

@@ -8,7 +8,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// with ground that it finds on its way, since it leaves the boxes of the start of the step.
 
 /// Manifolds of all of them, and of what comes within reach in this part of the step, where the bodies are now.
-void collideHeld(WorldState& world, SolveDesk& desk, double time);
+/// @param ground  meets what comes within reach; null: no kinematic body is awake
+void collideHeld(WorldState& world, SolveDesk& desk, double time, GroundOnTheWay* ground);
 
 /// Makes the impulses that contacts start from those of sub-steps of another length, seconds. What a contact carries
 /// grows with that length, what an impact gives does not: longer sub-steps start from no more than there was in the

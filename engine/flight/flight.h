@@ -16,6 +16,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
+class GroundOnTheWay;
 
 /// A static or kinematic shape that a swept shape may meet.
 struct FlightObstacle {
@@ -57,7 +58,8 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<ContactConstraint*> order;
     ImpactScratch impact;
 
-    bool isSunk = false;  ///< see `firstImpact`
+    bool isSunk = false;               ///< see `firstImpact`
+    GroundOnTheWay* ground = nullptr;  ///< of the island that advances, if kinematic bodies are awake
 
     std::vector<ContactEvent> events;
     std::vector<LostTimeEntry> lostTime;

@@ -9,6 +9,7 @@
 #include "../contacts/ghosts.h"
 #include "../contacts/shape_manifold.h"
 #include "../state/tolerances.h"
+#include "moving_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -264,7 +265,9 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
         StartOfCore core(own, scratch.startPose, from);
         for (const std::uint32_t found : scratch.found) {
             const Shape& other = world.shapes[found];
-            if (!isObstacle(world, own, other) || isBehindChain(world, other, core)) { continue; }
+            if (!isObstacle(world, own, other)) { continue; }
+            if (scratch.ground != nullptr) { scratch.ground->meet(other.body); }
+            if (isBehindChain(world, other, core)) { continue; }
             if (passesChain(world, slot, found)) { continue; }
             FlightObstacle obstacle{.own = slot, .other = found};
             obstacle.level = targetOf(world, obstacle);

@@ -53,6 +53,7 @@ Aabb boxOfPath(const Shape& own, const Sweep& sweep);
 /// Likewise of all that is no farther from the centre than that, metres.
 Aabb boxOfPath(const Sweep& sweep, double reach);
 /// Static and kinematic shapes in the way of a sweep of the body, in order of their slots.
+/// Of kinematic ones, an island that advances meets them (`FlightScratch::ground`).
 /// @param from  seconds of the step at which it begins: a chain that moves is where it is by then
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from,
                    FlightScratch& scratch);

@@ -63,7 +63,6 @@ void numberIslands(WorldState& world) {
 void listBodies(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.bodies.clear();
-    fast.kinematics.clear();
     for (std::size_t i = 0; i < world.tied.size(); ++i) {
         const std::uint32_t number = fast.numbers[world.tiedRoots[i]];
         if (number == kNoIndex) { continue; }
@@ -76,10 +75,6 @@ void listBodies(WorldState& world) {
     world.loops->run(members.size(), kMemberGrain, [&world, members](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) { world.bodies[members[i]].role = BodyRole::together; }
     });
-    if (world.kinematicBodies == 0) { return; }
-    for (const std::uint32_t slot : world.awake) {
-        if (isAwakeKinematic(world.traits[slot])) { fast.kinematics.push_back(slot); }
-    }
 }
 
 /// What bounces off another one in flight, or is a bullet that rides on it, may meet any other member of its island
@@ -202,7 +197,6 @@ bool isInside(const WorldState& world, const Contact& contact) {
 
 void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     const FastIslands& islands = world.fastIslands;
-    fast.kinematics = islands.kinematics;
     const std::span<const std::uint32_t> bodies = islands.bodies.of(island);
     fast.members.assign(bodies.begin(), bodies.end());
     const std::span<const std::uint32_t> joints = islands.joints.of(island);
@@ -325,7 +319,7 @@ void advanceInTurn(WorldState& world, double dt) {
 /// that one of them is at.
 bool areApart(const WorldState& world) {
     const FastIslands& fast = world.fastIslands;
-    return fast.waiting.size() > 1 && fast.kinematics.empty() && !hasErrorBudget(world.settings);
+    return fast.waiting.size() > 1 && fast.ground.slots.empty() && !hasErrorBudget(world.settings);
 }
 
 }  // namespace
@@ -334,6 +328,7 @@ void findFastIslands(WorldState& world) {
     numberIslands(world);
     if (world.fastIslands.any) {
         listBodies(world);
+        listMovingGround(world);
         promoteClashing(world);
         listFastContacts(world);
         listFastJoints(world);

@@ -194,5 +194,55 @@ TEST(MovingObstacles, WhatTheyCrushIsHeldWhateverImpactsItMayHave) {
     EXPECT_LT(impacts, 5000U);
 }
 
+/// Pairs on rods that land, two of them on plates that rise.
+struct Landing {
+    World world = makeWorld(0);
+    std::vector<BodyId> bodies;
+
+    Landing() {
+        addStatic(world, box(50, 1), material(0.3), {0, -1});
+        for (int i = 0; i < 4; ++i) {
+            DistanceJointDef rod;
+            for (int k = 0; k < 2; ++k) {
+                const DVec2 place{4.0 * i + k, 1.0 + 0.37 * i};
+                bodies.push_back(addBody(world, dynamicAt(place, vec(0, -40)), box(0.2, 0.2), material(0.3, 0.3)));
+            }
+            rod.base.bodyA = bodies[bodies.size() - 2];
+            rod.base.bodyB = bodies.back();
+            rod.anchorA = world.position(rod.base.bodyA);
+            rod.anchorB = world.position(rod.base.bodyB);
+            must(world.createJoint(rod));
+        }
+        for (const double x : {0.5, 8.5}) {
+            BodyDef plate = bodyAt(BodyType::kinematic, {x, -0.3});
+            plate.velocity = vec(0, 20);
+            bodies.push_back(addBody(world, plate, box(1, 0.1), material(0.3)));
+        }
+    }
+};
+
+/// Islands that advance from impact to impact take along what they come near.
+TEST(MovingObstacles, ElsewhereChangeNothing) {
+    Landing alone;
+    Landing among;
+    for (int i = 0; i < 40; ++i) {
+        BodyDef other = bodyAt(BodyType::kinematic, {4.0 * i, 300});
+        other.velocity = vec(i % 2, 0);
+        other.angularVelocity = real(i % 3);
+        addBody(among.world, other, box(1, 0.1));
+    }
+    std::uint64_t impacts = 0;
+    for (int i = 0; i < 20; ++i) {
+        run(alone.world, 1);
+        run(among.world, 1);
+        impacts += alone.world.counters().impacts;
+        for (std::size_t k = 0; k < alone.bodies.size(); ++k) {
+            ASSERT_EQ(alone.world.position(alone.bodies[k]), among.world.position(among.bodies[k])) << i << ' ' << k;
+            ASSERT_EQ(alone.world.velocity(alone.bodies[k]), among.world.velocity(among.bodies[k])) << i << ' ' << k;
+        }
+    }
+    EXPECT_GT(impacts, 4U) << "or nothing advanced";
+}
+
 }  // namespace
 }  // namespace swept::test
