@@ -70,16 +70,18 @@ void putBack(WorldState& world, std::uint32_t slot) {
 /// nothing else: which, no two instruction sets agree on. Nor would joints to what is put back hold them.
 std::vector<bool> findOverflown(const WorldState& world) {
     std::vector<bool> isOverflown(world.bodies.slotCount());
-    for (const std::uint32_t slot : world.awake) { isOverflown[slot] = !isSound(world.motions[slot]); }
-    for (bool isSpreading = true; isSpreading;) {
-        isSpreading = false;
-        for (const std::uint32_t index : world.activeJoints) {
-            const std::span<const std::uint32_t> bodies = world.joints[index].allBodies();
-            const auto is = [&isOverflown](std::uint32_t slot) { return isOverflown[slot]; };
-            if (std::none_of(bodies.begin(), bodies.end(), is)) { continue; }
-            for (const std::uint32_t slot : bodies) {
+    std::vector<std::uint32_t> reached;
+    for (const std::uint32_t slot : world.awake) {
+        isOverflown[slot] = !isSound(world.motions[slot]);
+        if (isOverflown[slot]) { reached.push_back(slot); }
+    }
+    for (std::size_t i = 0; i < reached.size(); ++i) {  // grows as it goes
+        for (const std::uint32_t index : world.bodies[reached[i]].joints) {
+            if (!std::binary_search(world.activeJoints.begin(), world.activeJoints.end(), index)) { continue; }
+            for (const std::uint32_t slot : world.joints[index].allBodies()) {
                 if (isOverflown[slot] || !world.bodies[slot].isDynamic()) { continue; }
-                isOverflown[slot] = isSpreading = true;
+                isOverflown[slot] = true;
+                reached.push_back(slot);
             }
         }
     }
