@@ -17,6 +17,7 @@ namespace swept::inline SWEPT_PRECISION {
 struct CarriedShape {
     ToiPolygon core;
     Sweep sweep;
+    DVec2 way;  ///< metres, as it was asked for: the ends of the sweep are rounded as their place in the world is
     Real extent = 0;
     DVec2 lift{};  ///< from where it was asked for to where the sweep starts, metres
 };
@@ -31,26 +32,30 @@ enum class CastStart : std::uint8_t {
     inside,     ///< deeper
 };
 
+/// The same with the normal it is judged by, which is also that of the hit: a way from which the part into the normal
+/// was taken away leads past, with the roundings of that (`kAlongRoundings`).
+struct Stance {
+    CastStart start = CastStart::apart;
+    DVec2 normal;  ///< unit, out of the other shape, world
+    /// Metres along it, negative: so far off. As it starts, or, where only that tells which normal it is pressed
+    /// against, a bit farther on. Of several the one that is deepest counts: that is the ground, not the edge beside a
+    /// seam. Apart: 0.
+    double depth = 0;
+};
+
 /// Where the carried shape meets another one, up to that fraction of its way, or as it starts.
 Toi castOf(const WorldState& world, const Shape& shape, const CarriedShape& carried, double limit);
 /// @param toi  of the two, a hit or an overlap
-CastStart startOf(const Shape& shape, const CarriedShape& carried, const Toi& toi);
-/// What is met at the start, by the way that leads into it.
-struct Pressed {
-    DVec2 normal;      ///< out of it, world
-    double depth = 0;  ///< a bit farther on, metres
-};
-/// Of several the one that gets deepest counts: that is the ground, not the edge beside a seam. Where polygons touch at
-/// a corner, any normal is as good at the start; a bit farther on one is.
-Pressed pressedInto(const WorldState& world, const Shape& shape, const CarriedShape& carried);
+Stance stanceOf(const WorldState& world, const Shape& shape, const CarriedShape& carried, const Toi& toi);
 /// Out of what it starts inside of: the shortest translation, metres, along the direction of least penetration.
 DVec2 wayOut(const CarriedShape& carried, const Toi& toi);
 
 /// What the carried shape is near as it starts, and its way does not lead into.
 struct Support {
     std::uint32_t slot = 0;
-    DVec2 normal;        ///< unit, out of it, world
-    double missing = 0;  ///< to the clearance, metres
+    DVec2 normal;           ///< unit, out of it, world
+    double missing = 0;     ///< to the clearance along the normal, metres
+    bool isPassed = false;  ///< the way leads along it or away: the two never get nearer than they are
 };
 std::optional<Support> supportOf(const WorldState& world, std::uint32_t slot, const CarriedShape& carried);
 

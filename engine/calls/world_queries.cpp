@@ -88,8 +88,11 @@ void visitOnRay(const WorldState& world, DVec2 origin, Vec2 translation, const Q
     });
 }
 
-/// Lifts the shape off all that is near its start and that its way does not lead into. @param start  a box around it
-void liftOff(const WorldState& world, const QueryFilter& filter, const Aabb& start, CarriedShape& carried) {
+/// Lifts the shape off all that is near its start and that its way does not lead into.
+/// @param start  a box around it
+/// @return what that is, in the order of the slots
+std::vector<Support> liftOff(const WorldState& world, const QueryFilter& filter, const Aabb& start,
+                             CarriedShape& carried) {
     std::vector<Support> supports;  // asks for memory only where there are some
     world.broadphase->query(start, [&](ProxyId proxy) {
         const std::uint32_t slot = slotOf(world, proxy);
@@ -98,6 +101,14 @@ void liftOff(const WorldState& world, const QueryFilter& filter, const Aabb& sta
         return true;
     });
     lift(carried, supports);
+    return supports;
+}
+
+/// Where there is little room, a shape that is lifted off one of its supports gets deeper into another one. It stays
+/// past that: it is not really lifted.
+bool isPassed(const std::vector<Support>& supports, std::uint32_t slot) {
+    return std::any_of(supports.begin(), supports.end(),
+                       [slot](const Support& s) { return s.slot == slot && s.isPassed; });
 }
 
 Met castAgainst(const WorldState& world, std::uint32_t slot, const CarriedShape& carried, Real limit) {
@@ -105,27 +116,18 @@ Met castAgainst(const WorldState& world, std::uint32_t slot, const CarriedShape&
     const Toi toi = castOf(world, shape, carried, static_cast<double>(limit));
     Met met{{}, slot};
     if (toi.state == ToiState::separated) { return met; }
-    const CastStart start = startOf(shape, carried, toi);
-    if (start == CastStart::leadsPast) { return met; }
+    const Stance stance = stanceOf(world, shape, carried, toi);
+    if (stance.start == CastStart::leadsPast) { return met; }
     met.hit.hit = true;
     met.hit.shape = world.shapes.idOf(shape.head);
     met.hit.body = world.bodies.idOf(shape.body);
     met.hit.fraction = static_cast<Real>(toi.fraction);
     met.hit.point = toi.pointA;
-    switch (start) {
-        case CastStart::inside:
-            met.hit.wayOut = toReal(wayOut(carried, toi));
-            met.depth = -toi.separation;
-            break;
-        case CastStart::leadsInto: {
-            const Pressed pressed = pressedInto(world, shape, carried);
-            met.hit.normal = toReal(pressed.normal);
-            met.depth = pressed.depth;
-            break;
-        }
-        case CastStart::apart:
-        case CastStart::leadsPast:
-            met.hit.normal = toReal(toi.normal);
+    met.depth = stance.depth;
+    if (stance.start == CastStart::inside) {
+        met.hit.wayOut = toReal(wayOut(carried, toi));
+    } else {
+        met.hit.normal = toReal(stance.normal);
     }
     return met;
 }
@@ -137,11 +139,11 @@ void visitOnWay(const WorldState& world, const Polygon& polygon, const WorldTran
     if (!isGood(polygon, pose) || !isGood(pose.position, translation)) { return; }
     CarriedShape carried = carriedFrom(polygon, pose, translation);
     const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);
-    liftOff(world, filter, start, carried);
+    const std::vector<Support> supports = liftOff(world, filter, start, carried);
     const Aabb lifted = grown(start, static_cast<Real>(length(carried.lift)));
     world.broadphase->sweep(lifted, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {
         const std::uint32_t slot = slotOf(world, proxy);
-        if (!sees(world, filter, world.shapes[slot]) || !(limit > 0)) { return limit; }
+        if (!sees(world, filter, world.shapes[slot]) || !(limit > 0) || isPassed(supports, slot)) { return limit; }
         const Met met = castAgainst(world, slot, carried, limit);
         return met.hit.hit ? std::min(limit, visit(met)) : limit;
     });
