@@ -143,7 +143,8 @@ void advance(WorldState& world, double dt) {
         reachAhead(world);
     }
     if (world.kinematicBodies > 0) { reachWithKinematicBodies(world); }
-    if (!world.drivenJoints.empty()) { beginDriven(world, dt); }
+    const bool isAnyDriven = !world.drivenJoints.empty();
+    if (isAnyDriven) { beginDriven(world, dt); }
     findPairs(world);
     clock.stop(world.stageTimes.pairs);
     collideContacts(world);
@@ -169,7 +170,7 @@ void advance(WorldState& world, double dt) {
     clock.stop(world.stageTimes.continuous);
     if (world.forcesGiven) { clearForces(world); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
-    if (!world.drivenJoints.empty()) { endDriven(world); }
+    if (isAnyDriven) { endDriven(world); }
     moveProxiesAndSortEvents(world);
     world.stepped = world.awake;
     if (world.settings.sleep) { putToSleep(world, dt); }

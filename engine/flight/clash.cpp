@@ -10,6 +10,7 @@
 #include "clash_contacts.h"
 #include "flight_state.h"
 #include "sweep_circles.h"
+#include "take_along.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

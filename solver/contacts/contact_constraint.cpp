@@ -120,10 +120,10 @@ std::array<Real, 2> totalsOf(const ContactConstraint& contact, const PairMotion&
     const ContactConstraintPoint& two = contact.points[1];
     const bool carriesOne = one.normalImpulse > 0;
     const bool carriesTwo = two.normalImpulse > 0;
-    const NormalDemand ofOne =
-        demandOf(contact, one, closingAt(one, motion), inverseH, useBias, carriesOne || (contact.begins && carriesTwo));
-    const NormalDemand ofTwo =
-        demandOf(contact, two, closingAt(two, motion), inverseH, useBias, carriesTwo || (contact.begins && carriesOne));
+    const NormalDemand ofOne = demandOf(contact, one, one.normalMass, closingAt(one, motion), inverseH, useBias,
+                                        carriesOne || (contact.begins && carriesTwo));
+    const NormalDemand ofTwo = demandOf(contact, two, two.normalMass, closingAt(two, motion), inverseH, useBias,
+                                        carriesTwo || (contact.begins && carriesOne));
     // What an impulse at the one takes from that at the other.
     const bool both = ofOne.any && ofTwo.any;
     const Real oneByTwo = both ? contact.sharedResponse * one.normalMass * ofOne.massScale : Real(0);
@@ -147,8 +147,8 @@ std::array<Real, 2> totalsOf(const ContactConstraint& contact, const PairMotion&
 /// Of one point.
 Real totalOf(const ContactConstraint& contact, const PairMotion& motion, Real inverseH, bool useBias) {
     const ContactConstraintPoint& point = contact.points[0];
-    const NormalDemand demand =
-        demandOf(contact, point, closingAt(point, motion), inverseH, useBias, point.normalImpulse > 0);
+    const NormalDemand demand = demandOf(contact, point, point.normalMass, closingAt(point, motion), inverseH, useBias,
+                                         point.normalImpulse > 0);
     if (!demand.any) { return point.normalImpulse; }
     return std::max(point.normalImpulse + demand.changeAt(point, point.normalMass), Real(0));
 }

@@ -20,10 +20,11 @@ struct NormalDemand {
 };
 
 /// @param closing     speed at which the point closes, m/s. @pre its separation is the present one
+/// @param mass        impulse per speed, kg
 /// @param isCarrying  whether a relaxation may go on with the point: it starts no contact
 /// @param pushShare   of the speed at which an overlap is pushed out
-inline NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, Real closing,
-                             Real inverseH, bool useBias, bool isCarrying, Real pushShare = 1) {
+inline NormalDemand demandOf(const ContactConstraint& contact, const ContactConstraintPoint& point, Real mass,
+                             Real closing, Real inverseH, bool useBias, bool isCarrying, Real pushShare = 1) {
     const Real separation = point.separation;
     // Relaxation stops nothing that is to bounce: it must arrive in the next sub-step with its speed.
     if (!useBias && closing > contact.bounceSpeed) { return {}; }
@@ -34,8 +35,18 @@ inline NormalDemand demandOf(const ContactConstraint& contact, const ContactCons
         return {true, closing - separation * inverseH};  // apart: may close the gap within this sub-step, no more
     }
     if (!useBias) { return {true, closing}; }
-    const Real bias = pushShare * std::max(contact.softness.biasRate * separation, -contact.maxPushSpeed);
-    return {true, closing - bias, contact.softness.massScale, contact.softness.impulseScale};
+    const Softness& softness = contact.softness;
+    const Real bias = pushShare * (softness.biasRate * separation);
+    const Real fastest = -(pushShare * contact.maxPushSpeed);
+    // What an impact still pushes apart has only its speed bounded.
+    if (!(closing > fastest)) {
+        return {true, closing - std::max(bias, fastest), softness.massScale, softness.impulseScale};
+    }
+    // The speed out of an overlap is bounded, the load that the overlap bears is not: else whatever is pressed harder
+    // than a light body can push back in a sub-step would sink through it, at a steady pace.
+    const bool isTooFast = mass * softness.massScale * (fastest - bias) > softness.impulseScale * point.normalImpulse;
+    if (isTooFast) { return {true, closing - fastest, softness.massScale, 0}; }
+    return {true, closing - bias, softness.massScale, softness.impulseScale};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

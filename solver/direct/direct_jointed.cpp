@@ -15,8 +15,8 @@ namespace {
 constexpr int kMostPasses = 8;
 constexpr Real kSmallChange = 16 * kEpsilon;
 
-/// Of two bodies that joints hold to each other. An overlap is a spring as stiff as what it moves is heavy, and where the
-/// joints hardly let it move anything that is without bound: a box welded to another one that it overlaps was flung
+/// Of two bodies that joints hold to each other. An overlap is a spring as stiff as what it moves is heavy, and where
+/// the joints hardly let it move anything that is without bound: a box welded to another one that it overlaps was flung
 /// about with hundreds of times the energy of its fall, as any turn makes motion of what such a spring holds. Beyond so
 /// many times the mass of all that hangs on the joints an overlap is pushed out more slowly, by as much as it is
 /// heavier; and what a lever of 32 : 1 does not move carries nothing, since the contact contradicts the joints.
@@ -161,10 +161,12 @@ Real DirectSolver::solvePoint(JointedPoint& jointed, const ContactPass& pass) {
     ContactConstraintPoint& point = *jointed.point;
     const bool isCarrying = point.normalImpulse > 0 || (contact.begins && otherCarries(contact, point));
     const auto closing = static_cast<Real>(-changedExcess(jointed.normal));
-    const NormalDemand demand = demandOf(contact, point, closing, 1 / pass.h, pass.useBias, isCarrying, jointed.pushShare);
+    const auto mass = static_cast<Real>(jointed.normalMass);
+    const NormalDemand demand =
+        demandOf(contact, point, mass, closing, 1 / pass.h, pass.useBias, isCarrying, jointed.pushShare);
     const Real normalBefore = point.normalImpulse;
     if (demand.any) {
-        const Real change = demand.changeAt(point, static_cast<Real>(jointed.normalMass));
+        const Real change = demand.changeAt(point, mass);
         const Real wanted = jointed.normalMass > 0 ? normalBefore + change : Real(0);
         point.normalImpulse = std::max(wanted, Real(0));
         pushTies(jointed, jointed.answers, static_cast<double>(point.normalImpulse - normalBefore));

@@ -145,10 +145,20 @@ private:
         const LaneMask isApart = hn::Gt(separation, hn::Zero(tag));
         const Lanes gap = hn::Mul(separation, inverseH);
         if constexpr (kUseBias) {
-            const Lanes bias = larger(hn::Mul(at(block_.biasRate), separation), hn::Neg(at(block_.maxPushSpeed)));
-            return {hn::Eq(inverseH, inverseH), hn::Sub(closing, hn::IfThenElse(isApart, gap, bias)),
-                    hn::IfThenElse(isApart, hn::Set(tag, Real(1)), at(block_.massScale)),
-                    hn::IfThenZeroElse(isApart, at(block_.impulseScale))};
+            const Lanes bias = hn::Mul(at(block_.biasRate), separation);
+            const Lanes fastest = hn::Neg(at(block_.maxPushSpeed));
+            const Lanes massScale = at(block_.massScale);
+            const Lanes impulseScale = at(block_.impulseScale);
+            const Lanes excess = hn::Mul(hn::Mul(at(point.normalMass), massScale), hn::Sub(fastest, bias));
+            const LaneMask isPressed = hn::Gt(closing, fastest);
+            const LaneMask isTooFast =
+                hn::And(isPressed, hn::Gt(excess, hn::Mul(impulseScale, at(point.normalImpulse))));
+            const Lanes push =
+                hn::IfThenElse(isPressed, hn::IfThenElse(isTooFast, fastest, bias), larger(bias, fastest));
+            const Lanes wanted = hn::IfThenElse(isApart, gap, push);
+            return {hn::Eq(inverseH, inverseH), hn::Sub(closing, wanted),
+                    hn::IfThenElse(isApart, hn::Set(tag, Real(1)), massScale),
+                    hn::IfThenZeroElse(hn::Or(isApart, isTooFast), impulseScale)};
         } else {
             const LaneMask isSlow = hn::Not(hn::Gt(closing, at(block_.bounceSpeed)));
             return {hn::And(isSlow, hn::Or(hn::Not(isApart), isCarrying)),
