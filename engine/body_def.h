@@ -32,7 +32,7 @@ struct BodyDef {
     BodyType type = BodyType::fixed;
     DVec2 position{};  ///< of the body origin, world
     double angle = 0;  ///< counter-clockwise; kept unwrapped
-    Vec2 velocity{};   ///< of the centre of mass; not for static bodies
+    Vec2 velocity{};   ///< of the centre of mass (of what is not dynamic: of the origin); not for static bodies
     Real angularVelocity = 0;
     Real linearDamping = 0;  ///< 1/s, v′ = −c·v, applied exactly; at least 0
     Real angularDamping = 0;

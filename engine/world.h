@@ -186,7 +186,8 @@ public:
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;
     // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of
-    // createJoint.
+    // createJoint. Other limits and lengths draw the bodies there, but give them no speed: what stands on a lift that is
+    // raised like that is left behind, and may fall through it. A motor carries it.
     Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);             ///< revolute, wheel
     Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);               ///< prismatic
     Status setAngleLimits(JointId id, std::optional<AngleLimits> limits);              ///< revolute
@@ -201,7 +202,7 @@ public:
     Status setBreakLimits(JointId id, std::optional<Real> force, std::optional<Real> torque);
     /// How far the joint is from holding at the present poses, metres: gap of the anchors, distance from the axis,
     /// violation of rod, rope or limits of length, slip of a gear that begins with a prismatic joint. What is a spring
-    /// or a drive has no error.
+    /// or a drive has no error, and limits of angles and translations do not count.
     Real jointError(JointId id) const;
     Real jointAngleError(JointId id) const;  ///< likewise, rad: prismatic, weld, gears that begin with a revolute joint
     double jointAngle(JointId id) const;     ///< of B relative to A, 0 when it was made, unwrapped
