@@ -227,7 +227,8 @@ public:
     /// of that extent, as contacts may let it, stops it at once, with its normal, only if the way leads into it,
     /// against that normal; else the cast starts just off it, so that a character may look ahead from where it stands,
     /// over seams of its ground as well. So it is free along what stopped it: a way without the part into the normal
-    /// passes. What overlaps deeper stops it at once, whatever the way, without a normal: `CastHit::wayOut` leads out.
+    /// passes, though beside a sharp corner only the next such way may. What overlaps deeper stops it at once, whatever
+    /// the way, without a normal: `CastHit::wayOut` leads out.
     CastHit castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                       const QueryFilter& filter = {}) const;
     /// Calls `visit` with where each shape is met, as by castShape, and in the manner of castRayAll.

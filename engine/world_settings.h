@@ -24,7 +24,8 @@ struct WorldSettings {
     int subSteps = 0;      ///< 1 … 1024; 0: the profile's
     int relaxPasses = -1;  ///< per sub-step, 0 … 64; −1: the profile's
     ContinuousMode continuous = ContinuousMode::subStep;
-    /// Per body and step, at least 1. Beyond 64, each 64 have to take it on by 1/1024 of the step.
+    /// Per body and step, at least 1. After each 64 of them a body that they took on by less than 1/1024 of the step is
+    /// held as `stuck`.
     int maxImpacts = 64;
     /// m/s, greater than 0; of dynamic bodies: faster ones are slowed to it. Kinematic ones move as they are told.
     Real maxSpeed = std::numeric_limits<Real>::infinity();

@@ -7,7 +7,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Which part of a change impulses took back in the same time, by the part of them that opposes it.
+/// Which part of a change of velocity impulses took back in the same time, by the part of them that opposes it. Forces
+/// and damping are one change: what opposes both of them bears both.
 double borneShare(double opposed, double changeSquared) {
     return changeSquared > 0 ? std::clamp(-opposed / changeSquared, 0.0, 1.0) : 1;
 }

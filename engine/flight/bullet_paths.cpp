@@ -3,17 +3,21 @@
 #include <algorithm>
 
 #include "flight_state.h"
+#include "sweep_obstacles.h"
+#include "take_along.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// A path that another body would push it along ends where it meets ground.
-void endAtGround(const Flight& flight, Sweep& path) {
+/// @return at which fraction of it; 1 where it meets none
+double endAtGround(const Flight& flight, Sweep& path) {
     const FirstImpact first = nextImpact(flight, path);
-    if (!first.hit) { return; }
+    if (!first.hit) { return 1; }
     const DVec2 center = centerAt(path, first.fraction);
     path.a1 = angleAt(path, first.fraction);
     path.c1 = center;
+    return first.fraction;
 }
 
 }  // namespace
@@ -38,7 +42,14 @@ Sweep pathWith(const BulletPartner& rider, const BulletPartner& carrier, double 
                .c1 = centerAt(carrier.path, 1) + turned,
                .a0 = motion.angle,
                .a1 = motion.angle + turn};
-    endAtGround(rider.flight, path);
+    const Flight& flight = rider.flight;
+    const double met = endAtGround(flight, path);
+    if (!(met < 1)) { return path; }
+    // It stands there for the rest of the step, in which a kinematic body goes on.
+    BodyMotion end = motionAt(path, 1, flight.body().localCenter);
+    takeAlong(*flight.world, flight.slot, end, flight.elapsed + met * flight.remaining(), flight.dt, *flight.scratch);
+    path.c1 = end.center;
+    path.a1 = end.angle;
     return path;
 }
 

@@ -5,6 +5,7 @@
 
 #include "../../broadphase/wide_kernels.h"
 #include "../../toi/toi_polygon.h"
+#include "../containers/sort_few.h"
 #include "../stages/step.h"
 #include "../state/place_order.h"
 #include "../state/tolerances.h"
@@ -62,8 +63,7 @@ void findWaypoints(const WorldState& world, std::uint32_t slot, std::vector<Wayp
         const DVec2 arm = toDouble(rotate(rotationFromAngle(pose.angle), body.localCenter));
         points.push_back({pose.fraction, pose.position + arm, pose.angle});
     }
-    std::stable_sort(points.begin(), points.end(),
-                     [](const Waypoint& a, const Waypoint& b) { return a.fraction < b.fraction; });
+    sortFew(points, [](const Waypoint& a, const Waypoint& b) { return a.fraction < b.fraction; });
     if (points.back().fraction < 1) { points.push_back({1, world.motions[slot].center, world.motions[slot].angle}); }
 }
 

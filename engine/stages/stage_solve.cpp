@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "../containers/sort_few.h"
 #include "../crew/shared_choice.h"
 #include "../islands/effort_budget.h"
 #include "../modes/modes.h"
@@ -240,7 +241,7 @@ void solveTiedBodies(WorldState& world, double dt) {
     desk.loops = world.loops;
     const bool budgeted = hasErrorBudget(world.settings);
     if (budgeted) {
-        std::stable_sort(efforts.begin(), efforts.end(), [](Effort a, Effort b) { return a.doublings < b.doublings; });
+        sortFew(efforts, [](Effort a, Effort b) { return a.doublings < b.doublings; });
     }
     std::uint8_t retries = 0;
     for (std::size_t place = 0; place < efforts.size(); ++place) {  // grows as it goes

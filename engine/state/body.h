@@ -55,7 +55,7 @@ struct Body {
     bool rests = false;           ///< this step: something static or kinematic carries it
     bool strikes = false;         ///< gets to something static or kinematic within this step, and not slowly
     bool startled = false;        ///< this step: a kinematic body may move over it
-    bool fast = false;            ///< this step: startled, or some point may move far (modes.h)
+    bool fast = false;            ///< this step: startled, or some point may move far (`kFastRatio` and its like)
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
     std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (effort.h)

@@ -24,8 +24,8 @@ inline constexpr Real kEndRatio = 4 * kTargetRatio;
 inline constexpr Real kSamePlaceRatio = Real(1) / 32;
 /// A body is fast when some point of it may move more than this part of its extent in the step.
 inline constexpr Real kFastRatio = Real(1) / 4;
-/// A bullet that flies freely is so sooner: a glancing hit sends both on by the normal of where they meet, and what the
-/// solver takes for that is the normal of up to a step before (up to 7° off, else).
+/// For a bullet that flies freely this part is enough. Where two glance off each other, the normal of where they meet
+/// decides; the solver has that of up to a step before instead, which for slow bullets would be up to 7° off.
 inline constexpr Real kFastBulletRatio = Real(1) / 128;
 /// Contact points are made ahead of time up to the motion of a step, but no farther than this part of the extent (what
 /// moves farther is fast, and swept), and at least as far as the second one, so that resting contacts never flicker.
