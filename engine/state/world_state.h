@@ -37,6 +37,7 @@
 #include "body.h"
 #include "joint.h"
 #include "place_order.h"
+#include "sensor_sweeps.h"
 #include "shape.h"
 #include "sleeping_pairs.h"
 
@@ -59,40 +60,6 @@ struct EventPlaces {
     std::vector<EventPlace> chainTouches;  ///< touches with chains that events ask for, one per segment: keys and kinds
     std::vector<EventPlace> spare;         ///< of `sortByKeys`
     std::vector<std::uint8_t> isNamed;     ///< by slot of a shape: it begins or ends to touch a chain, or is one
-};
-
-/// A sensor and a shape that may pass it within the step.
-struct SensorPair {
-    std::uint32_t sensor = 0;  ///< slots
-    std::uint32_t other = 0;
-    auto operator<=>(const SensorPair&) const = default;
-};
-
-/// Boxes of the ways of fast shapes through the step.
-struct WaysOfShapes {
-    std::vector<Aabb> boxes;
-    std::vector<std::uint32_t> shapes;  ///< slots, likewise
-};
-
-/// The contact of such a pair.
-struct ContactOfSensor {
-    SensorPair pair;
-    std::uint32_t contact = 0;  ///< index
-    auto operator<=>(const ContactOfSensor&) const = default;
-};
-
-/// One of the `impactPoses` of a step.
-struct ImpactOfBody {
-    std::uint32_t body = 0;   ///< slot
-    std::uint32_t place = 0;  ///< in that list
-    auto operator<=>(const ImpactOfBody&) const = default;
-};
-
-/// Where the centre of a body was at a fraction of the step.
-struct Waypoint {
-    double fraction = 0;
-    DVec2 center{};
-    double angle = 0;
 };
 
 /// What contacts look at first of their bodies, as the stage of contacts began (travel.h).
@@ -124,20 +91,6 @@ struct BodyTravel {
     double boxRoom = 0;
     DVec2 boxCenter{};
     double boxAngle = 0;
-};
-
-/// Scratch of mode_sensors.cpp, kept for its capacity.
-struct SensorSweeps {
-    std::vector<SensorPair> pairs;
-    std::vector<std::uint32_t> fast;  ///< body slots
-    WaysOfShapes ofSensors;
-    WaysOfShapes ofOthers;
-    WideTree tree;                          ///< of the latter
-    std::vector<ContactOfSensor> contacts;  ///< by pair; of sensors
-    std::vector<ImpactOfBody> impacts;      ///< by body, and in the order of the list
-    std::vector<Waypoint> ofSensor;
-    std::vector<Waypoint> ofOther;
-    std::vector<double> fractions;
 };
 
 /// Who runs the loops of a world. A copy has a crew of its own, and works for the same user.
