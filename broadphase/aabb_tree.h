@@ -12,7 +12,7 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Place of a node in its tree.
 using NodeIndex = std::uint32_t;
-inline constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
+inline constexpr NodeIndex kNoNode = (std::numeric_limits<NodeIndex>::max)();
 
 /// No tree is ever higher, whatever is put into it in whatever order, so that walks need no more than a fixed stack.
 /// The shallowest leaf of 2³² leaves lies at most 32 deep: there is always a place for one more.

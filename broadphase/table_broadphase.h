@@ -17,7 +17,7 @@ public:
     /// Two overlapping boxes of kinds that can meet, of which one has moved; each pair may be given once only.
     void add(std::uint32_t a, std::uint32_t b) {
         if (overlaps(table_.knownBoxAt(a), table_.knownBoxAt(b))) { return; }
-        out_.push_back({static_cast<ProxyId>(std::min(a, b)), static_cast<ProxyId>(std::max(a, b))});
+        out_.push_back({static_cast<ProxyId>((std::min)(a, b)), static_cast<ProxyId>((std::max)(a, b))});
     }
     /// For those who know what is new by themselves; lower slot first.
     std::vector<ProxyPair>& newPairs() { return out_; }

@@ -68,11 +68,11 @@ inline void walkSweep(const AabbTree& tree, SweepVisit& visit) {
             if (visit.isOver()) { return; }
             continue;
         }
-        Entry near = entryOf(node.child[0]);
-        Entry far = entryOf(node.child[1]);
-        if (far.touch < near.touch) { std::swap(near, far); }
-        if (far.touch != BoxSweep::kNever) { stack.push(far); }
-        if (near.touch != BoxSweep::kNever) { stack.push(near); }
+        Entry closer = entryOf(node.child[0]);
+        Entry farther = entryOf(node.child[1]);
+        if (farther.touch < closer.touch) { std::swap(closer, farther); }
+        if (farther.touch != BoxSweep::kNever) { stack.push(farther); }
+        if (closer.touch != BoxSweep::kNever) { stack.push(closer); }
     }
 }
 

@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kWide = 8;
 inline constexpr std::uint32_t kLaneBits = 3;
 inline constexpr std::uint32_t kLaneMask = kWide - 1;
 inline constexpr std::uint8_t kAllLanes = (1U << kWide) - 1;
-inline constexpr std::uint32_t kNoSlot = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t kNoSlot = (std::numeric_limits<std::uint32_t>::max)();
 
 /// Eight boxes, coordinate by coordinate, as lanes of one comparison. Empty lanes hold `kNoBox`.
 struct alignas(64) WideBoxes {

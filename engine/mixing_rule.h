@@ -24,7 +24,7 @@ inline constexpr MixingRule kUsualRestitution = MixingRule::maximum;
 
 /// @param usual  what that rule stands for: another one
 constexpr MixingRule ruleOfPair(MixingRule a, MixingRule b, MixingRule usual) {
-    const MixingRule later = std::max(a, b);
+    const MixingRule later = (std::max)(a, b);
     return later == MixingRule::usual ? usual : later;
 }
 
@@ -41,11 +41,11 @@ Number mixed(MixingRule rule, Number a, Number b) {
         case MixingRule::average:
             return (a + b) / 2;
         case MixingRule::minimum:
-            return std::min(a, b);
+            return (std::min)(a, b);
         case MixingRule::product:
             return a * b;
         case MixingRule::maximum:
-            return std::max(a, b);
+            return (std::max)(a, b);
     }
     return 0;  // unreachable, but GCC cannot know
 }

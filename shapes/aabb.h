@@ -23,7 +23,7 @@ constexpr bool contains(const Aabb& outer, const Aabb& inner) {
     return outer.lower.x <= inner.lower.x && outer.lower.y <= inner.lower.y && inner.upper.x <= outer.upper.x &&
            inner.upper.y <= outer.upper.y;
 }
-constexpr Aabb hullOf(const Aabb& a, const Aabb& b) { return {min(a.lower, b.lower), max(a.upper, b.upper)}; }
+constexpr Aabb hullOf(const Aabb& a, const Aabb& b) { return {(min)(a.lower, b.lower), (max)(a.upper, b.upper)}; }
 constexpr Real perimeter(const Aabb& a) { return 2 * ((a.upper.x - a.lower.x) + (a.upper.y - a.lower.y)); }
 /// Finite, and lower ≤ upper in both axes.
 inline bool isValid(const Aabb& a) {

@@ -59,12 +59,12 @@ inline DVec2 unitOf(DVec2 v) { return (1 / length(v)) * v; }
 
 /// Unit normal of a counter-clockwise edge; the stored one where the edge's square underflows.
 inline DVec2 edgeNormal(DVec2 edge, DVec2 stored) {
-    return dot(edge, edge) >= std::numeric_limits<double>::min() ? unitOf(rightPerp(edge)) : stored;
+    return dot(edge, edge) >= (std::numeric_limits<double>::min)() ? unitOf(rightPerp(edge)) : stored;
 }
 
 /// Nearest `Real`; magnitudes beyond its range become its largest finite value.
 inline Real clampedReal(double x) {
-    constexpr double kLargest = static_cast<double>(std::numeric_limits<Real>::max());
+    constexpr double kLargest = static_cast<double>((std::numeric_limits<Real>::max)());
     return static_cast<Real>(x > kLargest ? kLargest : (x < -kLargest ? -kLargest : x));
 }
 inline Vec2 clampedReal(DVec2 v) { return {clampedReal(v.x), clampedReal(v.y)}; }

@@ -31,7 +31,7 @@ public:
     Transform bInA() const { return {scaled(bInA_.translation), bInA_.rotation}; }
     /// A length or coordinate; at most the largest finite value.
     Real scaled(Real x) const {
-        constexpr Real kMost = std::numeric_limits<Real>::max();
+        constexpr Real kMost = (std::numeric_limits<Real>::max)();
         const Real y = std::ldexp(x, -exponent_);
         return y > kMost ? kMost : y;
     }
@@ -39,7 +39,7 @@ public:
 
     /// Back to the scale of the input; beyond the range of double, its largest finite value.
     double restored(double x) const {
-        constexpr double kMost = std::numeric_limits<double>::max();
+        constexpr double kMost = (std::numeric_limits<double>::max)();
         const double y = std::ldexp(x, exponent_);
         return y > kMost ? kMost : (y < -kMost ? -kMost : y);
     }
@@ -49,11 +49,11 @@ private:
     static constexpr double kLargest = 0x1p200;
 
     double largestCoordinate(std::initializer_list<Vec2> more) const {
-        Vec2 most = max(bInA_.translation, -bInA_.translation);
+        Vec2 most = (max)(bInA_.translation, -bInA_.translation);
         for (const Polygon* p : {&a_, &b_}) {
-            for (const Vec2& v : p->points()) { most = max(most, max(v, -v)); }
+            for (const Vec2& v : p->points()) { most = (max)(most, (max)(v, -v)); }
         }
-        for (const Vec2& v : more) { most = max(most, max(v, -v)); }
+        for (const Vec2& v : more) { most = (max)(most, (max)(v, -v)); }
         return static_cast<double>(most.x > most.y ? most.x : most.y);
     }
     Polygon scaled(const Polygon& p) const {

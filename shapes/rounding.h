@@ -41,7 +41,7 @@ constexpr T steppedDown(bool isAsked, T x) {
 
 /// The largest `Real` that is not above `x`; the nearest finite one where `x` is out of range. NaN stays NaN.
 constexpr Real roundedDown(double x) {
-    constexpr double kMax = static_cast<double>(std::numeric_limits<Real>::max());
+    constexpr double kMax = static_cast<double>((std::numeric_limits<Real>::max)());
     const double low = x > kMax ? kMax : x;
     const double inRange = low < -kMax ? -kMax : low;
     const Real nearest = static_cast<Real>(inRange);  // not +0 where it is above: what is below 0 becomes −0
@@ -55,7 +55,7 @@ constexpr Real roundedUp(double x) { return -roundedDown(-x); }
 /// so its sign says on which side of the exact sum the rounded one lies, however far apart the magnitudes are. The
 /// nearest finite one where the sum is out of range; NaN stays NaN.
 constexpr Real sumRoundedDown(Real a, Real b) {
-    constexpr Real kMax = std::numeric_limits<Real>::max();
+    constexpr Real kMax = (std::numeric_limits<Real>::max)();
     const Real sum = a + b;
     const Real partOfB = sum - a;
     const Real partOfA = sum - partOfB;

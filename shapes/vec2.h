@@ -47,8 +47,10 @@ struct UnitAndLength {
 /// first, so the direction has full precision). A zero vector gives (0, 0) and length 0.
 UnitAndLength normalized(Vec2 a);
 
-constexpr Vec2 min(Vec2 a, Vec2 b) { return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y}; }
-constexpr Vec2 max(Vec2 a, Vec2 b) { return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y}; }
+/// In parentheses, as in all headers that users include: before some of those <windows.h> has made macros of both
+/// names.
+constexpr Vec2(min)(Vec2 a, Vec2 b) { return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y}; }
+constexpr Vec2(max)(Vec2 a, Vec2 b) { return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y}; }
 inline bool isFinite(Real x) { return std::isfinite(x); }
 inline bool isFinite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 

@@ -60,7 +60,7 @@ private:
         const double span = to.fraction - from.fraction;
         const double sag = curve_.bend() * span * span / 8;
         const bool oneSide = isOutside(from) == isOutside(to);
-        if (oneSide && std::min(std::fabs(from.value), std::fabs(to.value)) > sag) { return std::nullopt; }
+        if (oneSide && (std::min)(std::fabs(from.value), std::fabs(to.value)) > sag) { return std::nullopt; }
         if (budget_.exhausted()) { return std::nullopt; }
         if (2 * sag <= curve_.resolution() || halvings == 0) {
             return accepted(oneSide ? nearer(from, to) : refined(from, to));
