@@ -11,8 +11,8 @@ if(SWEPT_WASM)
 endif()
 target_link_libraries(swept_gtest_main PUBLIC swept_gtest)
 if(SWEPT_SIMD)
-    # What suites ask of Highway's library, of which the headers alone are here.
-    target_sources(swept_gtest PRIVATE ${PROJECT_SOURCE_DIR}/tests/portability/one_target.cpp)
+    # What is asked of Highway's library, of which the headers alone are here.
+    target_sources(swept_gtest PRIVATE ${PROJECT_SOURCE_DIR}/tests/portability/targets.cpp)
     target_link_libraries(swept_gtest PRIVATE hwy::hwy)
 endif()
 add_library(GTest::gtest ALIAS swept_gtest)

@@ -4,17 +4,19 @@ if(SWEPT_SIMD)
     set(SWEPT_HIGHWAY hwy::hwy)
     if(TARGET hwy::hwy)
         # of the project that this one is part of
-    elseif(SWEPT_WASM OR (CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64))
-        # These machines have one instruction set that is of use, so that nothing is chosen at run time, and the headers are
-        # all of Highway that is needed: those of this machine do, seen through a link so that nothing else beside them is.
+    elseif(SWEPT_WASM OR (CMAKE_CROSSCOMPILING AND (CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64 OR (MINGW AND SWEPT_BUILD_TESTS))))
+        # Headers are all that is needed of Highway where one instruction set is of use, so that nothing is chosen at run time;
+        # tests for Windows choose by what stands beside them. Those of this machine do, seen through a link so that nothing
+        # else beside them is.
         find_path(SWEPT_HIGHWAY_HEADERS hwy/highway.h PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
         if(SWEPT_HIGHWAY_HEADERS)
             file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/highway)
             file(CREATE_LINK ${SWEPT_HIGHWAY_HEADERS}/hwy ${PROJECT_BINARY_DIR}/highway/hwy SYMBOLIC)
             add_library(hwy::hwy INTERFACE IMPORTED GLOBAL)
             target_include_directories(hwy::hwy INTERFACE ${PROJECT_BINARY_DIR}/highway)
-            # Highway from 1.0.4 on knows NEON of several kinds, and would ask its library which one there is.
-            target_compile_definitions(hwy::hwy INTERFACE HWY_COMPILE_ONLY_STATIC)
+            if(NOT MINGW)  # Highway from 1.0.4 on knows NEON of several kinds, and would ask its library which one there is.
+                target_compile_definitions(hwy::hwy INTERFACE HWY_COMPILE_ONLY_STATIC)
+            endif()
             set(SWEPT_HIGHWAY $<BUILD_INTERFACE:hwy::hwy>)  # nothing for who links what is installed
         endif()
     else()
