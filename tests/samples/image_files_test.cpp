@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <png.h>
 #include <sys/stat.h>
 #include <webp/demux.h>
 
@@ -15,6 +14,7 @@
 #include <swept/samples/render/image_png.h>
 #include <swept/samples/render/image_webp.h>
 
+#include "../support/png_file.h"
 #include "../support/random.h"
 #include "render_support.h"
 
@@ -31,17 +31,6 @@ Image noise(int width, int height, std::uint64_t seed) {
     Image image = makeImage(width, height, 0, 0, 0);
     Random random(seed);
     for (std::uint8_t& byte : image.rgb) { byte = static_cast<std::uint8_t>(random.bits() & 255U); }
-    return image;
-}
-
-Image readPng(const std::string& path) {
-    png_image header{};
-    header.version = PNG_IMAGE_VERSION;
-    EXPECT_NE(png_image_begin_read_from_file(&header, path.c_str()), 0) << header.message;
-    EXPECT_EQ(header.format, static_cast<png_uint_32>(PNG_FORMAT_RGB)) << "8 bits, no alpha";
-    header.format = PNG_FORMAT_RGB;
-    Image image = makeImage(static_cast<int>(header.width), static_cast<int>(header.height), 0, 0, 0);
-    EXPECT_NE(png_image_finish_read(&header, nullptr, image.rgb.data(), 0, nullptr), 0) << header.message;
     return image;
 }
 

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
+#include "../support/png_file.h"
 #include "run_program.h"
 #include "small_scenes.h"
 
@@ -62,6 +64,24 @@ TEST(CommandPictures, DrawsASheetAndAnAnimation) {
     EXPECT_EQ(webp.substr(0, 4), "RIFF");
     EXPECT_EQ(webp.substr(8, 4), "WEBP");
     EXPECT_NE(webp.find("ANIM"), std::string::npos);
+}
+
+/// Where nothing moves, moments differ in their captions alone.
+TEST(CommandPictures, OfASheetTellTheirTimesOnce) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("still.json", R"({"bodies": [{"shapes": [{"circle": {"radius": 1}}]}]})");
+    const auto sheetAfter = [&](const std::string& steps) {
+        const auto result = runSwept(
+            {"run", scene, "--steps", steps, "--size", "320x180", "--png", scratch.path("out"), "--sheet", "1"});
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return test::readPng(scratch.path("out/sheet.png"));
+    };
+    const Image first = sheetAfter("10");
+    const Image second = sheetAfter("50");
+    ASSERT_EQ(first.rgb.size(), second.rgb.size());
+    EXPECT_FALSE(first == second) << "the captions";
+    constexpr int kGap = 8;  // around the tiles
+    EXPECT_TRUE(std::equal(first.at(0, 0), first.at(0, kGap + 180), second.at(0, 0)));
 }
 
 /// A rope from above the picture to a ball that falls below it: all there is to see of the scene is what is drawn of

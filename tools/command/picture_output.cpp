@@ -79,8 +79,9 @@ public:
         if (!arguments_.webp.empty()) { webp_.emplace(); }
         if (arguments_.sheet == 0) { return true; }
         sheetSteps_ = sheetSteps(steps, arguments_.sheet);
-        tileRenderer_ =
-            SceneRenderer::create(scene, renderOptions(arguments_, tileSize(size, arguments_.sheet)), error);
+        RenderOptions tile = renderOptions(arguments_, tileSize(size, arguments_.sheet));
+        tile.time = false;  // that is the caption
+        tileRenderer_ = SceneRenderer::create(scene, tile, error);
         return tileRenderer_ != nullptr;
     }
 
