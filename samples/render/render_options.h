@@ -13,6 +13,9 @@ struct RenderOptions {
     int height = 540;                     ///< pixels
     int superSampling = 3;                ///< samples per pixel and direction
     std::optional<ViewDescription> view;  ///< instead of the scene's own, or of one fitted to its bodies
+    /// Index of the body with which the view moves (it does not turn). `view` is then centred so far from the body's
+    /// origin; without one the origin is in the middle, and a few times the body is seen.
+    std::optional<std::size_t> follow;
 
     bool grid = true;
     bool title = true;

@@ -11,6 +11,9 @@ namespace swept {
 namespace {
 
 constexpr double kMargin = 1.12;  // of a fitted view around its content
+// Of a view that moves with a body, against the reach of that: a car has three of its lengths before it in a wide
+// picture.
+constexpr double kFollowing = 8;
 
 struct WorldBox {
     DVec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -47,6 +50,20 @@ WorldBox boxOf(const BodyDescription& body) {
         }
     }
     return box;
+}
+
+/// From the origin, metres.
+double reachOf(const BodyDescription& body) {
+    double reach = 0;
+    for (const ShapeDescription& shape : body.shapes) {
+        const ShapeCore core = shapeCore(shape.geometry, shape.radius);
+        for (const DVec2 p : core.points) { reach = std::max(reach, std::hypot(p.x, p.y) + core.radius); }
+    }
+    return reach;
+}
+
+ViewDescription viewOfScene(const SceneDescription& scene, double aspect) {
+    return scene.view ? *scene.view : fittedView(scene, aspect);
 }
 
 }  // namespace
@@ -99,12 +116,24 @@ double penScale(const RenderOptions& options) {
     return std::clamp(std::min(options.height / 540.0, options.width / 960.0), 0.7, 4.0);
 }
 
+double followingHeight(const SceneDescription& scene, std::size_t body, double aspect) {
+    const double most = viewOfScene(scene, aspect).height;
+    const double reach = reachOf(scene.bodies[body]);
+    return reach > 0 ? std::min(most, kFollowing * reach) : most;
+}
+
 PixelView pixelView(const SceneDescription& scene, const RenderOptions& options) {
     const double width = options.width;
     const double height = options.height;
-    const ViewDescription view = options.view ? *options.view
-                                 : scene.view ? *scene.view
-                                              : fittedView(scene, width / height);
+    ViewDescription view;
+    if (options.view) {
+        view = *options.view;
+    } else if (options.follow) {
+        view.height = followingHeight(scene, *options.follow, width / height);
+    } else {
+        view = viewOfScene(scene, width / height);
+    }
+    if (options.follow) { view.center = view.center + scene.bodies[*options.follow].position; }
     return {view.center, height / view.height, {width / 2, height / 2}, penScale(options)};
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "../scene_description.h"
 #include "render_options.h"
 #include "render_paint.h"
@@ -48,10 +50,16 @@ ViewDescription fittedView(const SceneDescription& scene, double aspect);
 /// `most` do not count: they are seen in part, or not at all, in any case.
 double halfWidthOf(const SceneDescription& scene, const ViewDescription& view, double most);
 
+/// Height of a view that moves with a body: a few times as far as the body reaches from its origin, at most that of the
+/// scene's own view or the fitted one.
+/// @param aspect  width by height of the picture.
+double followingHeight(const SceneDescription& scene, std::size_t body, double aspect);
+
 /// How large lines and letters are in a picture, against one of 960 × 540.
 double penScale(const RenderOptions& options);
 
-/// The view that the options or the scene ask for, or the fitted one.
+/// The view that the options or the scene ask for, or the fitted one; of the initial state where it follows a body.
+/// @param options  follows nobody, or a body of the scene.
 PixelView pixelView(const SceneDescription& scene, const RenderOptions& options);
 
 }  // namespace swept

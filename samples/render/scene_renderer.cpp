@@ -17,6 +17,10 @@ bool isFiniteState(const BodyFrame& body) { return isFinite(body.position) && st
 
 std::unique_ptr<SceneRenderer> SceneRenderer::create(const SceneDescription& scene, const RenderOptions& options,
                                                      std::string& error) {
+    if (options.follow && *options.follow >= scene.bodies.size()) {
+        error = "the body to follow is none of the scene";
+        return nullptr;
+    }
     std::unique_ptr<RenderCanvas> canvas =
         RenderCanvas::create(options.width, options.height, options.superSampling, error);
     if (!canvas) { return nullptr; }
@@ -54,8 +58,16 @@ void SceneRenderer::removeBrokenJoints(std::span<const SceneEvent> events) {
     }
 }
 
+void SceneRenderer::moveView(const Frame& frame) {
+    if (!options_.follow || *options_.follow >= frame.bodies.size()) { return; }
+    const DVec2 beside = options_.view ? options_.view->center : DVec2{};
+    const DVec2 center = beside + frame.bodies[*options_.follow].position;
+    if (isFinite(center)) { view_.center = center; }
+}
+
 Image SceneRenderer::drawFrame(const Frame& frame, const Reference* reference) {
     paint_.clear();
+    moveView(frame);
     if (options_.grid) { drawGrid(paint_, view_); }
     if (options_.trails) { trails_.draw(paint_, view_, drawing_); }
     if (options_.sweeps) { drawSweptAreas(paint_, view_, drawing_, frame); }

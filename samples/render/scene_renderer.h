@@ -27,11 +27,12 @@ struct Reference {
 /// Draws frames of one scene. The same frame gives the same bytes, in every process. Use from one thread at a time.
 class SceneRenderer {
 public:
-    /// @return null, and a reason in `error`, when the size or the view is unusable or there is no off-screen OpenGL.
+    /// @return null, and a reason in `error`, when the size or the view is unusable, the body to follow is none of the
+    ///         scene, or there is no off-screen OpenGL.
     static std::unique_ptr<SceneRenderer> create(const SceneDescription& scene, const RenderOptions& options,
                                                  std::string& error);
 
-    /// Bodies whose pose is not finite are left out; the picture says how many.
+    /// Bodies whose pose is not finite are left out; the picture says how many. A view that follows one stays.
     /// @return an empty picture if OpenGL fails.
     Image draw(const Frame& frame);
     Image draw(const Frame& frame, const Reference& reference);
@@ -45,11 +46,13 @@ public:
     /// Frames do not say which joints broke. From now on, those of the events of type `jointBreak` are not drawn.
     void removeBrokenJoints(std::span<const SceneEvent> events);
 
+    /// Of the frame that was drawn last.
     const PixelView& view() const { return view_; }
 
 private:
     SceneRenderer(const SceneDescription& scene, const RenderOptions& options, std::unique_ptr<RenderCanvas> canvas);
     Image drawFrame(const Frame& frame, const Reference* reference);
+    void moveView(const Frame& frame);
     void drawMarks(const Frame& frame);
     void drawOverlay(const Frame& frame, const Reference* reference);
 

@@ -96,8 +96,8 @@ TEST_F(CommandLimits, NamesOfFiles) {
 }
 
 TEST_F(CommandLimits, PicturesThatNobodyAskedFor) {
-    expectRunRefused({"--every", "3"}, "--every and --size need --png or --webp");
-    expectRunRefused({"--size", "100x100"}, "--every and --size need --png or --webp");
+    expectRunRefused({"--every", "3"}, "--every, --size, --view and --follow need --png or --webp");
+    expectRunRefused({"--size", "100x100"}, "--every, --size, --view and --follow need --png or --webp");
 }
 
 TEST_F(CommandLimits, CommandsBelowOthers) {

@@ -15,6 +15,7 @@
 #include "../writers/csv_writer.h"
 #include "../writers/number_text.h"
 #include "../writers/output_files.h"
+#include "camera.h"
 #include "commands.h"
 #include "picture_output.h"
 #include "progress.h"
@@ -30,6 +31,7 @@ struct CompareArguments {
     SceneArguments scene;
     std::string png;
     std::string size;  ///< kOverlaySize where none is given
+    CameraArguments camera;
     std::string csv;
     std::optional<double> scale;  ///< metres
 };
@@ -162,10 +164,15 @@ void printFindings(const LoadedScene& loaded, const Comparison& found, const Run
 std::unique_ptr<SceneRenderer> makeOverlayRenderer(const LoadedScene& loaded, const CompareArguments& arguments,
                                                    std::string& error) {
     PictureSize size;
-    if (arguments.png.empty() && !arguments.size.empty()) { error = "--size needs --png"; }
-    if (!error.empty() || arguments.png.empty()) { return nullptr; }
+    if (arguments.png.empty()) {
+        error = faultWithoutPicture(arguments.size, arguments.camera);
+        return nullptr;
+    }
     if (!parseSize(arguments.size.empty() ? kOverlaySize : arguments.size, size, error)) { return nullptr; }
+    const auto camera = cameraOf(arguments.camera, loaded.scene, error);
+    if (!camera) { return nullptr; }
     RenderOptions options;
+    camera->applyTo(options);
     options.width = size.width;
     options.height = size.height;
     auto renderer = SceneRenderer::create(loaded.scene, options, error);
@@ -222,6 +229,7 @@ void addCompareCommand(Command app) {
     addPrecisionArgument(command, arguments->scene);
     command.option("--png", arguments->png, "Picture of the last step, one engine over the other").type("FILE");
     command.option("--size", arguments->size, "Size of the picture in pixels [1280x720]").type("WxH");
+    addCameraArguments(command, arguments->camera);
     command.option("--csv", arguments->csv, "State and deviation of every dynamic body after every step").type("FILE");
     command
         .option("--scale", arguments->scale,

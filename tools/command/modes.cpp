@@ -17,6 +17,7 @@
 #include "../bench/run_time.h"
 #include "../writers/number_text.h"
 #include "../writers/output_files.h"
+#include "camera.h"
 #include "commands.h"
 #include "picture_output.h"
 #include "scene_source.h"
@@ -33,6 +34,7 @@ struct ModesArguments {
     SceneArguments scene;
     std::string png;
     std::string size;  ///< kPanelSize where none is given
+    CameraArguments camera;
 };
 
 /// One mode's run of the scene.
@@ -130,13 +132,14 @@ std::optional<ViewDescription> viewOf(const LoadedScene& loaded, const std::vect
 
 /// All modes side by side.
 bool draw(const LoadedScene& loaded, const std::vector<ModeRun>& runs, const std::string& file, PictureSize size,
-          std::string& error) {
+          const Camera& camera, std::string& error) {
     RenderOptions options;
+    camera.applyTo(options);
     options.width = size.width;
     options.height = size.height;
     options.sweeps = true;
     options.sweepWork = false;
-    options.view = viewOf(loaded, runs, size);
+    if (!camera.isGiven()) { options.view = viewOf(loaded, runs, size); }
     options.title = options.legend = options.time = false;
     std::vector<Image> tiles;
     std::vector<std::string> captions;
@@ -163,7 +166,9 @@ int compareModes(const ModesArguments& arguments) {
     if (!loaded) { return refuse(error); }
     PictureSize size;
     if (!parseSize(arguments.size.empty() ? kPanelSize : arguments.size, size, error)) { return refuse(error); }
-    if (arguments.png.empty() && !arguments.size.empty()) { return refuse("--size needs --png"); }
+    if (arguments.png.empty()) { error = faultWithoutPicture(arguments.size, arguments.camera); }
+    const auto camera = error.empty() ? cameraOf(arguments.camera, loaded->scene, error) : std::nullopt;
+    if (!camera) { return refuse(error); }
     OutputFiles outputs;
     outputs.protect(loaded->file);
     outputs.addFile("--png", arguments.png);
@@ -176,7 +181,7 @@ int compareModes(const ModesArguments& arguments) {
             return refuse(loaded->source + ": " + error);
         }
     }
-    if (!arguments.png.empty() && !draw(*loaded, runs, arguments.png, size, error)) {
+    if (!arguments.png.empty() && !draw(*loaded, runs, arguments.png, size, *camera, error)) {
         outputs.discard();
         return refuse(error);
     }
@@ -196,6 +201,7 @@ void addModesCommand(Command app) {
     addPrecisionArgument(command, arguments->scene);
     command.option("--png", arguments->png, "Draw the last step of each mode, side by side").type("FILE");
     command.option("--size", arguments->size, "Pixels of each of them [420x440]").type("WxH");
+    addCameraArguments(command, arguments->camera);
     command.runs([arguments] { return compareModes(*arguments); });
 }
 

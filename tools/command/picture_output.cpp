@@ -57,8 +57,9 @@ PictureSize tileSize(PictureSize size, int count) {
             std::max(kSmallestSide, static_cast<int>(std::lround(shrink * size.height)))};
 }
 
-RenderOptions renderOptions(const PictureArguments& arguments, PictureSize size) {
+RenderOptions renderOptions(const PictureArguments& arguments, const Camera& camera, PictureSize size) {
     RenderOptions options;
+    camera.applyTo(options);
     options.width = size.width;
     options.height = size.height;
     options.trails = arguments.trails;
@@ -73,13 +74,14 @@ class Pictures final : public PictureOutput {
 public:
     Pictures(const PictureArguments& arguments, double dt) : arguments_(arguments), dt_(dt) {}
 
-    bool create(const SceneDescription& scene, PictureSize size, std::int64_t steps, std::string& error) {
-        renderer_ = SceneRenderer::create(scene, renderOptions(arguments_, size), error);
+    bool create(const SceneDescription& scene, const Camera& camera, PictureSize size, std::int64_t steps,
+                std::string& error) {
+        renderer_ = SceneRenderer::create(scene, renderOptions(arguments_, camera, size), error);
         if (!renderer_) { return false; }
         if (!arguments_.webp.empty()) { webp_.emplace(); }
         if (arguments_.sheet == 0) { return true; }
         sheetSteps_ = sheetSteps(steps, arguments_.sheet);
-        RenderOptions tile = renderOptions(arguments_, tileSize(size, arguments_.sheet));
+        RenderOptions tile = renderOptions(arguments_, camera, tileSize(size, arguments_.sheet));
         tile.time = false;  // that is the caption
         tileRenderer_ = SceneRenderer::create(scene, tile, error);
         return tileRenderer_ != nullptr;
@@ -172,7 +174,10 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
         (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts || arguments.sweeps)) {
         return "--trails, --contacts, --velocities, --ghosts and --sweeps need --png or --webp";
     }
-    if (!draws && (arguments.every || !arguments.size.empty())) { return "--every and --size need --png or --webp"; }
+    const bool hasCamera = !arguments.camera.view.empty() || !arguments.camera.follow.empty();
+    if (!draws && (arguments.every || !arguments.size.empty() || hasCamera)) {
+        return "--every, --size, --view and --follow need --png or --webp";
+    }
     if (!arguments.webp.empty() && duration * 1000 > std::numeric_limits<int>::max() / 2.0) {
         return "--webp: the run is too long for an animation";
     }
@@ -201,6 +206,7 @@ void addPictureArguments(Command command, PictureArguments& arguments) {
     command.option("--png", arguments.directory, "Directory for pictures, frame_<step>.png").type("DIR");
     command.option("--every", arguments.every, "Steps from one picture to the next [1]").type("N");
     command.option("--size", arguments.size, "Size of the pictures in pixels [1280x720]").type("WxH");
+    addCameraArguments(command, arguments.camera);
     command.option("--webp", arguments.webp, "Animation of the pictures, in real time").type("FILE");
     command.option("--sheet", arguments.sheet, "N moments of the run in one picture, sheet.png in the --png directory")
         .type("N")
@@ -273,7 +279,7 @@ void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, st
 }
 
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
-                                                 std::int64_t steps, std::string& error) {
+                                                 const Camera& camera, std::int64_t steps, std::string& error) {
     error = faultOf(arguments, static_cast<double>(steps) * scene.settings.dt);
     PictureSize size;
     if (!error.empty() || !parseSize(arguments.size.empty() ? kDefaultSize : arguments.size, size, error)) {
@@ -282,7 +288,7 @@ std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, 
     if (arguments.directory.empty() && arguments.webp.empty()) { return nullptr; }
     warnOfSlowMotion(arguments, steps, scene.settings.dt);
     auto pictures = std::make_unique<Pictures>(arguments, scene.settings.dt);
-    if (pictures->create(scene, size, steps, error)) { return pictures; }
+    if (pictures->create(scene, camera, size, steps, error)) { return pictures; }
     error = "no pictures: " + error;
     return nullptr;
 }

@@ -11,6 +11,7 @@
 #include <swept/samples/scene_description.h>
 
 #include "../writers/output_files.h"
+#include "camera.h"
 #include "options.h"
 
 namespace swept {
@@ -22,6 +23,7 @@ struct PictureArguments {
     std::optional<std::int64_t> every;  ///< steps between pictures; 1 where none is given
     std::string size;                   ///< kDefaultSize where none is given
     int sheet = 0;                      ///< moments on the contact sheet; 0: none
+    CameraArguments camera;
     bool trails = false;
     bool contacts = false;
     bool velocities = false;
@@ -68,11 +70,12 @@ public:
     virtual bool finish(std::string& error) = 0;
 };
 
-/// @param steps  length of the run, for the moments of the contact sheet.
+/// @param camera  as the arguments have it for this scene.
+/// @param steps   length of the run, for the moments of the contact sheet.
 /// @return null without error when no picture is asked for; null and one line in `error` when the arguments make no
 /// sense or
 ///         the renderer cannot be set up.
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
-                                                 std::int64_t steps, std::string& error);
+                                                 const Camera& camera, std::int64_t steps, std::string& error);
 
 }  // namespace swept

@@ -181,7 +181,9 @@ int runScene(const RunArguments& arguments) {
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded) { return refuse(error); }
-    const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, loaded->steps, error);
+    const auto camera = cameraOf(arguments.pictures.camera, loaded->scene, error);
+    if (!camera) { return refuse(error); }
+    const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, *camera, loaded->steps, error);
     if (!error.empty()) { return refuse(error); }
     const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
     const auto tasks = makeTaskSystem(arguments.threads);

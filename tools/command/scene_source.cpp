@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <iostream>
 #include <numeric>
+#include <span>
 #include <sstream>
 #include <string_view>
 
 #include <swept/samples/built_in/builtin_scenes.h>
+#include <swept/samples/scene_names.h>
 #include <swept/samples/scene_reader.h>
 
 #include "../writers/number_text.h"
@@ -161,6 +163,25 @@ std::vector<std::string> bodyNames(const SceneDescription& scene) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) { names.push_back(bodyName(scene, i)); }
     return names;
+}
+
+std::optional<std::size_t> bodyOfName(const std::string& flag, const std::string& name,
+                                      const std::vector<std::string>& names, std::string& error) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) { return static_cast<std::size_t>(found - names.begin()); }
+    constexpr std::size_t kMostNames = 8;  // in one line
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    error = flag + ' ' + name + ": the scene has no body of that name";
+    const std::string_view nearest = nearestName(name, known);
+    if (!nearest.empty()) {
+        error += "; did you mean " + inQuotes(nearest) + '?';
+    } else if (known.size() <= kMostNames) {
+        error += suggestion(name, known);
+    } else {
+        error += suggestion(name, std::span(known).first(kMostNames)) + " and " +
+                 std::to_string(known.size() - kMostNames) + " more";
+    }
+    return std::nullopt;
 }
 
 std::string nearestSceneName(const std::string& name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,6 +42,13 @@ std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::strin
 
 /// Names of all bodies, in scene order.
 std::vector<std::string> bodyNames(const SceneDescription& scene);
+
+/// Index of the body of that name.
+/// @param flag   the option that asks for it, for errors.
+/// @param names  of all bodies (`bodyNames`).
+/// @return nothing, and one line in `error` that suggests a name, when there is none.
+std::optional<std::size_t> bodyOfName(const std::string& flag, const std::string& name,
+                                      const std::vector<std::string>& names, std::string& error);
 
 /// The built-in scene whose name needs the fewest edits to become `name`; empty when none comes near.
 std::string nearestSceneName(const std::string& name);
