@@ -34,7 +34,7 @@ std::string pictureOf(const std::string& command, const std::string& steps, cons
 std::string viewOfBall(double beside, const std::string& height) {
     const ScratchDirectory scratch;
     const std::string scene = scratch.write("ball.json", kBallScene);
-    const auto csv = runSwept({"run", scene, "--steps", "40", "--csv", "-"}).out;
+    const auto csv = runSwept({"run", scene, "--steps", "40", "--csv", "-", "--csv-every", "40"}).out;
     const auto records = recordsOf(csv);
     // Shortest decimals: what is added has to be a number that keeps them exact.
     std::ostringstream text;

@@ -90,6 +90,9 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
     EXPECT_EQ(in_.read("ball.json"), kBallScene);
     expectRefused({"modes", scene_, "--png", scene_}, "would overwrite the input");
     EXPECT_EQ(in_.read("ball.json"), kBallScene);
+    expectRunRefused({scene_, "--write-scene", scene_}, "--write-scene " + scene_ + ": would overwrite the input");
+    EXPECT_EQ(in_.read("ball.json"), kBallScene);
+    expectRunRefused({scene_, "--csv", "-", "--write-scene", "-"}, "--write-scene -: standard output is that of --csv");
     expectRunRefused({scene_, "--csv", out_.path("same"), "--events", out_.path("same")}, "already the file of --csv");
 }
 
@@ -110,6 +113,17 @@ TEST_F(CommandError, PicturesThatMakeNoSense) {
         expectRefused({command, scene_, "--steps", "1", "--size", "8193x90", "--png", out_.path("a.png")},
                       "--size 8193x90: sides must be between 16 and 8192");
     }
+}
+
+TEST_F(CommandError, StatesThatMakeNoSense) {
+    expectRunRefused({scene_, "--csv-every", "0"}, "swept: --csv-every: must be at least 1");
+    expectRunRefused({scene_, "--csv-every", "-3"}, "swept: --csv-every: must be at least 1");
+    expectRunRefused({scene_, "--csv-every", "1.5"}, "--csv-every");
+    expectRunRefused({scene_, "--csv-bodies", "floor,bal"},
+                     "--csv-bodies bal: the scene has no body of that name; did you mean \"ball\"?");
+    expectRunRefused({scene_, "--csv-bodies", ""}, "--csv-bodies");
+    expectRefused({"run", scene_, "--csv-every", "2"}, "swept: --csv-every and --csv-bodies need --csv");
+    expectRefused({"run", scene_, "--csv-bodies", "ball"}, "swept: --csv-every and --csv-bodies need --csv");
 }
 
 TEST_F(CommandError, FilesThatPicturesWouldOverwrite) {

@@ -39,6 +39,57 @@ TEST(CommandRun, WritesTheStateOfEveryBodyAfterEveryStep) {
     EXPECT_EQ(ball[9], "1");
 }
 
+TEST(CommandRun, WritesOnlyTheStatesThatAreAskedFor) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto statesOf = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"run", scene, "--steps", "5", "--csv", "-"});
+        const auto result = runSwept(options);
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return linesOf(result.out);
+    };
+    const auto all = statesOf({});
+    const std::vector<std::string> everyOther{all[0], all[1], all[2], all[5], all[6], all[9], all[10]};
+    EXPECT_EQ(statesOf({"--csv-every", "2"}), everyOther);
+    EXPECT_EQ(statesOf({"--csv-every", "9"}), (std::vector<std::string>{all[0], all[1], all[2]}));
+    EXPECT_EQ(statesOf({"--csv-bodies", "ball,floor"}), all) << "in the order of the scene";
+    EXPECT_EQ(statesOf({"--csv-bodies", "ball", "--csv-every", "5"}),
+              (std::vector<std::string>{all[0], all[2], all[12]}));
+    EXPECT_EQ(statesOf({"--csv-bodies", "ball", "--csv-bodies", "floor"}), all);
+}
+
+/// A scene that was tried by --set, kept.
+TEST(CommandRun, WritesTheSceneThatItRuns) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const std::string kept = scratch.path("kept.json");
+    const auto tried = runSwept({"run", scene, "--steps", "70", "--set", "/gravity=[0.1, -9]", "/bodies/1/angle=0.3",
+                                 "--csv", scratch.path("tried.csv"), "--write-scene", kept});
+    ASSERT_EQ(tried.exitCode, 0) << tried.err;
+    EXPECT_NE(tried.out.find("scene     " + kept + '\n'), std::string::npos) << tried.out;
+    const auto written = nlohmann::json::parse(scratch.read("kept.json"));
+    EXPECT_EQ(written.at("gravity"), nlohmann::json({0.1, -9}));
+    EXPECT_EQ(written.at("bodies").at(1).at("angle"), 0.3);
+    ASSERT_EQ(runSwept({"run", kept, "--steps", "70", "--csv", scratch.path("again.csv")}).exitCode, 0);
+    EXPECT_EQ(scratch.read("again.csv"), scratch.read("tried.csv"));
+    const auto piped = runSwept({"run", "car", "--steps", "0", "--write-scene", "-"});
+    EXPECT_EQ(piped.out, runSwept({"scenes", "--json", "car"}).out);
+    EXPECT_NE(piped.err.find("car: 0 steps"), std::string::npos) << piped.err;
+}
+
+TEST(CommandRun, WritesTheViewThatItDraws) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto sceneOf = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"run", scene, "--steps", "0", "--png", scratch.path("out"), "--size", "32x32",
+                                         "--write-scene", "-"});
+        return nlohmann::json::parse(runSwept(options).out);
+    };
+    EXPECT_EQ(sceneOf({"--view", "1,2,3"}).at("view"), nlohmann::json::parse(R"({"center": [1, 2], "height": 3})"));
+    EXPECT_FALSE(sceneOf({}).contains("view"));
+    EXPECT_FALSE(sceneOf({"--view", "1,2,3", "--follow", "ball"}).contains("view")) << "no scene follows a body";
+}
+
 /// One of the outputs may go to another program, which sees nothing but that.
 TEST(CommandRun, WritesOneOutputToStandardOutput) {
     const ScratchDirectory scratch;

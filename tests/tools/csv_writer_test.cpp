@@ -25,6 +25,16 @@ TEST(CsvWriter, WritesTheFormatByteForByte) {
               "1,0.016666666666666666,ball,0.3333333333333333,4.9,-6.5,1e-07,1e+30,-0,0\n");
 }
 
+TEST(CsvWriter, WritesTheBodiesThatAreAskedForInTheOrderOfTheScene) {
+    std::ostringstream out;
+    CsvWriter writer(out, {"floor", "ball", "box"}, {2, 0, 2});
+    Frame frame;
+    frame.bodies = {{{0, 0}, 0, {0, 0}, 0, false}, {{0, 5}, 0, {0, 0}, 0, true}, {{1, 2}, 0, {0, 0}, 0, true}};
+    writer.write(frame);
+    EXPECT_EQ(out.str(),
+              "step,time,body,x,y,angle,vx,vy,omega,awake\n0,0,floor,0,0,0,0,0,0,0\n0,0,box,1,2,0,0,0,0,1\n");
+}
+
 TEST(CsvWriter, QuotesNamesByRfc4180) {
     EXPECT_EQ(csvField("plain name"), "plain name");
     EXPECT_EQ(csvField("a,b"), "\"a,b\"");

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "../task_threads.h"
 #include "../writers/csv_writer.h"
@@ -24,8 +28,11 @@ struct RunArguments {
     SceneArguments scene;
     PictureArguments pictures;
     std::string csv;
+    std::optional<std::int64_t> csvEvery;  ///< steps; 1 where none is given
+    std::vector<std::string> csvBodies;    ///< names; none: all bodies
     std::string events;
     std::string report;
+    std::string writtenScene;
     int threads = 1;
 };
 
@@ -42,8 +49,10 @@ public:
     ObservedRun(Runner& runner, const LoadedScene& loaded, std::vector<std::string> names)
         : runner_(runner), loaded_(loaded), names_(std::move(names)) {}
 
-    void writeTo(OutputFiles& outputs, const RunArguments& arguments) {
-        if (std::ostream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_); }
+    /// @param csvBodies  indices of those whose states are written; none: all
+    void writeTo(OutputFiles& outputs, const RunArguments& arguments, const std::vector<std::size_t>& csvBodies) {
+        csvEvery_ = arguments.csvEvery.value_or(1);
+        if (std::ostream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_, csvBodies); }
         if (std::ostream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
     }
 
@@ -53,7 +62,7 @@ public:
         const bool wantsContacts = pictures != nullptr && pictures->wantsContacts();
         for (std::int64_t step = 0;; ++step) {
             runner_.read(frame_, wantsContacts);
-            if (csv_) { csv_->write(frame_); }
+            if (csv_ && step % csvEvery_ == 0) { csv_->write(frame_); }
             outcome.steps = step;
             if (const auto body = firstNotFinite(frame_)) {
                 outcome.culprit = names_[*body];
@@ -78,6 +87,7 @@ private:
     const LoadedScene& loaded_;
     std::vector<std::string> names_;
     std::optional<CsvWriter> csv_;
+    std::int64_t csvEvery_ = 1;
     std::optional<EventWriter> events_;
     Frame frame_;
 };
@@ -87,8 +97,17 @@ void addRunOptions(Command command, RunArguments& arguments) {
     addPrecisionArgument(command, arguments.scene);
     addPictureArguments(command, arguments.pictures);
     command.option("--csv", arguments.csv, "State of every body after every step; - is standard output").type("FILE");
+    command.option("--csv-every", arguments.csvEvery, "Steps from one state to the next [1]").type("N");
+    command.option("--csv-bodies", arguments.csvBodies, "Only the states of these bodies, separated by commas")
+        .type("NAME,...")
+        .separatedBy(',')
+        .oneValueEach();
     command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines, or -").type("FILE");
     command.option("--report", arguments.report, "Totals of the run as JSON, or -").type("FILE");
+    command
+        .option("--write-scene", arguments.writtenScene,
+                "The scene as it is run, with what --set and --view change, as JSON, or -")
+        .type("FILE");
     command
         .option("--threads", arguments.threads,
                 "Threads that the step may use; never changes the results. Small scenes use one all the same [1]")
@@ -102,13 +121,14 @@ OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
     outputs.addStream("--csv", arguments.csv);
     outputs.addStream("--events", arguments.events);
     outputs.addStream("--report", arguments.report);
+    outputs.addStream("--write-scene", arguments.writtenScene);
     addPicturePlaces(outputs, arguments.pictures, loaded.steps);
     return outputs;
 }
 
 /// Where people are told of the run: not in the midst of what another program reads.
 std::ostream& toldIn(const RunArguments& arguments) {
-    const auto files = {&arguments.csv, &arguments.events, &arguments.report};
+    const auto files = {&arguments.csv, &arguments.events, &arguments.report, &arguments.writtenScene};
     const auto isPiped = [](const std::string* file) { return *file == "-"; };
     return std::any_of(files.begin(), files.end(), isPiped) ? std::cerr : std::cout;
 }
@@ -164,6 +184,7 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPlace(out, "states    ", arguments.csv);
     printPlace(out, "events    ", arguments.events);
     printPlace(out, "report    ", arguments.report);
+    printPlace(out, "scene     ", arguments.writtenScene);
     printPicturePlaces(out, arguments.pictures, outcome.steps);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError, "m");
@@ -177,12 +198,41 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     return kExitNotFinite;
 }
 
+/// Indices of the bodies whose states are asked for. @return nothing, and one line in `error`, when one is none, or
+/// other options of the states make no sense.
+std::optional<std::vector<std::size_t>> csvBodiesOf(const RunArguments& arguments,
+                                                    const std::vector<std::string>& names, std::string& error) {
+    if (arguments.csv.empty() && (arguments.csvEvery || !arguments.csvBodies.empty())) {
+        error = "--csv-every and --csv-bodies need --csv";
+        return std::nullopt;
+    }
+    if (arguments.csvEvery.value_or(1) < 1) {
+        error = "--csv-every: must be at least 1";
+        return std::nullopt;
+    }
+    std::vector<std::size_t> bodies;
+    for (const std::string& name : arguments.csvBodies) {
+        const auto body = bodyOfName("--csv-bodies", name, names, error);
+        if (!body) { return std::nullopt; }
+        bodies.push_back(*body);
+    }
+    return bodies;
+}
+
+/// The scene as it is run. A view that follows a body is nothing that a scene can hold.
+std::string sceneText(SceneDescription scene, const Camera& camera) {
+    if (camera.view && !camera.follow) { scene.view = camera.view; }
+    return textOfScene(scene);
+}
+
 int runScene(const RunArguments& arguments) {
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded) { return refuse(error); }
+    const std::vector<std::string> names = bodyNames(loaded->scene);
     const auto camera = cameraOf(arguments.pictures.camera, loaded->scene, error);
-    if (!camera) { return refuse(error); }
+    const auto csvBodies = camera ? csvBodiesOf(arguments, names, error) : std::nullopt;
+    if (!csvBodies) { return refuse(error); }
     const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, *camera, loaded->steps, error);
     if (!error.empty()) { return refuse(error); }
     const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
@@ -195,8 +245,11 @@ int runScene(const RunArguments& arguments) {
     if (!runner) { return refuse(loaded->source + ": " + error); }
     OutputFiles outputs = placesOf(arguments, *loaded);
     if (!outputs.open(error)) { return refuse(error); }
-    ObservedRun run(*runner, *loaded, bodyNames(loaded->scene));
-    run.writeTo(outputs, arguments);
+    if (std::ostream* const file = outputs.stream(arguments.writtenScene)) {
+        *file << sceneText(loaded->scene, *camera);
+    }
+    ObservedRun run(*runner, *loaded, names);
+    run.writeTo(outputs, arguments, *csvBodies);
     RunOutcome outcome;
     const bool complete = run.run(pictures.get(), outcome, error);
     if (!complete || (pictures && !pictures->finish(error))) {

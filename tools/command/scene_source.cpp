@@ -165,6 +165,12 @@ std::vector<std::string> bodyNames(const SceneDescription& scene) {
     return names;
 }
 
+std::string textOfScene(const SceneDescription& scene) {
+    std::string json = writeScene(scene);
+    if (json.empty() || json.back() != '\n') { json += '\n'; }
+    return json;
+}
+
 std::optional<std::size_t> bodyOfName(const std::string& flag, const std::string& name,
                                       const std::vector<std::string>& names, std::string& error) {
     const auto found = std::find(names.begin(), names.end(), name);

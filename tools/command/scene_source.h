@@ -43,6 +43,9 @@ std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::strin
 /// Names of all bodies, in scene order.
 std::vector<std::string> bodyNames(const SceneDescription& scene);
 
+/// A scene as a file has it, with a line feed at the end.
+std::string textOfScene(const SceneDescription& scene);
+
 /// Index of the body of that name.
 /// @param flag   the option that asks for it, for errors.
 /// @param names  of all bodies (`bodyNames`).

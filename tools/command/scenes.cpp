@@ -25,9 +25,7 @@ void listScenes() {
 
 int printScene(const std::string& name) {
     if (const BuiltinScene* const scene = findBuiltinScene(name)) {
-        std::string json = writeScene(scene->make());
-        if (json.empty() || json.back() != '\n') { json += '\n'; }
-        std::cout << json;
+        std::cout << textOfScene(scene->make());
         return kExitDone;
     }
     const std::string nearest = nearestSceneName(name);

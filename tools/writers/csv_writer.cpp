@@ -16,7 +16,10 @@ std::string csvField(const std::string& text) {
     return quoted + '"';
 }
 
-CsvWriter::CsvWriter(std::ostream& out, const std::vector<std::string>& bodyNames) : out_(out) {
+CsvWriter::CsvWriter(std::ostream& out, const std::vector<std::string>& bodyNames,
+                     const std::vector<std::size_t>& bodies)
+    : out_(out), written_(bodyNames.size(), bodies.empty()) {
+    for (const std::size_t body : bodies) { written_[body] = true; }
     for (const std::string& name : bodyNames) { fields_.push_back(csvField(name)); }
     out_ << "step,time,body,x,y,angle,vx,vy,omega,awake\n";
 }
@@ -27,6 +30,7 @@ void CsvWriter::write(const Frame& frame) {
     start += ',';
     rows_.clear();
     for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+        if (!written_[i]) { continue; }
         const BodyFrame& body = frame.bodies[i];
         rows_ += start;
         rows_ += fields_[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -16,13 +17,16 @@ std::string csvField(const std::string& text);
 class CsvWriter {
 public:
     /// Writes the header. `out` must outlive the writer.
-    CsvWriter(std::ostream& out, const std::vector<std::string>& bodyNames);
-    /// One row for each body of the frame.
+    /// @param bodies  indices of those that are written, in any order; none: all.
+    CsvWriter(std::ostream& out, const std::vector<std::string>& bodyNames,
+              const std::vector<std::size_t>& bodies = {});
+    /// One row for each body of the frame that is written.
     void write(const Frame& frame);
 
 private:
     std::ostream& out_;
     std::vector<std::string> fields_;  // body names, quoted
+    std::vector<bool> written_;        // of each body
     std::string rows_;                 // text of one frame, its capacity reused
 };
 
