@@ -52,7 +52,8 @@ struct ImpactScratch {
 /// their order: the velocities are projected onto those at which none of them approaches, and then changed as much
 /// again, times the restitution (generalised reflections: Smith, Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on
 /// Simultaneous Impact", 2012). Keeps symmetry, and energy for restitution 1. Contacts of different restitution are
-/// taken in turn. Its cost is bounded by the number of contacts: a few visits each among thousands, more among few.
+/// taken in turn. Its cost is bounded by the number of contacts: a few visits each among thousands, more among few. Of
+/// one body that is squeezed by what nothing moves it takes what a few sweeps find, and leaves the rest.
 int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBodies& bodies, const ImpactRule& rule,
                    int maxRounds, ImpactScratch& scratch);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "impact.h"
 #include "impact_problem.h"
@@ -93,6 +95,12 @@ constexpr ImpactBudget kFineBudget{.sweeps = 64, .always = 16384, .perContact = 
 constexpr ImpactBudget kCoarseBudget{.sweeps = 8, .always = 1024, .perContact = 2};
 /// Fewer sweeps than this are no projection.
 constexpr std::size_t kFewestSweeps = 2;
+/// After each so many sweeps it is asked whether they come to an end …
+constexpr std::size_t kSweepsToTell = 8;
+/// … of which each takes away at least this part of a change, even in a wedge of one degree.
+constexpr Real kSameChange = Real(1023) / Real(1024);
+/// A round of plastic impacts that leaves this part of the approach of the one before will be followed by more of them.
+constexpr Real kSameApproach = Real(63) / Real(64);
 
 /// The bodies of a contact where they are: a sweep reads and writes their velocities, and leaves the rest of their
 /// states.
@@ -184,18 +192,44 @@ void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScrat
     }
 }
 
+/// Whether one body meets things that nothing moves, and no other body.
+bool isOfOneBody(const SolverBodies& bodies, const ImpactScratch& scratch) {
+    const ContactConstraint& first = *scratch.approaching.front();
+    const BodySlot one = isMovable(bodies.inertias[first.slotA]) ? first.slotA : first.slotB;
+    return std::ranges::all_of(scratch.approaching, [&](const ContactConstraint* contact) {
+        const bool isA = contact->slotA == one;
+        const BodySlot other = isA ? contact->slotB : contact->slotA;
+        return (isA || contact->slotB == one) && !isMovable(bodies.inertias[other]);
+    });
+}
+
+Real fastestApproach(const ImpactScratch& scratch) {
+    Real fastest = 0;
+    for (const std::array<Real, 2>& speeds : scratch.speeds) { fastest = std::max({fastest, speeds[0], speeds[1]}); }
+    return fastest;
+}
+
 /// @param mostSweeps, visitsLeft  of the call
-void reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch, std::size_t mostSweeps,
+/// @return whether it is of any use to go on: not where a body is squeezed by things that nothing moves (a press and
+/// the floor). No speed keeps it out of both, so that sweeps would push it to and fro as hard for ever.
+bool reflectTogether(const SolverBodies& bodies, ImpactScratch& scratch, std::size_t mostSweeps,
                      std::size_t visitsLeft) {
     const std::size_t size = scratch.approaching.size();
     scratch.impulses.assign(size, {});
     // A later round finds what this one stirred up: it gets its share.
     const std::size_t sweeps = std::clamp(visitsLeft / (2 * size), kFewestSweeps, mostSweeps);
-    for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
+    Real before = std::numeric_limits<Real>::infinity();
+    bool isSqueezed = false;
+    for (std::size_t sweep = 1; sweep <= sweeps && !isSqueezed; ++sweep) {
         scratch.visits += size;
-        if (projectOnce(bodies, scratch) <= kRoundingRatio) { break; }
+        const Real change = projectOnce(bodies, scratch);
+        if (change <= kRoundingRatio) { break; }
+        if (sweep % kSweepsToTell != 0) { continue; }
+        isSqueezed = change >= kSameChange * before && isOfOneBody(bodies, scratch);
+        before = change;
     }
-    finishReflection(bodies, reflectionFactor(bodies, scratch), scratch);
+    finishReflection(bodies, isSqueezed ? Real(1) : reflectionFactor(bodies, scratch), scratch);
+    return !isSqueezed;
 }
 
 }  // namespace
@@ -205,10 +239,17 @@ int reflectImpacts(std::span<ContactConstraint* const> contacts, const SolverBod
     const ImpactBudget& budget = rule.isCoarse ? kCoarseBudget : kFineBudget;
     const std::size_t most = std::max(budget.always, budget.perContact * contacts.size());
     beginRounds(contacts, bodies, scratch);
+    Real before = std::numeric_limits<Real>::infinity();
     for (int round = 0; round < maxRounds; ++round) {
         if (scratch.visits >= most) { return round; }
         if (listApproaching(contacts, bodies, rule, scratch)) {
-            reflectTogether(bodies, scratch, budget.sweeps, most - std::min(most, scratch.visits));
+            // Friction may hold a body where it cannot get out of the way: each round would do the same again.
+            const Real approach = fastestApproach(scratch);
+            const bool isHeld = !(scratch.restitution > 0) && approach >= kSameApproach * before;
+            if (isHeld && isOfOneBody(bodies, scratch)) { return round; }
+            before = approach;
+            const std::size_t left = most - std::min(most, scratch.visits);
+            if (!reflectTogether(bodies, scratch, budget.sweeps, left)) { return round + 1; }
             continue;
         }
         bool applied = false;

@@ -144,5 +144,61 @@ TEST(Impact, TogetherEndsWhereRoundingBegins) {
     }
 }
 
+/// A disc between a wall on its left, which stands, and a face on its right, which comes at a speed of 1.
+struct Squeeze {
+    std::array<BodyState, 3> states{};
+    std::array<BodyInertia, 3> inertias{};
+    std::array<ContactConstraint, 2> contacts{};
+    std::size_t visits = 0;
+
+    /// @param tilt  of the face: where it is above 0, the way up is free
+    Squeeze(Real tilt, Real friction, Real restitution) {
+        states[2].velocity = {-1, 0};
+        inertias[1] = {1, 2};
+        const Vec2 away = normalized(Vec2{-1, tilt}).unit;
+        for (std::size_t i = 0; i < 2; ++i) {
+            ContactConstraint& contact = contacts[i];
+            contact.slotA = static_cast<BodySlot>(2 * i);
+            contact.slotB = 1;
+            contact.normal = i == 0 ? Vec2{1, 0} : away;
+            contact.friction = friction;
+            contact.restitution = restitution;
+            contact.count = 1;
+            contact.points[0].anchorB = Real(-1) * contact.normal;
+            prepareContact(contact, inertias);
+        }
+        states[1].velocity = {Real(-0.5), 0};  // so that both are met
+        std::vector<ContactConstraint*> all{&contacts[0], &contacts[1]};
+        ImpactScratch scratch;
+        reflectImpacts(all, {states, inertias}, {.resolvePlastic = true}, 64, scratch);
+        visits = scratch.visits;
+    }
+};
+
+/// Nothing keeps a body out of both: a call takes no more than a few sweeps to tell, and gives it no more speed than
+/// what squeezes it has.
+TEST(Impact, OfWhatIsSqueezedEndsSoon) {
+    for (const Real restitution : {Real(0), Real(0.5)}) {
+        const Squeeze press(0, Real(0.6), restitution);
+        EXPECT_LE(press.visits, 64U) << restitution;
+        EXPECT_LE(length(press.states[1].velocity), Real(1.001)) << restitution;
+        for (const ContactConstraint& contact : press.contacts) {
+            EXPECT_LE(contact.points[0].totalNormalImpulse, 32) << restitution;
+        }
+    }
+}
+
+/// Nor where there is a way out, and friction holds it there; what it lets go does get out.
+TEST(Impact, OfWhatFrictionHoldsEndsSoon) {
+    const Squeeze held(Real(0.3), Real(0.6), 0);
+    EXPECT_LE(held.visits, 4096U);
+    const Squeeze free(Real(0.3), 0, 0);
+    for (const ContactConstraint& contact : free.contacts) {
+        const Vec2 moving = free.states[1].velocity - free.states[contact.slotA].velocity;
+        EXPECT_GE(dot(moving, contact.normal), Real(-1e-3));
+    }
+    EXPECT_GT(free.states[1].velocity.y, 1);
+}
+
 }  // namespace
 }  // namespace swept::test
