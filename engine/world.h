@@ -186,8 +186,8 @@ public:
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;
     // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of
-    // createJoint. Other limits and lengths draw the bodies there, but give them no speed: what stands on a lift that is
-    // raised like that is left behind, and may fall through it. A motor carries it.
+    // createJoint. Other limits and lengths draw the bodies there, but give them no speed: what stands on a lift that
+    // is raised like that is left behind, and may fall through it. A motor carries it.
     Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);             ///< revolute, wheel
     Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);               ///< prismatic
     Status setAngleLimits(JointId id, std::optional<AngleLimits> limits);              ///< revolute
@@ -208,8 +208,11 @@ public:
     double jointAngle(JointId id) const;     ///< of B relative to A, 0 when it was made, unwrapped
     Real jointTranslation(
         JointId id) const;  ///< of B's anchor from A's: along the axis where there is one, else the distance
-    Vec2 jointForce(JointId id) const;   ///< on B at its anchor, mean of the last step, N
-    Real jointTorque(JointId id) const;  ///< on B, mean of the last step, N·m
+    // How fast these two grow, by the present velocities.
+    Real jointAngularVelocity(JointId id) const;  ///< rad/s
+    Real jointSpeed(JointId id) const;            ///< of jointTranslation, m/s; of a mouse joint as if its target stood
+    Vec2 jointForce(JointId id) const;            ///< on B at its anchor, mean of the last step, N
+    Real jointTorque(JointId id) const;           ///< on B, mean of the last step, N·m
     std::uint32_t jointCount() const;
     /// All joints, in the order of their slots.
     void visitJoints(FunctionRef<void(JointId)> visit) const;

@@ -247,6 +247,20 @@ Real World::jointTranslation(JointId id) const {
     const Joint* joint = state_->joints.find(id);
     return joint != nullptr ? translationOf(*state_, *joint) : Real(0);
 }
+Real World::jointAngularVelocity(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    if (joint == nullptr) { return 0; }
+    return state_->motions[joint->bodyB].angularVelocity - state_->motions[joint->bodyA].angularVelocity;
+}
+Real World::jointSpeed(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    if (joint == nullptr) { return 0; }
+    const DVec2 place = anchorBOf(*state_, *joint);
+    // Seen from A where B's anchor is now: its axis turns along, and what turns it about A's anchor brings it no
+    // nearer.
+    const Vec2 ofA = joint->type() == JointType::mouse ? Vec2{} : velocityAt(joint->base.bodyA, place);
+    return dot(directionOf(*state_, *joint), velocityAt(joint->base.bodyB, place) - ofA);
+}
 Vec2 World::jointForce(JointId id) const {
     const Joint* joint = state_->joints.find(id);
     return joint != nullptr ? joint->reactionForce : Vec2{};

@@ -6,6 +6,7 @@
 
 #include "../state/profile.h"
 #include "driven_joints.h"
+#include "joint_place.h"
 #include "motor_stop.h"
 #include "rest_springs.h"
 #include "step_change.h"
@@ -15,18 +16,6 @@ namespace {
 
 /// Part of the way to its pose that a motor joint covers in a step, as far as its force allows.
 constexpr Real kApproachRatio = Real(0.3);
-
-Vec2 armOf(const WorldState& world, std::uint32_t body, Vec2 localAnchor) {
-    return rotate(world.motions[body].pose.rotation, localAnchor - world.bodies[body].localCenter);
-}
-
-Vec2 centerOffset(const WorldState& world, const Joint& joint) {
-    return toReal(world.motions[joint.bodyB].center - world.motions[joint.bodyA].center);
-}
-
-Vec2 axisOf(const WorldState& world, const Joint& joint) {
-    return rotate(world.motions[joint.bodyA].pose.rotation, joint.localAxis);
-}
 
 template <class Limits>
 void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) {
@@ -348,56 +337,6 @@ JointErrors errorsOf(const WorldState& world, const Joint& joint) {
     visitPart(joint.parts,
               [&](const auto& part) { errors = ErrorReader{filler}(filler.constraintOf(part), part.def); });
     return errors;
-}
-
-JointErrors limitErrorsOf(const WorldState& world, const Joint& joint) {
-    const auto beyond = [](double coordinate, const auto& limits) {
-        if (!limits) { return Real(0); }
-        const double below = static_cast<double>(limits->lower) - coordinate;
-        const double above = coordinate - static_cast<double>(limits->upper);
-        return static_cast<Real>(std::max({below, above, 0.0}));
-    };
-    if (const auto* hinge = std::get_if<HingePart>(&joint.parts)) {
-        return {0, beyond(angleOf(world, joint), hinge->def.limits)};
-    }
-    const auto slid = static_cast<double>(translationOf(world, joint));
-    if (const auto* slider = std::get_if<JointPart<PrismaticJointDef, PrismaticConstraint>>(&joint.parts)) {
-        return {beyond(slid, slider->def.limits), 0};
-    }
-    if (const auto* wheel = std::get_if<JointPart<WheelJointDef, WheelConstraint>>(&joint.parts)) {
-        return {beyond(slid, wheel->def.limits), 0};
-    }
-    return {};
-}
-
-double angleOf(const WorldState& world, const Joint& joint) {
-    return world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle - joint.referenceAngle;
-}
-
-DVec2 anchorAOf(const WorldState& world, const Joint& joint) {
-    if (const auto* part = std::get_if<JointPart<MouseJointDef, MouseConstraint>>(&joint.parts)) {
-        return part->def.target;
-    }
-    return apply(world.motions[joint.bodyA].pose, joint.localAnchorA);
-}
-
-DVec2 anchorBOf(const WorldState& world, const Joint& joint) {
-    return apply(world.motions[joint.bodyB].pose, joint.localAnchorB);
-}
-
-Real translationOf(const WorldState& world, const Joint& joint) {
-    if (joint.type() == JointType::mouse) {
-        return static_cast<Real>(length(anchorBOf(world, joint) - anchorAOf(world, joint)));
-    }
-    const Vec2 apart = centerOffset(world, joint) + armOf(world, joint.bodyB, joint.localAnchorB) -
-                       armOf(world, joint.bodyA, joint.localAnchorA);
-    const bool hasAxis = joint.type() == JointType::prismatic || joint.type() == JointType::wheel;
-    return hasAxis ? dot(axisOf(world, joint), apart) : length(apart);
-}
-
-double coordinateOf(const WorldState& world, const Joint& joint) {
-    return joint.type() == JointType::prismatic ? static_cast<double>(translationOf(world, joint))
-                                                : angleOf(world, joint);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../state/world_state.h"
+#include "joint_place.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -27,23 +28,7 @@ void forgetStart(Joint& joint);
 /// Takes impulses and reactions back from a solved batch.
 void readConstraints(SolverBatch& batch, WorldState& world, Real dt);
 
-/// How far a joint is from holding at the present poses: metres, radians. What it does not hold has no error.
-struct JointErrors {
-    Real length = 0;
-    Real angle = 0;
-};
+/// Of all that it holds; limits of angles and translations do not count.
 JointErrors errorsOf(const WorldState& world, const Joint& joint);
-/// How far a hinge, slider or wheel is beyond its limits. (A distance joint that is has an error.)
-JointErrors limitErrorsOf(const WorldState& world, const Joint& joint);
-
-/// Angle of B relative to A beyond the initial one, rad.
-double angleOf(const WorldState& world, const Joint& joint);
-/// Of B's anchor from A's: along the axis where there is one, else the distance. Metres.
-Real translationOf(const WorldState& world, const Joint& joint);
-/// Where on A and B it holds now, world; of a mouse joint the target, for A.
-DVec2 anchorAOf(const WorldState& world, const Joint& joint);
-DVec2 anchorBOf(const WorldState& world, const Joint& joint);
-/// What a gear sees of a revolute or prismatic joint, rad or metres.
-double coordinateOf(const WorldState& world, const Joint& joint);
 
 }  // namespace swept::inline SWEPT_PRECISION
