@@ -62,6 +62,9 @@ SinCos sinCosOfReduced(TwoParts x) {
     return {sine, cosine};
 }
 
+/// Where there is no need to look for the quadrant: most bodies turn by less than that in a step.
+constexpr double kSurelyReduced = 0.75;
+
 // atan(i/8).
 constexpr std::array<double, 9> kArcTangents = {0x0p+0,
                                                 0x1.fd5ba9aac2f6ep-4,
@@ -108,8 +111,9 @@ constexpr std::array<double, 18> kPhi2 = inverseFactorials<2, 18>(-1);
 }  // namespace
 
 SinCos sinCos(double angle) {
-    if (!std::isfinite(angle)) { return {0, 1}; }
     if (angle == 0) { return {angle, 1}; }  // keeps the sign of −0
+    if (std::fabs(angle) < kSurelyReduced) { return sinCosOfReduced({angle, 0}); }
+    if (!std::isfinite(angle)) { return {0, 1}; }
     // The C standard defines fmod without rounding, so it is the same everywhere.
     if (std::fabs(angle) > kLargestExactAngle) { angle = std::fmod(angle, kTwoPi); }
     const double quadrant = std::floor(angle * kTwoOverPi + 0.5);
