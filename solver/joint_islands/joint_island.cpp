@@ -27,6 +27,8 @@ constexpr double kMostCompositions = 256;
 constexpr double kStiffPhase = 16;
 constexpr double kMostPhaseByMiddle = 4;
 constexpr double kMostForPhaseByMiddle = 4;
+/// Masses farther apart than this leave too few digits of the light ones' accelerations.
+constexpr double kMostSpreadOfFlow = 1 << 20;
 /// Sub-steps with forces of their ends, times those asked for.
 constexpr int kMostEndsFactor = 16;
 /// The same times bodies, where that is less, but never less than the other: a long chain must not stop the world.
@@ -91,7 +93,7 @@ void JointIsland::prepare() {
     matrix_.analyse(columns_, edges_, std::numeric_limits<std::size_t>::max());
 }
 
-void JointIsland::advance(double h, int subSteps) {
+void JointIsland::advance(double h, int subSteps, JointFlow& flow) {
     factorisations_ = subSteps_ = 0;
     start_ = bodies_;
     const Rates rates = ratesOf(h);
@@ -99,10 +101,15 @@ void JointIsland::advance(double h, int subSteps) {
     const int mostTries = isTree_ ? kMostTries : 1;
     const bool wasOpened = isOpen();
     keepsOpen_ = isTree_ && wasOpened;
+    isSoft_ = false;
+    if (mayFlow(h * subSteps, rates) && !wasOpened) {
+        if (advanceSmoothly(h, subSteps, flow)) { return; }
+        bodies_ = start_;
+    }
     isSoft_ = !isTree_ && wasOpened && !hasAccount();
     for (int tries = isSoft_ ? 0 : mostTries; tries > 0; --tries) {
         isSoft_ = false;
-        isSoft_ = !advanceExactly(h, subSteps, finer, rates) || !keepsEnergy(h, subSteps);
+        isSoft_ = !advanceExactly(h, subSteps, finer, rates) || !keepsEnergy(h, subSteps, kineticEnergy(start_));
         if (!isSoft_) { break; }
         bodies_ = start_;
         dropForces();
@@ -112,18 +119,45 @@ void JointIsland::advance(double h, int subSteps) {
     if (keepsOpen_) { closeGaps(); }
 }
 
+/// Whether the accelerations of the bodies are found at once, and as smooth as steps are short.
+bool JointIsland::mayFlow(double duration, const Rates& rates) const {
+    if (!isTree_ || woundSpeed_ > 0 || duration * rates.phase > kStiffPhase) { return false; }
+    double lightest = std::numeric_limits<double>::infinity();
+    double heaviest = 0;
+    for (const IslandBody& body : bodies_) {
+        if (body.column == kNoNode) { continue; }
+        if (!JointFlow::mayTake(body)) { return false; }
+        lightest = std::min(lightest, 1 / body.inverseMass);
+        heaviest = std::max(heaviest, 1 / body.inverseMass);
+    }
+    return heaviest <= kMostSpreadOfFlow * lightest;
+}
+
+bool JointIsland::advanceSmoothly(double h, int subSteps, JointFlow& flow) {
+    flow.start(bodies_, holds_, branches_, h);
+    const double most = std::clamp(kMostBodyCompositions / columns_, kFewestCompositions, kMostCompositions);
+    const auto tremor = subSteps < kSubStepsReplaced ? JointFlow::Tremor::unseen : JointFlow::Tremor::followed;
+    const bool isDone = flow.advance(h * subSteps, most, tremor);
+    factorisations_ += flow.evaluations();
+    subSteps_ += flow.pieces();
+    if (!isDone) { return false; }
+    dropTotals();
+    flow.finish(bodies_, holds_);
+    return keepsEnergy(h, subSteps, flow.begun());
+}
+
 /// Where the usual ways found no end.
 void JointIsland::advanceAnyhow(double h, int subSteps, const Rates& rates) {
     for (int more = 1; isTree_ && more <= kMostEndsFactor; more *= kFiner) {
         if (advanceByEnds(h, subSteps, more)) {
-            keepsEnergy(h, subSteps);
+            keepsEnergy(h, subSteps, kineticEnergy(start_));
             return;
         }
         bodies_ = start_;
         dropForces();
     }
     advanceSoftly(h, subSteps, rates);
-    keepsEnergy(h, subSteps);
+    keepsEnergy(h, subSteps, kineticEnergy(start_));
 }
 
 void JointIsland::dropForces() {
@@ -196,7 +230,8 @@ double JointIsland::fallOf(double h) const {
 
 /// Whether the step changed no energy, where that can be told; what little it changed is undone. After one that is soft
 /// what was gained is taken away; what is carried or drawn only pays then.
-bool JointIsland::keepsEnergy(double h, int subSteps) {
+/// @param begun  kinetic energy that it began with, J
+bool JointIsland::keepsEnergy(double h, int subSteps, double begun) {
     const bool isTold = hasAccount();
     if (!isTold && !isSoft_) { return true; }
     double work = 0;
@@ -211,9 +246,9 @@ bool JointIsland::keepsEnergy(double h, int subSteps) {
         if (body.inverseMass > 0) { flow += dot(body.gain, body.gain) * (subSteps * subSteps) / body.inverseMass; }
         flow += std::fabs(linear) + std::fabs(angular);
     }
-    const double before = kineticEnergy(start_) + work;
+    const double before = begun + work;
     const double after = kineticEnergy(bodies_);
-    const double scale = kineticEnergy(start_) + after + flow;
+    const double scale = begun + after + flow;
     const double change = std::fabs(after - before);
     const bool keeps = change <= kMostEnergyRatio * scale;
     const bool isHeld = bodies_.size() > columns_;

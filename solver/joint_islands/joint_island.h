@@ -8,98 +8,24 @@
 #include <vector>
 
 #include "../../shapes/dvec2.h"
-#include "../body_state.h"
 #include "../direct/block_ldlt.h"
+#include "joint_flow.h"
+#include "joint_island_parts.h"
 
 namespace swept::inline SWEPT_PRECISION {
-
-/// A length without a root: of a vector, at most √2 times as large.
-inline double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 
 /// Where joints cannot all hold, what moves by itself leads bodies up to eight times as fast as if they went along.
 inline constexpr double kMostLead = 64;  ///< of energies
 
-/// A body of an island, with its motion since the start of the step.
-struct IslandBody {
-    struct Place {
-        DVec2 position;
-        double angle = 0;
-        double c = 1;
-        double s = 0;
-    };
-    BodySlot slot = kFixedSlot;
-    std::uint32_t column = 0;  ///< of the matrix; `kNoNode` where nothing can be moved
-    double inverseMass = 0;
-    double inverseInertia = 0;
-    DVec2 gain;  ///< of half a sub-step
-    double angularGain = 0;
-    double decay = 1;  ///< likewise
-    double angularDecay = 1;
-    DVec2 velocity;
-    double spin = 0;
-    double given = 0;   ///< by the impulses of a stage, without signs, m/s: what is rounded
-    double turned = 0;  ///< rad/s
-    Place place;
-    Place next;  ///< where the velocities lead
-    /// Of a sub-step by its middle.
-    struct Middle {
-        DVec2 velocity;  ///< that it begins with
-        double spin = 0;
-        double c = 1;  ///< half way of the turn
-        double s = 0;
-        double chord = 1;      ///< of the turn, as a part of its arc
-        double stiffness = 0;  ///< by which forces on the arms resist turning, kg·m²
-    };
-    Middle middle;
-};
-
-/// Radians that a body turns by when its anchor is moved by a metre, at most; 0 where it cannot turn, or be moved.
-double easeOf(const IslandBody& body, DVec2 anchor);
-
-/// What a joint holds rigidly, as one or two rows.
-struct IslandHold {
-    enum class Kind : std::uint8_t {
-        point,  ///< two anchors coincide
-        rod,    ///< their distance is `rest`
-        side,   ///< B's anchor is on a line through A's, along `axis`, which turns with A
-        angle,  ///< B's angle is A's, less `rest`
-    };
-    struct Row {
-        Block3 ofA{};  ///< speed of the row per velocity of A: x, y, turn
-        Block3 ofB{};
-        Block3 endA{};  ///< likewise of the gap where a sub-step by its middle ends
-        Block3 endB{};
-        double strength = 0;  ///< of its damper; 0: nothing can move
-        double excess = 0;    ///< speed that is to go
-        double impulse = 0;   ///< of the present stage
-        double force = 0;     ///< mean of the last sub-step
-        double total = 0;     ///< impulse of the step
-        double open = 0;      ///< gap that the step began with
-    };
-    Kind kind = Kind::point;
-    std::uint8_t count = 1;
-    std::uint32_t a = 0;  ///< bodies
-    std::uint32_t b = 0;
-    DVec2 anchorA;  ///< from the centres, at the start of the step
-    DVec2 anchorB;
-    DVec2 offset;  ///< of the centres
-    DVec2 axis{1, 0};
-    double rest = 0;
-    double size = 0;  ///< of what its error is measured against, metres or radians
-    double rate = 0;  ///< 1/s at which errors are closed that cannot be closed at once
-    Row rows[2];
-    double tightness = 0;  ///< kg by which a rod under tension resists being moved aside, along the second row
-    DVec2 reaction;        ///< on B, over the step, N·s
-    double twist = 0;
-};
-
 /// Bodies that nothing but rigid joints holds together, through a step, in double.
+///
+/// Trees go by `JointFlow` where it may take them and what it does keeps energy. For the others:
 ///
 /// A sub-step is one of RATTLE (Andersen 1983): half of the drive, impulses such that the motion ends where all holds
 /// are right, the motion, the other half, impulses that leave no speed against them. Solved to rounding it is symmetric
 /// in time and symplectic, so energy has no way to drift. Sub-steps are put together with lengths of both signs to a
-/// method of the fourth order (Suzuki 1990). Where their number follows the motion that symmetry is lost, and the energy
-/// of what hangs on something fixed is put right after the step.
+/// method of the fourth order (Suzuki 1990). Where their number follows the motion that symmetry is lost, and the
+/// energy of what hangs on something fixed is put right after the step.
 ///
 /// The impulses are found as `DirectSolver` does, by a damper per row and the method of multipliers, with one
 /// factorisation for both solves at a place: errors of places are put in again until they are gone (Newton's method
@@ -128,23 +54,15 @@ public:
     /// @pre bodies and holds are filled in, forces with those of the step before
     void prepare();
     /// @param h  of a sub-step that drives were made for
-    void advance(double h, int subSteps);
+    /// @param flow  scratch
+    void advance(double h, int subSteps, JointFlow& flow);
     int factorisations() const { return factorisations_; }
     int subSteps() const { return subSteps_; }  ///< that the step took
     std::size_t movedBodies() const { return columns_; }
     bool isSoft() const { return isSoft_; }  ///< whether the step took what loses energy or gives way
 
 private:
-    /// A body of a tree, and what ties it to the one that is nearer to the ground.
-    struct Branch {
-        std::uint32_t body = 0;
-        std::uint32_t parent = kNone;  ///< none where nothing ties it, or only the ground
-        std::uint32_t holds[2] = {kNone, kNone};
-        Block33 response{};  ///< speeds of its rows to their impulses, factorised
-        Block3 lack{};       ///< speeds that are to be reached, then the impulses that reach them
-    };
     struct BranchRows;
-    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
     struct Rates {
         double turn = 0;   ///< rad/s
@@ -156,6 +74,8 @@ private:
 
     // joint_island.cpp
     Rates ratesOf(double h);
+    bool mayFlow(double duration, const Rates& rates) const;
+    bool advanceSmoothly(double h, int subSteps, JointFlow& flow);
     bool advanceExactly(double h, int subSteps, int finer, const Rates& rates);
     void advanceAnyhow(double h, int subSteps, const Rates& rates);
     bool advanceByEnds(double h, int subSteps, int more);
@@ -164,7 +84,7 @@ private:
     double mostLead() const;
     void bringTo(double energy, double mostGrowth);
     double fallOf(double h) const;
-    bool keepsEnergy(double h, int subSteps);
+    bool keepsEnergy(double h, int subSteps, double begun);
     bool subStep(double part, double h);
     void subStepSoftly(double h);
     void drive(double part);
@@ -204,8 +124,8 @@ private:
 
     // joint_island_tree.cpp
     void growTree();
-    void gatherBranch(const Branch& branch, BranchRows& rows) const;
-    double leastResponse(const Block3& pushes, const Block3& moves, const Branch& branch) const;
+    void gatherBranch(const IslandBranch& branch, BranchRows& rows) const;
+    double leastResponse(const Block3& pushes, const Block3& moves, const IslandBranch& branch) const;
     void factoriseTree();
     void solveTree(double time);
     void applyChanges(double part);
@@ -218,7 +138,7 @@ private:
     std::vector<Block3> change_;
     std::vector<double> tensions_;  ///< square of the rate at which a body would oscillate, by body
     BlockLdlt matrix_;
-    std::vector<Branch> branches_;  ///< from the ground, or from one of the bodies, outwards
+    std::vector<IslandBranch> branches_;  ///< from the ground, or from one of the bodies, outwards
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours_;  ///< bodies and their holds; scratch
     std::vector<char> isReached_;                                      ///< by body; scratch
     std::vector<Block33> inertias_;                                    ///< by body; factorised

@@ -11,6 +11,7 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+constexpr std::uint32_t kNone = IslandBranch::kNone;
 /// A body's resistance to turning is never made less than this part of it by forces that push it together.
 constexpr double kLeastInertia = 1.0 / 8;
 /// Of a row by its parent, where its body cannot be moved.
@@ -109,7 +110,7 @@ void JointIsland::growTree() {
     for (std::size_t i = 0; i < branches_.size(); ++i) { visit(branches_[i].body); }
 }
 
-void JointIsland::gatherBranch(const Branch& branch, BranchRows& rows) const {
+void JointIsland::gatherBranch(const IslandBranch& branch, BranchRows& rows) const {
     rows.count = 0;
     const IslandBody& body = bodies_[branch.body];
     for (const std::uint32_t number : branch.holds) {
@@ -134,7 +135,7 @@ void JointIsland::gatherBranch(const Branch& branch, BranchRows& rows) const {
 
 /// Of a row that cannot move its body, such as the angle of one that is held to its rotation: a damper beside which the
 /// parent is light. No number that does not go with the masses may stand here, but where there is nothing at all.
-double JointIsland::leastResponse(const Block3& pushes, const Block3& moves, const Branch& branch) const {
+double JointIsland::leastResponse(const Block3& pushes, const Block3& moves, const IslandBranch& branch) const {
     if (branch.parent == kNone) { return 1; }
     const IslandBody& parent = bodies_[branch.parent];
     const double response = parent.inverseMass * std::fabs(pushes[0] * moves[0] + pushes[1] * moves[1]) +
@@ -152,7 +153,7 @@ void JointIsland::factoriseTree() {
     }
     BranchRows rows;
     for (std::size_t n = branches_.size(); n-- > 0;) {
-        Branch& branch = branches_[n];
+        IslandBranch& branch = branches_[n];
         Block33& own = inertias_[branch.body];
         factoriseBlock(own);
         gatherBranch(branch, rows);
@@ -186,7 +187,7 @@ void JointIsland::factoriseTree() {
 void JointIsland::solveTree(double time) {
     BranchRows rows;
     for (std::size_t n = branches_.size(); n-- > 0;) {
-        Branch& branch = branches_[n];
+        IslandBranch& branch = branches_[n];
         Block3& own = change_[bodies_[branch.body].column];
         gatherBranch(branch, rows);
         const Block3 change = solveBlock(inertias_[branch.body], own);
@@ -200,7 +201,7 @@ void JointIsland::solveTree(double time) {
         for (std::size_t k = 0; k < rows.count; ++k) { add(next, impulses[k], rows.each[k].pushesParent); }
     }
     double fastest = 0;
-    for (Branch& branch : branches_) {
+    for (IslandBranch& branch : branches_) {
         const IslandBody& body = bodies_[branch.body];
         Block3& change = change_[body.column];
         gatherBranch(branch, rows);
@@ -220,7 +221,7 @@ void JointIsland::solveTree(double time) {
 
 /// @param part  of a step of Newton's method that is taken
 void JointIsland::applyChanges(double part) {
-    for (const Branch& branch : branches_) {
+    for (const IslandBranch& branch : branches_) {
         IslandBody& body = bodies_[branch.body];
         const Block3& change = change_[body.column];
         if (body.inverseMass > 0) { body.velocity += part * DVec2{change[0], change[1]}; }

@@ -1,6 +1,7 @@
 #include "joint_islands.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "../direct/direct_parts.h"
 #include "../direct/direct_rows.h"
@@ -130,6 +131,14 @@ std::uint32_t JointIslands::bodyOf(const SolverBatch& batch, std::uint32_t part,
     return static_cast<std::uint32_t>(bodies.size() - 1);
 }
 
+/// Any worker may take the largest island.
+void JointIslands::reserveFlows(std::size_t workers) {
+    std::size_t most = 0;
+    for (std::uint32_t i = 0; i < count_; ++i) { most = std::max(most, parts_[i].bodies().size()); }
+    if (flows_.size() < workers) { flows_.resize(workers); }
+    for (JointFlow& flow : flows_) { flow.reserve(most); }
+}
+
 void JointIslands::readBack(SolverBatch& batch, int subSteps) {
     for (std::uint32_t i = 0; i < count_; ++i) {
         for (const IslandBody& body : parts_[i].bodies()) {
@@ -161,10 +170,12 @@ void JointIslands::solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& l
             if (isMovable(batch.inertias[joint.slotA]) || isMovable(batch.inertias[joint.slotB])) { writer(joint); }
         }
     });
-    loops.run(count_, kIslandGrain, [&](std::size_t begin, std::size_t end, int) {
+    reserveFlows(static_cast<std::size_t>(loops.workerCount()));
+    loops.run(count_, kIslandGrain, [&](std::size_t begin, std::size_t end, int worker) {
+        JointFlow& flow = flows_[static_cast<std::size_t>(worker)];
         for (std::size_t i = begin; i < end; ++i) {
             parts_[i].prepare();
-            parts_[i].advance(static_cast<double>(h), subSteps);
+            parts_[i].advance(static_cast<double>(h), subSteps, flow);
         }
     });
     for (std::uint32_t i = 0; i < count_; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,7 @@ private:
     void addBodies(const SolverBatch& batch);
     void addJoints(SolverBatch& batch, Real h);
     std::uint32_t bodyOf(const SolverBatch& batch, std::uint32_t part, BodySlot slot);
+    void reserveFlows(std::size_t workers);
     void readBack(SolverBatch& batch, int subSteps);
 
     /// Where the impulses of a hold come from and go to.
@@ -40,6 +42,7 @@ private:
     std::vector<std::uint32_t> bodyOf_;  ///< in its part, by slot; of what can be moved
     std::vector<JointIsland> parts_;     ///< keep their capacities, and the order of their matrices
     std::uint32_t count_ = 0;            ///< in use
+    std::vector<JointFlow> flows_;       ///< by worker; scratch
     std::vector<Source> sources_;
 };
 

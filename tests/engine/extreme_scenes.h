@@ -41,10 +41,11 @@ struct Tower {
 struct Chain {
     static constexpr double kLink = 0.5;
     static constexpr double kLength = 20 * kLink + 0.5;
+    enum class Ball { turns, doesNotTurn };
     World world = makeWorld();
     BodyId ball;
 
-    Chain(double ratio, bool swung) {
+    Chain(double ratio, bool swung, Ball kind = Ball::turns) {
         const DVec2 along = swung ? DVec2{1, 0} : DVec2{0, -1};
         ShapeDef shape;
         shape.filter.group = -1;
@@ -65,6 +66,7 @@ struct Chain {
         }
         BodyDef def = dynamicAt(kLength * along);
         def.mass = real(ratio);
+        def.fixedRotation = kind == Ball::doesNotTurn;
         ball = addBody(world, def, circle(0.5), shape);
         join(ball, kLink * 20);
     }

@@ -91,18 +91,33 @@ TEST(Extremes, SlackChainsAreDrawnTight) {
     }
 }
 
-/// A chain that hangs still gets an eighth of the sub-steps; one that is let go, or pulled at, all of them at once.
+/// A chain that goes by sub-steps, as its ball does not turn, gets an eighth of them while it hangs still; one that is
+/// let go, or pulled at, all of them at once.
 TEST(Extremes, WhatHangsStillNeedsFewSubSteps) {
-    Chain still(100, false);
+    Chain still(100, false, Chain::Ball::doesNotTurn);
     expectAtMost("chain-R100", still.stretch(2), 1e-6);
     EXPECT_EQ(still.world.counters().mostSubSteps, 2U);
     must(still.world.applyForce(still.ball, vec(100, 0), still.world.position(still.ball)));
     run(still.world, 1);
     EXPECT_GE(still.world.counters().mostSubSteps, 10U);
-    Chain swung(100, true);
+    Chain swung(100, true, Chain::Ball::doesNotTurn);
     for (int i = 0; i < 60; ++i) {
         run(swung.world, 1);
         ASSERT_GE(swung.world.counters().mostSubSteps, 10U) << "step " << i;
+    }
+}
+
+/// Where all bodies turn and nothing is fast a step is a piece or two, whatever it is divided into elsewhere.
+TEST(Extremes, LightChainsAreTakenThroughAStepAtOnce) {
+    Chain still(100, false);
+    expectAtMost("chain-R100", still.stretch(2), 1e-6);
+    EXPECT_LE(still.world.counters().mostSubSteps, 2U);
+    EXPECT_LE(still.world.counters().factorisations, 26U) << "of accelerations";
+    Chain swung(100, true);
+    for (int i = 0; i < 60; ++i) {
+        run(swung.world, 1);
+        ASSERT_EQ(swung.world.counters().directGivenUp, 0U) << "step " << i;
+        ASSERT_LE(swung.world.counters().mostSubSteps, 8U) << "step " << i;
     }
 }
 

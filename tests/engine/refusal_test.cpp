@@ -30,7 +30,8 @@ struct Stage {
         crate = must(world.createBody(bodyAt(BodyType::dynamic, {0, 0.5})));
         box = must(world.addShape(crate, test::box(0.5, 0.5)));
         ball = addBody(world, bodyAt(BodyType::dynamic, {2, 2}), circle(0.25));
-        hinge = must(world.createJoint(RevoluteJointDef{.base = {.bodyA = cart, .bodyB = ball}, .anchor = {2, 3}}));
+        // Aside, or the ball would hang still, to the last bit.
+        hinge = must(world.createJoint(RevoluteJointDef{.base = {.bodyA = cart, .bodyB = ball}, .anchor = {2.5, 3}}));
         goneBody = must(world.createBody({}));
         goneShape = must(world.addShape(goneBody, circle(1)));
         goneJoint = must(world.createJoint(
