@@ -1,11 +1,13 @@
 #include "core_axis.h"
 
+#include "compiler.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// Smallest value of dot(direction, vertex) over a polygon. Where it is attained is asked for the best face only.
 /// (Converting the vertices once, ahead of all faces, was slower: they went through memory.)
-[[gnu::always_inline]] inline double lowestAlong(const Polygon& p, DVec2 direction) {
+SWEPT_FORCE_INLINE double lowestAlong(const Polygon& p, DVec2 direction) {
     double lowest = dot(direction, toDouble(p.vertices[0]));
     for (int i = 1; i < p.count; ++i) {
         const double d = dot(direction, toDouble(p.vertices[static_cast<std::size_t>(i)]));
@@ -63,7 +65,7 @@ struct BestFace {
     double separation = -std::numeric_limits<double>::infinity();
     double second = -std::numeric_limits<double>::infinity();
 
-    [[gnu::always_inline]] void offer(int candidate, double candidateSeparation) {
+    SWEPT_FORCE_INLINE void offer(int candidate, double candidateSeparation) {
         const bool isBetter = face < 0 || candidateSeparation > separation;
         const double behind = isBetter ? separation : candidateSeparation;
         second = behind > second ? behind : second;

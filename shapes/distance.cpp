@@ -1,5 +1,6 @@
 #include "distance.h"
 
+#include "compiler.h"
 #include "core_axis.h"
 #include "gjk_run.h"
 #include "rescaled_pair.h"
@@ -30,8 +31,7 @@ bool isInRange(const Polygon& a, const Polygon& b, const GjkResult& gjk) {
 
 /// Overlap, what a walk does not prove, coordinates near the ends of the range. Never inline: its large locals would
 /// burden the common case.
-[[gnu::noinline, gnu::cold]] Distance distanceWithCare(const Polygon& a, const Polygon& b, const Transform& bInA,
-                                                       SimplexCache* cache) {
+SWEPT_COLD Distance distanceWithCare(const Polygon& a, const Polygon& b, const Transform& bInA, SimplexCache* cache) {
     int iterations = 0;
     const auto solve = [cache, &iterations](const PairView& pair) {
         const GjkResult gjk = closestFeatures(pair, cache);

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "compiler.h"
+#include "lanes.h"
 #include "polygon.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -15,12 +17,11 @@ struct FaceChoice {
 
 /// Separating axes of two polygons in the arithmetic of `Real`, a register of faces at once in the baseline instruction
 /// set: a choice with what rounding makes of it, some units of the coordinates that go in, where core_axis.h measures
-/// in double. Two boxes take a sixth of the instructions. Vector extensions of GCC and clang, as in gjk_facing.h: each
-/// lane does what a loop over the faces would, so the bits are those of any target.
+/// in double. Two boxes take a sixth of the instructions. Each lane does what a loop over the faces would.
 template <typename T>
 class FaceSearchOf {
-    typedef T Lanes [[gnu::vector_size(16)]];
     static constexpr int kLanes = 16 / sizeof(T);
+    using Lanes = LanesOf<T, kLanes>;
     static constexpr int kRegisters = kMaxPolygonVertices / kLanes;
 
     /// As many points as a register holds, coordinates apart.
@@ -38,7 +39,7 @@ public:
     };
 
     /// @param pose  takes the coordinates of the polygon to those that are wanted
-    [[gnu::always_inline]] static void place(const Polygon& polygon, const Transform& pose, Placed& placed) {
+    SWEPT_FORCE_INLINE static void place(const Polygon& polygon, const Transform& pose, Placed& placed) {
         const T c = pose.rotation.c;
         const T s = pose.rotation.s;
         placed.count = polygon.count;
@@ -48,7 +49,7 @@ public:
         }
     }
     /// The other way round.
-    [[gnu::always_inline]] static void placeInverse(const Polygon& polygon, const Transform& pose, Placed& placed) {
+    SWEPT_FORCE_INLINE static void placeInverse(const Polygon& polygon, const Transform& pose, Placed& placed) {
         const T c = pose.rotation.c;
         const T s = pose.rotation.s;
         placed.count = polygon.count;
@@ -61,7 +62,7 @@ public:
     }
 
     /// @param others  in the frame of the polygon
-    [[gnu::always_inline]] static FaceChoice best(const Polygon& polygon, const Placed& others) {
+    SWEPT_FORCE_INLINE static FaceChoice best(const Polygon& polygon, const Placed& others) {
         alignas(16) T separations[kMaxPolygonVertices];
         constexpr int kFew = kRegisters / 2;
         if (polygon.count <= kFew * kLanes) {
@@ -73,26 +74,25 @@ public:
     }
 
 private:
-    [[gnu::always_inline]] static Points load(const Vec2* from) {
+    SWEPT_FORCE_INLINE static Points load(const Vec2* from) {
         Lanes first;
         Lanes second;
         std::memcpy(&first, from, sizeof(Lanes));
         std::memcpy(&second, &from->x + kLanes, sizeof(Lanes));
         if constexpr (kLanes == 4) {
-            return {__builtin_shufflevector(first, second, 0, 2, 4, 6),
-                    __builtin_shufflevector(first, second, 1, 3, 5, 7)};
+            return {shuffled<0, 2, 4, 6>(first, second), shuffled<1, 3, 5, 7>(first, second)};
         } else {
-            return {__builtin_shufflevector(first, second, 0, 2), __builtin_shufflevector(first, second, 1, 3)};
+            return {shuffled<0, 2>(first, second), shuffled<1, 3>(first, second)};
         }
     }
-    [[gnu::always_inline]] static void store(Placed& placed, int i, Lanes x, Lanes y) {
+    SWEPT_FORCE_INLINE static void store(Placed& placed, int i, Lanes x, Lanes y) {
         std::memcpy(placed.x + i, &x, sizeof(Lanes));
         std::memcpy(placed.y + i, &y, sizeof(Lanes));
     }
 
     /// Of so many registers of faces; of places without a face, anything.
     template <int kCount>
-    [[gnu::always_inline]] static void separate(const Polygon& polygon, const Placed& others, T* separations) {
+    SWEPT_FORCE_INLINE static void separate(const Polygon& polygon, const Placed& others, T* separations) {
         Points normals[kCount];
         Lanes lowest[kCount];
         for (int r = 0; r < kCount; ++r) {
@@ -102,7 +102,7 @@ private:
         for (int i = 1; i < others.count; ++i) {
             for (int r = 0; r < kCount; ++r) {
                 const Lanes height = others.x[i] * normals[r].x + others.y[i] * normals[r].y;
-                lowest[r] = height < lowest[r] ? height : lowest[r];
+                lowest[r] = smallerOf(height, lowest[r]);
             }
         }
         for (int r = 0; r < kCount; ++r) {
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    [[gnu::always_inline]] static FaceChoice choose(const T* separations, int count) {
+    SWEPT_FORCE_INLINE static FaceChoice choose(const T* separations, int count) {
         FaceChoice choice{0, separations[0], 0};
         T second = std::numeric_limits<T>::lowest();
         for (int i = 1; i < count; ++i) {

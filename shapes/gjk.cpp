@@ -1,14 +1,14 @@
 #include "gjk.h"
 
+#include "compiler.h"
 #include "gjk_run.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace gjk {
 namespace {
 
-/// Inlined by force: the pieces of the loop hand small structs to each other, which cost more through memory than their
-/// arithmetic does.
-#define SWEPT_HOT [[gnu::always_inline]] inline
+// The pieces of the loop are inlined by force: they hand small structs to each other, which cost more through memory
+// than their arithmetic does.
 
 /// A point of the Minkowski difference: vertex `b` of B minus vertex `a` of A, frame of A.
 /// Without initial values: clearing what is written at once would cost a query a tenth of its time.
@@ -22,7 +22,7 @@ struct SupportPoint {
     DVec2 w() const { return {x, y}; }
 };
 
-SWEPT_HOT SupportPoint pointAt(const PairView& pair, int a, int b) {
+SWEPT_FORCE_INLINE SupportPoint pointAt(const PairView& pair, int a, int b) {
     const DVec2 va = pair.vertexA(a);
     const DVec2 vb = pair.toA(pair.localB(b));
     const DVec2 w = (vb + pair.translation) - va;
@@ -30,11 +30,11 @@ SWEPT_HOT SupportPoint pointAt(const PairView& pair, int a, int b) {
 }
 
 /// The point of B − A farthest against `normal`.
-SWEPT_HOT SupportPoint supportPoint(const PairView& pair, DVec2 normal) {
+SWEPT_FORCE_INLINE SupportPoint supportPoint(const PairView& pair, DVec2 normal) {
     return pointAt(pair, extremeVertex<1>(pair.a, normal), extremeVertex<-1>(pair.b, pair.toB(normal)));
 }
 
-SWEPT_HOT bool isSame(const SupportPoint& x, const SupportPoint& y) { return x.a == y.a && x.b == y.b; }
+SWEPT_FORCE_INLINE bool isSame(const SupportPoint& x, const SupportPoint& y) { return x.a == y.a && x.b == y.b; }
 
 /// A vertex (`p` alone) or a segment of the Minkowski difference, with what its distance to the origin is made of.
 struct Simplex {
@@ -48,14 +48,15 @@ struct Simplex {
     double distanceSquared;
 };
 
-SWEPT_HOT void setVertex(Simplex& simplex, const SupportPoint& p) {
+SWEPT_FORCE_INLINE void setVertex(Simplex& simplex, const SupportPoint& p) {
     simplex.p = p;
     simplex.isSegment = false;
     simplex.distanceSquared = dot(p.w(), p.w());
 }
 
 /// Makes `simplex` the segment from p to q, or its end if that is the closest point.
-SWEPT_HOT void setSegment(const PairView& pair, Simplex& simplex, const SupportPoint& p, const SupportPoint& q) {
+SWEPT_FORCE_INLINE void setSegment(const PairView& pair, Simplex& simplex, const SupportPoint& p,
+                                   const SupportPoint& q) {
     const DVec2 edge = pair.spanB(p.b, q.b) - pair.spanA(p.a, q.a);
     const double edgeSquared = dot(edge, edge);
     const bool atP = dot(edge, p.w()) >= 0 || !(edgeSquared >= std::numeric_limits<double>::min());  // or underflow
@@ -71,7 +72,8 @@ SWEPT_HOT void setSegment(const PairView& pair, Simplex& simplex, const SupportP
 }
 
 /// The closer of the segments from `next` to the ends of `simplex`, in `closer`.
-SWEPT_HOT void extend(const PairView& pair, const Simplex& simplex, const SupportPoint& next, Simplex& closer) {
+SWEPT_FORCE_INLINE void extend(const PairView& pair, const Simplex& simplex, const SupportPoint& next,
+                               Simplex& closer) {
     setSegment(pair, closer, simplex.p, next);
     if (!simplex.isSegment) { return; }
     Simplex other;
@@ -80,7 +82,7 @@ SWEPT_HOT void extend(const PairView& pair, const Simplex& simplex, const Suppor
 }
 
 /// The pair of a cached simplex; false when its indices do not fit.
-SWEPT_HOT bool load(const PairView& pair, const SimplexCache& warm, std::size_t i, SupportPoint& loaded) {
+SWEPT_FORCE_INLINE bool load(const PairView& pair, const SimplexCache& warm, std::size_t i, SupportPoint& loaded) {
     const int a = warm.indexA[i];
     const int b = warm.indexB[i];
     if (a >= pair.a.count || b >= pair.b.count) { return false; }
@@ -90,7 +92,7 @@ SWEPT_HOT bool load(const PairView& pair, const SimplexCache& warm, std::size_t 
 
 /// Where a run begins: the closest part of what the last one ended with, or the vertices that face each other. Of a
 /// triangle (the cores touched) the first edge is taken: the run finds the rest.
-SWEPT_HOT void start(const PairView& pair, const SimplexCache* warm, Simplex& simplex) {
+SWEPT_FORCE_INLINE void start(const PairView& pair, const SimplexCache* warm, Simplex& simplex) {
     SupportPoint first;
     SupportPoint second;
     if (warm == nullptr || warm->count == 0 || !load(pair, *warm, 0, first)) {
@@ -104,7 +106,7 @@ SWEPT_HOT void start(const PairView& pair, const SimplexCache* warm, Simplex& si
 
 /// Whether the origin lies inside the triangle of the segment and `p` beyond doubt: each cross product is compared with
 /// the error that the coordinates' resolution may give it.
-SWEPT_HOT bool enclosesOrigin(const Simplex& segment, const SupportPoint& p, double resolution) {
+SWEPT_FORCE_INLINE bool enclosesOrigin(const Simplex& segment, const SupportPoint& p, double resolution) {
     const DVec2 u = segment.p.w();
     const DVec2 v = segment.q.w();
     const double nu = sumNorm(u);
@@ -117,21 +119,21 @@ SWEPT_HOT bool enclosesOrigin(const Simplex& segment, const SupportPoint& p, dou
 
 /// From the closest point of the origin towards it, not normalised: the closest direction from A to B. Of a segment it
 /// comes from the edge itself, not from the closest point, which is all rounding near a contact.
-SWEPT_HOT DVec2 directionOf(const Simplex& simplex) {
+SWEPT_FORCE_INLINE DVec2 directionOf(const Simplex& simplex) {
     if (!simplex.isSegment) { return simplex.p.w(); }
     const DVec2 across = leftPerp(DVec2{simplex.edgeX, simplex.edgeY});
     return simplex.side > 0 ? across : -across;
 }
 
 /// Never longer than the Euclidean length.
-SWEPT_HOT double maxNorm(DVec2 v) {
+SWEPT_FORCE_INLINE double maxNorm(DVec2 v) {
     const double x = std::fabs(v.x);
     const double y = std::fabs(v.y);
     return x > y ? x : y;
 }
 
 /// Writes features, distance and normal of a simplex.
-SWEPT_HOT void store(const Simplex& simplex, GjkResult& r) {
+SWEPT_FORCE_INLINE void store(const Simplex& simplex, GjkResult& r) {
     const double scale = std::sqrt(simplex.isSegment ? simplex.edgeSquared : simplex.distanceSquared);
     const double inverse = scale > 0 ? 1 / scale : 0;
     r.distance = simplex.isSegment ? inverse * std::fabs(simplex.side) : scale;

@@ -5,6 +5,8 @@
 #include <type_traits>
 
 #include "bit_cast.h"
+#include "compiler.h"
+#include "lanes.h"
 #include "polygon.h"
 
 namespace swept::inline SWEPT_PRECISION::gjk {
@@ -12,32 +14,32 @@ namespace swept::inline SWEPT_PRECISION::gjk {
 /// The vertex of a polygon that lies farthest along a direction, to begin a search with: all eight places at once in
 /// registers of the baseline instruction set, 60 instructions in float and 96 in double, and no branch to mispredict,
 /// where a loop over the vertices mispredicts its end whenever their number changes (it took a third longer for a cold
-/// query). Written with vector extensions since GCC 12 makes of the plain loop a jump per vertex. A template, since
-/// only one of the two layouts compiles.
+/// query). Written by lanes since GCC 12 makes of the plain loop a jump per vertex. A template, since only one of the
+/// two layouts compiles.
 template <typename T>
 class FacingVertexOf {
-    /// A register, as the vector extensions of GCC and clang make it on any target.
     using Bits = std::conditional_t<std::is_same_v<T, float>, std::int32_t, std::int64_t>;
-    typedef T Lanes [[gnu::vector_size(16)]];
-    typedef Bits BitLanes [[gnu::vector_size(16)]];
+    static constexpr std::size_t kLanes = 16 / sizeof(T);
+    using Lanes = LanesOf<T, kLanes>;
+    using BitLanes = LanesOf<Bits, kLanes>;
 
 public:
     /// @return an index; of vertices that are level but for the last three bits,
     /// any.
-    [[gnu::always_inline]] static int along(const Polygon& p, Vec2 direction) {
+    SWEPT_FORCE_INLINE static int along(const Polygon& p, Vec2 direction) {
         const T* const v = &p.vertices[0].x;
         const Bits n = p.count;
         T best;
         if constexpr (std::is_same_v<T, float>) {
-            const Lanes four = higher(labelled(heights(v, direction), BitLanes{0, 1, 2, 3}, n),
-                                      labelled(heights(v + 8, direction), BitLanes{4, 5, 6, 7}, n));
-            best = higher(higher(four[0], four[1]), higher(four[2], four[3]));
+            const Lanes four = largerOf(labelled(heights(v, direction), BitLanes{0, 1, 2, 3}, n),
+                                        labelled(heights(v + 8, direction), BitLanes{4, 5, 6, 7}, n));
+            best = largerOf(largerOf(four[0], four[1]), largerOf(four[2], four[3]));
         } else {
-            const Lanes two = higher(higher(labelled(heights(v, direction), BitLanes{0, 1}, n),
-                                            labelled(heights(v + 4, direction), BitLanes{2, 3}, n)),
-                                     higher(labelled(heights(v + 8, direction), BitLanes{4, 5}, n),
-                                            labelled(heights(v + 12, direction), BitLanes{6, 7}, n)));
-            best = higher(two[0], two[1]);
+            const Lanes two = largerOf(largerOf(labelled(heights(v, direction), BitLanes{0, 1}, n),
+                                                labelled(heights(v + 4, direction), BitLanes{2, 3}, n)),
+                                       largerOf(labelled(heights(v + 8, direction), BitLanes{4, 5}, n),
+                                                labelled(heights(v + 12, direction), BitLanes{6, 7}, n)));
+            best = largerOf(two[0], two[1]);
         }
         const int index = static_cast<int>(bitCast<Bits>(best) & kLabel);
         return index < p.count ? index : 0;  // beyond the range of numbers: any vertex will do
@@ -46,34 +48,27 @@ public:
 private:
     static constexpr Bits kLabel = kMaxPolygonVertices - 1;
 
-    template <typename U>
-    [[gnu::always_inline]] static U higher(U a, U b) {
-        return a > b ? a : b;
-    }
-
     /// Heights of as many vertices as a register holds, from interleaved coordinates.
-    [[gnu::always_inline]] static Lanes heights(const T* v, Vec2 direction) {
-        constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(T);
+    SWEPT_FORCE_INLINE static Lanes heights(const T* v, Vec2 direction) {
         Lanes first;
         Lanes second;
         std::memcpy(&first, v, sizeof(Lanes));
         std::memcpy(&second, v + kLanes, sizeof(Lanes));
         if constexpr (std::is_same_v<T, float>) {
-            return direction.x * __builtin_shufflevector(first, second, 0, 2, 4, 6) +
-                   direction.y * __builtin_shufflevector(first, second, 1, 3, 5, 7);
+            return direction.x * shuffled<0, 2, 4, 6>(first, second) +
+                   direction.y * shuffled<1, 3, 5, 7>(first, second);
         } else {
-            return direction.x * __builtin_shufflevector(first, second, 0, 2) +
-                   direction.y * __builtin_shufflevector(first, second, 1, 3);
+            return direction.x * shuffled<0, 2>(first, second) + direction.y * shuffled<1, 3>(first, second);
         }
     }
 
     /// Heights with the index of the vertex for their last bits, so that the highest knows whose it is; unused places
     /// lie lowest.
-    [[gnu::always_inline]] static Lanes labelled(Lanes height, BitLanes index, Bits count) {
+    SWEPT_FORCE_INLINE static Lanes labelled(Lanes height, BitLanes index, Bits count) {
         constexpr Bits kLowest = bitCast<Bits>(std::numeric_limits<T>::lowest());
         const BitLanes isUsed = index < (BitLanes{} + count);
-        const BitLanes bits = (reinterpret_cast<BitLanes>(height) & isUsed) | (~isUsed & kLowest);
-        return reinterpret_cast<Lanes>((bits & ~kLabel) | index);
+        const BitLanes bits = (bitCast<BitLanes>(height) & isUsed) | (~isUsed & kLowest);
+        return bitCast<Lanes>((bits & ~kLabel) | index);
     }
 };
 using FacingVertex = FacingVertexOf<Real>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compiler.h"
 #include "gjk.h"
 #include "gjk_facing.h"
 
@@ -14,13 +15,10 @@
 /// cold and 30 warm. What made the difference: proofs by neighbours instead of whole support searches; the large locals
 /// of the loop out of the way, in functions of their own (an eighth of a warm query); a start without branches (a
 /// quarter of a cold one); choices by arithmetic (a fifth of a warm one). Two circles skip the search for a start: it
-/// took them longer than the rest.
+/// took them longer than the rest. Inlined by force: the pieces hand small structs to each other, which cost more
+/// through memory than their arithmetic does.
 
 namespace swept::inline SWEPT_PRECISION::gjk {
-
-/// Inlined by force: the pieces hand small structs to each other, which cost more through memory than their arithmetic
-/// does.
-#define SWEPT_HOT [[gnu::always_inline]] inline
 
 /// The loop over simplices, for what the walk does not prove: cores that overlap or touch, coordinates beyond range.
 void runLoop(const PairView& pair, const SimplexCache* warm, GjkResult& r);
@@ -38,10 +36,10 @@ struct Features {
 enum class WalkStep : std::uint8_t { proved, moved, lost };
 
 // Choices that depend on the data alone are made by arithmetic: as branches, one in two was mispredicted.
-SWEPT_HOT int choose(bool first, int a, int b) { return b ^ ((a ^ b) & -static_cast<int>(first)); }
-SWEPT_HOT int nextOf(const Polygon& p, int i) { return (i + 1) & -static_cast<int>(i + 1 < p.count); }
-SWEPT_HOT int previousOf(const Polygon& p, int i) { return i - 1 + (p.count & -static_cast<int>(i == 0)); }
-SWEPT_HOT double larger(double a, double b) { return a > b ? a : b; }
+SWEPT_FORCE_INLINE int choose(bool first, int a, int b) { return b ^ ((a ^ b) & -static_cast<int>(first)); }
+SWEPT_FORCE_INLINE int nextOf(const Polygon& p, int i) { return (i + 1) & -static_cast<int>(i + 1 < p.count); }
+SWEPT_FORCE_INLINE int previousOf(const Polygon& p, int i) { return i - 1 + (p.count & -static_cast<int>(i == 0)); }
+SWEPT_FORCE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 
 /// The two neighbours of a vertex along a direction (in its polygon's frame), relative to it and times the length of
 /// the direction.
@@ -53,7 +51,7 @@ struct Neighbours {
     bool isNextHigher() const { return next > previous; }
 };
 
-SWEPT_HOT Neighbours neighboursAlong(const Polygon& p, int i, DVec2 vertex, DVec2 direction) {
+SWEPT_FORCE_INLINE Neighbours neighboursAlong(const Polygon& p, int i, DVec2 vertex, DVec2 direction) {
     const DVec2 next = toDouble(p.vertices[static_cast<std::size_t>(nextOf(p, i))]) - vertex;
     const DVec2 previous = toDouble(p.vertices[static_cast<std::size_t>(previousOf(p, i))]) - vertex;
     return {dot(direction, next), dot(direction, previous)};
@@ -62,25 +60,25 @@ SWEPT_HOT Neighbours neighboursAlong(const Polygon& p, int i, DVec2 vertex, DVec
 /// Not above 0 where a vertex is the farthest of its polygon: both neighbours lie below. A convex corner leaves no room
 /// beyond them, unless it is so flat that rounding could turn the polygon over: then both seem level with it.
 /// @param level  what rounding may make of a level neighbour.
-SWEPT_HOT double doubtOf(const Polygon& p, const Neighbours& n, double level) {
+SWEPT_FORCE_INLINE double doubtOf(const Polygon& p, const Neighbours& n, double level) {
     constexpr std::array<double, 2> kFlat = {0, 1};  // points and segments have no inside to turn over
     const double flat = level * kFlat[static_cast<std::size_t>(p.count > 2)];
     return larger(n.highest(), n.next + n.previous + flat);
 }
 
 /// Twice the rounding of a neighbour's height, or more: two rotated vertices, their difference and its product.
-SWEPT_HOT double levelAlong(DVec2 direction, double resolution) { return 4 * resolution * sumNorm(direction); }
+SWEPT_FORCE_INLINE double levelAlong(DVec2 direction, double resolution) { return 4 * resolution * sumNorm(direction); }
 
 /// What the coordinates of two vertices resolve of their difference.
-SWEPT_HOT double resolutionOf(const PairView& pair, DVec2 a, DVec2 turnedB) {
+SWEPT_FORCE_INLINE double resolutionOf(const PairView& pair, DVec2 a, DVec2 turnedB) {
     return kResolution * (sumNorm(a) + sumNorm(turnedB) + sumNorm(pair.translation));
 }
 
 /// Two circles: nothing to search.
-SWEPT_HOT bool arePoints(const PairView& pair) { return pair.a.count + pair.b.count == 2; }
+SWEPT_FORCE_INLINE bool arePoints(const PairView& pair) { return pair.a.count + pair.b.count == 2; }
 
 /// Proves that the vertices are closest, or moves to the edge that promises most.
-SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) {
+SWEPT_FORCE_INLINE WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) {
     const DVec2 a = pair.vertexA(f.a);
     const DVec2 localB = pair.localB(f.b);
     const DVec2 turnedB = pair.toA(localB);
@@ -115,7 +113,7 @@ SWEPT_HOT WalkStep tryVertices(const PairView& pair, Features& f, GjkResult& r) 
 }
 
 /// Where a walk goes from beyond the end of an edge: to the other shape's edge that led there, or to the two vertices.
-SWEPT_HOT void leaveEdge(const Polygon& other, Features& f, int& vertex, Features::Kind edgeOfOther) {
+SWEPT_FORCE_INLINE void leaveEdge(const Polygon& other, Features& f, int& vertex, Features::Kind edgeOfOther) {
     f.kind = f.from < 0 ? Features::Kind::vertices : edgeOfOther;
     vertex = f.from >= 0 && other.next(f.from) == vertex ? f.from : vertex;
     f.from = -1;
@@ -123,7 +121,7 @@ SWEPT_HOT void leaveEdge(const Polygon& other, Features& f, int& vertex, Feature
 
 /// Proves that an edge and a vertex are closest, or moves on. Everything in the frame of A.
 template <bool ofA>
-SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
+SWEPT_FORCE_INLINE WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
     const int begin = ofA ? f.a : f.b;
     const int end = ofA ? nextOf(pair.a, begin) : nextOf(pair.b, begin);
     const DVec2 a = pair.vertexA(f.a);
@@ -175,7 +173,7 @@ SWEPT_HOT WalkStep tryEdge(const PairView& pair, Features& f, GjkResult& r) {
 
 /// Where a walk begins: at the features of the last one, or at the vertices that face each other. Edges are cached as a
 /// walk leaves them, in the order of the polygon; others it finds again from their first ends.
-SWEPT_HOT Features start(const PairView& pair, const SimplexCache* warm) {
+SWEPT_FORCE_INLINE Features start(const PairView& pair, const SimplexCache* warm) {
     if (warm == nullptr || warm->count == 0 || warm->indexA[0] >= pair.a.count || warm->indexB[0] >= pair.b.count) {
         if (arePoints(pair)) { return {Features::Kind::vertices, 0, 0}; }
         const DVec2 towardsA = -pair.toB(pair.translation);
@@ -194,7 +192,7 @@ SWEPT_HOT Features start(const PairView& pair, const SimplexCache* warm) {
 /// Steps after which the walk gives up; most take one or two.
 inline constexpr int kMaxWalk = 8;
 
-SWEPT_HOT bool walk(const PairView& pair, Features f, GjkResult& r) {
+SWEPT_FORCE_INLINE bool walk(const PairView& pair, Features f, GjkResult& r) {
     for (int i = 1; i <= kMaxWalk; ++i) {
         WalkStep step = WalkStep::lost;
         switch (f.kind) {
@@ -216,7 +214,7 @@ SWEPT_HOT bool walk(const PairView& pair, Features f, GjkResult& r) {
 
 /// One run; see `runGjk`. Sets all of `r` that its outcome promises.
 /// @param begin  from `start`, with the same cache.
-SWEPT_HOT void runFrom(const PairView& pair, const Features& begin, const SimplexCache* warm, GjkResult& r) {
+SWEPT_FORCE_INLINE void runFrom(const PairView& pair, const Features& begin, const SimplexCache* warm, GjkResult& r) {
     if (walk(pair, begin, r)) {
         r.encloses = false;
         r.outcome = GjkOutcome::apart;
@@ -224,10 +222,8 @@ SWEPT_HOT void runFrom(const PairView& pair, const Features& begin, const Simple
         runLoop(pair, warm, r);
     }
 }
-SWEPT_HOT void run(const PairView& pair, const SimplexCache* warm, GjkResult& r) {
+SWEPT_FORCE_INLINE void run(const PairView& pair, const SimplexCache* warm, GjkResult& r) {
     runFrom(pair, start(pair, warm), warm, r);
 }
-
-#undef SWEPT_HOT
 
 }  // namespace swept::inline SWEPT_PRECISION::gjk

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compiler.h"
 #include "polygon.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -72,7 +73,7 @@ inline Vec2 clampedReal(DVec2 v) { return {clampedReal(v.x), clampedReal(v.y)}; 
 /// Index of the vertex with the largest (sign +1) or smallest (sign −1) value of dot(direction, vertex); the lowest
 /// index on a tie. `direction` is in the frame of the polygon.
 template <int sign>
-[[gnu::always_inline]] inline int extremeVertex(const Polygon& p, DVec2 direction) {
+SWEPT_FORCE_INLINE int extremeVertex(const Polygon& p, DVec2 direction) {
     int best = 0;
     double bestDot = sign * dot(direction, toDouble(p.vertices[0]));
     for (int i = 1; i < p.count; ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "convexity.h"
+#include "lanes.h"
 #include "rounding.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -160,8 +161,8 @@ Real extentOf(const Polygon& polygon) {
 Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose) { return boundsOf(polygon, pose, {}, 0); }
 
 Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose, DVec2 way, Real reach) {
-    typedef double Pair [[gnu::vector_size(16)]];  // both axes at once: boxes are made for all that moves, in each step
-    const auto abs = [](Pair v) { return -v > v ? -v : v; };
+    using Pair = LanesOf<double, 2>;  // both axes at once: boxes are made for all that moves, in each step
+    const auto abs = [](Pair v) { return largerOf(-v, v); };
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const auto c = static_cast<double>(pose.rotation.c);
     const auto s = static_cast<double>(pose.rotation.s);
@@ -173,10 +174,10 @@ Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose, DVec2 way, Rea
     for (const Vec2 vertex : polygon.points()) {
         const DVec2 v = toDouble(vertex);
         const Pair turned = alongX * v.x + alongY * v.y;
-        lower = turned < lower ? turned : lower;
-        upper = turned > upper ? turned : upper;
+        lower = smallerOf(turned, lower);
+        upper = largerOf(turned, upper);
         const Pair away = abs(Pair{v.x, v.y});
-        widest = away > widest ? away : widest;
+        widest = largerOf(away, widest);
     }
     // Two roundings in `Real` for callers who turn the vertices in `Real`, and what the sums below may lose in double.
     constexpr double kTurnError = 2 * static_cast<double>(kEpsilon);
@@ -187,19 +188,19 @@ Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose, DVec2 way, Rea
     const Pair along{way.x, way.y};
     const Pair to = from + along;
     const Pair margin = around + kTurnError * size + kSumError * (abs(from) + abs(along) + (size + around));
-    Pair low = (to < from ? to : from) + (lower - margin);
-    Pair high = (to > from ? to : from) + (upper + margin);
+    Pair low = smallerOf(to, from) + (lower - margin);
+    Pair high = largerOf(to, from) + (upper + margin);
     // Outward by what rounding to `Real` may take away, so that nobody need ask which way it went.
     if constexpr (sizeof(Real) < sizeof(double)) {
         constexpr double kRealError = static_cast<double>(kEpsilon);
         constexpr double kLeast = static_cast<double>(std::numeric_limits<Real>::denorm_min());
-        low -= kRealError * abs(low) + kLeast;
-        high += kRealError * abs(high) + kLeast;
+        low = low - (kRealError * abs(low) + kLeast);
+        high = high + (kRealError * abs(high) + kLeast);
     }
     constexpr double kMost = static_cast<double>(std::numeric_limits<Real>::max());
     const Pair most{kMost, kMost};
-    low = low < -most ? -most : (low > most ? most : low);
-    high = high < -most ? -most : (high > most ? most : high);
+    low = largerOf(-most, smallerOf(most, low));
+    high = largerOf(-most, smallerOf(most, high));
     return {{static_cast<Real>(low[0]), static_cast<Real>(low[1])},
             {static_cast<Real>(high[0]), static_cast<Real>(high[1])}};
 }

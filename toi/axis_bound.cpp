@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../shapes/compiler.h"
 #include "parabola.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -21,7 +22,7 @@ constexpr double kAhead = 1.125;
 /// Which vertices can become the farthest along `axis` (frame of the body)
 /// while the body turns by `angle` against it.
 /// @param from  the farthest one now.
-[[gnu::always_inline]] inline VertexRun walk(const CenteredPolygon& body, int from, Vec2 axis, double angle) {
+SWEPT_FORCE_INLINE VertexRun walk(const CenteredPolygon& body, int from, Vec2 axis, double angle) {
     VertexRun run{from, 1, angle > 0 ? -1 : 1};
     if (angle == 0 || body.count() == 1) { return run; }
     const Vec2 end = (1 - 0.5 * angle * angle) * axis + angle * rightPerp(axis);
@@ -132,9 +133,9 @@ double firstRootOfRuns(const MovingPair& pair, const HeldAxis& axis, const Part&
 
 /// The same with the bounds of each vertex by its own distance from the centre, not by the farthest one's.
 /// @param centersBounds  what the motion of the centres allows.
-[[gnu::noinline, gnu::cold]] double firstRootOfEach(const MovingPair& pair, const HeldAxis& axis, const Part& centers,
-                                                    const Bounds& centersBounds, double turnA, double turnB,
-                                                    const SafeAdvance& runs, double window) {
+SWEPT_COLD double firstRootOfEach(const MovingPair& pair, const HeldAxis& axis, const Part& centers,
+                                  const Bounds& centersBounds, double turnA, double turnB, const SafeAdvance& runs,
+                                  double window) {
     double step = window;
     int i = runs.a.first;
     for (int k = 0; k < runs.a.count; ++k, i = after(pair.a, i, runs.a.step)) {

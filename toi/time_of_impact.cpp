@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../shapes/compiler.h"
 #include "axis_bound.h"
 #include "moving_pair.h"
 #include "toi_observer.h"
@@ -305,7 +306,7 @@ private:
     }
 
     /// Out of line: the search is shorter without it.
-    [[gnu::noinline, gnu::cold]] void tell(double next) const {
+    SWEPT_COLD void tell(double next) const {
         SimplexCache cold;
         Search here(*this);
         here.pair_.findClosest(pose_, cold, here.closest_);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "../../shapes/cache_line.h"
+#include "../../shapes/compiler.h"
 #include "../state/world_state.h"
 
 /// What the stages of contacts and of boxes fetch from memory before they get there.
@@ -22,66 +23,63 @@ inline constexpr std::size_t kBodiesAhead = 8;
 inline constexpr std::size_t kEventContactsAhead = 8;
 inline constexpr std::size_t kEventShapesAhead = 4;
 
-/// (What only fetches has no effect that GCC knows of: calls of such a function that it does not inline at once are
-/// dropped.)
 template <class T>
-[[gnu::always_inline]] inline void fetch(const T& thing) {
+SWEPT_FORCE_INLINE void fetch(const T& thing) {
     const char* const first = reinterpret_cast<const char*>(&thing);
-    for (std::size_t i = 0; i < sizeof(T); i += kCacheLine) { __builtin_prefetch(first + i); }
+    for (std::size_t i = 0; i < sizeof(T); i += kCacheLine) { prefetch(first + i); }
     if constexpr (alignof(T) < kCacheLine) {
-        __builtin_prefetch(first + (sizeof(T) - 1));  // it begins anywhere in a line
+        prefetch(first + (sizeof(T) - 1));  // it begins anywhere in a line
     }
 }
 
 /// A contact has the rest of what is asked of it.
-[[gnu::always_inline]] inline void fetchPolygon(const Polygon& polygon, std::size_t vertices) {
+SWEPT_FORCE_INLINE void fetchPolygon(const Polygon& polygon, std::size_t vertices) {
     constexpr std::size_t kPerLine = kCacheLine / sizeof(Vec2);
-    __builtin_prefetch(polygon.vertices.data());
-    __builtin_prefetch(polygon.normals.data());
+    prefetch(polygon.vertices.data());
+    prefetch(polygon.normals.data());
     if constexpr (kPerLine < kMaxPolygonVertices) {
         if (vertices <= kPerLine) { return; }
-        __builtin_prefetch(polygon.vertices.data() + kPerLine);
-        __builtin_prefetch(polygon.normals.data() + kPerLine);
+        prefetch(polygon.vertices.data() + kPerLine);
+        prefetch(polygon.normals.data() + kPerLine);
     }
 }
 
 /// What is asked of a body that is awake, before any of its contacts is. (Its inputs lie behind its hot state.)
-[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
+SWEPT_FORCE_INLINE void fetchAhead(const WorldState& world, std::span<const std::uint32_t> coming) {
     if (coming.size() <= kBodiesAhead) { return; }
     const std::uint32_t slot = coming[kBodiesAhead];
     const Body& body = world.bodies[slot];
-    __builtin_prefetch(&body);
-    __builtin_prefetch(&body.def.type);
-    __builtin_prefetch(&body.def.gravityScale);
-    __builtin_prefetch(&world.motions[slot]);
+    prefetch(&body);
+    prefetch(&body.def.type);
+    prefetch(&body.def.gravityScale);
+    prefetch(&world.motions[slot]);
     fetchToWrite(world.travels[slot]);
     fetchToWrite(world.glances[slot]);
 }
 
 /// What is asked of a body, and of the first of its shapes, as its boxes are made anew.
-[[gnu::always_inline]] inline void fetchForBoxes(const WorldState& world, std::span<const std::uint32_t> coming) {
+SWEPT_FORCE_INLINE void fetchForBoxes(const WorldState& world, std::span<const std::uint32_t> coming) {
     if (coming.size() <= kBodiesAhead + kShapesAhead) { return; }
     const std::uint32_t slot = coming[kBodiesAhead + kShapesAhead];
     const Body& body = world.bodies[slot];
-    __builtin_prefetch(&body);
-    __builtin_prefetch(&body.def.type);
-    __builtin_prefetch(&body.shapes);
-    __builtin_prefetch(&world.motions[slot]);
+    prefetch(&body);
+    prefetch(&body.def.type);
+    prefetch(&body.shapes);
+    prefetch(&world.motions[slot]);
     fetchToWrite(world.travels[slot]);
-    __builtin_prefetch(world.bodies[coming[kBodiesAhead]].shapes.data());
+    prefetch(world.bodies[coming[kBodiesAhead]].shapes.data());
     const Body& next = world.bodies[coming[kShapesAhead]];
     if (next.shapes.empty()) { return; }
     const Shape& shape = world.shapes[next.shapes.front()];
-    __builtin_prefetch(shape.polygon.vertices.data());
-    __builtin_prefetch(&shape.polygon.radius);
-    __builtin_prefetch(&shape.proxy);
+    prefetch(shape.polygon.vertices.data());
+    prefetch(&shape.polygon.radius);
+    prefetch(&shape.proxy);
 }
 
 /// Contacts lie all over memory, since most of those between them are idle: without this each waits for it several
 /// times. @param coming  of the same worker: another one may be writing to the probes after them
-[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const ContactProbe> probes,
-                                              std::span<const Contact> contacts,
-                                              std::span<const std::uint32_t> coming) {
+SWEPT_FORCE_INLINE void fetchAhead(const WorldState& world, std::span<const ContactProbe> probes,
+                                   std::span<const Contact> contacts, std::span<const std::uint32_t> coming) {
     if (coming.size() > kContactsAhead) { fetch(contacts[probes[coming[kContactsAhead]].contact]); }
     if (coming.size() > kShapesAhead) {
         const ContactProbe& probe = probes[coming[kShapesAhead]];
@@ -95,17 +93,16 @@ template <class T>
 }
 
 /// What is asked of a contact that may begin or end. @param coming  from that on which is next
-[[gnu::always_inline]] inline void fetchForEvents(const WorldState& world,
-                                                  std::span<const ContactLists::Other> coming) {
+SWEPT_FORCE_INLINE void fetchForEvents(const WorldState& world, std::span<const ContactLists::Other> coming) {
     if (coming.size() > kEventContactsAhead) {
         const Contact& contact = world.contacts[world.probes[coming[kEventContactsAhead].probe].contact];
-        __builtin_prefetch(&contact);
+        prefetch(&contact);
         fetchToWrite(contact.touching);
     }
     if (coming.size() > kEventShapesAhead) {
         const Contact& contact = world.contacts[world.probes[coming[kEventShapesAhead].probe].contact];
-        __builtin_prefetch(&world.shapes[contact.shapeA].head);
-        __builtin_prefetch(&world.shapes[contact.shapeB].head);
+        prefetch(&world.shapes[contact.shapeA].head);
+        prefetch(&world.shapes[contact.shapeB].head);
         world.bodies.fetchId(contact.bodyA);
         world.bodies.fetchId(contact.bodyB);
     }

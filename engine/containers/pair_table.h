@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "../../shapes/cache_line.h"
+
 namespace swept {
 
 /// Set of pairs of shape slots: open addressing, linear probing, backward-shift deletion. Only looked up, never
@@ -43,7 +45,7 @@ public:
 
     /// Before one of the others: asks for the memory where the pair would be.
     void fetch(std::uint32_t a, std::uint32_t b) const {
-        if (!keys_.empty()) { __builtin_prefetch(&keys_[home(keyOf(a, b))]); }
+        if (!keys_.empty()) { prefetch(&keys_[home(keyOf(a, b))]); }
     }
 
     std::size_t size() const { return size_; }

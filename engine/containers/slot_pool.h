@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../shapes/cache_line.h"
+#include "../../shapes/compiler.h"
 #include "../../shapes/room.h"
 
 namespace swept {
@@ -64,7 +65,7 @@ public:
     const T& operator[](std::uint32_t index) const { return slots_[index].value; }
     bool isAlive(std::uint32_t index) const { return slots_[index].alive; }
     /// What `idOf` asks for, from memory ahead of time.
-    [[gnu::always_inline]] void fetchId(std::uint32_t index) const { __builtin_prefetch(&slots_[index].generation); }
+    SWEPT_FORCE_INLINE void fetchId(std::uint32_t index) const { prefetch(&slots_[index].generation); }
     Id idOf(std::uint32_t index) const { return {index, slots_[index].generation}; }
 
     /// Slots ever used: the range of indices.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #ifdef __STDCPP_THREADS__
 #include <thread>
+
+#include "spin_pause.h"
 #endif
 
 namespace swept::inline SWEPT_PRECISION {
@@ -25,13 +27,6 @@ constexpr std::uint64_t frontOf(std::uint64_t ticket) { return (ticket >> kFront
 constexpr std::uint64_t endOf(std::uint64_t ticket) { return ticket & kBlockMask; }
 constexpr bool hasBlock(std::uint64_t ticket) { return frontOf(ticket) < endOf(ticket); }
 
-/// Tells the processor that this thread waits.
-inline void pause() {
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
-}
-
 /// Waits a little longer from call to call: a pause takes some 40 ns. The longest wait without leaving the processor to
 /// others is below what a switch of threads costs.
 class Patience {
@@ -39,7 +34,7 @@ public:
     void wait() {
         if (waits_ < kMostPauses) {
             ++waits_;
-            pause();
+            spinPause();
         } else {
 #ifdef __STDCPP_THREADS__  // without them nobody is ever waited for
             std::this_thread::yield();

@@ -6,6 +6,8 @@
 #include <span>
 
 #include "../../shapes/branchless.h"
+#include "../../shapes/cache_line.h"
+#include "../../shapes/compiler.h"
 #include "../contacts/hemmed_pairs.h"
 #include "../contacts/near_miss.h"
 #include "../contacts/travel.h"
@@ -116,16 +118,16 @@ constexpr std::size_t kPairsAhead = 8;
 /// Pairs per block of a parallel loop.
 constexpr std::size_t kPairGrain = 256;
 
-[[gnu::always_inline]] inline void fetchAhead(const WorldState& world, std::span<const TouchingPair> coming) {
+SWEPT_FORCE_INLINE void fetchAhead(const WorldState& world, std::span<const TouchingPair> coming) {
     if (coming.size() <= kPairsAhead) { return; }
     const TouchingPair& pair = coming[kPairsAhead];
     const bool asks = asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB]);
     const auto contact = pair.contact & maskOf<std::uint32_t>(asks);  // the first one instead of a branch
-    __builtin_prefetch(&world.contacts[contact].manifold);
+    prefetch(&world.contacts[contact].manifold);
 }
 
 /// Of the first of some pairs: writes to it and its contact alone.
-[[gnu::always_inline]] inline void lookAtFirst(WorldState& world, std::span<TouchingPair> pairs, Real dt) {
+SWEPT_FORCE_INLINE void lookAtFirst(WorldState& world, std::span<TouchingPair> pairs, Real dt) {
     fetchAhead(world, pairs);
     TouchingPair& pair = pairs.front();
     if (!asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB])) { return; }

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "../../shapes/branchless.h"
+#include "../../shapes/cache_line.h"
+#include "../../shapes/compiler.h"
 #include "../../solver/halves.h"
 #include "../../solver/wide/wide_motion.h"
 #include "../crew/beside.h"
@@ -112,12 +114,12 @@ bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
 constexpr std::size_t kPosesAtOnce = 32;
 
 /// @param coming  of the same worker
-[[gnu::always_inline]] inline void fetchToTakeBack(const WorldState& world, std::span<const std::uint32_t> coming) {
+SWEPT_FORCE_INLINE void fetchToTakeBack(const WorldState& world, std::span<const std::uint32_t> coming) {
     if (coming.size() <= kTakenBackAhead) { return; }
     const std::uint32_t slot = coming[kTakenBackAhead];
     fetchToWrite(world.motions[slot]);
     fetchToWrite(world.solverSlots[slot]);
-    __builtin_prefetch(&world.bodies[slot]);
+    prefetch(&world.bodies[slot]);
 }
 
 /// Of the first few of a range of those that took part. Their slots end here: no other solve must take them for its

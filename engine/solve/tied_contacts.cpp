@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "../../shapes/branchless.h"
+#include "../../shapes/cache_line.h"
+#include "../../shapes/compiler.h"
 #include "../../solver/contacts/contact_lanes.h"
 #include "../crew/join_blocks.h"
 #include "../flight/hit_event.h"
@@ -27,12 +29,12 @@ constexpr std::size_t kPairsPerBlock = 512;
 void fetchRow(const Contact& contact) {
     constexpr std::size_t kLine = 64;
     const char* const first = reinterpret_cast<const char*>(&contact);
-    for (std::size_t i = 0; i < sizeof(ContactRow); i += kLine) { __builtin_prefetch(first + i); }
+    for (std::size_t i = 0; i < sizeof(ContactRow); i += kLine) { prefetch(first + i); }
 }
 
 void fetchOutcome(const Contact& contact) {
-    __builtin_prefetch(&contact.normalImpulse);
-    __builtin_prefetch(&contact.pressed);
+    prefetch(&contact.normalImpulse);
+    prefetch(&contact.pressed);
 }
 
 /// For `SolverSettings::settled`: what presses holds where it is, what is apart is not in the way.
@@ -67,9 +69,8 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
 
 /// In place: what is written in pieces and copied has to wait for the pieces.
-[[gnu::always_inline]] inline bool TiedContacts::linkIfTied(ContactLink& link, std::uint32_t source,
-                                                            std::uint32_t bodyA, std::uint32_t bodyB,
-                                                            const TouchTraits& traits) const {
+SWEPT_FORCE_INLINE bool TiedContacts::linkIfTied(ContactLink& link, std::uint32_t source, std::uint32_t bodyA,
+                                                 std::uint32_t bodyB, const TouchTraits& traits) const {
     const BodySlot slotA = world_.solverSlots[bodyA];
     const BodySlot slotB = world_.solverSlots[bodyB];
     link.slotA = slotA;

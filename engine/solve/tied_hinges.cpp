@@ -1,5 +1,6 @@
 #include "tied_hinges.h"
 
+#include "../../shapes/cache_line.h"
 #include "../../solver/joint_blocks/hinge_lanes.h"
 #include "joint_builder.h"
 
@@ -10,8 +11,8 @@ namespace {
 constexpr std::size_t kHingesAhead = 8;
 
 void fetch(const Joint& joint) {
-    __builtin_prefetch(&joint);
-    __builtin_prefetch(&joint.hinge.motor);
+    prefetch(&joint);
+    prefetch(&joint.hinge.motor);
 }
 
 HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {

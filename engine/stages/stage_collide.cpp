@@ -1,5 +1,6 @@
 #include <array>
 
+#include "../../shapes/compiler.h"
 #include "../../shapes/distance.h"
 #include "../contacts/chain_passage.h"
 #include "../contacts/contact_batch.h"
@@ -104,8 +105,8 @@ bool mayMeet(const WorldState& world, const Contact& contact, Real gap) {
 }
 
 /// A contact that may have points has its manifold.
-[[gnu::always_inline]] inline void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact,
-                                              const Transform& bInA) {
+SWEPT_FORCE_INLINE void finishNear(const WorldState& world, ContactProbe& probe, Contact& contact,
+                                   const Transform& bInA) {
     contact.totalImpulse = {};
     contact.pressed = (int{contact.pressed} & int{contact.manifold.count > 0}) != 0;
     probe.apartUntil = 0;
@@ -164,7 +165,7 @@ private:
             update->settle(*probe, contact, bInA);
         }
     };
-    [[gnu::always_inline]] void settle(ContactProbe& probe, Contact& contact, const Transform& bInA) const {
+    SWEPT_FORCE_INLINE void settle(ContactProbe& probe, Contact& contact, const Transform& bInA) const {
         finishNear(world_, probe, contact, bInA);
         notePassing(probe, contact);
     }

@@ -5,6 +5,8 @@
 #include <span>
 
 #include "../../shapes/branchless.h"
+#include "../../shapes/cache_line.h"
+#include "../../shapes/compiler.h"
 #include "../islands/note_touching.h"
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
@@ -23,14 +25,14 @@ constexpr std::size_t kRootGrain = 512;
 constexpr std::size_t kResetAhead = 16;
 
 /// @param coming  of the same worker
-[[gnu::always_inline]] inline void fetchForReset(const WorldState& world, std::span<const std::uint32_t> coming) {
+SWEPT_FORCE_INLINE void fetchForReset(const WorldState& world, std::span<const std::uint32_t> coming) {
     if (coming.size() <= kResetAhead) { return; }
     const std::uint32_t slot = coming[kResetAhead];
     const Body& body = world.bodies[slot];
     fetchToWrite(body.awake);
     fetchToWrite(body.startAngle);
-    __builtin_prefetch(&world.motions[slot]);
-    __builtin_prefetch(&world.glances[slot]);
+    prefetch(&world.motions[slot]);
+    prefetch(&world.glances[slot]);
 }
 
 /// @param restSpeed  `restSpeedOf` the step

@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "../../shapes/cache_line.h"
+#include "../../shapes/compiler.h"
 #include "../containers/sort_few.h"
 #include "../crew/shared_choice.h"
 #include "../islands/effort_budget.h"
@@ -75,12 +77,12 @@ std::uint64_t moveFreely(WorldState& world, std::uint32_t slot, double dt) {
 /// Bodies that are fetched ahead.
 constexpr std::size_t kFetchedAhead = 12;
 
-[[gnu::always_inline]] inline void fetchFree(const WorldState& world, std::uint32_t slot) {
+SWEPT_FORCE_INLINE void fetchFree(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
-    __builtin_prefetch(&body.role);
+    prefetch(&body.role);
     if ((world.traits[slot] & (kIsTied | kIsFlyer)) != 0) { return; }
-    __builtin_prefetch(&body.def.type);
-    __builtin_prefetch(&body.def.linearDamping);
+    prefetch(&body.def.type);
+    prefetch(&body.def.linearDamping);
     fetchToWrite(world.motions[slot]);
 }
 
