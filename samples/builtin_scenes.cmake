@@ -11,6 +11,6 @@ swept_optimise_little(swept_builtin_scenes)  # read once, and long to compile
 swept_no_false_alarms(swept_builtin_scenes)
 target_compile_features(swept_builtin_scenes PUBLIC cxx_std_20)
 set_target_properties(swept_builtin_scenes PROPERTIES CXX_EXTENSIONS OFF)
-target_compile_options(swept_builtin_scenes PUBLIC -ffp-contract=off)
+target_compile_options(swept_builtin_scenes PUBLIC ${SWEPT_NO_FUSING})
 target_include_directories(swept_builtin_scenes PUBLIC ${SWEPT_INCLUDE_DIR})
 target_link_libraries(swept_builtin_scenes PRIVATE swept_shapes_f64)

@@ -3,27 +3,7 @@
 # Users write <swept/engine/world.h>; inside the tree that is the source root seen through a link.
 set(SWEPT_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${SWEPT_INCLUDE_DIR})
-file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${SWEPT_INCLUDE_DIR}/swept SYMBOLIC)
-
-# Emscripten, in builds of users, takes its machine for x86.
-if(EMSCRIPTEN OR CMAKE_SYSTEM_PROCESSOR STREQUAL wasm32)
-    set(SWEPT_WASM ON)
-endif()
-
-# Warnings of our own targets; never handed on to users.
-function(swept_warnings target)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
-    if(SWEPT_WERROR)
-        target_compile_options(${target} PRIVATE -Werror)
-    endif()
-endfunction()
-
-# Off for programs, which say things: GCC 12 warns wrongly about `"literal" + std::to_string(i)` (its bug 105651).
-function(swept_no_false_alarms target)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-        target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
-    endif()
-endfunction()
+swept_link_folder(${PROJECT_SOURCE_DIR} ${SWEPT_INCLUDE_DIR}/swept)
 
 # For what takes longer to compile with full optimisation than it ever runs: tools, the reader of scenes. What is measured,
 # or works hard in a test, is not among it. `None` is what the presets with sanitizers are built as, with -O1.
@@ -40,22 +20,7 @@ function(swept_layer_options target)
     if(NOT SWEPT_WASM)  # where it goes through tables for nothing
         set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endif()
-    # Public on purpose: an inline function compiled with fused multiply-add in a user's file could be the copy that the
-    # linker keeps for the library too, and then the same bits on every machine are lost.
-    target_compile_options(${target} PUBLIC -ffp-contract=off)
-    # Nobody reads errno after a root: without it a root is one instruction and no call. The same bits.
-    target_compile_options(${target} PRIVATE -fno-math-errno)
-    # GCC 12 leaves out the rounding of double to float and back where it puts two of them into one vector (basic blocks, not
-    # loops): other bits than from any other compiler. The golden test found it.
-    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-        target_compile_options(${target} PRIVATE -fno-tree-slp-vectorize)
-    endif()
-    # Clang 14 for WebAssembly forgets when a number was loaded that it puts into both halves of a vector (v128.load64_splat):
-    # calls and stores that change it may come first. Vectors of basic blocks are where it met that; a layer compiled as one
-    # file or not only decides what is inlined. The golden test found it. Public for the reason given above.
-    if(SWEPT_WASM)
-        target_compile_options(${target} PUBLIC -fno-slp-vectorize)
-    endif()
+    swept_code_options(${target})
 endfunction()
 
 # What they share of precompiled headers; with sanitizers (`None`) some are not optimised, see below.
@@ -81,6 +46,9 @@ function(swept_configure_library target export_name)
     endif()
     swept_unite(${target})
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name})
+    if(MSVC)  # whose standard library is another one in Debug, so that games link either
+        set_target_properties(${target} PROPERTIES DEBUG_POSTFIX d)
+    endif()
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${SWEPT_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
     if(NOT PROJECT_IS_TOP_LEVEL AND NOT SWEPT_INSTALL)
         set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)  # of both precisions a game links one

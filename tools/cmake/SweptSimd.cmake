@@ -11,7 +11,7 @@ if(SWEPT_SIMD)
         find_path(SWEPT_HIGHWAY_HEADERS hwy/highway.h PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)
         if(SWEPT_HIGHWAY_HEADERS)
             file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/highway)
-            file(CREATE_LINK ${SWEPT_HIGHWAY_HEADERS}/hwy ${PROJECT_BINARY_DIR}/highway/hwy SYMBOLIC)
+            swept_link_folder(${SWEPT_HIGHWAY_HEADERS}/hwy ${PROJECT_BINARY_DIR}/highway/hwy)
             add_library(hwy::hwy INTERFACE IMPORTED GLOBAL)
             target_include_directories(hwy::hwy INTERFACE ${PROJECT_BINARY_DIR}/highway)
             if(NOT MINGW)  # Highway from 1.0.4 on knows NEON of several kinds, and would ask its library which one there is.

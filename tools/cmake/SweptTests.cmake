@@ -17,7 +17,7 @@ function(swept_add_test_prelude name)
     swept_add_prelude(${name} <gtest/gtest.h> <algorithm> <array> <cmath> <limits> <map> <random> <set> <sstream> <string>
                       <vector> ${PRELUDE_UNPARSED_ARGUMENTS})
     swept_configure_test(${name} ${PRELUDE_OPTIONS})
-    target_compile_options(${name} PRIVATE -ffp-contract=off)
+    target_compile_options(${name} PRIVATE ${SWEPT_NO_FUSING})
     target_link_libraries(${name} PRIVATE GTest::gtest)
 endfunction()
 
