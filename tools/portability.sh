@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Builds the library for other machines and shows that it gives the same bits there: wide kernels against their scalar twins,
 # and the built-in scenes against what was recorded on x86-64, both precisions. For WebAssembly by clang and by Emscripten (run
-# by Node.js), 64-bit ARM (run by qemu) and Windows (by MinGW-w64, run by Wine); builds are left in build/wasm, build/emscripten,
-# build/aarch64 and build/windows.
-#   tools/portability.sh [wasm] [emscripten] [aarch64] [windows]
+# by Node.js), 64-bit ARM (run by qemu) and Windows (by MinGW-w64, run by Wine); for this machine without what only some compilers
+# have (plain). Builds are left in build/wasm, build/emscripten, build/aarch64, build/windows and build/plain.
+#   tools/portability.sh [wasm] [emscripten] [aarch64] [windows] [plain]
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 case "${1:-}" in -h | --help) sed -n '2,6s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;; esac
 machines=("$@")
-if [ "${#machines[@]}" -eq 0 ]; then machines=(wasm emscripten aarch64 windows); fi
+if [ "${#machines[@]}" -eq 0 ]; then machines=(wasm emscripten aarch64 windows plain); fi
 
 # Emscripten of Debian asks for modules that Debian's own Node.js alone finds without being told.
 export NODE_PATH="${NODE_PATH:-/usr/share/nodejs}"
@@ -18,7 +18,7 @@ export WINEDEBUG="${WINEDEBUG:--all}" WINEPREFIX="${WINEPREFIX:-$root/build/wine
 
 failed=no
 for machine in "${machines[@]}"; do
-    case "$machine" in wasm | emscripten | aarch64 | windows) ;; *) fail "unknown machine $machine (see --help)" ;; esac
+    case "$machine" in wasm | emscripten | aarch64 | windows | plain) ;; *) fail "unknown machine $machine (see --help)" ;; esac
     "$root/tools/setup.sh" "$machine"
     say "$machine: configuring and building (build/$machine)"
     configure "$machine" -DSWEPT_BUILD_TESTS=ON

@@ -2,7 +2,7 @@
 # Installs the Debian packages that are missing (apt, with sudo when not root). Silent when all is there.
 #   tools/setup.sh         all
 #   tools/setup.sh demo    only what the swept command needs
-#   tools/setup.sh wasm, emscripten, aarch64, windows   only what tools/portability.sh needs for that machine
+#   tools/setup.sh wasm, emscripten, aarch64, windows, plain   only what tools/portability.sh needs for that machine
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 demo_packages=(g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libbox2d-dev
@@ -16,7 +16,7 @@ emscripten_packages=(emscripten)
 aarch64_packages=(g++-aarch64-linux-gnu qemu-user)
 windows_packages=(g++-mingw-w64-x86-64-posix wine64)
 
-usage="usage: tools/setup.sh [all|demo|wasm|emscripten|aarch64|windows]"
+usage="usage: tools/setup.sh [all|demo|wasm|emscripten|aarch64|windows|plain]"
 if [ "$#" -gt 1 ]; then fail "$usage"; fi
 case "${1:-all}" in
     all) wanted=("${demo_packages[@]}" "${test_packages[@]}") ;;
@@ -24,6 +24,7 @@ case "${1:-all}" in
     wasm) wanted=("${cross_packages[@]}" "${wasm_packages[@]}") ;;
     emscripten) wanted=("${cross_packages[@]}" "${emscripten_packages[@]}") ;;
     aarch64) wanted=("${cross_packages[@]}" "${aarch64_packages[@]}") ;;
+    plain) wanted=("${cross_packages[@]}" g++) ;;
     windows) wanted=("${cross_packages[@]}" "${windows_packages[@]}") ;;
     -h | --help)
         echo "$usage"

@@ -107,7 +107,7 @@ if [ "$long" = yes ]; then
     build debug solver_tests_f32 solver_tests_f64
     run_tests debug "default compiler, not optimised, tests of the solver" -R '^solver_tests_f(32|64)[.]'
 
-    say "WebAssembly, 64-bit ARM, Windows: building, and running under Node.js, qemu and Wine"
+    say "WebAssembly, 64-bit ARM, Windows: building, and running under Node.js, qemu and Wine; plain C++"
     "$root/tools/portability.sh" >"$log_dir/portability.log" 2>&1 || failed=yes
     grep -v '^==>' "$log_dir/portability.log" >>"$summary" || true
 fi
