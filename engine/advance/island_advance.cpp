@@ -5,6 +5,7 @@
 
 #include "../flight/moving_ground.h"
 #include "../flight/solved_path.h"
+#include "../islands/hard_pull.h"
 #include "../islands/rod_turn.h"
 #include "../modes/modes.h"
 #include "../solve/tied_group.h"
@@ -98,10 +99,17 @@ bool areMembersJoined(const Course& course) {
     });
 }
 
+/// Whether it is a body on its own whose pull is for short sub-steps.
+bool isOneHard(const Course& course) {
+    const std::vector<std::uint32_t>& members = course.island.members;
+    return members.size() == 1 && course.island.jointSlots.empty() &&
+           isPulledHard(course.world, course.world.bodies[members[0]], static_cast<Real>(course.dt));
+}
+
 int subStepsFor(const Course& course, double time) {
     const Effort effort = course.world.bodies[course.island.members[0]].effort;
     const int usual = subStepsOf(course.world.settings);
-    const int asked = effort.isCrowd ? swept::subStepsFor(effort, usual) : usual;
+    const int asked = effort.isCrowd || isOneHard(course) ? swept::subStepsFor(effort, usual) : usual;
     const bool isJointed = !course.island.jointSlots.empty();
     const bool isBudgeted = hasErrorBudget(course.world.settings);
     // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the

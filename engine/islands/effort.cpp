@@ -5,6 +5,7 @@
 
 #include "../stages/step.h"
 #include "../state/profile.h"
+#include "hard_pull.h"
 #include "island_load.h"
 #include "settled.h"
 
@@ -185,7 +186,8 @@ struct StepScale {
     bool mayJostle = true;  ///< the number of sub-steps is the profile's own
 };
 
-Effort effortFor(const IslandLoad& load, const StepScale& step) {
+/// @param pull  m/s², that contacts carry
+Effort effortFor(const IslandLoad& load, const StepScale& step, double pull) {
     const bool isKnown = load.staysPut && load.bodies > kSmallWebBodies;
     const double restSpeed = (isKnown ? kStirRatioOfFall : kRestRatioOfFall) * step.gravity * step.dt;
     const bool rests = static_cast<double>(load.fastest) <= restSpeed * restSpeed;
@@ -202,7 +204,7 @@ Effort effortFor(const IslandLoad& load, const StepScale& step) {
     const DirectScope scope = scopeForContacts(load, rests);
     if (jostles && scope == DirectScope::none) { return kCrowd; }
     const std::int8_t fewest = scope == DirectScope::all && rests ? kTowerDoublings : std::int8_t{0};
-    return {.doublings = doublingsFor(load, fewest, step.gravity, step.dt, step.subSteps),
+    return {.doublings = doublingsFor(load, fewest, pull, step.dt, step.subSteps),
             .direct = scope,
             .isLarge = scope == DirectScope::all && !isTree(load) && load.bodies > kSmallWebBodies};
 }
@@ -222,6 +224,12 @@ namespace {
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kEffortGrain = 128;
 
+/// At a body on its own; m/s².
+double pullOf(const WorldState& world, const Body& body, const StepScale& step) {
+    if (!isPulledHard(world, body, static_cast<Real>(step.dt))) { return step.gravity; }
+    return std::max(step.gravity, static_cast<double>(length(accelerationOf(world, body))));
+}
+
 void assignByLoad(WorldState& world, double dt) {
     const bool fast = world.settings.profile == Profile::fast;
     findIslandLoads(world);
@@ -229,9 +237,13 @@ void assignByLoad(WorldState& world, double dt) {
                          .dt = dt,
                          .subSteps = subStepsOf(world.settings),
                          .mayJostle = !hasErrorBudget(world.settings) && world.settings.subSteps <= 0};
+    const auto pullAt = [&world, &step](std::uint32_t slot, const IslandLoad& load) {
+        const bool mayBeHard = load.bodies == 1 && (world.traits[slot] & kIsFast) != 0;
+        return mayBeHard ? pullOf(world, world.bodies[slot], step) : step.gravity;
+    };
     for (const std::uint32_t slot : world.tied) {
         IslandLoad& load = world.islandLoads[slot];
-        if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, step); }
+        if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, step, pullAt(slot, load)); }
     }
 }
 

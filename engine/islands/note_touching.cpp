@@ -12,6 +12,7 @@
 #include "../contacts/near_miss.h"
 #include "../contacts/travel.h"
 #include "../state/tolerances.h"
+#include "hard_pull.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -29,8 +30,7 @@ TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32
     const Vec2 fromA = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     const Vec2 normal = contact.bodyB == slot ? fromA : -fromA;
     const Real pull = -dot(accelerationOf(world, body), normal);
-    // What is pulled so hard that the pull alone makes it fast would sink into a soft contact.
-    const bool carries = pull > 0 && pull * square(dt) <= kFastRatio * body.extent;
+    const bool carries = isCarried(world, body, pull, dt);
     const Real threshold = bounceThreshold(world, body, dt);
     const Real slop = kTargetRatio * contact.extent;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
