@@ -328,7 +328,7 @@ bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport&
     strength_ = 1;
     if constexpr (kJoints) { gatherJoints(batch, h, useBias, false); }
     gatherContacts(batch, h, useBias);
-    if (!findImpulses<kJoints>(report)) {
+    if (!findImpulses<kJoints>(report) || (hasTightened_ && isSqueezed(batch))) {
         ++report.givenUp;
         hasGivenUp_ = true;
         return false;

@@ -189,6 +189,7 @@ private:
     // direct_contacts.cpp
     void listContacts(SolverBatch& batch);
     void gatherContacts(const SolverBatch& batch, Real h, bool useBias);
+    bool isSqueezed(const SolverBatch& batch);
     template <bool kJoints>
     bool findImpulses(DirectReport& report);
     template <bool kJoints>
@@ -224,6 +225,7 @@ private:
     bool isPatient_ = false;
     bool isTakenBack_ = false;
     bool hasGivenUp_ = false;            ///< in this step
+    bool hasTightened_ = false;          ///< in the last search
     Real leastClosing_ = 0;              ///< s
     std::vector<std::uint32_t> nodeOf_;  ///< by slot
     std::vector<Node> nodes_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -42,6 +43,46 @@ TEST(Presses, AreBorneByWhatTheyPress) {
                                  std::to_string(size) + " m, " + std::to_string(press.strength) + " weights";
         EXPECT_GT(height(), press.atLeast) << what;
         EXPECT_NEAR(height(), before, 1e-3) << what << ": sinks on";
+    }
+}
+
+/// A kinematic plate comes down on a crate and draws it along; a ball that lies beside it has a tenth of its mass or
+/// less, so that both are solved all at once, in `accurate`. Their impulses grew by as much in each sub-step, up to 5e6
+/// N·s, and then friction flung the crate away at up to 12 km/s.
+TEST(Presses, DoNotFlingAwayWhatIsSqueezed) {
+    constexpr double kHalf = 0.3;
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const double down : {1.0, 2.0, 4.0}) {
+            for (const double along : {0.0, 3.0, 6.0, 10.0}) {
+                for (const double ratio : {0.1, 0.02}) {
+                    WorldSettings settings = awakeSettings();
+                    settings.profile = profile;
+                    World world = makeWorld(settings);
+                    addStatic(world, segment(-10, 0, 10, 0));
+                    const BodyId crate = addBody(world, dynamicAt({0, kHalf}), box(kHalf, kHalf));
+                    const double radius = 2 * kHalf * std::sqrt(ratio / kPi);
+                    const BodyId ball = addBody(world, dynamicAt({kHalf + radius, radius}), circle(radius));
+                    BodyDef plate = bodyAt(BodyType::kinematic, {-0.2, 2 * kHalf + 0.55});
+                    plate.velocity = vec(along, -down);
+                    addBody(world, plate, box(0.8, 0.5));
+                    double fastest = 0;
+                    double strongest = 0;
+                    for (int i = 0; i < 40; ++i) {
+                        run(world, 1);
+                        fastest =
+                            std::max({fastest, length(velocityOf(world, crate)), length(velocityOf(world, ball))});
+                        world.visitContacts([&strongest](const ContactView& contact) {
+                            strongest = std::max(strongest, static_cast<double>(contact.impulse));
+                        });
+                    }
+                    const std::string what = std::string(profile == Profile::fast ? "fast, " : "accurate, ") +
+                                             std::to_string(down) + " m/s down, " + std::to_string(along) +
+                                             " along, ball of " + std::to_string(ratio);
+                    expectAtMost(what, fastest, 6 * std::hypot(along, down));
+                    expectAtMost(what + ", N·s", strongest, 1e4);
+                }
+            }
+        }
     }
 }
 
