@@ -1,5 +1,8 @@
 #include "revolute_constraint.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "pin.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -22,10 +25,20 @@ void solvePoint(RevoluteConstraint& joint, const Pin& pin, const JointPair& pair
     push(joint, pin, pair, -joint.softness.massScale * firm - joint.softness.impulseScale * joint.linearImpulse);
 }
 
+/// See `kDrivenGive`.
+Real complianceOf(const RevoluteConstraint& joint, const JointPair& pair, bool useBias) {
+    const Real compliance = complianceOf(joint, useBias);
+    const Real ofHeavy = std::min(pair.inertiaA.inverseMass, pair.inertiaB.inverseMass);
+    const bool isWithin = joint.hasMotor && std::fabs(joint.motorImpulse) < joint.maxMotorImpulse;
+    if (!isWithin || !(ofHeavy > 0)) { return compliance; }
+    const Real ratio = std::max(pair.inertiaA.inverseMass, pair.inertiaB.inverseMass) / ofHeavy;
+    return std::clamp(kDrivenGive * ratio, Real(1), kMostDrivenGive) * compliance;
+}
+
 /// The point, and the angle after it, but guided: the point stays as it was just solved.
 void solveParts(RevoluteConstraint& joint, const Pin& pin, const JointPair& pair, Real h, bool useBias) {
     const bool isSoft = useBias && !joint.isHeld;
-    const Spin spin = spinOf(pin, pair, complianceOf(joint, useBias));
+    const Spin spin = spinOf(pin, pair, complianceOf(joint, pair, useBias));
     if (isSoft) {
         const Vec2 wanted = speedsOf(pin, pair) + joint.softness.biasRate * gapOf(joint, pin, pair);
         push(joint, pin, pair, -solve(spin.pointMatrix, wanted + product(spin.given, joint.linearImpulse)));

@@ -1,5 +1,7 @@
 // Compiled once per instruction set: foreach_target.h reads this file again for each.
 #include "wide_revolutes.h"
+
+#include "../softness.h"
 #include "wide_targets.h"
 
 // Hinges differ in their parts, and most blocks of ragdolls have a few lanes in use: with registers of 64 bytes scene
@@ -91,6 +93,19 @@ private:
         return hn::Sub(hn::Add(hn::Add(at(block_.springImpulse), at(block_.motorImpulse)), at(block_.lowerImpulse)),
                        at(block_.upperImpulse));
     }
+    /// `complianceOf` of a hinge.
+    HWY_INLINE Lanes compliance() const {
+        const Lanes ofPoint = hn::Div(at(block_.impulseScale), at(block_.massScale));
+        if (!block_.parts.hasMotor) { return ofPoint; }
+        const Lanes ofHeavy = hn::Min(inverseMassA_, inverseMassB_);
+        const Lanes ratio = hn::Div(hn::Max(inverseMassA_, inverseMassB_), ofHeavy);
+        const Lanes give = hn::Min(hn::Max(hn::Mul(hn::Set(Tag(), kDrivenGive), ratio), hn::Set(Tag(), Real(1))),
+                                   hn::Set(Tag(), kMostDrivenGive));
+        const LaneMask isWithin = hn::Lt(hn::Abs(at(block_.motorImpulse)), at(block_.maxMotorImpulse));
+        const LaneMask isDriven = hn::And(hn::Gt(ofHeavy, hn::Zero(Tag())), isWithin);
+        return hn::IfThenElse(isDriven, hn::Mul(give, ofPoint), ofPoint);
+    }
+
     HWY_INLINE void turnGuided(const Spin& spin, Lanes impulse) {
         turn(impulse);
         push({hn::Mul(impulse, spin.answer.x), hn::Mul(impulse, spin.answer.y)});
@@ -108,7 +123,7 @@ private:
 
     template <bool kUseBias>
     HWY_INLINE void solveParts(Lanes h) {
-        const Spin spin = spinOf<kUseBias>();
+        const Spin spin = kUseBias ? spinOf<kUseBias>(compliance()) : spinOf<kUseBias>();
         solveGuiding<kUseBias>(spin);
         const Lanes place = angle();
         if (block_.parts.hasSpring && kUseBias) {
