@@ -229,6 +229,7 @@ void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings,
     warmStart<kJoints>(batch, true);
     direct_.solve<kJoints>(batch, h, true, report.direct);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = settings.relaxPasses == 0});
+    if constexpr (kJoints) { direct_.holdAgain(batch, report.direct); }
     integratePositions(batch, h);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.solve<kJoints>(batch, h, false, report.direct);
@@ -326,7 +327,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     areJointed_ = report.isDirect && settings.direct == DirectScope::jointed;
     if (report.isDirect) {
         makeContactsRigid(batch, settings.direct);
-        if constexpr (kJoints) { makeJointsRigid(batch); }
+        if constexpr (kJoints) { makeJointsRigid(batch, settings.direct); }
     }
     const bool contactsAreDirect = report.isDirect && looksAtContacts(settings.direct);
     const bool isAtOnce = loops.startSeconds() < TaskSystem::kAtOnce;

@@ -182,7 +182,7 @@ struct ConstraintFiller {
     }
     template <class Part>
     void fill(typename Part::Constraint& constraint, const Part& part) const {
-        constraint.isHeld = false;
+        constraint.isHeld = constraint.isDriveHeld = false;
         constraint.slotA = world.solverSlots[joint.bodyA];
         constraint.slotB = world.solverSlots[joint.bodyB];
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);

@@ -346,6 +346,7 @@ bool DirectSolver::searchImpulses(DirectReport& report) {
     if (contacts_.empty()) {
         if (!holdsAsBefore()) { assemble<kJoints>(report); }
         computeChange<kJoints>();
+        if constexpr (kJoints) { searchDrives(report); }
         return true;
     }
     const double weaker = isPatient_ ? kWeakerOfPatient : kWeaker;

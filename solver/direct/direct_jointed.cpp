@@ -192,21 +192,43 @@ void DirectSolver::solvePile(std::span<JointedPoint> points, const ContactPass& 
     }
 }
 
-void DirectSolver::solveJointed(SolverBatch& batch, const ContactPass& pass) {
+void DirectSolver::solvePiles(const ContactPass& pass) {
     if (!areAnswersCurrent_) { findAnswers(); }
+    std::fill(change_.begin(), change_.end(), Block3{});
+    pushForced();
+    for (std::size_t begin = 0; begin < jointed_.size();) {
+        std::size_t end = begin;
+        while (end < jointed_.size() && jointed_[end].pile == jointed_[begin].pile) { ++end; }
+        solvePile(std::span(jointed_).subspan(begin, end - begin), pass);
+        begin = end;
+    }
+}
+
+void DirectSolver::solveJointed(SolverBatch& batch, const ContactPass& pass) {
+    for (Drive& drive : drives_) {
+        drive.before = drive.row.guess = static_cast<double>(*drive.held.impulse);
+        drive.row.excess = excessOf(batch, drive.held);
+        if (drive.hold == Hold::forced) { drive.row.impulse = drive.before; }
+    }
     for (JointedPoint& jointed : jointed_) {
         const ContactConstraint& contact = *jointed.contact;
         jointed.normal.excess = excessOf(batch, jointed.heldNormal);
         jointed.tangent.excess = excessOf(batch, jointed.heldTangent);
         jointed.point->separation =
             currentSeparation(contact, *jointed.point, batch.states[contact.slotA], batch.states[contact.slotB]);
+        jointed.normalBefore = jointed.point->normalImpulse;
+        jointed.tangentBefore = jointed.point->tangentImpulse;
     }
-    std::fill(change_.begin(), change_.end(), Block3{});
-    for (std::size_t begin = 0; begin < jointed_.size();) {
-        std::size_t end = begin;
-        while (end < jointed_.size() && jointed_[end].pile == jointed_[begin].pile) { ++end; }
-        solvePile(std::span(jointed_).subspan(begin, end - begin), pass);
-        begin = end;
+    solvePiles(pass);
+    // Contacts were answered as if motors held whatever it takes.
+    while (letGoDrives()) {
+        DirectReport ofPass;
+        assemble<true>(ofPass);
+        for (JointedPoint& jointed : jointed_) {
+            jointed.point->normalImpulse = jointed.normalBefore;
+            jointed.point->tangentImpulse = jointed.tangentBefore;
+        }
+        solvePiles(pass);
     }
     if (pass.isLast) {
         for (JointedPoint& jointed : jointed_) { jointed.point->totalNormalImpulse += jointed.point->normalImpulse; }
@@ -215,6 +237,9 @@ void DirectSolver::solveJointed(SolverBatch& batch, const ContactPass& pass) {
         const double moved = changedExcess(joint.row) - joint.row.excess;
         const double change = -strength_ * joint.row.strength * moved;
         *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
+    }
+    for (const Drive& drive : drives_) {
+        *drive.held.impulse = static_cast<Real>(drive.hold == Hold::held ? pullOf(drive) : drive.row.impulse);
     }
     dropNoise();
     applyToBodies(batch);

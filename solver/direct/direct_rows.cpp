@@ -164,4 +164,26 @@ void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, R
     });
 }
 
+void addDrivenRows(SolverBatch& batch, std::vector<DrivenRow>& rows) {
+    const auto add = [&rows](const JointConstraint& joint, const JointRow& row, Real speed, Real most, Real& impulse) {
+        rows.push_back({{row, joint.slotA, joint.slotB, -speed, &impulse}, most});
+    };
+    for (RevoluteConstraint& joint : batch.revolutes) {
+        if (joint.hasMotor) { add(joint, kSpinRow, joint.motorSpeed, joint.maxMotorImpulse, joint.motorImpulse); }
+    }
+    for (WheelConstraint& joint : batch.wheels) {
+        if (joint.hasMotor) { add(joint, kSpinRow, joint.motorSpeed, joint.maxMotorImpulse, joint.motorImpulse); }
+    }
+    for (PrismaticConstraint& joint : batch.prismatics) {
+        if (!joint.hasMotor) { continue; }
+        const BodyState& a = batch.states[joint.slotA];
+        const BodyState& b = batch.states[joint.slotB];
+        const Vec2 axis = rotate(a.deltaRotation, joint.axis);
+        // As with `addSide`.
+        const Vec2 armA = rotate(a.deltaRotation, joint.anchorA) + anchorOffset(joint, a, b);
+        const JointRow row = rowAlong(axis, armA, rotate(b.deltaRotation, joint.anchorB));
+        add(joint, row, joint.motorSpeed, joint.maxMotorImpulse, joint.motorImpulse);
+    }
+}
+
 }  // namespace swept::inline SWEPT_PRECISION

@@ -18,20 +18,29 @@ struct DirectRow {
     Real* impulse = nullptr;  ///< accumulated, N·s or N·m·s
 };
 
+/// A motor: brings its row to a speed as long as its impulse stays within a limit.
+struct DrivenRow {
+    DirectRow held;  ///< bias: minus the speed that is wanted
+    Real most = 0;   ///< of the impulse of a sub-step, to either side
+};
+
 /// How a body moves.
 struct Motion {
     Vec2 velocity{};  ///< m/s
     Real spin = 0;    ///< rad/s
 };
 
-/// Rows that joints hold rigidly, kind by kind: points, angles, rods. Springs, motors and limits are not among them,
-/// nor gears, pulleys and motor joints: those are left to iteration.
+/// Rows that joints hold rigidly, kind by kind: points, angles, rods. Springs and limits are not among them, nor gears,
+/// pulleys and motor joints: those are left to iteration.
 /// @param motions  by slot, by which it is told how anchors bend away within the sub-step; empty: those of the states
 /// @param closing  s, at least h: within which errors are closed
 /// @param useBias  towards zero errors at the end of the sub-step; false: rest
 /// @pre the batch keeps its arrays while the rows are in use
 void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, Real closing, bool useBias,
                   std::vector<DirectRow>& rows);
+
+/// Motors of hinges, sliders and wheels. @pre likewise
+void addDrivenRows(SolverBatch& batch, std::vector<DrivenRow>& rows);
 
 /// Calls `visit` with the array of each kind of joint that may have such rows.
 template <class Batch, class Visit>

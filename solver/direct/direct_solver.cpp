@@ -64,6 +64,8 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     isFactorised_ = false;
     motions_.clear();
     joints_.clear();
+    drives_.clear();
+    for (std::vector<std::int8_t>& ways : forced_) { ways.clear(); }
     contacts_.clear();
     listNodes(batch);
     if (nodes_.empty() || !listEdges(batch)) { return false; }
@@ -224,6 +226,9 @@ void DirectSolver::assemble(DirectReport& report, double tangentShare) {
     }
     if constexpr (kJoints) {
         for (const HeldJoint& joint : joints_) { addToMatrix(joint.row); }
+        for (const Drive& drive : drives_) {
+            if (drive.hold == Hold::held) { addToMatrix(drive.row); }
+        }
     }
     holds_.clear();
     for (const ContactPoint& contact : contacts_) {
@@ -257,6 +262,12 @@ void DirectSolver::computeChange() {
     if constexpr (kJoints) {
         for (const HeldJoint& joint : joints_) {
             push(joint.row, -strength_ * joint.row.strength * joint.row.excess - joint.forgotten);
+        }
+        for (const Drive& drive : drives_) {
+            const Row& row = drive.row;
+            const double aim =
+                drive.hold == Hold::held ? row.guess - strength_ * row.strength * row.excess : row.impulse;
+            push(row, aim - drive.before);
         }
     }
     for (const ContactPoint& contact : contacts_) {
@@ -306,6 +317,9 @@ void DirectSolver::applyToImpulses() {
             const double change = -strength_ * joint.row.strength * changedExcess(joint.row) - joint.forgotten;
             *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
         }
+        for (const Drive& drive : drives_) {
+            *drive.held.impulse = static_cast<Real>(drive.hold == Hold::held ? driveOf(drive) : drive.row.impulse);
+        }
     }
     for (ContactPoint& contact : contacts_) {
         const auto keep = [this, &contact](const Row& row, double least) {
@@ -326,7 +340,10 @@ template <bool kJoints>
 bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
     if (hasGivenUp_ && (isPatient_ || isTakenBack_)) { return false; }
     strength_ = 1;
-    if constexpr (kJoints) { gatherJoints(batch, h, useBias, false); }
+    if constexpr (kJoints) {
+        gatherJoints(batch, h, useBias, false);
+        gatherDrives(batch, useBias);
+    }
     gatherContacts(batch, h, useBias);
     if (!findImpulses<kJoints>(report) || (hasTightened_ && isSqueezed(batch))) {
         ++report.givenUp;
@@ -343,6 +360,7 @@ template void DirectSolver::assemble<false>(DirectReport&, double);
 template void DirectSolver::assemble<true>(DirectReport&, double);
 template void DirectSolver::computeChange<false>();
 template void DirectSolver::computeChange<true>();
+template void DirectSolver::applyToImpulses<true>();
 template bool DirectSolver::solve<false>(SolverBatch&, Real, bool, DirectReport&);
 template bool DirectSolver::solve<true>(SolverBatch&, Real, bool, DirectReport&);
 

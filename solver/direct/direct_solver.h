@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,6 +23,11 @@ enum class DirectScope : std::uint8_t {
     all,         ///< what joints hold rigidly, and all contacts
 };
 
+/// Whether motors are rows of that solve.
+constexpr bool holdsDrives(DirectScope scope) {
+    return scope == DirectScope::freeJoints || scope == DirectScope::joints || scope == DirectScope::jointed;
+}
+
 /// Whether scope `jointed` is worth its time: each contact is answered by every body, twice in a sub-step.
 constexpr bool mayBeJointed(std::size_t contacts, std::size_t bodies) { return contacts * bodies <= 512; }
 
@@ -38,7 +44,8 @@ constexpr bool mayBeJointed(std::size_t contacts, std::size_t bodies) { return c
 ///     ½ ΔvᵀMΔv + Σ ψ(J·(v + Δv) + bias),  −ψ′(e) = clamp(λ₀ − k·e, least, most),
 /// which Newton's method with a line search finds from anywhere (after Castro, Permenter & Han, "An unconstrained
 /// convex formulation of compliant contact", 2022). Limits of friction follow the normal impulses in a few rounds
-/// around it.
+/// around it. Motors are such dampers, too, with limits that are given: what is within them is held, the rest pushes as
+/// hard as it may.
 class DirectSolver {
 public:
     /// Once a step: bodies, islands, rows. @pre contacts stay where they are until the step ends
@@ -61,6 +68,10 @@ public:
     /// @return whether contacts, if any are in scope, are solved; else nothing was changed
     template <bool kJoints>
     bool solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report);
+    /// Before bodies move, where motors are rows and something was iterated after them (springs, limits): takes back
+    /// what that did to the rows. Gaps of joints close anyway, but nothing brings back an angle that a brake held.
+    /// @pre `solve` with bias came before, and bodies stand where they did then
+    void holdAgain(SolverBatch& batch, DirectReport& report);
     /// Moves the bodies, not their velocities, towards zero separation of all that presses or overlaps. (What a
     /// velocity does about a gap needs impulses, and those of a tower's lowest contact would tilt the tower.)
     /// @param always  else only if some separation is more than a small part of the contact's own size
@@ -117,6 +128,19 @@ private:
         Real* impulse = nullptr;
         double forgotten = 0;  ///< of the impulse, N·s or N·m·s; taken back, to be found again
     };
+    enum class Hold : std::uint8_t {
+        free,    ///< carries nothing, whatever it does
+        held,    ///< its damper is part of the matrix
+        forced,  ///< at a limit: carries a given impulse
+    };
+    /// A motor.
+    struct Drive {
+        Row row;
+        DirectRow held;
+        double before = 0;  ///< impulse that was applied before the solve
+        double most = 0;    ///< in this solve, to either side
+        Hold hold = Hold::held;
+    };
     /// A point of a contact of scope `jointed`. A tie is named by its root in `islands_`, a pile by its own.
     struct JointedPoint {
         ContactConstraint* contact = nullptr;
@@ -129,7 +153,9 @@ private:
         std::size_t answers = 0;  ///< of these nodes to the normal, and after them to the tangent
         double normalMass = 0;    ///< impulse per speed, 0 when nothing can move
         double tangentMass = 0;
-        Real pushShare = 1;  ///< of the speed at which an overlap is pushed out
+        Real pushShare = 1;     ///< of the speed at which an overlap is pushed out
+        Real normalBefore = 0;  ///< impulses before the pass
+        Real tangentBefore = 0;
         DirectRow heldNormal;
         DirectRow heldTangent;
         Row normal;
@@ -141,11 +167,6 @@ private:
         std::uint32_t nodes = 0;
         std::uint32_t rounds = 0;
         double mass = 0;  ///< of all of them, kg
-    };
-    enum class Hold : std::uint8_t {
-        free,    ///< carries nothing, whatever it does
-        held,    ///< its damper is part of the matrix
-        forced,  ///< at a limit: carries a given impulse
     };
     struct ContactPoint {
         ContactConstraint* contact = nullptr;
@@ -186,6 +207,15 @@ private:
     template <bool kJoints>
     void applyToImpulses();
 
+    // direct_drives.cpp
+    void gatherDrives(SolverBatch& batch, bool useBias);
+    void searchDrives(DirectReport& report);
+    bool classifyDrives(bool mayHold);
+    double driveOf(const Drive& drive) const;
+    double pullOf(const Drive& drive) const;
+    bool letGoDrives();
+    void pushForced();
+
     // direct_contacts.cpp
     void listContacts(SolverBatch& batch);
     void gatherContacts(const SolverBatch& batch, Real h, bool useBias);
@@ -216,6 +246,7 @@ private:
     void pushTies(const JointedPoint& point, std::size_t answers, double impulse);
     Real solvePoint(JointedPoint& point, const ContactPass& pass);
     void solvePile(std::span<JointedPoint> points, const ContactPass& pass);
+    void solvePiles(const ContactPass& pass);
 
     // direct_projection.cpp
     bool gatherOverlaps(const SolverBatch& batch, Real h, bool isLast);
@@ -235,6 +266,11 @@ private:
     std::vector<Motion> motions_;  ///< by slot; empty: not noted
     std::vector<DirectRow> jointRows_;
     std::vector<HeldJoint> joints_;
+    std::vector<DrivenRow> drivenRows_;
+    std::vector<Drive> drives_;
+    /// Which of them pushed as hard as they might in the last such solve of the step, with bias and without; which way.
+    std::array<std::vector<std::int8_t>, 2> forced_;
+    bool isFirstHalf_ = true;  ///< the present solve is the one with bias
     std::vector<ContactPoint> contacts_;
     std::vector<JointedPoint> jointed_;  ///< pile by pile
     std::uint32_t jointedRounds_ = 0;

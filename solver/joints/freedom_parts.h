@@ -66,17 +66,18 @@ constexpr void pushSpring(FreedomParts& parts, Real mass, Real place) {
 
 /// Drag of the spring, motor and limits in this order: limits have the last word. @param speed  the present one, called
 /// anew for each
+/// @param drives  the motor is not held otherwise (`JointConstraint::isDriveHeld`)
 /// @param push  applies an impulse
 template <class SpeedNow, class Push>
 void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& softness, Real h, bool useBias,
-                  SpeedNow&& speed, Push&& push) {
+                  bool drives, SpeedNow&& speed, Push&& push) {
     if (!(mass > 0)) { return; }       // nothing to move; and 0 times the room of a limit at infinity is no number
     if (parts.hasSpring && useBias) {  // once per sub-step
         const Real change = parts.spring.drag * (parts.springImpulse - mass * speed());
         parts.springImpulse += change;
         push(change);
     }
-    if (parts.hasMotor) {
+    if (parts.hasMotor && drives) {
         const Real change = motorChange(mass, speed(), parts.motorSpeed, parts.motorImpulse, parts.maxMotorImpulse);
         parts.motorImpulse += change;
         push(change);

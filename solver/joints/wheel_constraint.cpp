@@ -70,7 +70,8 @@ void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBia
     const Axle axle = axleOf(joint, pair);
     const Real given = complianceOf(joint, useBias) * axle.lonely;
     solveAcross(joint, joint.heldImpulse.x, axle, pair, given, useBias);
-    if (isDriven(joint, pair)) { driveSpin(joint, axle, pair, given); }
+    const bool mayDrive = !joint.isDriveHeld || !useBias;
+    if (isDriven(joint, pair) && mayDrive) { driveSpin(joint, axle, pair, given); }
     if (!isSprung(joint)) { return; }
     solveAlong(joint, joint.suspension, joint.heldImpulse.x, axle, pair, given, h, useBias);
 }
