@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "../../broadphase/broadphase.h"
+#include "../../shapes/cache_line.h"
 #include "../../shapes/manifold.h"
 #include "../../solver/contacts/contact_row.h"
 #include "touching.h"
@@ -38,11 +40,12 @@ enum class BatchKind : std::uint8_t {
     chainFew,
     chainMany,
 };
+inline constexpr std::size_t kBatchKinds = 13;  ///< but for `none`
 
 /// Two shapes whose boxes overlap. A is the sensor, else the chain segment, else what does not yield (static or
 /// kinematic). Of cache lines of its own, and in each what is asked for together: in `Real` float the points, what a
 /// solve adds to them and takes from them, and what spares a search for points.
-struct alignas(64) Contact : ContactRow {
+struct alignas(kCacheLine) Contact : ContactRow {
     // Copies of what never changes, like the radii: the stage of contacts then need not fetch shapes and bodies, which
     // lie all over memory.
     Real extentA = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 
 #include "../../shapes/manifold_batch.h"
 #include "contact_manifold.h"
@@ -98,6 +100,18 @@ private:
     std::array<Entry, ManifoldBatch::kPairs> entries_;
 };
 
+/// Which kernel finds the manifolds of a batch.
+constexpr PairKind pairKindOf(BatchKind kind) {
+    if (kind <= BatchKind::many) { return PairKind::sharp; }
+    return kind < BatchKind::chainTwo ? PairKind::round : PairKind::chain;
+}
+
+/// By `BatchKind`, but for `none`.
+template <std::size_t... Index>
+std::array<ContactBatch, sizeof...(Index)> makeBatches(std::index_sequence<Index...> /*unused*/) {
+    return {ContactBatch(pairKindOf(static_cast<BatchKind>(Index + 1)))...};
+}
+
 /// Contacts of all kinds that are given manifolds anew: in batches where they may be, else at once.
 /// @tparam Done  called after that, once for each contact, with its probe, the contact, and the pose of B in the frame
 ///               of A
@@ -129,12 +143,7 @@ private:
     const WorldState& world_;
     Done done_;
     bool haveBatches_ = canCollideInBatches();
-    std::array<ContactBatch, 13> batches_{
-        ContactBatch(PairKind::sharp), ContactBatch(PairKind::sharp), ContactBatch(PairKind::round),
-        ContactBatch(PairKind::round), ContactBatch(PairKind::round), ContactBatch(PairKind::round),
-        ContactBatch(PairKind::round), ContactBatch(PairKind::round), ContactBatch(PairKind::round),
-        ContactBatch(PairKind::round), ContactBatch(PairKind::chain), ContactBatch(PairKind::chain),
-        ContactBatch(PairKind::chain)};  ///< by `BatchKind`, but for `none`
+    std::array<ContactBatch, kBatchKinds> batches_ = makeBatches(std::make_index_sequence<kBatchKinds>());
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -134,13 +134,10 @@ void noteImpulse(WorldState& world, const BulletMeeting& pair, const ContactCons
 void setApart(WorldState& world, const BulletMeeting& pair, const Manifold& manifold, Vec2 normal) {
     BulletPartner& first = partnerIn(world, pair.first);
     BulletPartner& second = partnerIn(world, pair.second);
-    const double target = targetOf(world, pair.shapes);
-    const double gap = target - static_cast<double>(deepestSeparation(manifold));
     const double inverseFirst = first.flies ? static_cast<double>(first.flight.body().inverseMass) : 0;
     const double inverseSecond = second.flies ? static_cast<double>(second.flight.body().inverseMass) : 0;
-    const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
-    if (!(gap > noise) || !(inverseFirst + inverseSecond > 0)) { return; }
-    const DVec2 way = (gap / (inverseFirst + inverseSecond)) * toDouble(normal);
+    const DVec2 way = partingWay(world, pair.shapes, deepestSeparation(manifold), inverseFirst + inverseSecond, normal);
+    if (way == DVec2{}) { return; }
     shift(first.flight, -inverseFirst * way);
     shift(second.flight, inverseSecond * way);
 }
@@ -191,7 +188,8 @@ void ride(BulletPartner& rider, const BulletPartner& carrier, double time) {
     rider.tied = true;
 }
 
-bool isExhausted(BulletPartner& partner) {
+/// Counts one impact more. @return whether it was one too many
+bool spendImpact(BulletPartner& partner) {
     return isExhausted(partner.flight, partner.impacts++, LostTimeReason::budget);
 }
 
@@ -227,7 +225,7 @@ void meet(WorldState& world, const BulletMeeting& pair, FlightScratch& scratch) 
         // What is tied does not get out of the way in this step.
         if (!other.flies && other.tied && partner->impacts > 1) {
             ride(*partner, other, pair.time);
-        } else if (isExhausted(*partner)) {
+        } else if (spendImpact(*partner)) {
             stop(*partner, pair.time, LostTimeReason::budget);
         }
     }
@@ -237,7 +235,7 @@ void meet(WorldState& world, const BulletMeeting& pair, FlightScratch& scratch) 
 void bounce(WorldState& world, const BulletMeeting& meeting, FlightScratch& scratch) {
     BulletPartner& partner = partnerIn(world, meeting.first);
     bringTo(world, partner, meeting.time);
-    if (isExhausted(partner)) {
+    if (spendImpact(partner)) {
         stop(partner, partner.flight.elapsed, LostTimeReason::budget);
     } else {
         const bool isHit = resolveStanding(partner.flight);

@@ -1,7 +1,6 @@
 #include "clash_contacts.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "../solve/constraint_builder.h"
 #include "../state/tolerances.h"
@@ -23,15 +22,12 @@ Real deepestOwn(const Clash& clash, const ClashPair& pair) {
 void setApart(Clash& clash, ClashPair& pair) {
     Flight& first = clash.work.flights[pair.first];
     Flight& second = clash.work.flights[pair.second];
-    const WorldState& world = clash.world;
-    const double target = targetOf(world, pair.shapes);
-    const double gap = target - static_cast<double>(pair.deepest);
-    const double noise = toleranceOf(world, pair.shapes) + static_cast<double>(roundingOf(world, pair.shapes));
-    if (!(gap > noise) || pair.deepest < -deepestOwn(clash, pair)) { return; }
-    pair.deepest = static_cast<Real>(target);
+    if (pair.deepest < -deepestOwn(clash, pair)) { return; }
     const auto inverseFirst = static_cast<double>(first.body().inverseMass);
     const auto inverseSecond = static_cast<double>(second.body().inverseMass);
-    const DVec2 way = (gap / (inverseFirst + inverseSecond)) * toDouble(pair.normal);
+    const DVec2 way = partingWay(clash.world, pair.shapes, pair.deepest, inverseFirst + inverseSecond, pair.normal);
+    if (way == DVec2{}) { return; }
+    pair.deepest = static_cast<Real>(targetOf(clash.world, pair.shapes));
     const auto shift = [](Flight& flight, DVec2 by) {
         flight.motion.center += by;
         flight.motion.pose = poseOf(flight.motion.center, flight.motion.angle, flight.body().localCenter);
@@ -112,12 +108,7 @@ void reflect(Clash& clash) {
         prepareContact(constraint, scratch.inertias);
         scratch.order.push_back(&constraint);
     }
-    const SolverBodies bodies{scratch.states, scratch.inertias};
-    ImpactRule rule{.restitutionThreshold = threshold, .resolvePlastic = true};
-    if (reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact) == kMaxImpactRounds) {
-        rule.restitutionThreshold = std::numeric_limits<Real>::infinity();
-        reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact);
-    }
+    reflectOrStop(scratch, threshold);
     for (std::size_t i = 0; i < clash.work.flights.size(); ++i) {
         BodyMotion& motion = clash.work.flights[i].motion;
         motion.velocity = scratch.states[slotOf(i)].velocity;

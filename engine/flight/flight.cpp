@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "../contacts/ghosts.h"
@@ -205,8 +206,8 @@ void holdHere(Flight& flight, LostTimeReason reason) {
     takeAlong(*flight.world, flight.slot, flight.motion, flight.elapsed, flight.dt, *flight.scratch);
 }
 
-/// Looks every so many impacts.
-bool hardlyGetsOn(const Flight& flight, int impacts, double& atLastLook) {
+/// Looks every so many impacts, and notes how far it was then, whether it hardly got on since the last look.
+bool lookIfStuck(const Flight& flight, int impacts, double& atLastLook) {
     if (impacts == 0 || impacts % kImpactsToGetOn != 0 || impacts >= flight.world->settings.maxImpacts) {
         return false;
     }
@@ -227,7 +228,7 @@ void flyThrough(Flight& flight) {
         }
         const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
         if (isExhausted(flight, impacts, reason)) { return holdHere(flight, reason); }
-        if (hardlyGetsOn(flight, impacts, atLastLook)) { return holdHere(flight, LostTimeReason::stuck); }
+        if (lookIfStuck(flight, impacts, atLastLook)) { return holdHere(flight, LostTimeReason::stuck); }
         advance(flight, sweep, first.fraction);
         const bool isHit = resolveHere(flight);
         notePose(flight);
@@ -303,12 +304,7 @@ bool resolveHere(Flight& flight) {
         prepareContact(constraint, scratch.inertias);
         scratch.order.push_back(&constraint);
     }
-    const SolverBodies bodies{scratch.states, scratch.inertias};
-    ImpactRule rule{.restitutionThreshold = flight.threshold(), .resolvePlastic = true};
-    if (reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact) == kMaxImpactRounds) {
-        rule.restitutionThreshold = std::numeric_limits<Real>::infinity();
-        reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact);
-    }
+    reflectOrStop(scratch, flight.threshold());
     flight.motion.velocity = scratch.states[kFlyerSlot].velocity;
     flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
     bool anyHit = false;
@@ -317,6 +313,22 @@ bool resolveHere(Flight& flight) {
         noteCarrier(flight, constraint);
     }
     return anyHit;
+}
+
+void reflectOrStop(FlightScratch& scratch, Real threshold) {
+    const SolverBodies bodies{scratch.states, scratch.inertias};
+    ImpactRule rule{.restitutionThreshold = threshold, .resolvePlastic = true};
+    if (reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact) < kMaxImpactRounds) { return; }
+    rule.restitutionThreshold = std::numeric_limits<Real>::infinity();
+    reflectImpacts(scratch.order, bodies, rule, kMaxImpactRounds, scratch.impact);
+}
+
+DVec2 partingWay(const WorldState& world, const FlightObstacle& shapes, Real separation, double inverseMass,
+                 Vec2 normal) {
+    const double gap = targetOf(world, shapes) - static_cast<double>(separation);
+    const double noise = toleranceOf(world, shapes) + static_cast<double>(roundingOf(world, shapes));
+    if (!(gap > noise) || !(inverseMass > 0)) { return {}; }
+    return (gap / inverseMass) * toDouble(normal);
 }
 
 bool resolveStanding(Flight& flight) {

@@ -27,9 +27,19 @@ void advance(Flight& flight, const Sweep& sweep, double fraction);
 /// @return whether any of them was a hit: faster than what does not bounce
 bool resolveHere(Flight& flight);
 bool resolveStanding(Flight& flight);
-/// At the start of the step: only then may the sweeps look for lower separations. What no contact knows is farther than
-/// any target (but what woke in this step, where it was put: its impact is at the start).
+/// Contacts of the start of the step. Before the first sweep: a shape that is within its target already is looked for
+/// at a lower separation, as if its approach were dealt with. What has no contact is farther away than any target, but
+/// for what woke in this step: that is met at fraction 0.
 void resolveStart(Flight& flight);
+/// Impulses of an impact of `scratch.states`, by the constraints in `scratch.order`: what still approaches after
+/// `kMaxImpactRounds` is stopped. @param threshold  m/s, what meets slower does not bounce
+void reflectOrStop(FlightScratch& scratch, Real threshold);
+/// By which two bodies that sank below their target part, per inverse mass of each, world, m·kg: B along it, A against
+/// it. Zero where they are as far apart as is told from noise.
+/// @param separation   metres
+/// @param inverseMass  of both together, 1/kg; 0 where none moves
+DVec2 partingWay(const WorldState& world, const FlightObstacle& shapes, Real separation, double inverseMass,
+                 Vec2 normal);
 void notePose(const Flight& flight);
 void limitSpeed(Flight& flight);
 /// Whether it gives up the rest of the step, after so many impacts: it may lose no more time than `maxLostTime`.

@@ -213,8 +213,9 @@ Effort effortFor(const IslandLoad& load, const StepScale& step, double pull) {
 
 std::uint16_t searchDebtAfter(std::uint16_t debt, const SearchCost& cost) {
     const int unusual = std::max(cost.rounds - kUsualRoundsOfSubStep * cost.subSteps, 0);
-    const int ofSmall = unusual * static_cast<int>(cost.bodies) / kBodyRoundsOfDebt;
-    const int owed = debt + (cost.isLarge ? cost.rounds / kRoundsOfDebt : ofSmall);
+    const auto ofSmall =
+        static_cast<std::int64_t>(unusual) * static_cast<std::int64_t>(cost.bodies) / kBodyRoundsOfDebt;
+    const std::int64_t owed = debt + (cost.isLarge ? cost.rounds / kRoundsOfDebt : ofSmall);
     // A step goes down from it before anybody asks.
     return cost.isSolved && owed < kMostDebt ? static_cast<std::uint16_t>(owed) : kMostDebt + 1;
 }

@@ -21,12 +21,9 @@ bool isOfSensor(const ContactEvent& e) {
     return e.type == ContactEventType::sensorBegin || e.type == ContactEventType::sensorEnd;
 }
 
-/// In the place of an event: the kind of a touch. Of a sensor (A) which of the two it is: they may change parts.
-enum TouchKind : std::uint32_t { kOfSolid, kOfLowerSensor, kOfHigherSensor };
-
 TouchKind touchKind(bool isOfSensor, std::uint32_t shapeA, std::uint32_t shapeB) {
-    if (!isOfSensor) { return kOfSolid; }
-    return shapeA < shapeB ? kOfLowerSensor : kOfHigherSensor;
+    if (!isOfSensor) { return TouchKind::ofSolid; }
+    return shapeA < shapeB ? TouchKind::ofLowerSensor : TouchKind::ofHigherSensor;
 }
 
 /// Slots of the shapes, the lower one first: with another type of a body either may be A.
@@ -66,7 +63,7 @@ bool isChainOrGone(const WorldState& world, ShapeId id) {
 /// Touches of the pairs that begin or end with a chain, and of few others: one byte per shape tells whether it is in
 /// any of these.
 void listChainTouches(WorldState& world, int bits) {
-    std::vector<EventPlace>& touches = world.eventPlaces.chainTouches;
+    std::vector<ChainTouch>& touches = world.eventPlaces.chainTouches;
     touches.clear();
     std::vector<std::uint8_t>& isNamed = world.eventPlaces.isNamed;
     isNamed.resize(world.shapes.slotCount(), 0);
@@ -91,18 +88,18 @@ void listChainTouches(WorldState& world, int bits) {
         }
     }
     name(0);
-    sortByKeys(touches, world.eventPlaces.spare, [](const EventPlace&, const EventPlace&) { return false; });
+    sortByKeys(touches, world.eventPlaces.spareTouches, [](const ChainTouch&, const ChainTouch&) { return false; });
 }
 
 /// Segments by which the shapes of an event touch now. @param touches  from the first on that is not before theirs
-std::ptrdiff_t touchesNow(const WorldState& world, const EventPlace& place, std::span<const EventPlace> touches) {
+std::ptrdiff_t touchesNow(const WorldState& world, const EventPlace& place, std::span<const ChainTouch> touches) {
     const ContactEvent& e = world.contactEvents[place.index];
     if (!world.shapes.isValid(e.shapeA) || !world.shapes.isValid(e.shapeB)) { return 0; }
     const TouchKind kind = touchKind(isOfSensor(e), e.shapeA.index, e.shapeB.index);
     std::ptrdiff_t count = 0;
-    for (const EventPlace& touch : touches) {
+    for (const ChainTouch& touch : touches) {
         if (touch.key != place.key) { break; }
-        count += touch.index == kind ? 1 : 0;
+        count += touch.kind == kind ? 1 : 0;
     }
     return count;
 }
@@ -116,6 +113,36 @@ bool concernsChain(const WorldState& world, std::size_t index) {
     return world.chainSegments[e.shapeA.index] != 0 || world.chainSegments[e.shapeB.index] != 0;
 }
 
+/// When an event was: before the step (false), or in it, and at which fraction.
+std::pair<bool, double> momentOf(const WorldState& world, const EventPlace& place) {
+    return {place.index >= world.eventsBetween, world.contactEvents[place.index].fraction};
+}
+
+/// Of begins and ends of one pair, in order of their moments, those by which touching at all begins or ends. What
+/// begins and ends at the same moment is handed over from one segment to the next.
+/// @param now   segments by which the pair touches after all of them
+/// @param keep  where they are put, not behind the first of `group`
+/// @return the end of what was put there
+std::vector<EventPlace>::iterator keepTurns(const WorldState& world, std::span<EventPlace> group, std::ptrdiff_t now,
+                                            std::vector<EventPlace>::iterator keep) {
+    const auto begins = [&](const EventPlace& place) { return isBegin(world.contactEvents[place.index]); };
+    /// Segments that more begin to touch than end to.
+    const auto gain = [&](auto first, auto last) { return 2 * std::count_if(first, last, begins) - (last - first); };
+    std::ptrdiff_t count = now - gain(group.begin(), group.end());
+    for (auto first = group.begin(); first != group.end();) {
+        const auto moment = momentOf(world, *first);
+        const auto next =
+            std::find_if(first, group.end(), [&](const EventPlace& place) { return momentOf(world, place) > moment; });
+        const bool touched = count > 0;
+        count += gain(first, next);
+        if ((count > 0) != touched) {
+            *keep++ = *std::find_if(first, next, [&](const EventPlace& place) { return begins(place) != touched; });
+        }
+        first = next;
+    }
+    return keep;
+}
+
 /// A chain is one shape to the user: it begins to touch with its first segment, and ends with its last. Leaves of the
 /// places of begins and ends with chains those. What calls ended before the step is a moment of its own: what begins
 /// again in the step, at the same fraction, is not handed over, but told.
@@ -124,18 +151,15 @@ void mergeChainEvents(WorldState& world, int bits) {
     if (places.empty()) { return; }
     const std::span<const ContactEvent> events = world.contactEvents;
     listChainTouches(world, bits);
-    std::span<const EventPlace> touches = world.eventPlaces.chainTouches;
+    std::span<const ChainTouch> touches = world.eventPlaces.chainTouches;
     const auto pairKey = [](const ContactEvent& e) {
         return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation, isOfSensor(e));
-    };
-    const auto moment = [&](const EventPlace& place) {
-        return std::make_pair(place.index >= world.eventsBetween, events[place.index].fraction);
     };
     sortByKeys(places, world.eventPlaces.spare, [&](const EventPlace& x, const EventPlace& y) {
         const ContactEvent& a = events[x.index];
         const ContactEvent& b = events[y.index];
-        return std::make_tuple(pairKey(a), moment(x), eventKey(a)) <
-               std::make_tuple(pairKey(b), moment(y), eventKey(b));
+        return std::make_tuple(pairKey(a), momentOf(world, x), eventKey(a)) <
+               std::make_tuple(pairKey(b), momentOf(world, y), eventKey(b));
     });
     auto keep = places.begin();
     for (auto group = places.begin(); group != places.end();) {
@@ -143,23 +167,9 @@ void mergeChainEvents(WorldState& world, int bits) {
         const auto last = std::find_if(group, places.end(), [&](const EventPlace& place) {
             return pairKey(events[place.index]) != pairKey(first);
         });
-        const auto begins = [&](const EventPlace& place) { return isBegin(events[place.index]); };
-        const auto begun = std::count_if(group, last, begins);
         while (!touches.empty() && touches.front().key < group->key) { touches = touches.subspan(1); }
-        const auto now = touchesNow(world, *group, touches);
-        // What begins and ends at the same time is handed over from one segment to the next.
-        auto count = now - begun + ((last - group) - begun);
-        while (group != last) {
-            const auto isLater = [&](const EventPlace& place) { return moment(place) > moment(*group); };
-            const auto next = std::find_if(group, last, isLater);
-            const auto begunHere = std::count_if(group, next, begins);
-            const bool touched = count > 0;
-            count += begunHere - ((next - group) - begunHere);
-            if ((count > 0) != touched) {
-                *keep++ = *std::find_if(group, next, [&](const EventPlace& place) { return begins(place) != touched; });
-            }
-            group = next;
-        }
+        keep = keepTurns(world, {group, last}, touchesNow(world, *group, touches), keep);
+        group = last;
     }
     places.erase(keep, places.end());
 }
@@ -208,11 +218,11 @@ void findOrder(WorldState& world) {
 void sortEvents(WorldState& world) {
     findOrder(world);
     std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
-        return std::tie(a.body.index, a.seconds) < std::tie(b.body.index, b.seconds);
+        return std::tie(a.body.index, a.seconds, a.reason) < std::tie(b.body.index, b.seconds, b.reason);
     });
     std::sort(world.impactPoses.begin(), world.impactPoses.end(), [](const ImpactPose& a, const ImpactPose& b) {
-        return std::tie(a.body.index, a.fraction, a.position.x, a.position.y) <
-               std::tie(b.body.index, b.fraction, b.position.x, b.position.y);
+        return std::tie(a.body.index, a.fraction, a.position.x, a.position.y, a.angle) <
+               std::tie(b.body.index, b.fraction, b.position.x, b.position.y, b.angle);
     });
 }
 

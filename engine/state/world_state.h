@@ -49,7 +49,16 @@ enum class Tiredness : std::uint8_t { driven, restless, tired };
 /// What the order of events is told by, mostly.
 struct EventPlace {
     std::uint64_t key = 0;    ///< slots of its shapes, the lower above the other; or its fraction, as bits
-    std::uint32_t index = 0;  ///< in `WorldState::contactEvents`, where that is asked
+    std::uint32_t index = 0;  ///< in `WorldState::contactEvents`
+};
+
+/// Who touches a chain. Of a sensor (A) which of the two slots it has: that may change.
+enum class TouchKind : std::uint8_t { ofSolid, ofLowerSensor, ofHigherSensor };
+
+/// A touch with a segment of a chain.
+struct ChainTouch {
+    std::uint64_t key = 0;  ///< slots of the shapes, of the chain its first segment: that of an `EventPlace`
+    TouchKind kind = TouchKind::ofSolid;
 };
 
 /// Scratch of `sortEvents`, kept for its capacity.
@@ -57,8 +66,9 @@ struct EventPlaces {
     std::vector<EventPlace> ofChains;      ///< begins and ends
     std::vector<EventPlace> atStart;       ///< of the step: all others of fraction 0
     std::vector<EventPlace> later;         ///< by fraction
-    std::vector<EventPlace> chainTouches;  ///< touches with chains that events ask for, one per segment: keys and kinds
     std::vector<EventPlace> spare;         ///< of `sortByKeys`
+    std::vector<ChainTouch> chainTouches;  ///< that events ask for, one per segment
+    std::vector<ChainTouch> spareTouches;  ///< of `sortByKeys`
     std::vector<std::uint8_t> isNamed;     ///< by slot of a shape: it begins or ends to touch a chain, or is one
 };
 
