@@ -23,7 +23,7 @@ Result<ProxyId> ProxyTable::add(const Aabb& box, ProxyKind kind) {
         free_.pop_back();
     } else {
         if (kindBits_.size() >= std::numeric_limits<std::uint32_t>::max()) {
-            return Status{StatusCode::outOfMemory, "box"};
+            return Status{StatusCode::noIdsLeft, "box"};
         }
         slot = slotCount();
         kindBits_.push_back(0);

@@ -38,7 +38,7 @@ public:
     /// @param keepsKnown  false for those who keep the known boxes themselves.
     explicit ProxyTable(bool keepsKnown) : keepsKnown_(keepsKnown) {}
 
-    /// Takes the lowest free slot and marks it as moved. Error: `outOfMemory` when all 2³² − 1 slots are taken.
+    /// Takes the lowest free slot and marks it as moved. Error: `noIdsLeft` when all 2³² − 1 slots are taken.
     Result<ProxyId> add(const Aabb& box, ProxyKind kind);
     /// Frees a slot that is taken.
     void release(ProxyId id);

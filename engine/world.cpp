@@ -200,7 +200,7 @@ Status World::configure(const WorldSettings& settings) {
     if (!status.ok()) { return status; }
     WorldState& world = *state_;
     if (settings.broadphase != world.settings.broadphase) {
-        if (world.shapes.size() > 0) { return {StatusCode::outOfRange, "broadphase"}; }
+        if (world.shapes.size() > 0) { return {StatusCode::notNow, "broadphase"}; }
         world.broadphase = makeBroadphase(settings.broadphase);
     }
     if (!restsAlike(settings, world.settings)) { releaseAllHeld(world); }

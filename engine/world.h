@@ -47,8 +47,8 @@ public:
     World& operator=(const World& other);
 
     /// Replaces all settings. Another gravity wakes all that fell asleep, and so does it to forbid sleep.
-    /// Errors: `notFinite`, `outOfRange`, `negative`, `notPositive` with the name of the member; `outOfRange` with
-    /// "broadphase", too, when another one is asked for while the world has shapes.
+    /// Errors: `notFinite`, `outOfRange`, `negative`, `notPositive` with the name of the member; `notNow` with
+    /// "broadphase" when another one is asked for while the world has shapes.
     Status configure(const WorldSettings& settings);
     const WorldSettings& settings() const;
     /// Where parallel loops run; null: on the calling thread. Must outlive the world or its replacement.
@@ -61,7 +61,7 @@ public:
 
     // Errors of all calls below that return a `Status` or a `Result`: `staleId` of what is not there, `notFinite` of
     // NaN and infinities, and `outOfRange` of numbers beyond ±2⁶³ (in f64 ±2⁵¹¹; of joints only points, axes and linear
-    // drives are held to that). Others are listed at each. What makes something may have `outOfMemory`, too.
+    // drives are held to that). Others are listed at each. What makes something may have `noIdsLeft`, too.
 
     // --- bodies
     /// Errors: `negative` (damping, mass, inertia); `wrongBodyType` with "velocity" where what is static would move or
@@ -160,8 +160,8 @@ public:
     Aabb bounds(ShapeId id) const;
 
     // --- joints
-    /// Errors: `sameBody` with "bodyB", and with "jointB" of a gear; `wrongBodyType` with "bodyB" where neither body is
-    /// dynamic, or B of a mouse joint is not; `wrongJointType` of what cannot be geared; `notPositive` (hertz, break
+    /// Errors: `notDistinct` with "bodyB", and with "jointB" of a gear; `wrongBodyType` with "bodyB" where neither body
+    /// is dynamic, or B of a mouse joint is not; `wrongJointType` of what cannot be geared; `notPositive` (hertz, break
     /// force and torque, the length of a rod or spring); `negative` (damping, strengths, shortest length, ratio of a
     /// pulley); `degenerate` with "axis"; `outOfRange` where an upper limit is below the lower one, of a ratio of 0, or
     /// one that makes the sum of lengths or coordinates too large, and where a drive has both offset and velocity.

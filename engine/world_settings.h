@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "../broadphase/broadphase.h"
+#include "../broadphase/broadphase_kind.h"
+#include "../shapes/vec2.h"
 #include "body_def.h"
 
 namespace swept {

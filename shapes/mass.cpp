@@ -1,12 +1,13 @@
 #include "mass.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-constexpr double kPi = 0x1.921fb54442d18p+1;
+constexpr double kPi = std::numbers::pi;
 
 constexpr DVec2 rightPerp(DVec2 a) { return {a.y, -a.x}; }
 

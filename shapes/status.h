@@ -24,9 +24,10 @@ enum class StatusCode : std::uint8_t {
     wrongBodyType,    ///< the call does not fit the body's type (a chain on a dynamic body, a velocity on a static one)
     missingMass,      ///< a dynamic body has no mass
     wrongJointType,   ///< the call does not fit the joint's type (a target for a hinge, a gear of a rod)
-    sameBody,         ///< a joint needs two different bodies
-    outOfMemory,      ///< an id space is used up; not of memory itself
+    notDistinct,      ///< a joint needs two different bodies, a gear two different joints
+    noIdsLeft,        ///< all ids of its kind are in use; want of memory is another matter (`std::bad_alloc`)
     disabled,         ///< the call is for bodies that take part (`World::setEnabled`)
+    notNow,           ///< the call has to come at another time (another broadphase before the world has shapes)
 };
 
 /// What went wrong, and with which argument. The name is that of the argument or member, with these exceptions: an id
@@ -71,12 +72,14 @@ constexpr const char* describe(StatusCode code) {
             return "leaves a dynamic body without mass";
         case StatusCode::wrongJointType:
             return "does not fit the joint type";
-        case StatusCode::sameBody:
-            return "must be two different bodies";
-        case StatusCode::outOfMemory:
+        case StatusCode::notDistinct:
+            return "must differ from the first one";
+        case StatusCode::noIdsLeft:
             return "has no ids left";
         case StatusCode::disabled:
             return "is disabled";
+        case StatusCode::notNow:
+            return "cannot be changed now";
     }
     return "";  // unreachable, but GCC cannot know
 }

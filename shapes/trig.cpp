@@ -4,12 +4,13 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-constexpr double kPi = 0x1.921fb54442d18p+1;
+constexpr double kPi = std::numbers::pi;
 constexpr double kPiRest = 0x1.1a62633145c07p-53;  // π − kPi
 constexpr double kTwoPi = 2 * kPi;
 

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <numbers>
+
 #include "../shapes/real.h"
 
 namespace swept::inline SWEPT_PRECISION {
+
+inline constexpr Real kTwoPi = static_cast<Real>(2 * std::numbers::pi);
 
 /// A constraint as a damped spring, integrated implicitly over one sub-step (Catto, "Soft Constraints", GDC 2011): the
 /// bias velocity is biasRate·C, the effective mass is scaled, and a part of the accumulated impulse is given back.
@@ -30,7 +34,6 @@ constexpr Softness softnessOf(Real angularFrequency, Real dampingRatio, Real h) 
 /// @param closing  s, at least h: the sub-step whose rate it follows
 /// @param h        of the sub-step in which it acts, s
 constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real closing, Real h) {
-    constexpr Real kTwoPi = static_cast<Real>(6.283185307179586);
     return softnessOf(kTwoPi * cycles / closing, dampingRatio, h);
 }
 constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
@@ -41,7 +44,6 @@ constexpr Softness softnessOfSubStep(Real cycles, Real dampingRatio, Real h) {
 /// @param impulse   that it has to give in each sub-step, N·s
 /// @param response  of its point to an impulse, 1/kg
 constexpr Real giveOfSubStep(Real cycles, Real h, Real impulse, Real response) {
-    constexpr Real kTwoPi = static_cast<Real>(6.283185307179586);
     return impulse * response * h / ((kTwoPi * cycles) * (kTwoPi * cycles));
 }
 

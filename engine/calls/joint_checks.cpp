@@ -26,13 +26,6 @@ Status checkOrder(const std::optional<Limits>& limits) {
 
 }  // namespace
 
-Status firstFault(std::initializer_list<Status> checks) {
-    for (const Status& status : checks) {
-        if (!status.ok()) { return status; }
-    }
-    return Status::success();
-}
-
 Status checkBreakLimits(const std::optional<Real>& force, const std::optional<Real>& torque) {
     return firstFault({checkBreak(force, "breakForce"), checkBreak(torque, "breakTorque")});
 }
@@ -40,7 +33,7 @@ Status checkBreakLimits(const std::optional<Real>& force, const std::optional<Re
 Status checkBase(const WorldState& world, const JointDef& def) {
     if (!world.bodies.isValid(def.bodyA)) { return {StatusCode::staleId, "bodyA"}; }
     if (!world.bodies.isValid(def.bodyB)) { return {StatusCode::staleId, "bodyB"}; }
-    if (def.bodyA == def.bodyB) { return {StatusCode::sameBody, "bodyB"}; }
+    if (def.bodyA == def.bodyB) { return {StatusCode::notDistinct, "bodyB"}; }
     const bool anyDynamic = world.bodies[def.bodyA.index].isDynamic() || world.bodies[def.bodyB.index].isDynamic();
     if (!anyDynamic) { return {StatusCode::wrongBodyType, "bodyB"}; }
     return checkBreakLimits(def.breakForce, def.breakTorque);

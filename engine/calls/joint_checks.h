@@ -1,7 +1,5 @@
 #pragma once
 
-#include <initializer_list>
-
 #include "../../shapes/status.h"
 #include "../state/world_state.h"
 
@@ -9,8 +7,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// The first of them that is not ok.
-Status firstFault(std::initializer_list<Status> checks);
 Status checkBase(const WorldState& world, const JointDef& def);
 Status checkBreakLimits(const std::optional<Real>& force, const std::optional<Real>& torque);
 Status checkSpring(const std::optional<Spring>& spring);
@@ -20,7 +16,7 @@ Status checkMotor(const std::optional<AngularMotor>& motor);
 Status checkMotor(const std::optional<LinearMotor>& motor);
 /// A length of 0 is for ropes alone: rods and springs of length 0 have no direction.
 Status checkLength(Real length, const std::optional<LengthLimits>& limits);
-/// @return the first point or vector that is not within the range of numbers
+/// A direction has a length.
 Status checkAxis(DVec2 axis);
 Status checkStrength(const std::optional<Real>& strength, const char* field);
 Status checkDrive(const MotorDrive& drive);

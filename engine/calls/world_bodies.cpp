@@ -13,14 +13,11 @@ namespace {
 
 Status checkNumbers(const BodyDef& def) {
     const auto number = [](Real x, const char* field) { return checkNumber(static_cast<double>(x), field); };
-    for (const Status& status :
-         {checkNumber(def.position, "position"), checkNumber(def.angle, "angle"), checkNumber(def.velocity, "velocity"),
-          number(def.angularVelocity, "angularVelocity"), number(def.linearDamping, "linearDamping"),
-          number(def.angularDamping, "angularDamping"), number(def.gravityScale, "gravityScale"),
-          number(def.mass, "mass"), number(def.inertia, "inertia")}) {
-        if (!status.ok()) { return status; }
-    }
-    return Status::success();
+    return firstFault({checkNumber(def.position, "position"), checkNumber(def.angle, "angle"),
+                       checkNumber(def.velocity, "velocity"), number(def.angularVelocity, "angularVelocity"),
+                       number(def.linearDamping, "linearDamping"), number(def.angularDamping, "angularDamping"),
+                       number(def.gravityScale, "gravityScale"), number(def.mass, "mass"),
+                       number(def.inertia, "inertia")});
 }
 
 Status check(const BodyDef& def) {
@@ -39,6 +36,19 @@ Status check(const BodyDef& def) {
     if (def.type == BodyType::fixed && moves) { return {StatusCode::wrongBodyType, "velocity"}; }
     if (def.fixedRotation && def.angularVelocity != 0) { return {StatusCode::outOfRange, "angularVelocity"}; }
     return Status::success();
+}
+
+/// Of what forces and impulses are for.
+Status checkDynamic(const Body* body) {
+    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
+    return body->isDynamic() ? Status::success() : Status{StatusCode::wrongBodyType, "body"};
+}
+
+/// Likewise, where the next step has to be one of its own.
+Status checkTakesPart(const Body* body) {
+    const Status dynamic = checkDynamic(body);
+    if (!dynamic.ok()) { return dynamic; }
+    return body->def.enabled ? Status::success() : Status{StatusCode::disabled, "body"};
 }
 
 /// @pre it is awake, if it can be
@@ -104,7 +114,7 @@ Result<BodyId> World::createBody(const BodyDef& def) {
     body.startCenter = def.position;  // it did not move so far
     body.startAngle = def.angle;
     const std::optional<BodyId> id = world.bodies.insert(std::move(body));
-    if (!id) { return Status{StatusCode::outOfMemory, "body"}; }
+    if (!id) { return Status{StatusCode::noIdsLeft, "body"}; }
     world.motions.resize(world.bodies.slotCount());
     world.solverSlots.resize(world.bodies.slotCount());
     BodyMotion& motion = world.motions[id->index];
@@ -221,9 +231,8 @@ std::uint64_t World::userData(BodyId id) const {
 Status World::setPose(BodyId id, DVec2 position, double angle) {
     WorldState& world = *state_;
     if (!world.bodies.isValid(id)) { return {StatusCode::staleId, "body"}; }
-    for (const Status& status : {checkNumber(position, "position"), checkNumber(angle, "angle")}) {
-        if (!status.ok()) { return status; }
-    }
+    const Status numbers = firstFault({checkNumber(position, "position"), checkNumber(angle, "angle")});
+    if (!numbers.ok()) { return numbers; }
     dropContacts(world, id.index);
     rouse(world, id.index);
     BodyMotion& motion = world.motions[id.index];
@@ -240,10 +249,9 @@ Status World::setVelocity(BodyId id, Vec2 velocity, Real angularVelocity) {
     const Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (body->def.type == BodyType::fixed) { return {StatusCode::wrongBodyType, "body"}; }
-    for (const Status& status :
-         {checkNumber(velocity, "velocity"), checkNumber(static_cast<double>(angularVelocity), "angularVelocity")}) {
-        if (!status.ok()) { return status; }
-    }
+    const Status numbers = firstFault(
+        {checkNumber(velocity, "velocity"), checkNumber(static_cast<double>(angularVelocity), "angularVelocity")});
+    if (!numbers.ok()) { return numbers; }
     if (body->def.fixedRotation && angularVelocity != 0) { return {StatusCode::outOfRange, "angularVelocity"}; }
     setInMotion(world, id.index, velocity, angularVelocity);
     return Status::success();
@@ -254,10 +262,9 @@ Status World::driveTo(BodyId id, DVec2 position, double angle, double dt) {
     const Body* body = world.bodies.find(id);
     if (body == nullptr) { return {StatusCode::staleId, "body"}; }
     if (body->def.type != BodyType::kinematic) { return {StatusCode::wrongBodyType, "body"}; }
-    for (const Status& status :
-         {checkNumber(position, "position"), checkNumber(angle, "angle"), checkNumber(dt, "dt")}) {
-        if (!status.ok()) { return status; }
-    }
+    const Status numbers =
+        firstFault({checkNumber(position, "position"), checkNumber(angle, "angle"), checkNumber(dt, "dt")});
+    if (!numbers.ok()) { return numbers; }
     if (!(dt > 0)) { return {StatusCode::notPositive, "dt"}; }
     const BodyMotion& motion = world.motions[id.index];
     const DVec2 velocity = (1 / dt) * (position - motion.pose.position);  // which is its centre, too
@@ -273,12 +280,10 @@ Status World::applyImpulse(BodyId id, Vec2 impulse) { return applyImpulse(id, im
 Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
     WorldState& world = *state_;
     Body* body = world.bodies.find(id);
-    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
-    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    if (!body->def.enabled) { return {StatusCode::disabled, "body"}; }
-    for (const Status& status : {checkNumber(force, "force"), checkNumber(point, "point")}) {
-        if (!status.ok()) { return status; }
-    }
+    const Status pushed = checkTakesPart(body);
+    if (!pushed.ok()) { return pushed; }
+    const Status numbers = firstFault({checkNumber(force, "force"), checkNumber(point, "point")});
+    if (!numbers.ok()) { return numbers; }
     const Vec2 sum = body->force + force;
     const Real torque = body->torque + cross(toReal(point - world.motions[id.index].center), force);
     if (!isInRange(sum) || !isInRange(static_cast<double>(torque))) { return {StatusCode::outOfRange, "force"}; }
@@ -292,9 +297,8 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
 Status World::applyTorque(BodyId id, Real torque) {
     WorldState& world = *state_;
     Body* body = world.bodies.find(id);
-    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
-    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    if (!body->def.enabled) { return {StatusCode::disabled, "body"}; }
+    const Status pushed = checkTakesPart(body);
+    if (!pushed.ok()) { return pushed; }
     const Status number = checkNumber(static_cast<double>(torque), "torque");
     if (!number.ok()) { return number; }
     const Real sum = body->torque + torque;
@@ -308,11 +312,10 @@ Status World::applyTorque(BodyId id, Real torque) {
 Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
     WorldState& world = *state_;
     const Body* body = world.bodies.find(id);
-    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
-    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    for (const Status& status : {checkNumber(impulse, "impulse"), checkNumber(point, "point")}) {
-        if (!status.ok()) { return status; }
-    }
+    const Status pushed = checkDynamic(body);
+    if (!pushed.ok()) { return pushed; }
+    const Status numbers = firstFault({checkNumber(impulse, "impulse"), checkNumber(point, "point")});
+    if (!numbers.ok()) { return numbers; }
     const BodyMotion& motion = world.motions[id.index];
     const Vec2 velocity = motion.velocity + body->inverseMass * impulse;
     const Real spin = motion.angularVelocity + body->inverseInertia * cross(toReal(point - motion.center), impulse);
@@ -325,8 +328,8 @@ Status World::applyImpulse(BodyId id, Vec2 impulse, DVec2 point) {
 Status World::applyAngularImpulse(BodyId id, Real impulse) {
     WorldState& world = *state_;
     const Body* body = world.bodies.find(id);
-    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
-    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
+    const Status pushed = checkDynamic(body);
+    if (!pushed.ok()) { return pushed; }
     const Status number = checkNumber(static_cast<double>(impulse), "impulse");
     if (!number.ok()) { return number; }
     const BodyMotion& motion = world.motions[id.index];
@@ -339,9 +342,8 @@ Status World::applyAngularImpulse(BodyId id, Real impulse) {
 Status World::setAwake(BodyId id, bool awake) {
     WorldState& world = *state_;
     Body* body = world.bodies.find(id);
-    if (body == nullptr) { return {StatusCode::staleId, "body"}; }
-    if (!body->isDynamic()) { return {StatusCode::wrongBodyType, "body"}; }
-    if (!body->def.enabled) { return {StatusCode::disabled, "body"}; }
+    const Status pushed = checkTakesPart(body);
+    if (!pushed.ok()) { return pushed; }
     if (awake || body->heldIn != kNoIndex) { rouse(world, id.index); }
     if (!awake && body->awake) {
         body->awake = false;

@@ -67,7 +67,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
     makeRoomForJoint(world, joint, pairs.size());
     joint.isOff = !canHold(world, joint);
     const std::optional<JointId> id = world.joints.insert(std::move(joint));
-    if (!id) { return Status{StatusCode::outOfMemory, "joint"}; }
+    if (!id) { return Status{StatusCode::noIdsLeft, "joint"}; }
     const Joint& placed = world.joints[id->index];
     world.jointTies.resize(world.joints.slotCount());
     world.jointTies[id->index] = tieOf(placed);
@@ -175,7 +175,7 @@ Result<JointId> World::createJoint(const GearJointDef& def) {
     const Status joints = firstFault(
         {checkGeared(world, def.jointA, "jointA"), checkGeared(world, def.jointB, "jointB"), checkRatio(def.ratio)});
     if (!joints.ok()) { return joints; }
-    if (def.jointA == def.jointB) { return Status{StatusCode::sameBody, "jointB"}; }
+    if (def.jointA == def.jointB) { return Status{StatusCode::notDistinct, "jointB"}; }
     const Joint& first = world.joints[def.jointA.index];
     const Joint& second = world.joints[def.jointB.index];
     GearJointDef filled = def;

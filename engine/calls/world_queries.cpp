@@ -132,13 +132,17 @@ Met castAgainst(const WorldState& world, std::uint32_t slot, const CarriedShape&
     return met;
 }
 
+/// Of the extent of what is carried: what is no farther off may count as touching at the start (cast_start.h).
+constexpr Real kStartRoomRatio = Real(1) / 64;
+static_assert(kStartRoomRatio > 4 * (kTargetRatio + kToleranceRatio));
+
 /// Calls `visit` with what the shape meets on its way; it returns the fraction to go on with.
 template <class Visit>
 void visitOnWay(const WorldState& world, const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                 const QueryFilter& filter, const Visit& visit) {
     if (!isGood(polygon, pose) || !isGood(pose.position, translation)) { return; }
     CarriedShape carried = carriedFrom(polygon, pose, translation);
-    const Aabb start = grown(boundsOf(polygon, pose), carried.extent / 64);
+    const Aabb start = grown(boundsOf(polygon, pose), kStartRoomRatio * carried.extent);
     const std::vector<Support> supports = liftOff(world, filter, start, carried);
     const Aabb lifted = grown(start, static_cast<Real>(length(carried.lift)));
     world.broadphase->sweep(lifted, toDouble(translation), 1, [&](ProxyId proxy, Real limit) {

@@ -12,12 +12,11 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 Status check(const ShapeDef& def) {
-    for (const Status& status : {checkNumber(static_cast<double>(def.density), "density"),
-                                 checkNumber(static_cast<double>(def.friction), "friction"),
-                                 checkNumber(static_cast<double>(def.rollingResistance), "rollingResistance"),
-                                 checkNumber(static_cast<double>(def.surfaceSpeed), "surfaceSpeed")}) {
-        if (!status.ok()) { return status; }
-    }
+    const Status numbers = firstFault({checkNumber(static_cast<double>(def.density), "density"),
+                                       checkNumber(static_cast<double>(def.friction), "friction"),
+                                       checkNumber(static_cast<double>(def.rollingResistance), "rollingResistance"),
+                                       checkNumber(static_cast<double>(def.surfaceSpeed), "surfaceSpeed")});
+    if (!numbers.ok()) { return numbers; }
     if (def.density < 0) { return {StatusCode::negative, "density"}; }
     if (def.friction < 0) { return {StatusCode::negative, "friction"}; }
     if (def.rollingResistance < 0) { return {StatusCode::negative, "rollingResistance"}; }
@@ -90,7 +89,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     const std::optional<ShapeId> id = world.shapes.insert(std::move(shape));
     if (!id) {
         if (hasProxy) { (void)world.broadphase->remove(proxy.value()); }
-        return Status{StatusCode::outOfMemory, "shape"};
+        return Status{StatusCode::noIdsLeft, "shape"};
     }
     Shape& stored = world.shapes[id->index];
     stored.proxy = proxy.value();

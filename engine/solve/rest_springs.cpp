@@ -1,11 +1,10 @@
 #include "rest_springs.h"
 
 #include "../../solver/joints/pin.h"
+#include "../../solver/softness.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
 
 /// The bodies of a joint as it was made, in axes of which the first is that of the joint.
 struct Rest {
@@ -46,11 +45,11 @@ BodyInertia inertiaOf(const WorldState& world, std::uint32_t body) {
 }
 
 SpringGains gainsOf(const Spring& spring, Real h) {
-    return springGainsOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h);
+    return springGainsOf(kTwoPi * spring.hertz, spring.dampingRatio, h);
 }
 
 TurningSpring turningSpring(const Spring& spring, Real h, Real mass) {
-    return turningSpringOf(static_cast<Real>(kTwoPi) * spring.hertz, spring.dampingRatio, h, mass);
+    return turningSpringOf(kTwoPi * spring.hertz, spring.dampingRatio, h, mass);
 }
 
 TurningSpring rodSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "../../shapes/status.h"
@@ -35,5 +36,13 @@ inline Status checkNumber(DVec2 v, const char* field) {
     return status.ok() ? checkNumber(v.y, field) : status;
 }
 inline Status checkNumber(Vec2 v, const char* field) { return checkNumber(toDouble(v), field); }
+
+/// The first of some checks that refuses, or success.
+inline Status firstFault(std::initializer_list<Status> checks) {
+    for (const Status& status : checks) {
+        if (!status.ok()) { return status; }
+    }
+    return Status::success();
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -57,7 +57,7 @@ void vandalise(Sizes sizes, int seeds, int actions) {
     for (const StatusCode code :
          {StatusCode::notFinite, StatusCode::negative, StatusCode::notPositive, StatusCode::outOfRange,
           StatusCode::staleId, StatusCode::degenerate, StatusCode::notConvex, StatusCode::tooFewVertices,
-          StatusCode::tooManyVertices, StatusCode::wrongBodyType, StatusCode::missingMass, StatusCode::sameBody,
+          StatusCode::tooManyVertices, StatusCode::wrongBodyType, StatusCode::missingMass, StatusCode::notDistinct,
           StatusCode::disabled}) {
         EXPECT_GT(codes[static_cast<std::size_t>(code)], 0) << describe(code) << " was never the answer";
     }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "../writers/gnuplot_text.h"
 #include "../writers/number_text.h"
@@ -10,7 +11,7 @@
 namespace swept {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
+constexpr double kPi = std::numbers::pi;
 
 // Pixels.
 constexpr double kWidth = 1200;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "../../samples/scene_builder.h"
 #include "toi_query.h"
 
@@ -9,7 +11,7 @@ namespace swept::cases {
 
 using build::Dice;
 
-inline constexpr double kTurn = 6.283185307179586;
+inline constexpr double kTurn = 2 * std::numbers::pi;
 
 bool chance(Dice& dice, double probability);
 /// From low to high, both included.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <swept/shapes/distance.h>
@@ -31,7 +32,7 @@ private:
 double asFloat(double x) { return static_cast<double>(static_cast<float>(x)); }
 DVec2 asFloat(DVec2 v) { return {asFloat(v.x), asFloat(v.y)}; }
 
-constexpr double kTurn = 6.2831853071795862;
+constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Corners on a circle, at random angles that are no closer than a third of the even spacing.
 CoreShape makePolygonShape(Random& random, int count, double size) {
