@@ -80,6 +80,12 @@ Parabola sum(const Part& centers, const Part& a, const Part& b) {
     return {centers.value + (a.value + b.value), centers.rate + (a.rate + b.rate), centers.bend + (a.bend + b.bend)};
 }
 
+/// How fast each body turns against the axis, radians.
+struct Turns {
+    double a;
+    double b;
+};
+
 /// Bounds of the second derivative and of the third, as they grow with the
 /// window.
 struct Bounds {
@@ -100,11 +106,11 @@ Bounds boundsOfCenters(const MovingPair& pair, const PairPose& pose, double spin
 }
 
 /// With a vertex of each body that turns, at the given distances from their centres or nearer.
-Bounds withTurns(Bounds bounds, double turnA, double reachA, double turnB, double reachB) {
-    const double squareA = turnA * turnA * reachA;
-    const double squareB = turnB * turnB * reachB;
+Bounds withTurns(Bounds bounds, const Turns& turns, double reachA, double reachB) {
+    const double squareA = turns.a * turns.a * reachA;
+    const double squareB = turns.b * turns.b * reachB;
     bounds.second = squareA + squareB + bounds.second;
-    bounds.third = std::fabs(turnA) * squareA + std::fabs(turnB) * squareB + bounds.third;
+    bounds.third = std::fabs(turns.a) * squareA + std::fabs(turns.b) * squareB + bounds.third;
     return bounds;
 }
 
@@ -113,44 +119,41 @@ double thirdWithin(const Bounds& bounds, double window) {
 }
 
 /// First root of the lowest of all parabolas of two runs.
-/// @param second, third  what both orders allow as bend, the third on top of a
-/// pair's own.
-double firstRootOfRuns(const MovingPair& pair, const HeldAxis& axis, const Part& centers, double turnA, double turnB,
-                       const SafeAdvance& runs, double second, double third, double window) {
+/// @param bendOf  of the parabola of a vertex of each, by that which they have by themselves
+template <class BendOf>
+SWEPT_FORCE_INLINE double firstRootOfPairs(const MovingPair& pair, const HeldAxis& axis, const Part& centers,
+                                           const Turns& turns, const SafeAdvance& runs, double window,
+                                           const BendOf& bendOf) {
     double step = window;
     int i = runs.a.first;
     for (int k = 0; k < runs.a.count; ++k, i = after(pair.a, i, runs.a.step)) {
-        const Part a = partOfA(axis, pair.a.vertex(i), turnA);
+        const Part a = partOfA(axis, pair.a.vertex(i), turns.a);
         int j = runs.b.first;
         for (int l = 0; l < runs.b.count; ++l, j = after(pair.b, j, runs.b.step)) {
-            Parabola bound = sum(centers, a, partOfB(axis, pair.b.vertex(j), turnB));
-            bound.bend = std::min(bound.bend + third, second);
+            Parabola bound = sum(centers, a, partOfB(axis, pair.b.vertex(j), turns.b));
+            bound.bend = bendOf(pair.a.vertex(i), pair.b.vertex(j), bound.bend);
             step = firstRoot(bound, step);
         }
     }
     return step;
 }
 
-/// The same with the bounds of each vertex by its own distance from the centre, not by the farthest one's.
-/// @param centersBounds  what the motion of the centres allows.
+/// With one bound for all vertices.
+/// @param second, third  what both orders allow as bend, the third on top of a pair's own.
+double firstRootOfRuns(const MovingPair& pair, const HeldAxis& axis, const Part& centers, const Turns& turns,
+                       const SafeAdvance& runs, double second, double third, double window) {
+    return firstRootOfPairs(pair, axis, centers, turns, runs, window,
+                            [&](Vec2 /*a*/, Vec2 /*b*/, double bend) { return std::min(bend + third, second); });
+}
+
+/// With the bounds of each vertex by its own distance from the centre, not by the farthest one's.
+/// @param ofCenters  what the motion of the centres allows.
 SWEPT_COLD double firstRootOfEach(const MovingPair& pair, const HeldAxis& axis, const Part& centers,
-                                  const Bounds& centersBounds, double turnA, double turnB, const SafeAdvance& runs,
-                                  double window) {
-    double step = window;
-    int i = runs.a.first;
-    for (int k = 0; k < runs.a.count; ++k, i = after(pair.a, i, runs.a.step)) {
-        const Part a = partOfA(axis, pair.a.vertex(i), turnA);
-        int j = runs.b.first;
-        for (int l = 0; l < runs.b.count; ++l, j = after(pair.b, j, runs.b.step)) {
-            const Bounds bounds =
-                withTurns(centersBounds, turnA, length(pair.a.vertex(i)), turnB, length(pair.b.vertex(j)));
-            Parabola bound = sum(centers, a, partOfB(axis, pair.b.vertex(j), turnB));
-            bound.bend =
-                std::min(bound.bend + thirdWithin(bounds, window), bounds.second + window * bounds.secondPerWindow);
-            step = firstRoot(bound, step);
-        }
-    }
-    return step;
+                                  const Bounds& ofCenters, const Turns& turns, const SafeAdvance& runs, double window) {
+    return firstRootOfPairs(pair, axis, centers, turns, runs, window, [&](Vec2 a, Vec2 b, double bend) {
+        const Bounds bounds = withTurns(ofCenters, turns, length(a), length(b));
+        return std::min(bend + thirdWithin(bounds, window), bounds.second + window * bounds.secondPerWindow);
+    });
 }
 
 void setHolder(const MovingPair& pair, HeldAxis& axis, AxisOwner holder) {
@@ -202,8 +205,7 @@ HeldAxis hold(const MovingPair& pair, const PairPose& pose, Vec2 normal, AxisOwn
 SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const HeldAxis& axis, double level, double limit,
                         VertexReach reach) {
     const RelativeMotion& motion = pair.motion;
-    const double turnA = motion.spinA - axis.spin;
-    const double turnB = motion.spinB - axis.spin;
+    const Turns turns{motion.spinA - axis.spin, motion.spinB - axis.spin};
     const DVec2 velocity = motion.velocityAt(pose.fraction);
     const double along = dot(axis.normal, pose.offset);
     const double across = cross(axis.normal, Vec2{velocity.x, velocity.y});
@@ -212,25 +214,25 @@ SafeAdvance safeAdvance(const MovingPair& pair, const PairPose& pose, const Held
                        axis.spin * (axis.spin * along - 2 * across) -
                            2 * dot(axis.normal, Vec2{motion.curvature.x, motion.curvature.y})};
     const Parabola now =
-        sum(centers, partOfA(axis, pair.a.vertex(axis.a), turnA), partOfB(axis, pair.b.vertex(axis.b), turnB));
+        sum(centers, partOfA(axis, pair.a.vertex(axis.a), turns.a), partOfB(axis, pair.b.vertex(axis.b), turns.b));
     const Bounds ofCenters = boundsOfCenters(pair, pose, axis.spin, centers.bend);
-    const Bounds bounds = withTurns(ofCenters, turnA, pair.a.reach(), turnB, pair.b.reach());
+    const Bounds bounds = withTurns(ofCenters, turns, pair.a.reach(), pair.b.reach());
 
     SafeAdvance best{0, {axis.a, 1, 1}, {axis.b, 1, 1}, now.rate < 0};
     double window = std::min(limit, kAhead * firstRoot(now, limit));
-    const double turn = std::max(std::fabs(turnA), std::fabs(turnB));
+    const double turn = std::max(std::fabs(turns.a), std::fabs(turns.b));
     if (turn * window > kWidestTurn) { window = kWidestTurn / turn; }
     for (int round = 0; round < kWindows; ++round) {
-        SafeAdvance next{0, walk(pair.a, axis.a, axis.inA, turnA * window),
-                         walk(pair.b, axis.b, -axis.inB, turnB * window), best.approaches};
+        SafeAdvance next{0, walk(pair.a, axis.a, axis.inA, turns.a * window),
+                         walk(pair.b, axis.b, -axis.inB, turns.b * window), best.approaches};
         const double second = bounds.second + window * bounds.secondPerWindow;
         const double third = thirdWithin(bounds, window);
         if (reach == VertexReach::own) {
-            next.step = firstRootOfEach(pair, axis, centers, ofCenters, turnA, turnB, next, window);
+            next.step = firstRootOfEach(pair, axis, centers, ofCenters, turns, next, window);
         } else if (next.a.count + next.b.count == 2) {
             next.step = firstRoot({now.value, now.rate, std::min(now.bend + third, second)}, window);
         } else {
-            next.step = firstRootOfRuns(pair, axis, centers, turnA, turnB, next, second, third, window);
+            next.step = firstRootOfRuns(pair, axis, centers, turns, next, second, third, window);
         }
         if (next.step > best.step) { best = next; }
         if (!(next.step < kFilled * window)) { break; }

@@ -1,6 +1,7 @@
 #include "crew.h"
 
 #include <algorithm>
+#include <exception>
 #ifdef __STDCPP_THREADS__
 #include <thread>
 
@@ -22,6 +23,27 @@ constexpr std::size_t kClaimsOfFew = 1;
 constexpr std::size_t kClaimsOfMany = 8;
 /// Loops are counted from 1 on; this one never comes.
 constexpr std::uint64_t kOver = ~std::uint64_t{0};
+
+/// Takes an exception from the thread of the leader to that of the caller.
+class Failure {
+public:
+#ifdef __cpp_exceptions
+    void keepThatOf(FunctionRef<void()> work) {
+        try {
+            work();
+        } catch (...) { thrown_ = std::current_exception(); }
+    }
+    void rethrow() const {
+        if (thrown_) { std::rethrow_exception(thrown_); }
+    }
+
+private:
+    std::exception_ptr thrown_;
+#else
+    void keepThatOf(FunctionRef<void()> work) { work(); }
+    void rethrow() const {}
+#endif
+};
 
 constexpr std::uint64_t frontOf(std::uint64_t ticket) { return (ticket >> kFrontShift) & kBlockMask; }
 constexpr std::uint64_t endOf(std::uint64_t ticket) { return ticket & kBlockMask; }
@@ -133,6 +155,7 @@ void Crew::lead(TaskSystem& tasks, FunctionRef<void()> work) {
         Crew& crew;
         ~End() { crew.ticket_.store(kOver, std::memory_order_release); }
     };
+    Failure failure;
     tasks.run(static_cast<std::size_t>(workers_), 1, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             if (isLed_.exchange(true, std::memory_order_acq_rel)) {
@@ -141,9 +164,10 @@ void Crew::lead(TaskSystem& tasks, FunctionRef<void()> work) {
             }
             leader_ = static_cast<int>(i);
             const End atEnd{*this};
-            work();
+            failure.keepThatOf(work);
         }
     });
+    failure.rethrow();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -18,7 +18,7 @@ namespace swept::inline SWEPT_PRECISION {
 class Crew final : public TaskSystem {
 public:
     /// Runs `work` on one of the workers of `tasks`, and returns when it is done. Only `work` may call `run` of this
-    /// crew.
+    /// crew. What it throws comes through here, on the calling thread: a task system need not know of exceptions.
     void lead(TaskSystem& tasks, FunctionRef<void()> work);
 
     /// Of the task system that it works on; 1 without.

@@ -1,6 +1,8 @@
 #include <atomic>
+#include <new>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <swept/engine/crew/crew.h>
@@ -101,6 +103,26 @@ TEST(Crew, MoreBlocksThanATicketHolds) {
         });
     });
     EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), static_cast<std::ptrdiff_t>(visits.size()));
+}
+
+/// Also when another thread leads: a task system that lets go of exceptions would end the program.
+TEST(Crew, WhatIsThrownComesThrough) {
+    class OtherThread final : public TaskSystem {
+    public:
+        int workerCount() const override { return 2; }
+        void run(std::size_t count, std::size_t, FunctionRef<void(std::size_t, std::size_t, int)> body) override {
+            std::thread([&]() noexcept { body(0, count, 0); }).join();
+        }
+    };
+    OtherThread other;
+    SerialTaskSystem serial;
+    for (TaskSystem* tasks : {static_cast<TaskSystem*>(&other), static_cast<TaskSystem*>(&serial)}) {
+        Crew crew;
+        EXPECT_THROW(crew.lead(*tasks, [] { throw std::bad_alloc(); }), std::bad_alloc);
+        bool led = false;
+        crew.lead(*tasks, [&led] { led = true; });
+        EXPECT_TRUE(led) << "not after that";
+    }
 }
 
 }  // namespace
