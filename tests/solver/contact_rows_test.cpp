@@ -242,13 +242,13 @@ protected:
 };
 
 TEST_P(ContactRows, FillBlocksToTheBitAsOneByOne) {
-    if (contactRowKernels() == nullptr) { return; }  // a plain processor: no blocks are filled
+    if (contactRowKernels() == nullptr) { GTEST_SKIP() << "a plain processor: no blocks are filled"; }
     expectSameFilling<1>();
     expectSameFilling<2>();
 }
 
 TEST_P(ContactRows, TakeImpulsesToTheBitAsOneByOne) {
-    if (contactRowKernels() == nullptr) { return; }  // a plain processor: no blocks are filled
+    if (contactRowKernels() == nullptr) { GTEST_SKIP() << "a plain processor: no blocks are filled"; }
     expectSameTaking<1>();
     expectSameTaking<2>();
 }

@@ -74,7 +74,8 @@ struct Triangle {
 
 TEST_P(WideColumns, AreEliminatedToTheBitAsNumberByNumber) {
     const EliminateColumn kernel = columnKernel();
-    if (kernel == nullptr) { return; }  // no four doubles side by side
+    ASSERT_TRUE(kernel != nullptr || (GetParam() & (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL)) == 0);
+    if (kernel == nullptr) { GTEST_SKIP() << "no four doubles side by side"; }
     Random random(17);
     for (int i = 0; i < 400; ++i) {
         Triangle wanted(1 + static_cast<std::size_t>(i) % 20);
