@@ -6,6 +6,7 @@
 #include "../modes/modes.h"
 #include "../solve/joint_builder.h"
 #include "../state/number_range.h"
+#include "../state/proxies.h"
 #include "joint_switch.h"
 
 namespace swept::inline SWEPT_PRECISION {

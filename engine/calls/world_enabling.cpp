@@ -1,5 +1,6 @@
 #include "../../shapes/room.h"
 #include "../contacts/travel.h"
+#include "../state/proxies.h"
 #include "../state/world_state.h"
 #include "joint_switch.h"
 

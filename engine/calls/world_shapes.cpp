@@ -6,6 +6,7 @@
 #include "../contacts/pairs_of_shapes.h"
 #include "../state/body_measures.h"
 #include "../state/number_range.h"
+#include "../state/proxies.h"
 #include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -33,32 +34,6 @@ Status checkSize(std::span<const Vec2> points, Real radius, const char* field) {
         if (!status.ok()) { return status; }
     }
     return checkNumber(static_cast<double>(radius), "radius");
-}
-
-ProxyKind kindOf(const Shape& shape, BodyType type) {
-    if (shape.def.sensor) { return ProxyKind::sensor; }
-    switch (type) {
-        case BodyType::fixed:
-            return ProxyKind::fixed;
-        case BodyType::kinematic:
-            return ProxyKind::kinematic;
-        case BodyType::dynamic:
-            return ProxyKind::dynamic;
-    }
-    return ProxyKind::fixed;  // unreachable, but GCC cannot know
-}
-
-/// @pre its body is enabled
-Result<ProxyId> makeProxy(WorldState& world, const Shape& shape) {
-    return world.broadphase->insert(fatBox(world, shape), kindOf(shape, world.bodies[shape.body].def.type));
-}
-
-void remember(WorldState& world, ProxyId proxy, std::uint32_t shape) {
-    const auto index = static_cast<std::size_t>(proxy);
-    if (world.proxyShapes.size() <= index) { world.proxyShapes.resize(index + 1, kNoIndex); }
-    world.proxyShapes[index] = shape;
-    world.neededBoxes.resize(world.proxyShapes.size());
-    world.neededBoxes[index] = world.broadphase->box(proxy);
 }
 
 /// All that may fail when memory runs out, before a shape is made, but for its proxy.
@@ -94,7 +69,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
     Shape& stored = world.shapes[id->index];
     stored.proxy = proxy.value();
     stored.head = id->index;
-    if (hasProxy) { remember(world, stored.proxy, id->index); }
+    if (hasProxy) { rememberProxy(world, stored.proxy, id->index); }
     world.chainSegments.resize(world.shapes.slotCount());
     world.chainSegments[id->index] = stored.isChainSegment ? 1 : 0;
     world.shapeMasses.resize(world.shapes.slotCount());
@@ -189,48 +164,6 @@ void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
 }
 
 }  // namespace
-
-void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign) {
-    world.sensorShapes += def.sensor ? static_cast<std::uint32_t>(sign) : 0U;
-    world.bouncyShapes += def.restitution > 0 ? static_cast<std::uint32_t>(sign) : 0U;
-    world.rollingShapes += def.rollingResistance > 0 ? static_cast<std::uint32_t>(sign) : 0U;
-}
-
-Status addProxy(WorldState& world, std::uint32_t slot) {
-    Shape& shape = world.shapes[slot];
-    const Result<ProxyId> proxy = makeProxy(world, shape);
-    if (!proxy.ok()) { return proxy.status(); }
-    shape.proxy = proxy.value();
-    remember(world, shape.proxy, slot);
-    world.thinnestWall.reset();
-    return Status::success();
-}
-
-void removeProxy(WorldState& world, std::uint32_t slot) {
-    Shape& shape = world.shapes[slot];
-    if (shape.proxy == kNoProxy) { return; }
-    (void)world.broadphase->remove(shape.proxy);  // it is there: the shape owns it
-    shape.proxy = kNoProxy;
-    world.thinnestWall.reset();
-}
-
-void removeShapeSlot(WorldState& world, std::uint32_t slot) {
-    removeProxy(world, slot);
-    countTraits(world, world.shapes[slot].def, -1);
-    world.shapes.erase(world.shapes.idOf(slot));
-}
-
-void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes) {
-    for (const std::uint32_t slot : shapes) {
-        Shape& shape = world.shapes[slot];
-        if (shape.proxy == kNoProxy) { continue; }
-        const Aabb box = world.broadphase->box(shape.proxy);  // which was good before
-        (void)world.broadphase->remove(shape.proxy);
-        shape.proxy = world.broadphase->insert(box, kindOf(shape, world.bodies[shape.body].def.type)).value();
-        remember(world, shape.proxy, slot);
-    }
-    world.thinnestWall.reset();
-}
 
 Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
     WorldState& world = *state_;

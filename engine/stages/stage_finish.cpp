@@ -11,12 +11,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-double restTimeOf(const WorldState& world, const Body& body) {
-    const auto gravity = static_cast<double>(length(world.settings.gravity));
-    if (!(gravity > 0)) { return kWeightlessRest; }
-    return kRestTimes * std::sqrt(static_cast<double>(body.extent) / gravity);
-}
-
 namespace {
 
 /// Bodies per block whose boxes are compared.

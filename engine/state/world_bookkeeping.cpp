@@ -269,6 +269,12 @@ void removeJoint(WorldState& world, JointId id, std::uint32_t leaving) {
     world.joints.erase(id);
 }
 
+double restTimeOf(const WorldState& world, const Body& body) {
+    const auto gravity = static_cast<double>(length(world.settings.gravity));
+    if (!(gravity > 0)) { return kWeightlessRest; }
+    return kRestTimes * std::sqrt(static_cast<double>(body.extent) / gravity);
+}
+
 void removeApartContacts(WorldState& world) {
     const std::span<const std::uint32_t> apart = world.lists.apart;
     if (apart.empty()) { return; }

@@ -247,8 +247,6 @@ void mixSurfaces(const WorldState& world, Contact& contact);
 MixedSurface surfaceOf(const WorldState& world, const Contact& contact);
 /// Moves contacts together when there are many gaps between them. Before anything refers to their places.
 void closeGaps(WorldState& world);
-/// Removes the contacts whose boxes came apart (`ContactState`).
-void removeApartContacts(WorldState& world);
 /// So that the broadphase may find the pair anew.
 void dropPair(WorldState& world, const ContactPair& pair);
 void dropPairs(WorldState& world, std::span<const ContactPair> pairs);
@@ -262,6 +260,8 @@ void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)
 
 // --- bookkeeping shared by the stages (world_bookkeeping.cpp, world_boxes.cpp)
 
+/// Removes the contacts whose boxes came apart (`ContactState`).
+void removeApartContacts(WorldState& world);
 /// Whether two shapes may collide at all: bodies, filters, joints.
 bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
 /// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake, static and disabled
@@ -301,17 +301,6 @@ void wakeJoined(WorldState& world, std::uint32_t body);
 void weigh(WorldState& world, std::span<const std::uint32_t> shapes);
 /// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.
 void updateMass(WorldState& world, std::uint32_t body);
-/// Counts a shape among those of which there may be none. @param sign  1, or −1 when it goes
-void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign);
-/// Shapes of bodies that are enabled have one. It refuses what the broadphase does.
-Status addProxy(WorldState& world, std::uint32_t shape);
-/// No effect on those that have none. @pre it has no contacts
-void removeProxy(WorldState& world, std::uint32_t shape);
-/// Frees the slot of a shape, and its proxy. @pre it has no contacts, and its body lists it no longer, or goes as well
-void removeShapeSlot(WorldState& world, std::uint32_t shape);
-/// Shapes that may meet other ones than before (their body's type, sensors, filters) have new proxies, whose pairs are
-/// all found anew. @pre they have no contacts
-void renewKinds(WorldState& world, std::span<const std::uint32_t> shapes);
 /// Recomputes the pose of the body frame from centre and angle.
 void updatePose(WorldState& world, std::uint32_t body);
 /// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
