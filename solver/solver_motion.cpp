@@ -3,6 +3,7 @@
 
 #include "free_motion.h"
 #include "halves.h"
+#include "moving_limits.h"
 #include "solver.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -46,6 +47,7 @@ void Solver::integratePositions(SolverBatch& batch, Real h) {
     forBodies(batch, [&](std::size_t begin, std::size_t end) {
         move_(std::span(batch.states).subspan(begin + 1, end - begin), h);
     });
+    if (batch.isAnyPaced) { moveLimits(batch, h); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

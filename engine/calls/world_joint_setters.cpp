@@ -70,26 +70,29 @@ std::array<Real, 2> boundsOf(const AngleLimits& limits) { return {limits.lower, 
 std::array<Real, 2> boundsOf(const TranslationLimits& limits) { return {limits.lower, limits.upper}; }
 std::array<Real, 2> boundsOf(const LengthLimits& limits) { return {limits.min, limits.max}; }
 
-/// How far a bound moves; infinitely where limits come or go.
+/// How far bounds move; infinitely where limits come or go.
 template <class Limits>
-Real distanceBetween(const std::optional<Limits>& before, const std::optional<Limits>& after) {
-    if (before.has_value() != after.has_value()) { return std::numeric_limits<Real>::infinity(); }
-    if (!before) { return 0; }
-    Real farthest = 0;
+DrivenMove moveBetween(const std::optional<Limits>& before, const std::optional<Limits>& after) {
+    if (before.has_value() != after.has_value()) { return {.farthest = std::numeric_limits<Real>::infinity()}; }
+    DrivenMove move;
+    if (!before) { return move; }
     for (std::size_t i = 0; i < 2; ++i) {
         const Real from = boundsOf(*before)[i];
         const Real to = boundsOf(*after)[i];
-        if (from != to) { farthest = std::max(farthest, std::fabs(to - from)); }  // both may be infinite
+        if (from == to) { continue; }  // both may be infinite
+        const Real way = to - from;
+        move.farthest = std::max(move.farthest, std::fabs(way));
+        if (std::isfinite(way)) { move.way[i] = way; }
     }
-    return farthest;
+    return move;
 }
 
-/// @param moved  becomes how far
+/// @param move  becomes how they move
 template <class Limits>
-auto toLimits(const std::optional<Limits>& limits, Real& moved) {
-    return [limits, &moved](auto& part) {
+auto toLimits(const std::optional<Limits>& limits, DrivenMove& move) {
+    return [limits, &move](auto& part) {
         if constexpr (HasLimits<decltype(part), std::optional<Limits>>) {
-            moved = distanceBetween(part.def.limits, limits);
+            move = moveBetween(part.def.limits, limits);
             part.def.limits = limits;
             return true;
         }
@@ -111,15 +114,18 @@ auto toMotor(const std::optional<Motor>& motor) {
 }  // namespace
 
 Status World::setAngleLimits(JointId id, std::optional<AngleLimits> limits) {
-    Real turned = 0;
-    const Status status = change(*state_, id, checkLimits(limits), toLimits(limits, turned));
-    if (status.ok()) { noteDriven(*state_, id, turned * widestRadius(*state_, id)); }
+    DrivenMove move;
+    const Status status = change(*state_, id, checkLimits(limits), toLimits(limits, move));
+    if (!status.ok()) { return status; }
+    move.lever = widestRadius(*state_, id);
+    move.farthest *= move.lever;
+    noteDriven(*state_, id, move);
     return status;
 }
 Status World::setTranslationLimits(JointId id, std::optional<TranslationLimits> limits) {
-    Real moved = 0;
-    const Status status = change(*state_, id, checkLimits(limits), toLimits(limits, moved));
-    if (status.ok()) { noteDriven(*state_, id, moved); }
+    DrivenMove move;
+    const Status status = change(*state_, id, checkLimits(limits), toLimits(limits, move));
+    if (status.ok()) { noteDriven(*state_, id, move); }
     return status;
 }
 Status World::setAngularMotor(JointId id, std::optional<AngularMotor> motor) {
@@ -154,18 +160,20 @@ Status World::setLengthLimits(JointId id, std::optional<LengthLimits> limits) {
     const Joint* joint = state_->joints.find(id);
     const bool isDistance = joint != nullptr && joint->type() == JointType::distance;
     const Real length = isDistance ? joint->length : Real(1);  // of others `change` tells
-    Real moved = 0;
-    const Status status = change(*state_, id, checkLength(length, limits), toLimits(limits, moved));
-    if (status.ok()) { noteDriven(*state_, id, moved); }
+    DrivenMove move;
+    const Status status = change(*state_, id, checkLength(length, limits), toLimits(limits, move));
+    if (status.ok()) { noteDriven(*state_, id, move); }
     return status;
 }
 
 Status World::setLength(JointId id, Real length) {
     Joint* joint = state_->joints.find(id);
     std::optional<LengthLimits> limits;
+    bool isPlainRod = false;
     if (joint != nullptr) {
         if (const auto* part = std::get_if<JointPart<DistanceJointDef, DistanceConstraint>>(&joint->parts)) {
             limits = part->def.limits;
+            isPlainRod = !limits && !part->def.spring;
         }
     }
     const Real before = joint != nullptr ? joint->length : length;
@@ -175,7 +183,10 @@ Status World::setLength(JointId id, Real length) {
                                                 return true;
                                             },
                                             [](auto&) { return false; }});
-    if (status.ok()) { noteDriven(*state_, id, std::fabs(length - before)); }
+    if (!status.ok()) { return status; }
+    const Real way = length - before;
+    // The length of a spring is none that it is held to.
+    noteDriven(*state_, id, {.farthest = std::fabs(way), .way = {isPlainRod ? way : Real(0), 0}});
     return status;
 }
 
@@ -192,7 +203,7 @@ Status World::setTarget(JointId id, DVec2 target) {
                                                 return true;
                                             },
                                             [](auto&) { return false; }});
-    if (status.ok()) { noteDriven(*state_, id, static_cast<Real>(length(way))); }
+    if (status.ok()) { noteDriven(*state_, id, {.farthest = static_cast<Real>(length(way))}); }
     return status;
 }
 

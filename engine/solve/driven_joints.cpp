@@ -1,6 +1,8 @@
 #include "driven_joints.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -29,6 +31,24 @@ MouseConstraint* mouseOf(Joint& joint) {
     return part == nullptr ? nullptr : &part->memory;
 }
 
+/// Of two speeds the one that both reach.
+Real lesserOf(Real a, Real b) {
+    if (!(a * b > 0)) { return 0; }
+    return std::fabs(a) < std::fabs(b) ? a : b;
+}
+
+/// What goes on as it did in the step before moves. What is set elsewhere once is put there, and draws its bodies after
+/// it without leaving them any speed.
+void findPace(DrivenJoint& driven, Real dt) {
+    const auto paceOf = [&](std::size_t i) {
+        const Real speed = std::exchange(driven.way[i], Real(0)) / dt;
+        return lesserOf(speed, std::exchange(driven.speedBefore[i], speed));
+    };
+    driven.pace.lower = paceOf(0);
+    driven.pace.upper = paceOf(1);
+    driven.paceSpeed = driven.lever * std::max(std::fabs(driven.pace.lower), std::fabs(driven.pace.upper));
+}
+
 /// The accounts of what the joint ties, as far as they are of the present solve.
 void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
     const Joint* const joint = world.joints.find(driven.joint);
@@ -37,36 +57,43 @@ void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
         if (!world.bodies[slot].isDynamic()) { continue; }
         EnergyAccount& account = accountOf(world, slot);
         if (account.solve != desk.energySolve) { continue; }
-        if (driven.isYank) {
-            account.isYanked = true;
-        } else {
-            account.isLed = true;
-            account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(driven.speed));
-        }
+        account.isYanked = account.isYanked || driven.isYank;
+        const Real speed = woundSpeed(driven);
+        if (driven.isYank && !(speed > 0)) { continue; }
+        account.isLed = true;
+        account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(speed));
     }
 }
 
 }  // namespace
 
-void noteDriven(WorldState& world, JointId joint, Real moved) {
-    if (!(moved > 0)) { return; }
+void noteDriven(WorldState& world, JointId joint, const DrivenMove& move) {
+    if (!(move.farthest > 0)) { return; }
     Joint& held = *world.joints.find(joint);
-    const bool yanks = isYank(world, held, moved);
     if (held.driven == kNotDriven) {
-        world.drivenJoints.push_back({joint, kDrivenSteps, yanks, moved});
-        held.driven = static_cast<std::uint32_t>(world.drivenJoints.size() - 1);
-    } else {
-        DrivenJoint& noted = world.drivenJoints[held.driven];
-        noted = {joint, kDrivenSteps, noted.isYank || yanks, noted.toGo + moved, noted.speed};
+        held.driven = static_cast<std::uint32_t>(world.drivenJoints.size());
+        world.drivenJoints.push_back({.joint = joint});
     }
+    DrivenJoint& driven = world.drivenJoints[held.driven];
+    if (!std::isfinite(move.farthest)) { driven.way = driven.speedBefore = {}; }  // these may be other limits
+    driven.stepsLeft = kDrivenSteps;
+    driven.toGo += move.farthest;
+    driven.jump = std::max(driven.jump, move.farthest);
+    driven.lever = move.lever;
+    for (std::size_t i = 0; i < driven.way.size(); ++i) { driven.way[i] += move.way[i]; }
 }
 
 void beginDriven(WorldState& world, double dt) {
+    const auto step = static_cast<Real>(dt);
     for (DrivenJoint& driven : world.drivenJoints) {
-        driven.speed = std::max(driven.speed, std::exchange(driven.toGo, Real(0)) / static_cast<Real>(dt));
+        driven.speed = std::max(driven.speed, std::exchange(driven.toGo, Real(0)) / step);
         Joint* const joint = world.joints.find(driven.joint);
-        MouseConstraint* const mouse = joint == nullptr ? nullptr : mouseOf(*joint);
-        if (mouse != nullptr) { mouse->pace = (1 / static_cast<Real>(dt)) * mouse->toGo; }
+        if (joint == nullptr) { continue; }
+        if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->pace = (1 / step) * mouse->toGo; }
+        findPace(driven, step);
+        if (driven.pace.any()) { world.jointTies[driven.joint.index].hingeParts.isPaced = true; }
+        const Real jump = std::exchange(driven.jump, Real(0)) - step * driven.paceSpeed;
+        driven.isYank = driven.isYank || isYank(world, *joint, jump);
     }
 }
 
@@ -76,6 +103,9 @@ void endDriven(WorldState& world) {
         Joint* const joint = world.joints.find(driven.joint);
         if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->toGo = mouse->pace = {}; }
+        world.jointTies[driven.joint.index].hingeParts.isPaced = false;
+        driven.pace = {};
+        driven.paceSpeed = 0;
         joint->driven = kNotDriven;
         if (--driven.stepsLeft == 0) { continue; }
         joint->driven = kept;
@@ -84,11 +114,11 @@ void endDriven(WorldState& world) {
     world.drivenJoints.resize(kept);
 }
 
-Real woundSpeed(const WorldState& world, std::uint32_t joint) {
-    const std::uint32_t place = world.joints[joint].driven;
-    if (place == kNotDriven || world.drivenJoints[place].isYank) { return 0; }
-    return world.drivenJoints[place].speed;
+const DrivenJoint* drivenOf(const WorldState& world, const Joint& joint) {
+    return joint.driven == kNotDriven ? nullptr : &world.drivenJoints[joint.driven];
 }
+
+Real woundSpeed(const DrivenJoint& driven) { return driven.isYank ? driven.paceSpeed : driven.speed; }
 
 void noteDriven(WorldState& world, const TiedGroup& group) {
     const std::vector<DrivenJoint>& all = world.drivenJoints;

@@ -23,6 +23,7 @@ void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) {
     if (!limits) { return; }
     parts.lower = limits->lower;
     parts.upper = limits->upper;
+    parts.pace = {};
 }
 void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring, Real h) {
     parts.hasSpring = spring.has_value();
@@ -84,6 +85,7 @@ struct ConstraintFiller {
         constraint.hasSpring = def.spring.has_value();
         if (def.spring) { constraint.spring = rodSpringOf(world, joint, *def.spring, h); }
         constraint.hasLimits = def.limits.has_value();
+        constraint.pace = {};
         if (def.limits) {
             constraint.minLength = def.limits->min;
             constraint.maxLength = def.limits->max;
@@ -182,7 +184,7 @@ struct ConstraintFiller {
     }
     template <class Part>
     void fill(typename Part::Constraint& constraint, const Part& part) const {
-        constraint.isHeld = constraint.isDriveHeld = false;
+        constraint.isHeld = constraint.isDriveHeld = constraint.isPaced = false;
         constraint.slotA = world.solverSlots[joint.bodyA];
         constraint.slotB = world.solverSlots[joint.bodyB];
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
@@ -241,6 +243,42 @@ MouseConstraint& append(SolverBatch& batch, const MouseConstraint& c) { return b
 GearConstraint& append(SolverBatch& batch, const GearConstraint& c) { return batch.gears.emplace_back(c); }
 PulleyConstraint& append(SolverBatch& batch, const PulleyConstraint& c) { return batch.pulleys.emplace_back(c); }
 
+/// Limits that move are where they come from. (In one step of many they would come from beyond each other: then both
+/// are put.)
+bool setBack(Real& lower, Real& upper, const LimitPace& pace, Real left) {
+    const Real lowerBefore = lower - left * pace.lower;
+    const Real upperBefore = upper - left * pace.upper;
+    if (!(lowerBefore <= upperBefore)) { return false; }
+    lower = lowerBefore;
+    upper = upperBefore;
+    return true;
+}
+bool setBack(FreedomParts& parts, const LimitPace& pace, Real left) {
+    const bool moves = parts.hasLimits && setBack(parts.lower, parts.upper, pace, left);
+    if (moves) { parts.pace = pace; }
+    return moves;
+}
+bool setBack(WheelConstraint& constraint, const LimitPace& pace, Real left) {
+    return setBack(constraint.suspension, pace, left);
+}
+bool setBack(DistanceConstraint& constraint, const LimitPace& pace, Real left) {
+    if (constraint.isRigid) {
+        constraint.length -= left * pace.lower;
+    } else if (!constraint.hasLimits || !setBack(constraint.minLength, constraint.maxLength, pace, left)) {
+        return false;
+    }
+    constraint.pace = pace;
+    return true;
+}
+
+/// Limits and lengths set out for where calls put them. @param left  of the step, s
+template <class Constraint>
+void letGo(Constraint& constraint, const LimitPace& pace, Real left) {
+    if constexpr (requires { setBack(constraint, pace, left); }) {
+        if (pace.any()) { constraint.isPaced = setBack(constraint, pace, left); }
+    }
+}
+
 /// Calls `visit(part)` unless the joint is a filter.
 template <class Parts, class Visit>
 void visitPart(Parts& parts, Visit&& visit) {
@@ -253,22 +291,28 @@ void visitPart(Parts& parts, Visit&& visit) {
 
 }  // namespace
 
-void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt) {
+void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt, Real left) {
     const Joint& joint = world.joints[source];
     const ConstraintFiller filler{world, joint, h, dt};
     visitPart(joint.parts, [&](const auto& part) {
         // Where it stays: a copy of what was just written in parts has to wait for all of them.
         auto& constraint = append(batch, rememberedOf(joint, part));
         filler.fill(constraint, part);
-        constraint.woundSpeed = woundSpeed(world, source);
+        constraint.woundSpeed = 0;
         constraint.source = source;
+        if (const DrivenJoint* const driven = drivenOf(world, joint)) {
+            constraint.woundSpeed = woundSpeed(*driven);
+            letGo(constraint, driven->pace, left);
+            batch.isAnyPaced = batch.isAnyPaced || constraint.isPaced;
+        }
     });
 }
 
-RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt) {
+RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt, Real left) {
     const Joint& joint = world.joints[source];
     const auto& part = *std::get_if<HingePart>(&joint.parts);
     RevoluteConstraint constraint = ConstraintFiller{world, joint, h, dt}.constraintOf(part);
+    if (const DrivenJoint* const driven = drivenOf(world, joint)) { letGo(constraint, driven->pace, left); }
     constraint.source = source;
     return constraint;
 }

@@ -28,13 +28,14 @@ HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {
 
 }  // namespace
 
-TiedHinges::TiedHinges(WorldState& world, const TiedGroup& group, Real h, Real dt, Real length)
+TiedHinges::TiedHinges(WorldState& world, const TiedGroup& group, Real h, const StepPart& part)
     : world_(world),
       desk_(group.desk),
       h_(h),
-      dt_(dt),
-      length_(length),
-      softness_(jointSoftness(world, group.effort, h, dt)) {}
+      dt_(static_cast<Real>(part.dt)),
+      left_(static_cast<Real>(part.dt - part.begin)),
+      length_(static_cast<Real>(part.length)),
+      softness_(jointSoftness(world, group.effort, h, dt_)) {}
 
 void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
     SolverBatch& batch = desk_.batch;
@@ -43,6 +44,7 @@ void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
                                 .source = joint,
                                 .parts = tie.hingeParts});
     batch.hingeStore = this;
+    batch.isAnyPaced = batch.isAnyPaced || tie.hingeParts.isPaced;
 }
 
 /// Of the bodies of a solve centres stand in an array of their own.
@@ -82,7 +84,7 @@ void TiedHinges::fill(std::size_t first, std::span<const BlockPlace> places, con
         if (place.isInBlock) {
             fillLane(to.blocks[place.index], place.lane, link);
         } else {
-            to.rest[place.index] = hingeConstraint(world_, link.source, h_, dt_);
+            to.rest[place.index] = hingeConstraint(world_, link.source, h_, dt_, left_);
         }
     }
 }

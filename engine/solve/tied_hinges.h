@@ -9,9 +9,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// solve them.
 class TiedHinges final : public HingeStore {
 public:
-    /// @param h  seconds of a sub-step; @param dt  of the step; @param length  of the part of it that is solved
+    /// @param h  seconds of a sub-step
     /// @pre the bodies of the group have their slots. Holds on to the world and the desk
-    TiedHinges(WorldState& world, const TiedGroup& group, Real h, Real dt, Real length);
+    TiedHinges(WorldState& world, const TiedGroup& group, Real h, const StepPart& part);
 
     /// Gives the batch the link of a hinge, which it takes from here when it is solved.
     void link(std::uint32_t joint, const JointTie& tie);
@@ -28,7 +28,8 @@ private:
     SolveDesk& desk_;
     Real h_;
     Real dt_;
-    Real length_;
+    Real left_;    ///< of the step, as the part begins
+    Real length_;  ///< of the part
     Softness softness_;
 };
 

@@ -93,15 +93,18 @@ Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepP
     return static_cast<Real>(closing) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
 }
 
-/// @param h  seconds of a sub-step; @param dt  of the step
+/// @param h  seconds of a sub-step
 /// @param areIterated  then hinges have links
-void addJoints(WorldState& world, const TiedGroup& group, TiedHinges& hinges, bool areIterated, Real h, Real dt) {
+void addJoints(WorldState& world, const TiedGroup& group, TiedHinges& hinges, bool areIterated, Real h,
+               const StepPart& part) {
+    const auto dt = static_cast<Real>(part.dt);
+    const auto left = static_cast<Real>(part.dt - part.begin);
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
         if (tie.isHinge && areIterated) {
             hinges.link(i, tie);
         } else {
-            addConstraint(group.desk.batch, world, i, h, dt);
+            addConstraint(group.desk.batch, world, i, h, dt, left);
         }
     }
 }
@@ -173,8 +176,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     // Links, and so colours, are known without a look at the bodies.
     setBodies(world, group, isIterated ? h : h / 2, [&] {
         if (!onlyContacts) {
-            hinges.emplace(world, group, h, dt, time);
-            addJoints(world, group, *hinges, isIterated, h, dt);
+            hinges.emplace(world, group, h, part);
+            addJoints(world, group, *hinges, isIterated, h, part);
         }
         if (areLinked) { desk.solver.colourAhead(desk.batch, onlyContacts, desk.standing); }
     });

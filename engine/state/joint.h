@@ -33,7 +33,15 @@ struct DrivenJoint {
     int stepsLeft = 0;
     bool isYank = false;
     Real toGo = 0;   ///< since the last step, metres
+    Real jump = 0;   ///< the farthest of these moves, metres
     Real speed = 0;  ///< the highest one of those steps, m/s
+    /// Of its lower limit and its upper one, or of its length and nothing: since the last step, metres or radians; and
+    /// their speed in the step before, m/s or rad/s.
+    std::array<Real, 2> way{};
+    std::array<Real, 2> speedBefore{};
+    Real lever = 1;      ///< metres by unit of these
+    LimitPace pace{};    ///< in this step
+    Real paceSpeed = 0;  ///< of the faster one, m/s
 };
 
 /// Impulses with which a hinge begins the next step: those of the last sub-step, N·s and N·m·s.

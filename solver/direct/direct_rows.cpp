@@ -41,7 +41,7 @@ public:
         const Real turn = offset.length > 0 ? bendingTurn(aside / offset.length) : Real(0);
         const Real bend = dot(joint.axis, bend_) + Real(0.5) * aside * turn;
         const Real error = offset.length - joint.length;
-        add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse);
+        add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse, joint.pace.lower);
     }
     void operator()(PrismaticConstraint& joint) {
         begin(joint);
@@ -96,8 +96,9 @@ private:
     }
     /// @param bend  what the error grows by beyond the first order, at the speeds there are: the motion is to end, not
     /// only to begin, where the joint holds
-    void add(const JointRow& row, Real errorRate, Real error, Real bend, Real& impulse) {
-        const Real bias = useBias_ ? errorRate * error + bend / h_ : Real(0);
+    /// @param pace  of what the row is held to, m/s
+    void add(const JointRow& row, Real errorRate, Real error, Real bend, Real& impulse, Real pace = 0) {
+        const Real bias = (useBias_ ? errorRate * error + bend / h_ : Real(0)) - pace;
         rows_.push_back({row, joint_->slotA, joint_->slotB, bias, &impulse});
     }
     void addPoint(const JointConstraint& joint, Vec2& impulse) {

@@ -34,7 +34,7 @@ struct Motion {
 /// pulleys and motor joints: those are left to iteration.
 /// @param motions  by slot, by which it is told how anchors bend away within the sub-step; empty: those of the states
 /// @param closing  s, at least h: within which errors are closed
-/// @param useBias  towards zero errors at the end of the sub-step; false: rest
+/// @param useBias  towards zero errors at the end of the sub-step; false: rest, or the pace of a rod
 /// @pre the batch keeps its arrays while the rows are in use
 void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, Real closing, bool useBias,
                   std::vector<DirectRow>& rows);

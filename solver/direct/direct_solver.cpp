@@ -188,7 +188,7 @@ void DirectSolver::gatherJoints(SolverBatch& batch, Real h, bool useBias, bool a
     joints_.clear();
     for (const DirectRow& held : jointRows_) {
         Row row = rowOf(batch, held);
-        row.excess = atRest ? static_cast<double>(held.bias) : excessOf(batch, held);
+        row.excess = atRest ? 0 : excessOf(batch, held);
         joints_.push_back({row, held.impulse, atRest ? 0 : kForgottenPart * static_cast<double>(*held.impulse)});
     }
 }

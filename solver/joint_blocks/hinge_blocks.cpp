@@ -16,7 +16,9 @@ namespace {
 constexpr std::size_t kPlaceGrain = 128;
 constexpr std::size_t kBlockGrain = 16;
 
-HingeParts partsOf(const RevoluteConstraint& joint) { return {joint.hasSpring, joint.hasMotor, joint.hasLimits}; }
+HingeParts partsOf(const RevoluteConstraint& joint) {
+    return {joint.hasSpring, joint.hasMotor, joint.hasLimits, joint.isPaced};
+}
 
 std::uint8_t numberOf(const HingeParts& parts) {
     return static_cast<std::uint8_t>((parts.hasSpring ? 4U : 0U) + (parts.hasMotor ? 2U : 0U) +
@@ -34,7 +36,9 @@ void emptyBlock(WideRevolute& block, std::uint32_t lanes, HingeParts parts) {
 
 BlockLayout::Kind HingeBlocks::kindOf(const HingeLink& link, bool isHeld, int colour,
                                       std::span<const BodyInertia> inertias) const {
-    if (kernels_ == nullptr || colour == kOverflowColour || isHeld) { return BlockLayout::kAlone; }
+    if (kernels_ == nullptr || colour == kOverflowColour || isHeld || link.parts.isPaced) {
+        return BlockLayout::kAlone;
+    }
     // Parts of a joint whose bodies cannot turn do nothing, which only the scalar code knows.
     const bool turns = inertias[link.slotA].inverseInertia + inertias[link.slotB].inverseInertia > 0;
     return turns || !link.parts.any() ? numberOf(link.parts) : BlockLayout::kAlone;

@@ -72,6 +72,7 @@ void JointIsland::clear() {
     bodies_.clear();
     holds_.clear();
     woundSpeed_ = 0;
+    isPaced_ = false;
 }
 
 void JointIsland::prepare() {
@@ -290,9 +291,9 @@ JointIsland::Rates JointIsland::ratesOf(double h) {
 bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates& rates) {
     const double most = std::clamp(kMostBodyCompositions / columns_, kFewestCompositions, kMostCompositions);
     dropTotals();
+    goBack();
     findOpenGaps();
     duration_ = h * subSteps;
-    elapsed_ = 0;
     // What the other way failed at is tried so as well.
     const bool isStiff = isTree_ && (finer > 1 || duration_ * rates.phase > kStiffPhase);
     if (!isStiff) {
@@ -347,9 +348,9 @@ bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates&
 /// @param more  times as many
 bool JointIsland::advanceByEnds(double h, int subSteps, int more) {
     dropTotals();
+    goBack();
     findOpenGaps();
     duration_ = h * subSteps;
-    elapsed_ = 0;
     for (int i = 1; i < more; i *= 2) {
         halveDrives();
         h *= 0.5;
@@ -363,6 +364,7 @@ bool JointIsland::advanceByEnds(double h, int subSteps, int more) {
 
 void JointIsland::advanceSoftly(double h, int subSteps, const Rates& rates) {
     dropTotals();
+    goBack();
     placeRows();
     factorise();
     int count = subSteps;

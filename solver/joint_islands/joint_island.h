@@ -51,6 +51,8 @@ public:
 
     /// Some hold is moved in this step, at so many m/s, so energy does not tell whether it went wrong.
     void allowWork(double speed) { woundSpeed_ = std::max(woundSpeed_, speed); }
+    /// Some rod has a pace. @pre `allowWork`
+    void allowPace() { isPaced_ = true; }
     /// @pre bodies and holds are filled in, forces with those of the step before
     void prepare();
     /// @param h  of a sub-step that drives were made for
@@ -71,6 +73,15 @@ private:
 
     /// Of the gaps that a step began with, what is not yet to be closed.
     double openPart() const { return keepsOpen_ ? 1 : 1 - elapsed_ / duration_; }
+    /// Rods are as long as they are to be when the sub-step ends.
+    void goOn(double time) {
+        elapsed_ += time;
+        if (isPaced_) { moveRods(); }
+    }
+    void goBack() {
+        elapsed_ = 0;
+        if (isPaced_) { moveRods(); }
+    }
 
     // joint_island.cpp
     Rates ratesOf(double h);
@@ -99,6 +110,7 @@ private:
 
     // joint_island_rows.cpp
     bool isOpen() const;
+    void moveRods();
     void weigh();
     void push(const IslandHold& hold, const IslandHold::Row& row, double impulse);
     void findPlaces(double time);
@@ -150,6 +162,7 @@ private:
     bool isTree_ = false;
     bool keepsOpen_ = false;  ///< whether the gaps that a step began with stay as wide as they were
     bool isSoft_ = false;
+    bool isPaced_ = false;
     double woundSpeed_ = 0;  ///< 0: no hold does work
 };
 

@@ -267,7 +267,7 @@ void JointIsland::leaveSubStep(double time, ForceAt at) {
 bool JointIsland::subStepOfTree(double part, double h, ForceAt at, bool isLast) {
     ++subSteps_;
     const double time = part * h;
-    elapsed_ += time;
+    goOn(time);
     drive(part);
     for (IslandBody& body : bodies_) {
         body.middle.velocity = body.velocity;
@@ -312,7 +312,7 @@ void JointIsland::holdTree() {
         for (IslandHold& hold : holds_) {
             for (std::size_t i = 0; i < hold.count; ++i) {
                 IslandHold::Row& row = hold.rows[i];
-                row.excess = speedOf(row.endA, bodies_[hold.a]) + speedOf(row.endB, bodies_[hold.b]);
+                row.excess = speedOf(row.endA, bodies_[hold.a]) + speedOf(row.endB, bodies_[hold.b]) - row.pace;
             }
         }
         std::fill(change_.begin(), change_.end(), Block3{});
@@ -325,7 +325,7 @@ void JointIsland::holdTree() {
 /// can be for their masses, and keep their speeds but for what the joints do not allow. Speeds that close gaps do not
 /// end with them, as bodies turn meanwhile.
 void JointIsland::closeGaps() {
-    keepsOpen_ = false;
+    keepsOpen_ = isPaced_ = false;  // rods are as long as they are to be
     saved_ = holds_;
     start_ = bodies_;
     const double time = 1;

@@ -68,6 +68,7 @@ struct IslandHold {
         double force = 0;     ///< mean of the last sub-step
         double total = 0;     ///< impulse of the step
         double open = 0;      ///< gap that the step began with
+        double pace = 0;      ///< speed that is to stay: that at which the length of a rod changes
     };
     Kind kind = Kind::point;
     std::uint8_t count = 1;
@@ -77,7 +78,8 @@ struct IslandHold {
     DVec2 anchorB;
     DVec2 offset;  ///< of the centres
     DVec2 axis{1, 0};
-    double rest = 0;
+    double rest = 0;   ///< goes with the pace
+    double begun = 0;  ///< the same at the start of the step
     double size = 0;  ///< of what its error is measured against, metres or radians
     double rate = 0;  ///< 1/s at which errors are closed that cannot be closed at once
     Row rows[2];

@@ -88,6 +88,12 @@ bool JointIsland::isOpen() const {
     });
 }
 
+void JointIsland::moveRods() {
+    for (IslandHold& hold : holds_) {
+        if (hold.kind == IslandHold::Kind::rod) { hold.rest = hold.begun + hold.rows[0].pace * elapsed_; }
+    }
+}
+
 void JointIsland::weigh() {
     double heaviest = 0;
     for (const IslandBody& body : bodies_) {
@@ -176,7 +182,7 @@ double JointIsland::findSpeeds() {
         const double scale = linear + turn * hold.size;
         for (std::size_t i = 0; i < hold.count; ++i) {
             IslandHold::Row& row = hold.rows[i];
-            row.excess = speedOf(row, a, b);
+            row.excess = speedOf(row, a, b) - row.pace;
             if (row.excess != 0) { worst = worse(worst, std::fabs(row.excess) / scale); }
         }
     }

@@ -113,7 +113,7 @@ void JointIsland::arrive() {
 bool JointIsland::subStep(double part, double h) {
     ++subSteps_;
     const double time = part * h;
-    elapsed_ += time;
+    goOn(time);
     drive(part);
     pushForces(0.5 * time);
     if (!reachPlaces(time)) { return false; }
@@ -140,6 +140,7 @@ void JointIsland::subStepSoftly(double h) {
     correct(false);
     endStage();
     findPlaces(h);
+    goOn(h);
     arrive();
     drive(1);
     findSpeeds();

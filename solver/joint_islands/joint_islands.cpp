@@ -44,7 +44,8 @@ public:
     void operator()(DistanceConstraint& joint) {
         IslandHold& hold = add(joint, IslandHold::Kind::rod, joint.rigidImpulse);
         hold.axis = toDoubles(joint.axis);
-        hold.rest = static_cast<double>(joint.length);
+        hold.rest = hold.begun = static_cast<double>(joint.length);
+        if (joint.isPaced) { hold.rows[0].pace = static_cast<double>(joint.pace.lower); }
     }
     void operator()(PrismaticConstraint& joint) {
         addSide(joint, joint.heldImpulse.x);
@@ -74,6 +75,7 @@ private:
         islands_.sources_.push_back({number, place, {&impulse, nullptr}, &joint.total});
         joint.total = {};
         if (joint.woundSpeed > 0) { island.allowWork(static_cast<double>(joint.woundSpeed)); }
+        if (joint.isPaced) { island.allowPace(); }
         island.holds().push_back(hold);
         return island.holds().back();
     }

@@ -68,18 +68,18 @@ void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
     }
     if (joint.isRigid && !(joint.isHeld && useBias)) {
         const Real error = useBias ? rod.length - joint.length : Real(0);
-        const Real change =
-            scalarChange(rod.mass, rod.speed(), error, joint.rigidImpulse, useBias ? joint.softness : kRigid);
+        const Real change = scalarChange(rod.mass, rod.speed() - joint.pace.lower, error, joint.rigidImpulse,
+                                         useBias ? joint.softness : kRigid);
         joint.rigidImpulse += change;
         rod.apply(change);
     }
     if (!joint.hasLimits) { return; }
-    const Real lower = limitChange(rod.mass, rod.speed(), rod.length - joint.minLength, joint.lowerImpulse,
-                                   joint.softness, h, useBias);
+    const Real lower = limitChange(rod.mass, rod.speed() - joint.pace.lower, rod.length - joint.minLength,
+                                   joint.lowerImpulse, joint.softness, h, useBias);
     joint.lowerImpulse += lower;
     rod.apply(lower);
-    const Real upper = limitChange(rod.mass, -rod.speed(), joint.maxLength - rod.length, joint.upperImpulse,
-                                   joint.softness, h, useBias);
+    const Real upper = limitChange(rod.mass, -(rod.speed() - joint.pace.upper), joint.maxLength - rod.length,
+                                   joint.upperImpulse, joint.softness, h, useBias);
     joint.upperImpulse += upper;
     rod.apply(-upper);
 }

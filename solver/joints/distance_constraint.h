@@ -1,14 +1,16 @@
 #pragma once
 
 #include "joint_constraint.h"
+#include "limit_pace.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 /// The distance of two anchors is held (rod), kept within limits (rope), or pulled to a length (spring).
 struct DistanceConstraint : JointConstraint {
-    Real length = 0;  ///< of rod or spring, metres
+    Real length = 0;  ///< of rod or spring, metres; as the limits of `FreedomParts`
     Real minLength = 0;
     Real maxLength = 0;
+    LimitPace pace;  ///< of a rod the lower one is that of its length
     TurningSpring spring;
     bool isRigid = true;
     bool hasSpring = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limit_pace.h"
 #include "point_constraint.h"
 
 /// Limits, motors and springs: what drives the one direction that a joint leaves free.
@@ -11,7 +12,7 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// One side of a pair of limits, whose impulse only pushes. @param room  what is left before the limit, negative beyond
 /// it
-/// @param speed  at which the room grows; @return change of the accumulated impulse
+/// @param speed  at which the room grows, less the limit's own; @return change of the accumulated impulse
 inline Real limitChange(Real mass, Real speed, Real room, Real accumulated, const Softness& softness, Real h,
                         bool useBias) {
     Real change = 0;
@@ -35,8 +36,9 @@ inline Real approachSpeed(Real distance, Real rate, Real acceleration) {
 
 /// Limits, motor and spring of one free direction of a joint: an angle or a translation.
 struct FreedomParts {
-    Real lower = 0;  ///< rad or metres
+    Real lower = 0;  ///< rad or metres, at the start of the sub-step; from its motion on at the end
     Real upper = 0;
+    LimitPace pace;
     Real motorSpeed = 0;       ///< rad/s or m/s
     Real maxMotorImpulse = 0;  ///< maximum torque or force times sub-step
     SpringGains spring;        ///< towards 0
@@ -83,10 +85,12 @@ void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& so
         push(change);
     }
     if (!parts.hasLimits) { return; }
-    const Real lower = limitChange(mass, speed(), place - parts.lower, parts.lowerImpulse, softness, h, useBias);
+    const Real lower =
+        limitChange(mass, speed() - parts.pace.lower, place - parts.lower, parts.lowerImpulse, softness, h, useBias);
     parts.lowerImpulse += lower;
     push(lower);
-    const Real upper = limitChange(mass, -speed(), parts.upper - place, parts.upperImpulse, softness, h, useBias);
+    const Real upper =
+        limitChange(mass, -(speed() - parts.pace.upper), parts.upper - place, parts.upperImpulse, softness, h, useBias);
     parts.upperImpulse += upper;
     push(-upper);
 }

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "solver_batch.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Limits and lengths of what is paced go on for h seconds, as the bodies do.
+void moveLimits(SolverBatch& batch, Real h);
+
+}  // namespace swept::inline SWEPT_PRECISION
