@@ -15,14 +15,19 @@ namespace {
 /// A rod closes a quarter of its gap in a step: then a hundredth is left.
 constexpr int kDrivenSteps = 16;
 
-/// Farther than a slow body moves in a step: nobody is pulled like that, but put elsewhere.
-bool isYank(const WorldState& world, const Joint& joint, Real moved) {
+/// Of the dynamic bodies of a joint; infinite without any.
+Real smallestOf(const WorldState& world, const Joint& joint, Real Body::*size) {
     Real smallest = std::numeric_limits<Real>::infinity();
     for (const std::uint32_t slot : joint.allBodies()) {
         const Body& body = world.bodies[slot];
-        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
+        if (body.isDynamic() && body.*size > 0) { smallest = std::min(smallest, body.*size); }
     }
-    return moved > kFastRatio * smallest;
+    return smallest;
+}
+
+/// Farther than a slow body moves in a step: nobody is pulled like that, but put elsewhere.
+bool isYank(const WorldState& world, const Joint& joint, Real moved) {
+    return moved > kFastRatio * smallestOf(world, joint, &Body::extent);
 }
 
 /// Of a mouse joint; null of others.
@@ -38,8 +43,8 @@ Real lesserOf(Real a, Real b) {
 }
 
 /// What goes on as it did in the step before moves. What is set elsewhere once is put there, and draws its bodies after
-/// it without leaving them any speed.
-void findPace(DrivenJoint& driven, Real dt) {
+/// it without leaving them any speed; and so does what goes farther in a step than its bodies are wide.
+void findPace(DrivenJoint& driven, const WorldState& world, const Joint& joint, Real dt) {
     const auto paceOf = [&](std::size_t i) {
         const Real speed = std::exchange(driven.way[i], Real(0)) / dt;
         return lesserOf(speed, std::exchange(driven.speedBefore[i], speed));
@@ -47,6 +52,9 @@ void findPace(DrivenJoint& driven, Real dt) {
     driven.pace.lower = paceOf(0);
     driven.pace.upper = paceOf(1);
     driven.paceSpeed = driven.lever * std::max(std::fabs(driven.pace.lower), std::fabs(driven.pace.upper));
+    if (!driven.pace.any() || dt * driven.paceSpeed <= 2 * smallestOf(world, joint, &Body::radius)) { return; }
+    driven.pace = {};
+    driven.paceSpeed = 0;
 }
 
 /// The accounts of what the joint ties, as far as they are of the present solve.
@@ -90,7 +98,7 @@ void beginDriven(WorldState& world, double dt) {
         Joint* const joint = world.joints.find(driven.joint);
         if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->pace = (1 / step) * mouse->toGo; }
-        findPace(driven, step);
+        findPace(driven, world, *joint, step);
         if (driven.pace.any()) { world.jointTies[driven.joint.index].hingeParts.isPaced = true; }
         const Real jump = std::exchange(driven.jump, Real(0)) - step * driven.paceSpeed;
         driven.isYank = driven.isYank || isYank(world, *joint, jump);

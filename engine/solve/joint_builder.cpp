@@ -243,9 +243,9 @@ MouseConstraint& append(SolverBatch& batch, const MouseConstraint& c) { return b
 GearConstraint& append(SolverBatch& batch, const GearConstraint& c) { return batch.gears.emplace_back(c); }
 PulleyConstraint& append(SolverBatch& batch, const PulleyConstraint& c) { return batch.pulleys.emplace_back(c); }
 
-/// Limits that move are where they come from. (In one step of many they would come from beyond each other: then both
-/// are put.)
-bool setBack(Real& lower, Real& upper, const LimitPace& pace, Real left) {
+/// Limits that move are where they come from. @return false where they would come from beyond each other
+/// @param left  of the step, s
+bool setOut(Real& lower, Real& upper, const LimitPace& pace, Real left) {
     const Real lowerBefore = lower - left * pace.lower;
     const Real upperBefore = upper - left * pace.upper;
     if (!(lowerBefore <= upperBefore)) { return false; }
@@ -253,29 +253,29 @@ bool setBack(Real& lower, Real& upper, const LimitPace& pace, Real left) {
     upper = upperBefore;
     return true;
 }
-bool setBack(FreedomParts& parts, const LimitPace& pace, Real left) {
-    const bool moves = parts.hasLimits && setBack(parts.lower, parts.upper, pace, left);
+bool setOut(FreedomParts& parts, const LimitPace& pace, Real left) {
+    const bool moves = parts.hasLimits && setOut(parts.lower, parts.upper, pace, left);
     if (moves) { parts.pace = pace; }
     return moves;
 }
-bool setBack(WheelConstraint& constraint, const LimitPace& pace, Real left) {
-    return setBack(constraint.suspension, pace, left);
+bool setOut(WheelConstraint& constraint, const LimitPace& pace, Real left) {
+    return setOut(constraint.suspension, pace, left);
 }
-bool setBack(DistanceConstraint& constraint, const LimitPace& pace, Real left) {
+bool setOut(DistanceConstraint& constraint, const LimitPace& pace, Real left) {
     if (constraint.isRigid) {
         constraint.length -= left * pace.lower;
-    } else if (!constraint.hasLimits || !setBack(constraint.minLength, constraint.maxLength, pace, left)) {
+    } else if (!constraint.hasLimits || !setOut(constraint.minLength, constraint.maxLength, pace, left)) {
         return false;
     }
     constraint.pace = pace;
     return true;
 }
 
-/// Limits and lengths set out for where calls put them. @param left  of the step, s
+/// Limits and lengths set out for where calls put them.
 template <class Constraint>
-void letGo(Constraint& constraint, const LimitPace& pace, Real left) {
-    if constexpr (requires { setBack(constraint, pace, left); }) {
-        if (pace.any()) { constraint.isPaced = setBack(constraint, pace, left); }
+void setPace(Constraint& constraint, const LimitPace& pace, Real left) {
+    if constexpr (requires { setOut(constraint, pace, left); }) {
+        if (pace.any()) { constraint.isPaced = setOut(constraint, pace, left); }
     }
 }
 
@@ -302,7 +302,7 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
         constraint.source = source;
         if (const DrivenJoint* const driven = drivenOf(world, joint)) {
             constraint.woundSpeed = woundSpeed(*driven);
-            letGo(constraint, driven->pace, left);
+            setPace(constraint, driven->pace, left);
             batch.isAnyPaced = batch.isAnyPaced || constraint.isPaced;
         }
     });
@@ -312,7 +312,7 @@ RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source
     const Joint& joint = world.joints[source];
     const auto& part = *std::get_if<HingePart>(&joint.parts);
     RevoluteConstraint constraint = ConstraintFiller{world, joint, h, dt}.constraintOf(part);
-    if (const DrivenJoint* const driven = drivenOf(world, joint)) { letGo(constraint, driven->pace, left); }
+    if (const DrivenJoint* const driven = drivenOf(world, joint)) { setPace(constraint, driven->pace, left); }
     constraint.source = source;
     return constraint;
 }
