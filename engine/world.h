@@ -187,8 +187,9 @@ public:
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;
     // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of
-    // createJoint. Other limits and lengths draw the bodies there, but give them no speed: what stands on a lift that
-    // is raised like that is left behind, and may fall through it. A motor carries it.
+    // createJoint. Limits, and lengths of rods, that are moved before each step go there within it, at the lesser of
+    // the speeds of this step and the one before, and what they hold goes along and keeps that speed when they stop.
+    // What is moved for a single step, or by more than the bodies are wide, draws them there and gives them no speed.
     Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);             ///< revolute, wheel
     Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);               ///< prismatic
     Status setAngleLimits(JointId id, std::optional<AngleLimits> limits);              ///< revolute

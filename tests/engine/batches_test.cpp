@@ -7,6 +7,7 @@
 
 #include "../support/random.h"
 #include "falling_heap.h"
+#include "moved_limits.h"
 #include "world_digest.h"
 #include "world_support.h"
 
@@ -64,6 +65,21 @@ TEST_F(Batches, ChangeNothingInBuiltinScenes) {
 /// of ten such heaps differed.
 TEST_F(Batches, ChangeNothingInFallingHeaps) {
     for (int seed = 0; seed < 16; ++seed) { expectSameWithout(scenes::fallingHeap(seed), 30); }
+}
+
+/// What calls move stands in no block, what they leave alone does.
+TEST_F(Batches, ChangeNothingWhereLimitsMove) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        MovedLimits with(profile);
+        MovedLimits without(profile);
+        for (int step = 0; step < 60; ++step) {
+            with.step();
+            switchOff();
+            without.step();
+            switchOn();
+            ASSERT_EQ(with.world.stateHash(), without.world.stateHash()) << "step " << step;
+        }
+    }
 }
 
 /// A row of boxes on joints of all kinds, the first of which is so fast that squares overflow.

@@ -6,6 +6,7 @@
 #include "../support/random.h"
 #include "any_order_tasks.h"
 #include "mixed_scene.h"
+#include "moved_limits.h"
 #include "world_digest.h"
 #include "world_support.h"
 
@@ -168,6 +169,20 @@ World fallingBlock(std::uint64_t seed) {
         addBody(world, def, i % 3 == 0 ? capsule(0.3, 0.2) : box(0.5, 0.5));
     }
     return world;
+}
+
+TEST(Parallel, LimitsThatMove) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        MovedLimits serial(profile);
+        MovedLimits shuffled(profile);
+        ShuffledTasks tasks;
+        shuffled.world.setTaskSystem(&tasks);
+        for (int step = 0; step < 30; ++step) {
+            serial.step();
+            shuffled.step();
+            ASSERT_EQ(serial.world.stateHash(), shuffled.world.stateHash()) << "step " << step;
+        }
+    }
 }
 
 TEST(Parallel, WhatIsHemmedIn) {
