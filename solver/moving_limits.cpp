@@ -4,14 +4,14 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 void moveLimits(FreedomParts& parts, Real h) {
-    parts.lower += h * parts.pace.lower;
-    parts.upper += h * parts.pace.upper;
+    parts.lower += h * parts.motion.glide.lower;
+    parts.upper += h * parts.motion.glide.upper;
 }
 void moveLimits(WheelConstraint& joint, Real h) { moveLimits(joint.suspension, h); }
 void moveLimits(DistanceConstraint& joint, Real h) {
-    joint.length += h * joint.pace.lower;
-    joint.minLength += h * joint.pace.lower;
-    joint.maxLength += h * joint.pace.upper;
+    joint.length += h * joint.motion.glide.lower;
+    joint.minLength += h * joint.motion.glide.lower;
+    joint.maxLength += h * joint.motion.glide.upper;
 }
 
 }  // namespace
@@ -19,7 +19,7 @@ void moveLimits(DistanceConstraint& joint, Real h) {
 void moveLimits(SolverBatch& batch, Real h) {
     const auto moveThose = [h](auto& joints) {
         for (auto& joint : joints) {
-            if (joint.isPaced) { moveLimits(joint, h); }
+            if (joint.isGliding) { moveLimits(joint, h); }
         }
     };
     moveThose(batch.revolutes);

@@ -4,7 +4,7 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Limits and lengths of what is paced go on for h seconds, as the bodies do.
+/// Limits and lengths that move go on for h seconds, as the bodies do.
 void moveLimits(SolverBatch& batch, Real h);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -42,19 +42,23 @@ Real lesserOf(Real a, Real b) {
     return std::fabs(a) < std::fabs(b) ? a : b;
 }
 
-/// What goes on as it did in the step before moves. What is set elsewhere once is put there, and draws its bodies after
-/// it without leaving them any speed; and so does what goes farther in a step than its bodies are wide.
-void findPace(DrivenJoint& driven, const WorldState& world, const Joint& joint, Real dt) {
-    const auto paceOf = [&](std::size_t i) {
-        const Real speed = std::exchange(driven.way[i], Real(0)) / dt;
-        return lesserOf(speed, std::exchange(driven.speedBefore[i], speed));
+/// What goes on as it did in the step before has a pace. What is set elsewhere once draws its bodies after it, and leaves
+/// them no speed; and so does what goes farther in a step than its bodies are wide. What jumps does not glide, either.
+void findMotion(DrivenJoint& driven, const WorldState& world, const Joint& joint, Real dt) {
+    const std::array<Real, 2> before = driven.speedBefore;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        driven.speedBefore[i] = std::exchange(driven.way[i], Real(0)) / dt;
+    }
+    const auto& now = driven.speedBefore;
+    LimitPace pace{lesserOf(now[0], before[0]), lesserOf(now[1], before[1])};
+    const auto speedOf = [&](const LimitPace& of) {
+        return driven.lever * std::max(std::fabs(of.lower), std::fabs(of.upper));
     };
-    driven.pace.lower = paceOf(0);
-    driven.pace.upper = paceOf(1);
-    driven.paceSpeed = driven.lever * std::max(std::fabs(driven.pace.lower), std::fabs(driven.pace.upper));
-    if (!driven.pace.any() || dt * driven.paceSpeed <= 2 * smallestOf(world, joint, &Body::radius)) { return; }
-    driven.pace = {};
-    driven.paceSpeed = 0;
+    if (pace.any() && dt * speedOf(pace) > 2 * smallestOf(world, joint, &Body::radius)) { pace = {}; }
+    driven.paceSpeed = speedOf(pace);
+    const bool yanks = isYank(world, joint, std::exchange(driven.jump, Real(0)) - dt * driven.paceSpeed);
+    driven.motion = {yanks ? pace : LimitPace{now[0], now[1]}, pace};
+    driven.isYank = driven.isYank || yanks;
 }
 
 /// The accounts of what the joint ties, as far as they are of the present solve.
@@ -98,10 +102,8 @@ void beginDriven(WorldState& world, double dt) {
         Joint* const joint = world.joints.find(driven.joint);
         if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->pace = (1 / step) * mouse->toGo; }
-        findPace(driven, world, *joint, step);
-        if (driven.pace.any()) { world.jointTies[driven.joint.index].hingeParts.isPaced = true; }
-        const Real jump = std::exchange(driven.jump, Real(0)) - step * driven.paceSpeed;
-        driven.isYank = driven.isYank || isYank(world, *joint, jump);
+        findMotion(driven, world, *joint, step);
+        if (driven.motion.glide.any()) { world.jointTies[driven.joint.index].hingeParts.isGliding = true; }
     }
 }
 
@@ -111,8 +113,8 @@ void endDriven(WorldState& world) {
         Joint* const joint = world.joints.find(driven.joint);
         if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->toGo = mouse->pace = {}; }
-        world.jointTies[driven.joint.index].hingeParts.isPaced = false;
-        driven.pace = {};
+        world.jointTies[driven.joint.index].hingeParts.isGliding = false;
+        driven.motion = {};
         driven.paceSpeed = 0;
         joint->driven = kNotDriven;
         if (--driven.stepsLeft == 0) { continue; }

@@ -23,7 +23,7 @@ void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) {
     if (!limits) { return; }
     parts.lower = limits->lower;
     parts.upper = limits->upper;
-    parts.pace = {};
+    parts.motion = {};
 }
 void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring, Real h) {
     parts.hasSpring = spring.has_value();
@@ -85,7 +85,7 @@ struct ConstraintFiller {
         constraint.hasSpring = def.spring.has_value();
         if (def.spring) { constraint.spring = rodSpringOf(world, joint, *def.spring, h); }
         constraint.hasLimits = def.limits.has_value();
-        constraint.pace = {};
+        constraint.motion = {};
         if (def.limits) {
             constraint.minLength = def.limits->min;
             constraint.maxLength = def.limits->max;
@@ -184,7 +184,7 @@ struct ConstraintFiller {
     }
     template <class Part>
     void fill(typename Part::Constraint& constraint, const Part& part) const {
-        constraint.isHeld = constraint.isDriveHeld = constraint.isPaced = false;
+        constraint.isHeld = constraint.isDriveHeld = constraint.isGliding = false;
         constraint.slotA = world.solverSlots[joint.bodyA];
         constraint.slotB = world.solverSlots[joint.bodyB];
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
@@ -245,37 +245,37 @@ PulleyConstraint& append(SolverBatch& batch, const PulleyConstraint& c) { return
 
 /// Limits that move are where they come from. @return false where they would come from beyond each other
 /// @param left  of the step, s
-bool setOut(Real& lower, Real& upper, const LimitPace& pace, Real left) {
-    const Real lowerBefore = lower - left * pace.lower;
-    const Real upperBefore = upper - left * pace.upper;
+bool setOut(Real& lower, Real& upper, const LimitPace& glide, Real left) {
+    const Real lowerBefore = lower - left * glide.lower;
+    const Real upperBefore = upper - left * glide.upper;
     if (!(lowerBefore <= upperBefore)) { return false; }
     lower = lowerBefore;
     upper = upperBefore;
     return true;
 }
-bool setOut(FreedomParts& parts, const LimitPace& pace, Real left) {
-    const bool moves = parts.hasLimits && setOut(parts.lower, parts.upper, pace, left);
-    if (moves) { parts.pace = pace; }
+bool setOut(FreedomParts& parts, const LimitMotion& motion, Real left) {
+    const bool moves = parts.hasLimits && setOut(parts.lower, parts.upper, motion.glide, left);
+    if (moves) { parts.motion = motion; }
     return moves;
 }
-bool setOut(WheelConstraint& constraint, const LimitPace& pace, Real left) {
-    return setOut(constraint.suspension, pace, left);
+bool setOut(WheelConstraint& constraint, const LimitMotion& motion, Real left) {
+    return setOut(constraint.suspension, motion, left);
 }
-bool setOut(DistanceConstraint& constraint, const LimitPace& pace, Real left) {
+bool setOut(DistanceConstraint& constraint, const LimitMotion& motion, Real left) {
     if (constraint.isRigid) {
-        constraint.length -= left * pace.lower;
-    } else if (!constraint.hasLimits || !setOut(constraint.minLength, constraint.maxLength, pace, left)) {
+        constraint.length -= left * motion.glide.lower;
+    } else if (!constraint.hasLimits || !setOut(constraint.minLength, constraint.maxLength, motion.glide, left)) {
         return false;
     }
-    constraint.pace = pace;
+    constraint.motion = motion;
     return true;
 }
 
 /// Limits and lengths set out for where calls put them.
 template <class Constraint>
-void setPace(Constraint& constraint, const LimitPace& pace, Real left) {
-    if constexpr (requires { setOut(constraint, pace, left); }) {
-        if (pace.any()) { constraint.isPaced = setOut(constraint, pace, left); }
+void setMotion(Constraint& constraint, const LimitMotion& motion, Real left) {
+    if constexpr (requires { setOut(constraint, motion, left); }) {
+        if (motion.glide.any()) { constraint.isGliding = setOut(constraint, motion, left); }
     }
 }
 
@@ -302,8 +302,8 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
         constraint.source = source;
         if (const DrivenJoint* const driven = drivenOf(world, joint)) {
             constraint.woundSpeed = woundSpeed(*driven);
-            setPace(constraint, driven->pace, left);
-            batch.isAnyPaced = batch.isAnyPaced || constraint.isPaced;
+            setMotion(constraint, driven->motion, left);
+            batch.isAnyGliding = batch.isAnyGliding || constraint.isGliding;
         }
     });
 }
@@ -312,7 +312,7 @@ RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source
     const Joint& joint = world.joints[source];
     const auto& part = *std::get_if<HingePart>(&joint.parts);
     RevoluteConstraint constraint = ConstraintFiller{world, joint, h, dt}.constraintOf(part);
-    if (const DrivenJoint* const driven = drivenOf(world, joint)) { setPace(constraint, driven->pace, left); }
+    if (const DrivenJoint* const driven = drivenOf(world, joint)) { setMotion(constraint, driven->motion, left); }
     constraint.source = source;
     return constraint;
 }

@@ -44,7 +44,7 @@ void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
                                 .source = joint,
                                 .parts = tie.hingeParts});
     batch.hingeStore = this;
-    batch.isAnyPaced = batch.isAnyPaced || tie.hingeParts.isPaced;
+    batch.isAnyGliding = batch.isAnyGliding || tie.hingeParts.isGliding;
 }
 
 /// Of the bodies of a solve centres stand in an array of their own.

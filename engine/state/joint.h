@@ -40,8 +40,8 @@ struct DrivenJoint {
     std::array<Real, 2> way{};
     std::array<Real, 2> speedBefore{};
     Real lever = 1;      ///< metres by unit of these
-    LimitPace pace{};    ///< in this step
-    Real paceSpeed = 0;  ///< of the faster one, m/s
+    LimitMotion motion{};  ///< in this step
+    Real paceSpeed = 0;    ///< of the faster pace, m/s
 };
 
 /// Impulses with which a hinge begins the next step: those of the last sub-step, N·s and N·m·s.

@@ -41,7 +41,7 @@ public:
         const Real turn = offset.length > 0 ? bendingTurn(aside / offset.length) : Real(0);
         const Real bend = dot(joint.axis, bend_) + Real(0.5) * aside * turn;
         const Real error = offset.length - joint.length;
-        add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse, joint.pace.lower);
+        add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse, joint.motion.asked(useBias_).lower);
     }
     void operator()(PrismaticConstraint& joint) {
         begin(joint);

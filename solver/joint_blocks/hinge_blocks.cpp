@@ -17,7 +17,7 @@ constexpr std::size_t kPlaceGrain = 128;
 constexpr std::size_t kBlockGrain = 16;
 
 HingeParts partsOf(const RevoluteConstraint& joint) {
-    return {joint.hasSpring, joint.hasMotor, joint.hasLimits, joint.isPaced};
+    return {joint.hasSpring, joint.hasMotor, joint.hasLimits, joint.isGliding};
 }
 
 std::uint8_t numberOf(const HingeParts& parts) {
@@ -36,7 +36,7 @@ void emptyBlock(WideRevolute& block, std::uint32_t lanes, HingeParts parts) {
 
 BlockLayout::Kind HingeBlocks::kindOf(const HingeLink& link, bool isHeld, int colour,
                                       std::span<const BodyInertia> inertias) const {
-    if (kernels_ == nullptr || colour == kOverflowColour || isHeld || link.parts.isPaced) {
+    if (kernels_ == nullptr || colour == kOverflowColour || isHeld || link.parts.isGliding) {
         return BlockLayout::kAlone;
     }
     // Parts of a joint whose bodies cannot turn do nothing, which only the scalar code knows.

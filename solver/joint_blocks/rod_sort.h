@@ -20,7 +20,7 @@ struct RodSort {
     static const RodKernels* kernels() { return rodKernels(); }
 
     static BlockLayout::Kind kindOf(const DistanceConstraint& joint, std::span<const BodyInertia>) {
-        if (joint.isHeld || joint.isPaced) { return BlockLayout::kAlone; }
+        if (joint.isHeld || joint.isGliding) { return BlockLayout::kAlone; }
         return static_cast<BlockLayout::Kind>((joint.isRigid ? 4U : 0U) + (joint.hasSpring ? 2U : 0U) +
                                               (joint.hasLimits ? 1U : 0U));
     }

@@ -51,7 +51,7 @@ public:
 
     /// Some hold is moved in this step, at so many m/s, so energy does not tell whether it went wrong.
     void allowWork(double speed) { woundSpeed_ = std::max(woundSpeed_, speed); }
-    /// Some rod has a pace. @pre `allowWork`
+    /// Some rod may have a pace. @pre `allowWork`
     void allowPace() { isPaced_ = true; }
     /// @pre bodies and holds are filled in, forces with those of the step before
     void prepare();

@@ -38,14 +38,21 @@ IslandBody bodyAt(const SolverBatch& batch, BodySlot slot) {
 /// Adds what joints hold, one after another.
 class HoldWriter {
 public:
-    HoldWriter(JointIslands& islands, SolverBatch& batch, Real h) : islands_(islands), batch_(batch), h_(h) {}
+    HoldWriter(JointIslands& islands, SolverBatch& batch, Real h, int subSteps)
+        : islands_(islands), batch_(batch), h_(h), duration_(static_cast<double>(h) * subSteps) {}
 
     void operator()(RevoluteConstraint& joint) { addPoint(joint, joint.linearImpulse); }
     void operator()(DistanceConstraint& joint) {
         IslandHold& hold = add(joint, IslandHold::Kind::rod, joint.rigidImpulse);
         hold.axis = toDoubles(joint.axis);
         hold.rest = hold.begun = static_cast<double>(joint.length);
-        if (joint.isPaced) { hold.rows[0].pace = static_cast<double>(joint.pace.lower); }
+        if (!joint.isGliding) { return; }
+        // What it goes farther than by its pace is a gap, which is closed over all of the step.
+        const auto pace = static_cast<double>(joint.motion.pace.lower);
+        hold.rest += (static_cast<double>(joint.motion.glide.lower) - pace) * duration_;
+        hold.begun = hold.rest;
+        hold.rows[0].pace = pace;
+        islands_.parts_[islands_.sources_.back().part].allowPace();
     }
     void operator()(PrismaticConstraint& joint) {
         addSide(joint, joint.heldImpulse.x);
@@ -75,7 +82,6 @@ private:
         islands_.sources_.push_back({number, place, {&impulse, nullptr}, &joint.total});
         joint.total = {};
         if (joint.woundSpeed > 0) { island.allowWork(static_cast<double>(joint.woundSpeed)); }
-        if (joint.isPaced) { island.allowPace(); }
         island.holds().push_back(hold);
         return island.holds().back();
     }
@@ -97,6 +103,7 @@ private:
     JointIslands& islands_;
     SolverBatch& batch_;
     Real h_;
+    double duration_;  ///< of the step, s
 };
 
 void JointIslands::list(SolverBatch& batch) {
@@ -166,7 +173,7 @@ void JointIslands::readBack(SolverBatch& batch, int subSteps) {
 void JointIslands::solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report) {
     list(batch);
     sources_.clear();
-    HoldWriter writer(*this, batch, h);
+    HoldWriter writer(*this, batch, h, subSteps);
     forEachHeldKind(batch, [&](auto& joints) {
         for (auto& joint : joints) {
             if (isMovable(batch.inertias[joint.slotA]) || isMovable(batch.inertias[joint.slotB])) { writer(joint); }

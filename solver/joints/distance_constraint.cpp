@@ -66,19 +66,20 @@ void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
         joint.springImpulse += change;
         rod.apply(change);
     }
+    const LimitPace& asked = joint.motion.asked(useBias);
     if (joint.isRigid && !(joint.isHeld && useBias)) {
         const Real error = useBias ? rod.length - joint.length : Real(0);
-        const Real change = scalarChange(rod.mass, rod.speed() - joint.pace.lower, error, joint.rigidImpulse,
+        const Real change = scalarChange(rod.mass, rod.speed() - asked.lower, error, joint.rigidImpulse,
                                          useBias ? joint.softness : kRigid);
         joint.rigidImpulse += change;
         rod.apply(change);
     }
     if (!joint.hasLimits) { return; }
-    const Real lower = limitChange(rod.mass, rod.speed() - joint.pace.lower, rod.length - joint.minLength,
+    const Real lower = limitChange(rod.mass, rod.speed() - asked.lower, rod.length - joint.minLength,
                                    joint.lowerImpulse, joint.softness, h, useBias);
     joint.lowerImpulse += lower;
     rod.apply(lower);
-    const Real upper = limitChange(rod.mass, -(rod.speed() - joint.pace.upper), joint.maxLength - rod.length,
+    const Real upper = limitChange(rod.mass, -(rod.speed() - asked.upper), joint.maxLength - rod.length,
                                    joint.upperImpulse, joint.softness, h, useBias);
     joint.upperImpulse += upper;
     rod.apply(-upper);

@@ -10,7 +10,7 @@ struct DistanceConstraint : JointConstraint {
     Real length = 0;  ///< of rod or spring, metres; as the limits of `FreedomParts`
     Real minLength = 0;
     Real maxLength = 0;
-    LimitPace pace;  ///< of a rod the lower one is that of its length
+    LimitMotion motion;  ///< of a rod the lower one is that of its length
     TurningSpring spring;
     bool isRigid = true;
     bool hasSpring = false;

@@ -38,7 +38,7 @@ inline Real approachSpeed(Real distance, Real rate, Real acceleration) {
 struct FreedomParts {
     Real lower = 0;  ///< rad or metres, at the start of the sub-step; from its motion on at the end
     Real upper = 0;
-    LimitPace pace;
+    LimitMotion motion;
     Real motorSpeed = 0;       ///< rad/s or m/s
     Real maxMotorImpulse = 0;  ///< maximum torque or force times sub-step
     SpringGains spring;        ///< towards 0
@@ -85,12 +85,13 @@ void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& so
         push(change);
     }
     if (!parts.hasLimits) { return; }
+    const LimitPace& asked = parts.motion.asked(useBias);
     const Real lower =
-        limitChange(mass, speed() - parts.pace.lower, place - parts.lower, parts.lowerImpulse, softness, h, useBias);
+        limitChange(mass, speed() - asked.lower, place - parts.lower, parts.lowerImpulse, softness, h, useBias);
     parts.lowerImpulse += lower;
     push(lower);
     const Real upper =
-        limitChange(mass, -(speed() - parts.pace.upper), parts.upper - place, parts.upperImpulse, softness, h, useBias);
+        limitChange(mass, -(speed() - asked.upper), parts.upper - place, parts.upperImpulse, softness, h, useBias);
     parts.upperImpulse += upper;
     push(-upper);
 }

@@ -10,7 +10,7 @@ struct HingeParts {
     bool hasSpring : 1 = false;
     bool hasMotor : 1 = false;
     bool hasLimits : 1 = false;
-    bool isPaced : 1 = false;  ///< these move: then it stands in no block
+    bool isGliding : 1 = false;  ///< these move: then it stands in no block
 
     bool any() const { return hasSpring || hasMotor || hasLimits; }
     bool operator==(const HingeParts&) const = default;

@@ -227,7 +227,7 @@ TEST(DrivenLimits, RaiseAndLowerADrawbridge) {
                 run(world, 1);
                 lowest = std::min(lowest, heightOfCrate());
             }
-            EXPECT_GT(lowest, -0.03) << nameOf(profile) << ", " << rate << " rad/s";
+            EXPECT_GT(lowest, -0.05) << nameOf(profile) << ", " << rate << " rad/s";
             EXPECT_NEAR(heightOfCrate(), 0, 0.05) << nameOf(profile) << ", " << rate << " rad/s";
             EXPECT_NEAR(world.angle(bridge), rate * steps * kStep, 0.001) << nameOf(profile);
             EXPECT_NEAR(spinOf(world, bridge), rate, 0.01 * rate) << nameOf(profile);
