@@ -4,11 +4,13 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 void moveLimits(FreedomParts& parts, Real h) {
+    if (!parts.isGliding) { return; }
     parts.lower += h * parts.motion.glide.lower;
     parts.upper += h * parts.motion.glide.upper;
 }
 void moveLimits(WheelConstraint& joint, Real h) { moveLimits(joint.suspension, h); }
 void moveLimits(DistanceConstraint& joint, Real h) {
+    if (!joint.isGliding) { return; }
     joint.length += h * joint.motion.glide.lower;
     joint.minLength += h * joint.motion.glide.lower;
     joint.maxLength += h * joint.motion.glide.upper;
@@ -17,15 +19,10 @@ void moveLimits(DistanceConstraint& joint, Real h) {
 }  // namespace
 
 void moveLimits(SolverBatch& batch, Real h) {
-    const auto moveThose = [h](auto& joints) {
-        for (auto& joint : joints) {
-            if (joint.isGliding) { moveLimits(joint, h); }
-        }
-    };
-    moveThose(batch.revolutes);
-    moveThose(batch.distances);
-    moveThose(batch.prismatics);
-    moveThose(batch.wheels);
+    for (RevoluteConstraint& joint : batch.revolutes) { moveLimits(joint, h); }
+    for (DistanceConstraint& joint : batch.distances) { moveLimits(joint, h); }
+    for (PrismaticConstraint& joint : batch.prismatics) { moveLimits(joint, h); }
+    for (WheelConstraint& joint : batch.wheels) { moveLimits(joint, h); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -45,7 +45,7 @@ struct SolverBatch {
     std::vector<MouseConstraint> mice;
     std::vector<GearConstraint> gears;
     std::vector<PulleyConstraint> pulleys;
-    bool isAnyGliding = false;  ///< limits or lengths of some joint move
+    bool mayGlide = false;  ///< limits or lengths of some joint may move
 
     /// Calls `visit` with the array of each kind of joint, in the order in which a colour solves them; contacts come
     /// after.
@@ -79,7 +79,7 @@ struct SolverBatch {
         forEachJointKind([](auto& joints) { joints.clear(); });
         hingeLinks.clear();
         hingeStore = nullptr;
-        isAnyGliding = false;
+        mayGlide = false;
     }
     bool hasHinges() const { return !revolutes.empty() || !hingeLinks.empty(); }
     BodySlot addBody(const BodyState& state, const BodyInertia& inertia, const BodyDrive& drive) {

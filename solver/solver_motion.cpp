@@ -47,7 +47,7 @@ void Solver::integratePositions(SolverBatch& batch, Real h) {
     forBodies(batch, [&](std::size_t begin, std::size_t end) {
         move_(std::span(batch.states).subspan(begin + 1, end - begin), h);
     });
-    if (batch.isAnyGliding) { moveLimits(batch, h); }
+    if (batch.mayGlide) { moveLimits(batch, h); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -20,10 +20,10 @@ constexpr Real kApproachRatio = Real(0.3);
 template <class Limits>
 void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) {
     parts.hasLimits = limits.has_value();
+    parts.isGliding = false;
     if (!limits) { return; }
     parts.lower = limits->lower;
     parts.upper = limits->upper;
-    parts.motion = {};
 }
 void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring, Real h) {
     parts.hasSpring = spring.has_value();
@@ -85,7 +85,7 @@ struct ConstraintFiller {
         constraint.hasSpring = def.spring.has_value();
         if (def.spring) { constraint.spring = rodSpringOf(world, joint, *def.spring, h); }
         constraint.hasLimits = def.limits.has_value();
-        constraint.motion = {};
+        constraint.isGliding = false;
         if (def.limits) {
             constraint.minLength = def.limits->min;
             constraint.maxLength = def.limits->max;
@@ -184,7 +184,7 @@ struct ConstraintFiller {
     }
     template <class Part>
     void fill(typename Part::Constraint& constraint, const Part& part) const {
-        constraint.isHeld = constraint.isDriveHeld = constraint.isGliding = false;
+        constraint.isHeld = constraint.isDriveHeld = false;
         constraint.slotA = world.solverSlots[joint.bodyA];
         constraint.slotB = world.solverSlots[joint.bodyB];
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
@@ -253,30 +253,19 @@ bool setOut(Real& lower, Real& upper, const LimitPace& glide, Real left) {
     upper = upperBefore;
     return true;
 }
-bool setOut(FreedomParts& parts, const LimitMotion& motion, Real left) {
-    const bool moves = parts.hasLimits && setOut(parts.lower, parts.upper, motion.glide, left);
-    if (moves) { parts.motion = motion; }
-    return moves;
+void setOut(FreedomParts& parts, const LimitMotion& motion, Real left) {
+    parts.isGliding = parts.hasLimits && setOut(parts.lower, parts.upper, motion.glide, left);
+    parts.motion = motion;
 }
-bool setOut(WheelConstraint& constraint, const LimitMotion& motion, Real left) {
-    return setOut(constraint.suspension, motion, left);
+void setOut(WheelConstraint& constraint, const LimitMotion& motion, Real left) {
+    setOut(constraint.suspension, motion, left);
 }
-bool setOut(DistanceConstraint& constraint, const LimitMotion& motion, Real left) {
-    if (constraint.isRigid) {
-        constraint.length -= left * motion.glide.lower;
-    } else if (!constraint.hasLimits || !setOut(constraint.minLength, constraint.maxLength, motion.glide, left)) {
-        return false;
-    }
+void setOut(DistanceConstraint& constraint, const LimitMotion& motion, Real left) {
+    const bool isLimited = constraint.hasLimits;
+    const bool glides = isLimited && setOut(constraint.minLength, constraint.maxLength, motion.glide, left);
+    constraint.isGliding = constraint.isRigid || glides;
+    if (constraint.isRigid) { constraint.length -= left * motion.glide.lower; }
     constraint.motion = motion;
-    return true;
-}
-
-/// Limits and lengths set out for where calls put them.
-template <class Constraint>
-void setMotion(Constraint& constraint, const LimitMotion& motion, Real left) {
-    if constexpr (requires { setOut(constraint, motion, left); }) {
-        if (motion.glide.any()) { constraint.isGliding = setOut(constraint, motion, left); }
-    }
 }
 
 /// Calls `visit(part)` unless the joint is a filter.
@@ -302,8 +291,9 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
         constraint.source = source;
         if (const DrivenJoint* const driven = drivenOf(world, joint)) {
             constraint.woundSpeed = woundSpeed(*driven);
-            setMotion(constraint, driven->motion, left);
-            batch.isAnyGliding = batch.isAnyGliding || constraint.isGliding;
+            if constexpr (requires { setOut(constraint, driven->motion, left); }) {
+                if (driven->motion.glide.any()) { setOut(constraint, driven->motion, left); }
+            }
         }
     });
 }
@@ -312,7 +302,9 @@ RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source
     const Joint& joint = world.joints[source];
     const auto& part = *std::get_if<HingePart>(&joint.parts);
     RevoluteConstraint constraint = ConstraintFiller{world, joint, h, dt}.constraintOf(part);
-    if (const DrivenJoint* const driven = drivenOf(world, joint)) { setMotion(constraint, driven->motion, left); }
+    if (const DrivenJoint* const driven = drivenOf(world, joint)) {
+        if (driven->motion.glide.any()) { setOut(constraint, driven->motion, left); }
+    }
     constraint.source = source;
     return constraint;
 }

@@ -44,7 +44,6 @@ void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
                                 .source = joint,
                                 .parts = tie.hingeParts});
     batch.hingeStore = this;
-    batch.isAnyGliding = batch.isAnyGliding || tie.hingeParts.isGliding;
 }
 
 /// Of the bodies of a solve centres stand in an array of their own.

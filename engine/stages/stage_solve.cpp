@@ -99,6 +99,7 @@ void addJoints(WorldState& world, const TiedGroup& group, TiedHinges& hinges, bo
                const StepPart& part) {
     const auto dt = static_cast<Real>(part.dt);
     const auto left = static_cast<Real>(part.dt - part.begin);
+    group.desk.batch.mayGlide = !world.drivenJoints.empty();
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
         if (tie.isHinge && areIterated) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../../shapes/compiler.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
@@ -41,7 +43,8 @@ public:
         const Real turn = offset.length > 0 ? bendingTurn(aside / offset.length) : Real(0);
         const Real bend = dot(joint.axis, bend_) + Real(0.5) * aside * turn;
         const Real error = offset.length - joint.length;
-        add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse, joint.motion.asked(useBias_).lower);
+        add(rowAlong(joint.axis, armA_, armB_), rateFor(error), error, bend, joint.rigidImpulse);
+        if (joint.isGliding) { rows_.back().bias -= joint.motion.asked(useBias_).lower; }
     }
     void operator()(PrismaticConstraint& joint) {
         begin(joint);
@@ -59,7 +62,7 @@ public:
     }
 
 private:
-    void begin(const JointConstraint& joint) {
+    SWEPT_FORCE_INLINE void begin(const JointConstraint& joint) {
         joint_ = &joint;
         a_ = &batch_.states[joint.slotA];
         b_ = &batch_.states[joint.slotB];
@@ -96,9 +99,8 @@ private:
     }
     /// @param bend  what the error grows by beyond the first order, at the speeds there are: the motion is to end, not
     /// only to begin, where the joint holds
-    /// @param pace  of what the row is held to, m/s
-    void add(const JointRow& row, Real errorRate, Real error, Real bend, Real& impulse, Real pace = 0) {
-        const Real bias = (useBias_ ? errorRate * error + bend / h_ : Real(0)) - pace;
+    void add(const JointRow& row, Real errorRate, Real error, Real bend, Real& impulse) {
+        const Real bias = useBias_ ? errorRate * error + bend / h_ : Real(0);
         rows_.push_back({row, joint_->slotA, joint_->slotB, bias, &impulse});
     }
     void addPoint(const JointConstraint& joint, Vec2& impulse) {

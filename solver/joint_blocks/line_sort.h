@@ -17,7 +17,7 @@ struct LineSort {
     static BlockLayout::Kind kindOf(const Joint& joint, const FreedomParts& along,
                                     std::span<const BodyInertia> inertias) {
         const bool turns = inertias[joint.slotA].inverseInertia + inertias[joint.slotB].inverseInertia > 0;
-        if (joint.isHeld || joint.isGliding || !turns) { return BlockLayout::kAlone; }
+        if (joint.isHeld || along.isGliding || !turns) { return BlockLayout::kAlone; }
         return static_cast<BlockLayout::Kind>((joint.hasMotor ? 4U : 0U) + (along.hasSpring ? 2U : 0U) +
                                               (along.hasLimits ? 1U : 0U));
     }

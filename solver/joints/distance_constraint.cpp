@@ -59,14 +59,10 @@ SpringGains gainsOf(const DistanceConstraint& joint, const Rod& rod) {
     return gainsAt(joint.spring, phaseSquaredAt(joint.spring, rod.response));
 }
 
-void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
-    if (!(rod.mass > 0)) { return; }   // nothing to move; and 0 kg times the room of a limit at infinity is no number
-    if (joint.hasSpring && useBias) {  // once per sub-step
-        const Real change = gainsOf(joint, rod).drag * (joint.springImpulse - rod.mass * rod.speed());
-        joint.springImpulse += change;
-        rod.apply(change);
-    }
-    const LimitPace& asked = joint.motion.asked(useBias);
+/// What holds its length. @tparam kGlide  length and limits move
+template <bool kGlide>
+void solveHeld(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
+    const LimitPace asked = kGlide ? joint.motion.asked(useBias) : LimitPace{};
     if (joint.isRigid && !(joint.isHeld && useBias)) {
         const Real error = useBias ? rod.length - joint.length : Real(0);
         const Real change = scalarChange(rod.mass, rod.speed() - asked.lower, error, joint.rigidImpulse,
@@ -83,6 +79,20 @@ void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
                                    joint.upperImpulse, joint.softness, h, useBias);
     joint.upperImpulse += upper;
     rod.apply(-upper);
+}
+
+void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
+    if (!(rod.mass > 0)) { return; }   // nothing to move; and 0 kg times the room of a limit at infinity is no number
+    if (joint.hasSpring && useBias) {  // once per sub-step
+        const Real change = gainsOf(joint, rod).drag * (joint.springImpulse - rod.mass * rod.speed());
+        joint.springImpulse += change;
+        rod.apply(change);
+    }
+    if (joint.isGliding) [[unlikely]] {
+        solveHeld<true>(joint, rod, h, useBias);
+    } else {
+        solveHeld<false>(joint, rod, h, useBias);
+    }
 }
 
 }  // namespace

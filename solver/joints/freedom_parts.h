@@ -45,6 +45,7 @@ struct FreedomParts {
     bool hasLimits = false;
     bool hasMotor = false;
     bool hasSpring = false;
+    bool isGliding = false;  ///< the limits move
     /// Accumulated; warm start in, result out. N·s or N·m·s per sub-step. That of the spring is made anew by each warm
     /// start, but what is held holds an answer to the old one, and has to know it.
     Real lowerImpulse = 0;
@@ -66,6 +67,21 @@ constexpr void pushSpring(FreedomParts& parts, Real mass, Real place) {
     parts.springImpulse = parts.hasSpring ? -mass * (parts.spring.push * place) : Real(0);
 }
 
+/// Limits, one after the other. @tparam kGlide  they move
+template <bool kGlide, class SpeedNow, class Push>
+void solveLimits(FreedomParts& parts, Real mass, Real place, const Softness& softness, Real h, bool useBias,
+                 SpeedNow&& speed, Push&& push) {
+    const LimitPace asked = kGlide ? parts.motion.asked(useBias) : LimitPace{};
+    const Real lower =
+        limitChange(mass, speed() - asked.lower, place - parts.lower, parts.lowerImpulse, softness, h, useBias);
+    parts.lowerImpulse += lower;
+    push(lower);
+    const Real upper =
+        limitChange(mass, -(speed() - asked.upper), parts.upper - place, parts.upperImpulse, softness, h, useBias);
+    parts.upperImpulse += upper;
+    push(-upper);
+}
+
 /// Drag of the spring, motor and limits in this order: limits have the last word. @param speed  the present one, called
 /// anew for each
 /// @param drives  the motor is not held otherwise (`JointConstraint::isDriveHeld`)
@@ -85,15 +101,11 @@ void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& so
         push(change);
     }
     if (!parts.hasLimits) { return; }
-    const LimitPace& asked = parts.motion.asked(useBias);
-    const Real lower =
-        limitChange(mass, speed() - asked.lower, place - parts.lower, parts.lowerImpulse, softness, h, useBias);
-    parts.lowerImpulse += lower;
-    push(lower);
-    const Real upper =
-        limitChange(mass, -(speed() - asked.upper), parts.upper - place, parts.upperImpulse, softness, h, useBias);
-    parts.upperImpulse += upper;
-    push(-upper);
+    if (parts.isGliding) [[unlikely]] {
+        solveLimits<true>(parts, mass, place, softness, h, useBias, speed, push);
+    } else {
+        solveLimits<false>(parts, mass, place, softness, h, useBias, speed, push);
+    }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -34,7 +34,6 @@ struct JointConstraint {
     bool isHeld =
         false;  ///< a direct solve brings anchors, lengths and angles to where they belong: no bias moves them
     bool isDriveHeld = false;  ///< its motor is a row of that solve, too: only relaxation moves it
-    bool isGliding = false;    ///< its limits or its length move, see `LimitMotion`
     Real woundSpeed = 0;       ///< m/s at which what it holds is given another length or place: it does work
     std::uint32_t source = 0;  ///< the engine's name for the joint
     JointReaction total;       ///< over the step: the sum of the sub-steps
