@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,17 +28,8 @@ enum class Hold { lowerLimit, bothLimits, rods, ropes };
 constexpr std::array kHolds{Hold::lowerLimit, Hold::bothLimits, Hold::rods, Hold::ropes};
 
 const char* nameOf(Hold hold) {
-    switch (hold) {
-        case Hold::lowerLimit:
-            return "slider on its lower limit";
-        case Hold::bothLimits:
-            return "slider between limits";
-        case Hold::rods:
-            return "rods";
-        case Hold::ropes:
-            return "ropes";
-    }
-    return "";
+    constexpr std::array kNames{"slider on its lower limit", "slider between limits", "rods", "ropes"};
+    return kNames[static_cast<std::size_t>(hold)];
 }
 
 /// A body that joints hold at a height that calls set.
