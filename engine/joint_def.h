@@ -122,8 +122,9 @@ struct WeldJointDef {
     std::optional<Spring> angularSpring{};  ///< empty: rigid
 };
 
-/// Where, or how fast, a motor joint drives B relative to A. A pose is approached so that the motor can stop there.
-/// Without any strength it drives nothing (the scene format refuses that).
+/// Where, or how fast, a motor joint drives B relative to A. A pose is approached so that the motor can stop there. (In
+/// profile `fast`, and in touch with others, it gives way a little under a load where other joints hold its bodies,
+/// too.) Without any strength it drives nothing (the scene format refuses that).
 struct MotorDrive {
     std::optional<Vec2>
         linearOffset{};  ///< of B's origin in the frame of A, metres; empty: as it was when the joint was made

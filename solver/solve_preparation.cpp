@@ -26,13 +26,9 @@ void makeContactsRigid(SolverBatch& batch, DirectScope scope) {
         contact.isHeld = true;
     }
 }
-void makeJointsRigid(SolverBatch& batch, DirectScope scope) {
-    const bool areDrivesHeld = holdsDrives(scope);
-    batch.forEachJointKind([areDrivesHeld](auto& joints) {
-        for (auto& joint : joints) {
-            joint.isHeld = true;
-            joint.isDriveHeld = areDrivesHeld;
-        }
+void makeJointsRigid(SolverBatch& batch) {
+    batch.forEachJointKind([](auto& joints) {
+        for (auto& joint : joints) { joint.isHeld = true; }
     });
 }
 

@@ -19,7 +19,7 @@ void prepareJoints(SolverBatch& batch);
 bool mayBeJointed(const SolverBatch& batch);
 /// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
 void makeContactsRigid(SolverBatch& batch, DirectScope scope);
-void makeJointsRigid(SolverBatch& batch, DirectScope scope);
+void makeJointsRigid(SolverBatch& batch);
 /// Those of a sub-step to the totals.
 void addUpImpulses(std::vector<ContactConstraint>& contacts);
 

@@ -327,7 +327,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     areJointed_ = report.isDirect && settings.direct == DirectScope::jointed;
     if (report.isDirect) {
         makeContactsRigid(batch, settings.direct);
-        if constexpr (kJoints) { makeJointsRigid(batch, settings.direct); }
+        if constexpr (kJoints) { makeJointsRigid(batch); }
     }
     const bool contactsAreDirect = report.isDirect && looksAtContacts(settings.direct);
     const bool isAtOnce = loops.startSeconds() < TaskSystem::kAtOnce;

@@ -137,7 +137,7 @@ void addJoints(WorldState& world) {
         IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
         load.longestChain = std::max(load.longestChain, chain.joints);
         // What only lies on a bridge makes it no chain.
-        load.hasLoop = load.hasLoop || chain.joints > chain.bodies;
+        load.hasLoop = load.hasLoop || chain.ties > chain.bodies;
         load.isAnchored = load.isAnchored || chain.anchors > 0;
         load.joints += chain.joints;
         load.plainJoints += chain.plainJoints;

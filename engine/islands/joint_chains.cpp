@@ -103,6 +103,7 @@ void sumUpJoints(WorldState& world) {
         const JointTie& tie = world.jointTies[i];
         JointChain& chain = chains.list[chains.places[chains.finder.find(firstAwakeOf(world, tie, i))]];
         ++chain.joints;
+        chain.ties += tie.drivesAngleAlone ? 0 : 1;
         chain.plainJoints += tie.isPlain ? 1 : 0;
         chain.drivenJoints += tie.isDriven ? 1 : 0;
         chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;

@@ -120,6 +120,14 @@ struct ConstraintFiller {
     void operator()(MotorConstraint& constraint, const MotorJointDef& def) const {
         const MotorDrive& drive = def.drive;
         constraint.approachRate = kApproachRatio / dt;
+        const auto isHeldElsewhere = [this](std::uint32_t slot) {
+            return world.bodies[slot].isDynamic() && world.bodies[slot].holdingJoints > 1;
+        };
+        const Softness& weld = constraint.softness;
+        const bool isTied = isHeldElsewhere(joint.bodyA) || isHeldElsewhere(joint.bodyB);
+        constraint.ease =
+            isTied ? kDriveGive * (constraint.approachRate / weld.biasRate) * (weld.impulseScale / weld.massScale)
+                   : Real(0);
         constraint.drivesLine = drive.maxForce.has_value();
         constraint.maxLinearImpulse = h * drive.maxForce.value_or(0);
         constraint.seeksPlace = !drive.linearVelocity.has_value();
@@ -135,6 +143,26 @@ struct ConstraintFiller {
         constraint.spin = drive.angularVelocity.value_or(0);
         constraint.baseAngle =
             static_cast<Real>(angleOf(world, joint) - static_cast<double>(drive.angularOffset.value_or(0)));
+        fillHinge(constraint.hinge, drive.maxTorque.has_value());
+    }
+    void fillHinge(HingeBeside& hinge, bool isTurned) const {
+        hinge.isThere = false;
+        if (!isTurned) { return; }
+        // Many joints may hang on what is not dynamic.
+        const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
+        for (const std::uint32_t other : world.bodies[moving].joints) {
+            const JointTie& tie = world.jointTies[other];
+            const bool isSame = tie.bodyA == joint.bodyA && tie.bodyB == joint.bodyB;
+            const bool isReversed = tie.bodyA == joint.bodyB && tie.bodyB == joint.bodyA;
+            if (!tie.isHinge || !tie.holds || !(isSame || isReversed)) { continue; }
+            const Joint& found = world.joints[other];
+            hinge.isThere = true;
+            hinge.isReversed = isReversed;
+            hinge.source = other;
+            hinge.armA = armOf(world, joint.bodyA, isReversed ? found.localAnchorB : found.localAnchorA);
+            hinge.armB = armOf(world, joint.bodyB, isReversed ? found.localAnchorA : found.localAnchorB);
+            return;
+        }
     }
     void operator()(MouseConstraint& constraint, const MouseJointDef& def) const {
         constraint.slotA = kFixedSlot;
@@ -346,6 +374,18 @@ void forgetImpulses(Joint& joint) {
     joint.reactionTorque = 0;
 }
 
+namespace {
+
+/// What its point took of a motor joint. @pre the reaction of the hinge was read
+void giveToHinge(WorldState& world, const HingeBeside& hinge, Real dt) {
+    if (!hinge.isThere) { return; }
+    Joint& joint = world.joints[hinge.source];
+    joint.reactionForce += ((hinge.isReversed ? -1 : 1) / dt) * hinge.total;
+    if (!isFinite(joint.reactionForce)) { forgetImpulses(joint); }
+}
+
+}  // namespace
+
 void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
     batch.forEachJointKind([&](const auto& constraints) {
         using Constraint = typename std::remove_cvref_t<decltype(constraints)>::value_type;
@@ -362,6 +402,7 @@ void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
                 // A torque is a force times a lever, and overflows before its bodies do.
                 if (!isFinite(joint.reactionForce) || !std::isfinite(joint.reactionTorque)) { forgetImpulses(joint); }
             }
+            if constexpr (std::is_same_v<Constraint, MotorConstraint>) { giveToHinge(world, constraint.hinge, dt); }
         }
     });
 }

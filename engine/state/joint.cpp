@@ -84,6 +84,7 @@ HingeParts hingePartsOf(const RevoluteJointDef& def) {
 
 JointTie tieOf(const Joint& joint) {
     const auto* const hinge = std::get_if<HingePart>(&joint.parts);
+    const auto* const motor = std::get_if<JointPart<MotorJointDef, MotorConstraint>>(&joint.parts);
     return {.bodyA = joint.bodyA,
             .bodyB = joint.bodyB,
             .holds = joint.holds(),
@@ -95,6 +96,7 @@ JointTie tieOf(const Joint& joint) {
             .isDriven = isDriven(joint),
             .holdsAngle = holdsAngle(joint),
             .isSprung = isSprung(joint),
+            .drivesAngleAlone = motor != nullptr && !motor->def.drive.maxForce,
             .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
 }
 

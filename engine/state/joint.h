@@ -104,12 +104,13 @@ struct JointTie {
     bool isPair : 1 = true;     ///< it ties no other bodies
     bool mayBreak : 1 = false;  ///< it has a limit
     bool isHinge : 1 = false;
-    bool isPlain : 1 = false;     ///< holds what it holds rigidly, and does nothing else
-    bool isPassive : 1 = false;   ///< does nothing that gives energy, but for what its springs held
-    bool isDriven : 1 = false;    ///< does what takes or gives energy: what it holds keeps none
-    bool holdsAngle : 1 = false;  ///< of its bodies to each other, rigidly
-    bool isSprung : 1 = false;    ///< passive, with a spring
-    HingeParts hingeParts;        ///< of a hinge
+    bool isPlain : 1 = false;           ///< holds what it holds rigidly, and does nothing else
+    bool isPassive : 1 = false;         ///< does nothing that gives energy, but for what its springs held
+    bool isDriven : 1 = false;          ///< does what takes or gives energy: what it holds keeps none
+    bool holdsAngle : 1 = false;        ///< of its bodies to each other, rigidly
+    bool isSprung : 1 = false;          ///< passive, with a spring
+    bool drivesAngleAlone : 1 = false;  ///< a motor joint that drives no point
+    HingeParts hingeParts;              ///< of a hinge
 
     bool operator==(const JointTie&) const = default;
 };

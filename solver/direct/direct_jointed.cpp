@@ -205,11 +205,7 @@ void DirectSolver::solvePiles(const ContactPass& pass) {
 }
 
 void DirectSolver::solveJointed(SolverBatch& batch, const ContactPass& pass) {
-    for (Drive& drive : drives_) {
-        drive.before = drive.row.guess = static_cast<double>(*drive.held.impulse);
-        drive.row.excess = excessOf(batch, drive.held);
-        if (drive.hold == Hold::forced) { drive.row.impulse = drive.before; }
-    }
+    takeUpDrives(batch);
     for (JointedPoint& jointed : jointed_) {
         const ContactConstraint& contact = *jointed.contact;
         jointed.normal.excess = excessOf(batch, jointed.heldNormal);
@@ -239,7 +235,8 @@ void DirectSolver::solveJointed(SolverBatch& batch, const ContactPass& pass) {
         *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
     }
     for (const Drive& drive : drives_) {
-        *drive.held.impulse = static_cast<Real>(drive.hold == Hold::held ? pullOf(drive) : drive.row.impulse);
+        const DrivePush impulse = laterImpulseOf(drive);
+        for (std::size_t i = 0; i < drive.count; ++i) { *drive.rows[i].held.impulse = static_cast<Real>(impulse[i]); }
     }
     dropNoise();
     applyToBodies(batch);

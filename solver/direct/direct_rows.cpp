@@ -167,9 +167,10 @@ void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, R
     });
 }
 
-void addDrivenRows(SolverBatch& batch, std::vector<DrivenRow>& rows) {
-    const auto add = [&rows](const JointConstraint& joint, const JointRow& row, Real speed, Real most, Real& impulse) {
-        rows.push_back({{row, joint.slotA, joint.slotB, -speed, &impulse}, most});
+void addDrivenRows(SolverBatch& batch, Real h, bool isFirst, std::vector<DrivenRow>& rows) {
+    const auto add = [&rows](const JointConstraint& joint, const JointRow& row, Real speed, Real most, Real& impulse,
+                             bool isOfMotorJoint = false, bool hasOther = false) {
+        rows.push_back({{row, joint.slotA, joint.slotB, -speed, &impulse}, most, hasOther, isOfMotorJoint});
     };
     for (RevoluteConstraint& joint : batch.revolutes) {
         if (joint.hasMotor) { add(joint, kSpinRow, joint.motorSpeed, joint.maxMotorImpulse, joint.motorImpulse); }
@@ -186,6 +187,21 @@ void addDrivenRows(SolverBatch& batch, std::vector<DrivenRow>& rows) {
         const Vec2 armA = rotate(a.deltaRotation, joint.anchorA) + anchorOffset(joint, a, b);
         const JointRow row = rowAlong(axis, armA, rotate(b.deltaRotation, joint.anchorB));
         add(joint, row, joint.motorSpeed, joint.maxMotorImpulse, joint.motorImpulse);
+    }
+    for (MotorConstraint& joint : batch.motors) {
+        if (!joint.isDriveHeld) { continue; }
+        BodyState& a = batch.states[joint.slotA];
+        BodyState& b = batch.states[joint.slotB];
+        if (isFirst) { aimDrive(joint, {a, b, batch.inertias[joint.slotA], batch.inertias[joint.slotB]}, h); }
+        if (joint.drivesAngle) {
+            add(joint, kSpinRow, joint.spin, joint.maxAngularImpulse, joint.angularImpulse, true);
+        }
+        if (!joint.drivesLine) { continue; }
+        const Vec2 armA = rotate(a.deltaRotation, joint.anchorA);
+        const Vec2 armB = rotate(b.deltaRotation, joint.anchorB);
+        const Real most = joint.maxLinearImpulse;
+        add(joint, rowAlong({1, 0}, armA, armB), joint.velocity.x, most, joint.linearImpulse.x, true, true);
+        add(joint, rowAlong({0, 1}, armA, armB), joint.velocity.y, most, joint.linearImpulse.y, true);
     }
 }
 

@@ -20,8 +20,10 @@ struct DirectRow {
 
 /// A motor: brings its row to a speed as long as its impulse stays within a limit.
 struct DrivenRow {
-    DirectRow held;  ///< bias: minus the speed that is wanted
-    Real most = 0;   ///< of the impulse of a sub-step, to either side
+    DirectRow held;         ///< bias: minus the speed that is wanted
+    Real most = 0;          ///< of the impulse of a sub-step, to either side
+    bool hasOther = false;  ///< the next row is the other direction of its point: the limit is that of both together
+    bool isOfMotorJoint = false;
 };
 
 /// How a body moves.
@@ -30,8 +32,8 @@ struct Motion {
     Real spin = 0;    ///< rad/s
 };
 
-/// Rows that joints hold rigidly, kind by kind: points, angles, rods. Springs and limits are not among them, nor gears,
-/// pulleys and motor joints: those are left to iteration.
+/// Rows that joints hold rigidly, kind by kind: points, angles, rods. Springs and limits are not among them, nor gears
+/// and pulleys: those are left to iteration.
 /// @param motions  by slot, by which it is told how anchors bend away within the sub-step; empty: those of the states
 /// @param closing  s, at least h: within which errors are closed
 /// @param useBias  towards zero errors at the end of the sub-step; false: rest, or the pace of a rod
@@ -39,8 +41,9 @@ struct Motion {
 void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, Real closing, bool useBias,
                   std::vector<DirectRow>& rows);
 
-/// Motors of hinges, sliders and wheels. @pre likewise
-void addDrivenRows(SolverBatch& batch, std::vector<DrivenRow>& rows);
+/// Motors of hinges, sliders and wheels, and motor joints that are held (`JointConstraint::isDriveHeld`).
+/// @param isFirst  of the sub-step: what seeks a pose finds its speed. @pre likewise
+void addDrivenRows(SolverBatch& batch, Real h, bool isFirst, std::vector<DrivenRow>& rows);
 
 /// Calls `visit` with the array of each kind of joint that may have such rows.
 template <class Batch, class Visit>

@@ -65,7 +65,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     motions_.clear();
     joints_.clear();
     drives_.clear();
-    for (std::vector<std::int8_t>& ways : forced_) { ways.clear(); }
+    for (std::vector<DriveMemory>& drives : remembered_) { drives.clear(); }
     contacts_.clear();
     listNodes(batch);
     if (nodes_.empty() || !listEdges(batch)) { return false; }
@@ -73,6 +73,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     takesLong_.assign(nodes_.size(), 0);
     if (scope == DirectScope::all) { listContacts(batch); }
     if (scope == DirectScope::jointed) { listJointed(batch); }
+    markDrives(batch);
     return true;
 }
 
@@ -84,10 +85,11 @@ void DirectSolver::listNodes(const SolverBatch& batch) {
     forEachHeldKind(batch, [this](const auto& joints) {
         for (const auto& joint : joints) { nodeOf_[joint.slotA] = nodeOf_[joint.slotB] = kIsTied; }
     });
+    if (holdsDrives(scope_)) { tieMotors(batch, kIsTied); }
     nodes_.clear();
     for (std::uint32_t slot = 0; slot < batch.inertias.size(); ++slot) {
         const BodyInertia& body = batch.inertias[slot];
-        if (nodeOf_[slot] == kNoNode || !isMovable(body)) {
+        if (nodeOf_[slot] != kIsTied || !isMovable(body)) {
             nodeOf_[slot] = kNoNode;
             continue;
         }
@@ -111,6 +113,7 @@ bool DirectSolver::listEdges(const SolverBatch& batch) {
         }
     };
     forEachHeldKind(batch, tie);
+    if (holdsDrives(scope_)) { tie(batch.motors); }
     if (scope_ == DirectScope::all) { tie(batch.contacts); }
     weighIslands(batch);
     const auto count = static_cast<std::uint32_t>(nodes_.size());
@@ -226,9 +229,7 @@ void DirectSolver::assemble(DirectReport& report, double tangentShare) {
     }
     if constexpr (kJoints) {
         for (const HeldJoint& joint : joints_) { addToMatrix(joint.row); }
-        for (const Drive& drive : drives_) {
-            if (drive.hold == Hold::held) { addToMatrix(drive.row); }
-        }
+        assembleDrives();
     }
     holds_.clear();
     for (const ContactPoint& contact : contacts_) {
@@ -263,12 +264,7 @@ void DirectSolver::computeChange() {
         for (const HeldJoint& joint : joints_) {
             push(joint.row, -strength_ * joint.row.strength * joint.row.excess - joint.forgotten);
         }
-        for (const Drive& drive : drives_) {
-            const Row& row = drive.row;
-            const double aim =
-                drive.hold == Hold::held ? row.guess - strength_ * row.strength * row.excess : row.impulse;
-            push(row, aim - drive.before);
-        }
+        pushDrives();
     }
     for (const ContactPoint& contact : contacts_) {
         pushContact(contact.normal, contact.normalHold);
@@ -317,9 +313,7 @@ void DirectSolver::applyToImpulses() {
             const double change = -strength_ * joint.row.strength * changedExcess(joint.row) - joint.forgotten;
             *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
         }
-        for (const Drive& drive : drives_) {
-            *drive.held.impulse = static_cast<Real>(drive.hold == Hold::held ? driveOf(drive) : drive.row.impulse);
-        }
+        writeDrives();
     }
     for (ContactPoint& contact : contacts_) {
         const auto keep = [this, &contact](const Row& row, double least) {
@@ -342,7 +336,7 @@ bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport&
     strength_ = 1;
     if constexpr (kJoints) {
         gatherJoints(batch, h, useBias, false);
-        gatherDrives(batch, useBias);
+        gatherDrives(batch, h, useBias);
     }
     gatherContacts(batch, h, useBias);
     if (!findImpulses<kJoints>(report) || (hasTightened_ && isSqueezed(batch))) {

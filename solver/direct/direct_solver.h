@@ -133,13 +133,33 @@ private:
         held,    ///< its damper is part of the matrix
         forced,  ///< at a limit: carries a given impulse
     };
-    /// A motor.
-    struct Drive {
+    /// Of a motor: of its direction and zero, or of its two.
+    using DrivePush = std::array<double, 2>;
+    /// One direction of a motor.
+    struct DriveRow {
         Row row;
         DirectRow held;
         double before = 0;  ///< impulse that was applied before the solve
-        double most = 0;    ///< in this solve, to either side
+    };
+    /// A motor. One that drives a point has two directions, and its limit is of the length of both.
+    struct Drive {
+        std::array<DriveRow, 2> rows;
+        std::size_t count = 1;
+        double most = 0;         ///< in this solve, to any side
+        bool isPatient = false;  ///< expects what the sub-step before ended with, see `gatherDrives`
         Hold hold = Hold::held;
+        DrivePush along{};  ///< forced: in which direction, of unit length
+        double share = 0;   ///< forced, with two: what is left of its strength across that
+        DrivePush given{};  ///< forced, in scope `jointed`: N·s or N·m·s
+
+        std::span<DriveRow> all() { return std::span(rows).first(count); }
+        std::span<const DriveRow> all() const { return std::span(rows).first(count); }
+    };
+    /// How a motor was held in the same half of the sub-step before.
+    struct DriveMemory {
+        Hold hold = Hold::held;
+        DrivePush along{};
+        double share = 0;
     };
     /// A point of a contact of scope `jointed`. A tie is named by its root in `islands_`, a pile by its own.
     struct JointedPoint {
@@ -208,11 +228,21 @@ private:
     void applyToImpulses();
 
     // direct_drives.cpp
-    void gatherDrives(SolverBatch& batch, bool useBias);
+    void tieMotors(const SolverBatch& batch, std::uint32_t tied);
+    void markDrives(SolverBatch& batch) const;
+    void gatherDrives(SolverBatch& batch, Real h, bool useBias);
+    void expectDrives();
     void searchDrives(DirectReport& report);
-    bool classifyDrives(bool mayHold);
-    double driveOf(const Drive& drive) const;
-    double pullOf(const Drive& drive) const;
+    bool classifyDrives(int round);
+    bool classifyDrive(Drive& drive, int round) const;
+    DrivePush excessesOf(const Drive& drive) const;
+    DrivePush pullAt(const Drive& drive, const DrivePush& excess) const;
+    DrivePush impulseAt(const Drive& drive, const DrivePush& excess) const;
+    DrivePush laterImpulseOf(const Drive& drive) const;
+    void assembleDrives();
+    void pushDrives();
+    void writeDrives();
+    void takeUpDrives(const SolverBatch& batch);
     bool letGoDrives();
     void pushForced();
 
@@ -268,9 +298,9 @@ private:
     std::vector<HeldJoint> joints_;
     std::vector<DrivenRow> drivenRows_;
     std::vector<Drive> drives_;
-    /// Which of them pushed as hard as they might in the last such solve of the step, with bias and without; which way.
-    std::array<std::vector<std::int8_t>, 2> forced_;
-    bool isFirstHalf_ = true;  ///< the present solve is the one with bias
+    std::array<std::vector<DriveMemory>, 2> remembered_;  ///< of them, with bias and without, in this step
+    std::vector<DrivePush> ended_;                        ///< with what they ended the sub-step before
+    bool isFirstHalf_ = true;                             ///< the present solve is the one with bias
     std::vector<ContactPoint> contacts_;
     std::vector<JointedPoint> jointed_;  ///< pile by pile
     std::uint32_t jointedRounds_ = 0;

@@ -3,11 +3,97 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pin.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Wanted velocities, once per sub-step: they are real, and stay what they are in relaxation.
-void aim(MotorConstraint& joint, const JointPair& pair, Real h) {
+/// Where others hold the bodies as well, what seeks a pose gives way under its load. @param response  1/(kg·m²)
+void easeAngle(MotorConstraint& joint, Real response) {
+    if (joint.seeksAngle) { joint.spin -= joint.ease * response * joint.angularImpulse; }
+}
+void easeLine(MotorConstraint& joint, const PointMatrix& response) {
+    if (joint.seeksPlace) { joint.velocity -= joint.ease * product(response, joint.linearImpulse); }
+}
+
+/// Whether what a direct solve found pushes as hard as it may, against an excess of speed.
+bool goesOn(const MotorConstraint& joint, Vec2 excess) {
+    constexpr Real kAlmost = 1 - 16 * kEpsilon;
+    return joint.isDriveHeld && length(joint.linearImpulse) >= kAlmost * joint.maxLinearImpulse &&
+           dot(joint.linearImpulse, excess) <= 0;
+}
+
+void driveLine(MotorConstraint& joint, const JointPair& pair, bool useBias) {
+    const HeldRows point =
+        heldPoint(pair, rotate(pair.a.deltaRotation, joint.anchorA), rotate(pair.b.deltaRotation, joint.anchorB));
+    if (useBias) { easeLine(joint, point.matrix); }
+    const Vec2 excess = speedsOf(point, pair) - joint.velocity;
+    if (goesOn(joint, excess)) { return; }
+    Vec2 total = joint.linearImpulse - solve(point.matrix, excess);
+    const UnitAndLength wanted = normalized(total);
+    if (wanted.length > joint.maxLinearImpulse) { total = joint.maxLinearImpulse * wanted.unit; }
+    apply(point, pair, total - joint.linearImpulse);
+    joint.linearImpulse = total;
+}
+
+Pin pinOf(const HingeBeside& hinge, const JointPair& pair) {
+    const Vec2 armA = rotate(pair.a.deltaRotation, hinge.armA);
+    const Vec2 armB = rotate(pair.b.deltaRotation, hinge.armB);
+    return {armA, armB, pointMatrix(pair.inertiaA, armA, pair.inertiaB, armB)};
+}
+
+void pushHinge(HingeBeside& hinge, const Pin& pin, const JointPair& pair, Vec2 impulse) {
+    applyImpulse(pair.a, pair.inertiaA, -impulse, pin.armA);
+    applyImpulse(pair.b, pair.inertiaB, impulse, pin.armB);
+    hinge.impulse += impulse;
+}
+
+void driveBesideHinge(MotorConstraint& joint, const JointPair& pair, bool useBias) {
+    const Pin pin = pinOf(joint.hinge, pair);
+    const Spin spin = spinOf(pin, pair, complianceOf(joint, useBias));
+    if (!(spin.mass > 0)) { return; }
+    if (useBias) { easeAngle(joint, 1 / spin.mass); }
+    const Real change =
+        motorChange(spin.mass, speedOf(kSpinRow, pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);
+    joint.angularImpulse += change;
+    joint.hinge.guided += change;
+    turn(pair, change);
+    pushHinge(joint.hinge, pin, pair, change * spin.answer);
+}
+
+/// Of a direct solve the hinge knows.
+void warmStartHinge(MotorConstraint& joint, const JointPair& pair) {
+    joint.hinge.impulse = {};
+    if (joint.isDriveHeld) { joint.hinge.guided = 0; }
+    if (joint.hinge.guided == 0) { return; }
+    const Pin pin = pinOf(joint.hinge, pair);
+    pushHinge(joint.hinge, pin, pair, joint.hinge.guided * spinOf(pin, pair, 0).answer);
+}
+
+void driveAngle(MotorConstraint& joint, const JointPair& pair, bool useBias) {
+    const Real turn = turnOf(pair);
+    if (!(turn > 0)) { return; }
+    if (joint.hinge.isThere) {
+        driveBesideHinge(joint, pair, useBias);
+        return;
+    }
+    if (useBias) { easeAngle(joint, turn); }
+    const Real change =
+        motorChange(1 / turn, speedOf(kSpinRow, pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);
+    joint.angularImpulse += change;
+    apply(kSpinRow, pair, change);
+}
+
+void solveOne(MotorConstraint& joint, const JointPair& pair, Real h, bool useBias) {
+    if (useBias && joint.isDriveHeld) { return; }
+    if (useBias) { aimDrive(joint, pair, h); }
+    if (joint.drivesAngle) { driveAngle(joint, pair, useBias); }
+    if (joint.drivesLine) { driveLine(joint, pair, useBias); }
+}
+
+}  // namespace
+
+void aimDrive(MotorConstraint& joint, const JointPair& pair, Real h) {
     if (joint.seeksPlace) {
         const UnitAndLength away = normalized(anchorOffset(joint, pair.a, pair.b));
         const Real inverseMass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
@@ -21,36 +107,11 @@ void aim(MotorConstraint& joint, const JointPair& pair, Real h) {
     }
 }
 
-void driveLine(MotorConstraint& joint, const JointPair& pair) {
-    const HeldRows point =
-        heldPoint(pair, rotate(pair.a.deltaRotation, joint.anchorA), rotate(pair.b.deltaRotation, joint.anchorB));
-    Vec2 total = joint.linearImpulse - solve(point.matrix, speedsOf(point, pair) - joint.velocity);
-    const UnitAndLength wanted = normalized(total);
-    if (wanted.length > joint.maxLinearImpulse) { total = joint.maxLinearImpulse * wanted.unit; }
-    apply(point, pair, total - joint.linearImpulse);
-    joint.linearImpulse = total;
-}
-
-void driveAngle(MotorConstraint& joint, const JointPair& pair) {
-    const Real turn = turnOf(pair);
-    if (!(turn > 0)) { return; }
-    const Real change =
-        motorChange(1 / turn, speedOf(kSpinRow, pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);
-    joint.angularImpulse += change;
-    apply(kSpinRow, pair, change);
-}
-
-void solveOne(MotorConstraint& joint, const JointPair& pair, Real h, bool useBias) {
-    if (useBias) { aim(joint, pair, h); }
-    if (joint.drivesAngle) { driveAngle(joint, pair); }
-    if (joint.drivesLine) { driveLine(joint, pair); }
-}
-
-}  // namespace
-
 void prepare(MotorConstraint& joint, std::span<const BodyInertia>) {
     if (!joint.drivesLine) { joint.linearImpulse = {}; }
     if (!joint.drivesAngle) { joint.angularImpulse = 0; }
+    if (!joint.drivesAngle || !joint.hinge.isThere) { joint.hinge.guided = 0; }
+    joint.hinge.total = {};
 }
 
 void warmStart(std::span<MotorConstraint> joints, const SolverBodies& bodies) {
@@ -61,6 +122,7 @@ void warmStart(std::span<MotorConstraint> joints, const SolverBodies& bodies) {
         apply(heldPoint(pair, rotate(a.deltaRotation, joint.anchorA), rotate(b.deltaRotation, joint.anchorB)), pair,
               joint.linearImpulse);
         apply(kSpinRow, pair, joint.angularImpulse);
+        warmStartHinge(joint, pair);
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }
 }
@@ -75,5 +137,10 @@ void solve(std::span<MotorConstraint> joints, const SolverBodies& bodies, Real h
 }
 
 JointReaction reactionOf(const MotorConstraint& joint) { return {joint.linearImpulse, joint.angularImpulse}; }
+
+void addUpReactions(std::span<MotorConstraint> joints) {
+    addUpReactions<MotorConstraint>(joints);
+    for (MotorConstraint& joint : joints) { joint.hinge.total += joint.hinge.impulse; }
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

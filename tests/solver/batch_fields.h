@@ -173,6 +173,9 @@ void visitJoint(MotorConstraint& joint, Visit&& visit) {
     visit(joint.maxAngularImpulse, kTwist);
     visitVector(joint.linearImpulse, kImpulse, visit);
     visit(joint.angularImpulse, kTwist);
+    visitVector(joint.hinge.armA, kLength, visit);
+    visitVector(joint.hinge.armB, kLength, visit);
+    visit(joint.hinge.guided, kTwist);
 }
 template <class Visit>
 void visitJoint(MouseConstraint& joint, Visit&& visit) {

@@ -1,0 +1,396 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "joint_support.h"
+
+/// Bodies that motor joints hold or drive against each other, with hinges beside them or without. Statics is the
+/// oracle.
+
+namespace swept::test {
+namespace {
+
+constexpr double kBarWeight = 40;  ///< N, of a bar of 2 m
+
+WorldSettings settingsOf(Profile profile, bool sleeps = false) {
+    WorldSettings settings = awakeSettings();
+    settings.profile = profile;
+    settings.sleep = sleeps;
+    return settings;
+}
+std::string nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
+
+/// @param times  as heavy as a bar
+ShapeDef barOf(double times) {
+    ShapeDef def = material(0.6, 0, kBarWeight / kGravity / 0.8 * times);
+    def.filter.mask = 0;
+    return def;
+}
+
+enum class Held { byHinge, byMotor };
+
+struct Chain {
+    World world;
+    std::vector<BodyId> bars;
+    std::vector<JointId> hinges;
+    std::vector<JointId> motors;
+
+    double tipHeight() const { return world.position(bars.back()).y; }
+    double torque() const { return std::fabs(static_cast<double>(world.jointTorque(motors.front()))); }
+};
+
+struct Arm {
+    int bars = 1;
+    double tip = 1;
+    Held held = Held::byHinge;
+    MotorDrive drive{};
+};
+
+/// Bars one on the end of the other, from the origin to the right; the last one is heavier.
+Chain chainOf(const WorldSettings& settings, const Arm& arm) {
+    Chain chain{makeWorld(settings), {}, {}, {}};
+    BodyId before = anchorOf(chain.world);
+    for (int i = 0; i < arm.bars; ++i) {
+        const BodyId bar =
+            addBody(chain.world, dynamicAt({2.0 * i + 1, 0}), box(1, 0.2), barOf(i == arm.bars - 1 ? arm.tip : 1));
+        if (arm.held == Held::byHinge) {
+            RevoluteJointDef hinge;
+            hinge.base = between(before, bar);
+            hinge.anchor = {2.0 * i, 0};
+            chain.hinges.push_back(must(chain.world.createJoint(hinge)));
+        }
+        MotorJointDef motor;
+        motor.base = between(before, bar);
+        motor.drive = arm.drive;
+        chain.motors.push_back(must(chain.world.createJoint(motor)));
+        chain.bars.push_back(bar);
+        before = bar;
+    }
+    return chain;
+}
+
+MotorDrive holdOf(double maxTorque) {
+    MotorDrive drive;
+    drive.maxTorque = real(maxTorque);
+    return drive;
+}
+MotorDrive poseOf(double maxForce, double maxTorque) {
+    MotorDrive drive = holdOf(maxTorque);
+    drive.maxForce = real(maxForce);
+    return drive;
+}
+
+/// Of the first motor, with all bars level: about its hinge, or about the middle of the first bar.
+double staticTorque(const Arm& arm) {
+    double torque = 0;
+    for (int i = 0; i < arm.bars; ++i) {
+        const double lever = arm.held == Held::byHinge ? 2 * i + 1 : 2 * i;
+        torque += kBarWeight * (i == arm.bars - 1 ? arm.tip : 1) * lever;
+    }
+    return torque;
+}
+
+/// Over some seconds from now on.
+double fastestTip(Chain& chain, double seconds) {
+    double fastest = 0;
+    for (int step = 0; step < seconds * kRate; ++step) {
+        run(chain.world, 1);
+        fastest = std::max(fastest, length(velocityOf(chain.world, chain.bars.back())));
+    }
+    return fastest;
+}
+
+/// From two bars and 10 : 1 on they flew about with 60 to 260 m/s.
+TEST(MotorJointChain, ArmsHoldAndSleep) {
+    for (const double tip : {1.0, 10.0, 100.0}) {
+        for (int bars = 1; bars <= 5; ++bars) {
+            const Arm arm{.bars = bars, .tip = tip, .drive = holdOf(1e6)};
+            Chain chain = chainOf(settingsOf(Profile::accurate, true), arm);
+            runFor(chain.world, 15);
+            EXPECT_NEAR(chain.tipHeight(), 0, 1e-3) << bars << " bars, tip " << tip;
+            EXPECT_FALSE(chain.world.isAwake(chain.bars.back())) << bars << " bars, tip " << tip;
+            EXPECT_NEAR(chain.torque(), staticTorque(arm), 1e-3 * staticTorque(arm)) << bars << " bars, tip " << tip;
+            EXPECT_NEAR(static_cast<double>(chain.world.jointForce(chain.hinges.front()).y),
+                        kBarWeight * (bars - 1 + tip), 1e-3 * kBarWeight * (bars - 1 + tip))
+                << bars << " bars, tip " << tip;
+        }
+    }
+}
+
+/// Without hinges three bars did, with a tip of 10 : 1.
+TEST(MotorJointChain, MastsStandWithoutHinges) {
+    for (const double tip : {1.0, 10.0, 100.0}) {
+        for (int bars = 2; bars <= 5; ++bars) {
+            const Arm arm{.bars = bars, .tip = tip, .held = Held::byMotor, .drive = poseOf(1e6, 1e6)};
+            Chain chain = chainOf(settingsOf(Profile::accurate), arm);
+            EXPECT_LT(fastestTip(chain, 10), 1e-3) << bars << " bars, tip " << tip;
+            EXPECT_NEAR(chain.tipHeight(), 0, 1e-3) << bars << " bars, tip " << tip;
+            EXPECT_NEAR(chain.torque(), staticTorque(arm), 1e-3 * staticTorque(arm)) << bars << " bars, tip " << tip;
+            const double weight = kBarWeight * (bars - 1 + tip);
+            EXPECT_NEAR(static_cast<double>(chain.world.jointForce(chain.motors.front()).y), weight, 1e-3 * weight);
+        }
+    }
+}
+
+/// Both drives beside a hinge close a loop, which is iterated.
+TEST(MotorJointChain, BothDrivesBesideAHingeHold) {
+    for (const double tip : {1.0, 10.0, 100.0}) {
+        for (int bars = 2; bars <= 3; ++bars) {
+            const Arm arm{.bars = bars, .tip = tip, .drive = poseOf(1e6, 1e6)};
+            Chain chain = chainOf(settingsOf(Profile::accurate), arm);
+            runFor(chain.world, 10);
+            EXPECT_LT(fastestTip(chain, 5), 1e-3) << bars << " bars, tip " << tip;
+            EXPECT_NEAR(chain.tipHeight(), 0, 1e-3 * tip + 1e-3) << bars << " bars, tip " << tip;
+        }
+    }
+}
+
+/// Three equal bars whirled with 200 m/s.
+TEST(MotorJointChain, ArmsAndMastsStandInFast) {
+    for (const Held held : {Held::byHinge, Held::byMotor}) {
+        for (const double tip : {1.0, 3.0, 10.0}) {
+            for (int bars = 1; bars <= 3; ++bars) {
+                const MotorDrive drive = held == Held::byHinge ? holdOf(1e6) : poseOf(1e6, 1e6);
+                const Arm arm{.bars = bars, .tip = tip, .held = held, .drive = drive};
+                Chain chain = chainOf(settingsOf(Profile::fast), arm);
+                runFor(chain.world, 10);
+                EXPECT_LT(fastestTip(chain, 5), 1e-3) << bars << " bars, tip " << tip;
+                // Twice what welds give way.
+                EXPECT_NEAR(chain.tipHeight(), 0, 2e-3 * std::pow(bars, 4) * (1 + tip / 5)) << bars << ", tip " << tip;
+                EXPECT_NEAR(chain.torque(), staticTorque(arm), 1e-2 * staticTorque(arm)) << bars << ", tip " << tip;
+            }
+        }
+    }
+}
+
+/// Of a hinge what it holds is told, whoever pushed for it: all of its weight, and nothing to the side.
+TEST(MotorJointChain, HingesTellWhatTheyHoldInFast) {
+    for (const bool isReversed : {false, true}) {
+        World world = makeWorld(settingsOf(Profile::fast));
+        const BodyId ground = anchorOf(world);
+        const BodyId bar = addBody(world, dynamicAt({1, 0}), box(1, 0.2), barOf(1));
+        RevoluteJointDef hinge;
+        hinge.base = isReversed ? between(bar, ground) : between(ground, bar);
+        const JointId held = must(world.createJoint(hinge));
+        MotorJointDef motor;
+        motor.base = between(ground, bar);
+        motor.drive = holdOf(1000);
+        const JointId turned = must(world.createJoint(motor));
+        runFor(world, 5);
+        EXPECT_NEAR(static_cast<double>(world.jointForce(held).y), isReversed ? -kBarWeight : kBarWeight, 1e-2);
+        EXPECT_NEAR(static_cast<double>(world.jointForce(held).x), 0, 1e-2);
+        EXPECT_EQ(world.jointForce(turned), Vec2{});
+        EXPECT_NEAR(static_cast<double>(world.jointTorque(turned)), kBarWeight, 1e-2);
+    }
+}
+
+/// A body that one motor joint alone holds does not give way: it has nothing to shake with.
+TEST(MotorJointChain, OneAloneHoldsExactly) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        Chain chain = chainOf(settingsOf(profile), {.held = Held::byMotor, .drive = poseOf(1e4, 1e4)});
+        runFor(chain.world, 5);
+        EXPECT_NEAR(chain.tipHeight(), 0, 1e-6) << nameOf(profile);
+        EXPECT_LT(fastestTip(chain, 1), 1e-6) << nameOf(profile);
+    }
+}
+
+/// What they carry counts with what it stands on.
+TEST(MotorJointChain, ArmsOnABaseThatStandsHold) {
+    for (const double tip : {1.0, 10.0}) {
+        World world = makeWorld(settingsOf(Profile::accurate));
+        addStatic(world, box(50, 0.5), material(0.6), {0, -0.5});
+        BodyId before = addBody(world, dynamicAt({0, 2.5}), box(3, 2.5), material(0.6, 0, 50));
+        std::vector<JointId> motors;
+        for (int i = 0; i < 3; ++i) {
+            const BodyId bar = addBody(world, dynamicAt({2.0 * i + 1, 5}), box(1, 0.2), barOf(i == 2 ? tip : 1));
+            RevoluteJointDef hinge;
+            hinge.base = between(before, bar);
+            hinge.anchor = {2.0 * i, 5};
+            must(world.createJoint(hinge));
+            MotorJointDef motor;
+            motor.base = between(before, bar);
+            motor.drive = holdOf(1e5);
+            motors.push_back(must(world.createJoint(motor)));
+            before = bar;
+        }
+        runFor(world, 5);
+        const double height = world.position(before).y;
+        runFor(world, 10);
+        EXPECT_NEAR(world.position(before).y, height, 1e-3) << tip;
+        const double torque = staticTorque({.bars = 3, .tip = tip});
+        EXPECT_NEAR(std::fabs(static_cast<double>(world.jointTorque(motors[0]))), torque, 1e-2 * torque) << tip;
+    }
+}
+
+/// The middle joint goes up by a radian in a second, and stays there.
+TEST(MotorJointChain, ArmsFollowATargetThatMoves) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        Chain chain = chainOf(settingsOf(profile), {.bars = 3, .tip = 5, .drive = holdOf(1e5)});
+        double largest = 0;
+        for (int step = 1; step <= 600; ++step) {
+            MotorDrive drive = holdOf(1e5);
+            drive.angularOffset = real(std::min(step * kStep, 1.0));
+            must(chain.world.setDrive(chain.motors[1], drive));
+            run(chain.world, 1);
+            largest = std::max(largest, static_cast<double>(chain.world.angle(chain.bars[1])));
+        }
+        const double error = profile == Profile::fast ? 0.05 : 1e-4;
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(static_cast<double>(chain.world.angle(chain.bars[i])), i == 0 ? 0 : 1, error)
+                << nameOf(profile) << ", bar " << i;
+        }
+        EXPECT_LT(largest, 1 + error) << nameOf(profile);
+        EXPECT_LT(fastestTip(chain, 1), 1e-3) << nameOf(profile);
+    }
+}
+
+/// A bar whose motor has half of the torque that would hold it falls as if that torque were all that there is.
+TEST(MotorJointChain, WeakMotorsGiveWayAsForces) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        constexpr double kTorque = kBarWeight / 2;
+        Chain chain = chainOf(settingsOf(profile), {.drive = holdOf(kTorque)});
+        const double mass = kBarWeight / kGravity;
+        const double inertia = mass * (4 + 0.16) / 12 + mass;
+        double angle = 0;
+        double spin = 0;
+        constexpr int kParts = 200;  // of a step
+        for (int step = 0; step < 30; ++step) {
+            run(chain.world, 1);
+            EXPECT_NEAR(chain.torque(), kTorque, 1e-3) << nameOf(profile);
+            for (int part = 0; part < kParts; ++part) {
+                spin += (kTorque - kBarWeight * std::cos(angle)) / inertia * kStep / kParts;
+                angle += spin * kStep / kParts;
+            }
+        }
+        EXPECT_LT(angle, -0.4);
+        EXPECT_NEAR(static_cast<double>(chain.world.angle(chain.bars[0])), angle,
+                    profile == Profile::fast ? 1e-2 : 1e-3)
+            << nameOf(profile);
+    }
+}
+
+MotorDrive rubbing(double maxForce) {
+    MotorDrive drive;
+    drive.linearVelocity = Vec2{};
+    drive.angularVelocity = Real(0);
+    drive.maxForce = real(maxForce);
+    drive.maxTorque = Real(0);
+    return drive;
+}
+
+/// Seen from above, friction with the ground slows down by μ·g along the way, and not to the side; of two bodies that
+/// are solved together each by its own.
+TEST(MotorJointChain, WhatRubsSlidesStraightAndStops) {
+    constexpr double kDeceleration = 2;
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        for (const bool isPair : {false, true}) {
+            WorldSettings settings = settingsOf(profile);
+            settings.gravity = {};
+            World world = makeWorld(settings);
+            const BodyId ground = anchorOf(world);
+            std::vector<BodyId> bodies;
+            for (int i = 0; i < (isPair ? 2 : 1); ++i) {
+                const BodyId body = addBody(world, dynamicAt({4.0 * i, 0}), box(0.5, 0.5), barOf(1));
+                MotorJointDef motor;
+                motor.base = between(ground, body);
+                motor.drive = rubbing(kDeceleration * static_cast<double>(world.mass(body)));
+                must(world.createJoint(motor));
+                must(world.setVelocity(body, {3, 1}, 0));
+                bodies.push_back(body);
+            }
+            if (isPair) {
+                MotorJointDef idle;
+                idle.base = between(bodies[0], bodies[1]);
+                idle.drive.angularVelocity = Real(0);
+                idle.drive.maxTorque = Real(0);
+                must(world.createJoint(idle));
+            }
+            const double speed = std::sqrt(10.0);
+            for (int step = 1; step <= 120; ++step) {
+                run(world, 1);
+                const double expected = std::max(speed - kDeceleration * step * kStep, 0.0);
+                for (const BodyId body : bodies) {
+                    const DVec2 velocity = velocityOf(world, body);
+                    ASSERT_NEAR(length(velocity), expected, 1e-3) << nameOf(profile) << " at step " << step;
+                    ASSERT_NEAR(velocity.x - 3 * velocity.y, 0, 1e-3) << nameOf(profile) << " at step " << step;
+                }
+            }
+            EXPECT_LT(length(velocityOf(world, bodies[0])), 1e-12) << nameOf(profile);
+        }
+    }
+}
+
+/// A load that is more than its force goes down as under what is left of its weight.
+TEST(MotorJointChain, AGripThatIsTooWeakSlides) {
+    World world = makeWorld(settingsOf(Profile::accurate));
+    const BodyId ground = anchorOf(world);
+    const BodyId arm = addBody(world, dynamicAt({1, 0}), box(1, 0.2), barOf(1));
+    RevoluteJointDef hinge;
+    hinge.base = between(ground, arm);
+    must(world.createJoint(hinge));
+    MotorJointDef motor;
+    motor.base = between(ground, arm);
+    motor.drive = holdOf(1e5);
+    must(world.createJoint(motor));
+    const BodyId load = addBody(world, dynamicAt({2, -1}), box(1, 0.2), barOf(1));
+    MotorJointDef grip;
+    grip.base = between(arm, load);
+    grip.drive = poseOf(kBarWeight / 2, 1000);
+    const JointId held = must(world.createJoint(grip));
+    runFor(world, 0.5);
+    EXPECT_NEAR(world.position(load).y, -1 - 0.5 * kGravity / 2 * 0.25, 2e-3);
+    EXPECT_NEAR(length(toDouble(world.jointForce(held))), kBarWeight / 2, 1e-3);
+    EXPECT_NEAR(world.position(arm).y, 0, 1e-3);
+}
+
+/// Chains that friction slows down, thrown about by their weight. Of 200 14 rose again by more than a millimetre, by up
+/// to 3.3 cm. (One does yet, with motors of hinges, too: a light link whips round.)
+TEST(MotorJointChain, FrictionGivesNoEnergy) {
+    int rising = 0;
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        std::mt19937 random(seed);
+        const auto between01 = [&random] { return static_cast<double>(random()) / 4294967296.0; };
+        World world = makeWorld(settingsOf(Profile::accurate));
+        std::vector<BodyId> bars;
+        BodyId before = anchorOf(world);
+        double at = 0;
+        double weight = 0;
+        for (int i = 0; i < 4; ++i) {
+            const double half = 0.2 + 0.8 * between01();
+            const double density = 1 + 20 * between01();
+            ShapeDef shape = material(0.6, 0, density);
+            shape.filter.mask = 0;
+            const BodyId bar = addBody(world, dynamicAt({at + half, 0}), box(half, 0.1), shape);
+            RevoluteJointDef hinge;
+            hinge.base = between(before, bar);
+            hinge.anchor = {at, 0};
+            must(world.createJoint(hinge));
+            MotorJointDef motor;
+            motor.base = between(before, bar);
+            motor.drive.angularVelocity = Real(0);
+            motor.drive.maxTorque = real(std::pow(10.0, -1 + 4 * between01()));
+            must(world.createJoint(motor));
+            bars.push_back(bar);
+            before = bar;
+            at += 2 * half;
+            weight += half * 0.4 * density * kGravity;
+        }
+        double lowest = energyOf(world, bars, kGravity);
+        double rise = 0;
+        for (int step = 0; step < 600; ++step) {
+            run(world, 1);
+            const double energy = energyOf(world, bars, kGravity);
+            lowest = std::min(lowest, energy);
+            rise = std::max(rise, energy - lowest);
+        }
+        rising += rise / weight > 1e-3 ? 1 : 0;  // metres
+        EXPECT_LT(rise / weight, 1e-2) << "seed " << seed;
+    }
+    EXPECT_LE(rising, 1);
+}
+
+}  // namespace
+}  // namespace swept::test
