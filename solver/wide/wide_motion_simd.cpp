@@ -30,6 +30,8 @@ HWY_BEFORE_NAMESPACE();
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 
+using namespace SWEPT_GROUP;
+
 using Angles = hn::Repartition<double, Tag>;
 using AngleLanes = hn::Vec<Angles>;
 

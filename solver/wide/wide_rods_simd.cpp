@@ -26,6 +26,8 @@ HWY_BEFORE_NAMESPACE();
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 
+using namespace SWEPT_GROUP;
+
 // Every function here does what its scalar twin in distance_constraint.cpp does, in the same order. Signs are moved only
 // where that is exact.
 

@@ -26,6 +26,8 @@ HWY_BEFORE_NAMESPACE();
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
 
+using namespace SWEPT_GROUP;
+
 // Places of numbers in a row, from the manifold's normal on, in `Real`s.
 constexpr std::size_t inReals(std::size_t bytes) { return bytes / sizeof(Real); }
 constexpr std::size_t kRowBegin = offsetof(ContactRow, manifold) + offsetof(Manifold, normal);
