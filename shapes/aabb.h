@@ -19,9 +19,10 @@ static_assert(sizeof(Aabb) == 4 * sizeof(Real), "a pair test loads a box as four
 constexpr bool overlaps(const Aabb& a, const Aabb& b) {
     return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
 }
+/// At once: which side is outgrown nothing foretells.
 constexpr bool contains(const Aabb& outer, const Aabb& inner) {
-    return outer.lower.x <= inner.lower.x && outer.lower.y <= inner.lower.y && inner.upper.x <= outer.upper.x &&
-           inner.upper.y <= outer.upper.y;
+    return (int{outer.lower.x <= inner.lower.x} & int{outer.lower.y <= inner.lower.y} &
+            int{inner.upper.x <= outer.upper.x} & int{inner.upper.y <= outer.upper.y}) != 0;
 }
 constexpr Aabb hullOf(const Aabb& a, const Aabb& b) { return {(min)(a.lower, b.lower), (max)(a.upper, b.upper)}; }
 constexpr Real perimeter(const Aabb& a) { return 2 * ((a.upper.x - a.lower.x) + (a.upper.y - a.lower.y)); }

@@ -113,14 +113,15 @@ void Solver::listRuns(SolverBatch& batch) {
         runs_.push_back({colour, colour == kOverflowColour});
         mayJoin = isPlain;
     }
+    for (Run& run : runs_) { run.parts = partsOf<kJoints>(batch, run.colour); }
 }
 
 /// All that the colours hold, one colour after the other; of each its joints first and one list after the other, in
 /// ranges that any worker may take: no two share a movable body.
-template <bool kJoints, class Visit>
-void Solver::forEachRun(SolverBatch& batch, const Visit& visit) {
+template <class Visit>
+void Solver::forEachRun(const Visit& visit) {
     for (const Run& run : runs_) {
-        const std::size_t count = partsOf<kJoints>(batch, run.colour);
+        const std::size_t count = run.parts;
         if (run.inOrder || count < fewestToShare_) {
             visit(run.colour, RangeCut(0, count));
             continue;
@@ -149,21 +150,19 @@ std::size_t Solver::partsOf(SolverBatch& batch, int colour) {
     return count;
 }
 
-template <bool kJoints>
-bool Solver::isWorthSharing(SolverBatch& batch) {
+bool Solver::isWorthSharing() const {
     std::size_t all = 0;
     std::size_t companions = 0;
     for (const Run& run : runs_) {
-        const std::size_t count = partsOf<kJoints>(batch, run.colour);
-        all += count;
-        companions += count * count;
+        all += run.parts;
+        companions += run.parts * run.parts;
     }
     return companions >= kFewestPerColour * all;
 }
 
 template <bool kJoints>
 void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
-    forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
+    forEachRun([&](int colour, RangeCut cut) {
         if constexpr (kJoints) {
             forEachJointOf(
                 batch, colour, cut, [&](auto& blocks) { blocks.warmStart(batch, colour, cut, hasMoved); },
@@ -175,7 +174,7 @@ void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
 
 template <bool kJoints>
 void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
-    forEachRun<kJoints>(batch, [&](int colour, RangeCut cut) {
+    forEachRun([&](int colour, RangeCut cut) {
         if constexpr (kJoints) {
             forEachJointOf(
                 batch, colour, cut, [&](auto& blocks) { blocks.solve(batch, colour, cut, pass); },
@@ -266,7 +265,7 @@ void Solver::bounceInTurn(SolverBatch& batch, int turns, const ContactPass& pass
         ContactPass ofTurn = pass;
         ofTurn.hasMoved = pass.hasMoved && turn == 0;
         ofTurn.leastRestitution = turn == 0 ? Real(0) : kLivelyRestitution;
-        forEachRun<false>(batch, [&](int colour, RangeCut cut) { contacts_.bounce(batch, colour, cut, ofTurn); });
+        forEachRun([&](int colour, RangeCut cut) { contacts_.bounce(batch, colour, cut, ofTurn); });
     }
 }
 
@@ -354,7 +353,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         report.weldBlocks = welds_.blockCount();
     }
     listRuns<kJoints>(batch);
-    const bool isShared = isAtOnce || isWorthSharing<kJoints>(batch);
+    const bool isShared = isAtOnce || isWorthSharing();
     loops_ = isShared ? &loops : &serial_;
     fewestToShare_ = isAtOnce ? 0 : kFewestOfColour;
     if (bouncing_.empty()) {

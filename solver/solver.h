@@ -76,7 +76,8 @@ private:
     /// A colour, and those that were joined to it.
     struct Run {
         int colour = 0;
-        bool inOrder = false;  ///< one after the other
+        bool inOrder = false;   ///< one after the other
+        std::size_t parts = 0;  ///< of all of them
     };
 
     void forBodies(const SolverBatch& batch, FunctionRef<void(std::size_t begin, std::size_t end)> body);
@@ -108,14 +109,13 @@ private:
                         const OfJoints& ofJoints);
     template <bool kJoints>
     std::size_t partsOf(SolverBatch& batch, int colour);
-    template <bool kJoints>
-    bool isWorthSharing(SolverBatch& batch);
+    bool isWorthSharing() const;
     template <bool kJoints>
     void listRuns(SolverBatch& batch);
     template <bool kJoints>
     void prepare(SolverBatch& batch, const SolverSettings& settings, bool isColoured);
-    template <bool kJoints, class Visit>
-    void forEachRun(SolverBatch& batch, const Visit& visit);
+    template <class Visit>
+    void forEachRun(const Visit& visit);
     template <bool kJoints>
     void warmStart(SolverBatch& batch, bool hasMoved);
     template <bool kJoints>

@@ -262,11 +262,13 @@ void assignEfforts(WorldState& world, double dt) {
     }
     if (isByLoad && !budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
     world.tiedEfforts.resize(world.tied.size());
+    static constexpr Effort kUsual;
     world.loops->run(world.tied.size(), kEffortGrain, [&world, isByLoad](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t slot = world.tied[i];
-            const Effort effort = isByLoad ? world.islandLoads[world.tiedRoots[i]].effort : Effort{};
-            world.bodies[slot].effort = world.tiedEfforts[i] = effort;
+            const Effort& effort = isByLoad ? world.islandLoads[world.tiedRoots[i]].effort : kUsual;
+            world.tiedEfforts[i] = effort;
+            world.bodies[slot].effort = effort;
         }
     });
 }

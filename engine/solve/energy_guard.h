@@ -16,7 +16,7 @@ namespace swept::inline SWEPT_PRECISION {
 bool openAccounts(WorldState& world, const TiedGroup& group);
 /// Of a member of the group, before its motion is overwritten with what the solver made of it.
 /// @param time  that was solved for, s
-EnergyEntry entryOf(const WorldState& world, std::uint32_t slot, const BodyState& state, Real time);
+void noteEnergy(EnergyEntry& entry, const WorldState& world, std::uint32_t slot, const BodyState& state, Real time);
 /// Books the entries of all members (`SolveDesk::energyEntries`). Sums depend on their order: one after the other.
 void book(WorldState& world, SolveDesk& desk);
 /// Takes back what islands gained. @pre all members were booked, and have their new motions

@@ -139,7 +139,7 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
         const BodyState& state = desk.batch.states[i + 1];
         world.solverSlots[slot] = kFixedSlot;
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        if (isWatched) { desk.energyEntries[i] = entryOf(world, slot, state, time); }
+        if (isWatched) { noteEnergy(desk.energyEntries[i], world, slot, state, time); }
         any = readBody(world, slot, state) || any;
         places[count] = i;
         angles[count++] = world.motions[slot].angle;

@@ -147,15 +147,17 @@ void ContactBlocks::forEachList(int colour, RangeCut cut, const TakeOne& takeOne
     const auto two = [&](ColourRange range) {
         if (const auto blocks = cut.next(two_.blocks, range); !blocks.empty()) { takeTwo(blocks); }
     };
+    const auto rest = [&](ColourRange range) {
+        if (const auto some = cut.next(rest_, range); !some.empty()) { takeRest(some); }
+    };
     if (cut.isWhole(ranges.count())) {
         two(ranges.two);
         one(ranges.one);
-        takeRest(cut.next(rest_, ranges.rest));
-        return;
+        return rest(ranges.rest);
     }
     two({ranges.two.begin, ranges.middleOfTwo});
     one({ranges.one.begin, ranges.middleOfOne});
-    takeRest(cut.next(rest_, ranges.rest));
+    rest(ranges.rest);
     one({ranges.middleOfOne, ranges.one.end});
     two({ranges.middleOfTwo, ranges.two.end});
 }
