@@ -68,6 +68,9 @@ constexpr std::size_t kLoadBlock = 32;
 /// Blocks that are worth handing over.
 constexpr std::size_t kBlockGrain = 4;
 
+/// Copied: GCC 12 fills what is so large with zeros by an instruction that is slow to begin (`rep stos`).
+constexpr IslandLoad kNoLoad;
+
 /// What is to be fetched of the bodies of a block, any worker does.
 void weighBlock(WorldState& world, std::size_t block, DVec2 up, Real gravity) {
     const std::size_t begin = block * kLoadBlock;
@@ -79,7 +82,7 @@ void weighBlock(WorldState& world, std::size_t block, DVec2 up, Real gravity) {
         const std::uint32_t slot = world.tied[i];
         Body& body = world.bodies[slot];
         if (body.searchDebt > 0) { --body.searchDebt; }
-        world.islandLoads[slot] = {};
+        world.islandLoads[slot] = kNoLoad;
         BodyLoad own = loadOf(body, world.motions[slot], up, gravity);
         own.root = world.islands.rootOf(slot);
         if (own.root == root) {
