@@ -11,8 +11,10 @@ enum class ContactEventType : std::uint8_t {
     begin,  ///< two shapes touch, as the step began, that did not before
     end,    ///< they touch no longer, or one of them is gone
     /// A blow: they met faster than gravity makes anything in a step (at all, where there is none), or bounced. At the
-    /// time of the impact; `begin` may follow in the next step, or never where they are apart by then. Compare
-    /// `approachSpeed` or `impulse` with what is worth a sound.
+    /// time of the impact; `begin` may follow in the next step, or never where they are apart by then. So is it where
+    /// they touch already, and meet at another point, faster than the forces on them make it in a step: a crate that
+    /// tips over slaps down with each corner. One for a pair and an impact, at its hardest point; `impulse` is that of
+    /// the pair. Compare `approachSpeed` or `impulse` with what is worth a sound.
     hit,
     sensorBegin,  ///< a shape overlaps a sensor
     sensorEnd,

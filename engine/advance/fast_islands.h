@@ -20,7 +20,6 @@ struct TriedContact {
     std::array<Real, 2> normalImpulse{};
     std::array<Real, 2> tangentImpulse{};
     std::array<Real, 2> totalImpulse{};
-    Real approachSpeed = 0;
     bool pressed = false;
     bool pressedOn = false;
 };

@@ -53,7 +53,6 @@ void rememberContacts(WorldState& world) {
                                       .normalImpulse = contact.normalImpulse,
                                       .tangentImpulse = contact.tangentImpulse,
                                       .totalImpulse = contact.totalImpulse,
-                                      .approachSpeed = contact.approachSpeed,
                                       .pressed = contact.pressed,
                                       .pressedOn = contact.pressedOn});
     }
@@ -118,7 +117,6 @@ void takeBackContacts(WorldState& world) {
         contact.normalImpulse = before.normalImpulse;
         contact.tangentImpulse = before.tangentImpulse;
         contact.totalImpulse = before.totalImpulse;
-        contact.approachSpeed = before.approachSpeed;
         contact.pressed = before.pressed;
         contact.pressedOn = before.pressedOn;
     }

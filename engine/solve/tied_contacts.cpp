@@ -10,7 +10,6 @@
 #include "../../shapes/compiler.h"
 #include "../../solver/contacts/contact_lanes.h"
 #include "../crew/join_blocks.h"
-#include "../flight/hit_event.h"
 #include "../islands/effort_budget.h"
 #include "../modes/modes.h"
 #include "../state/profile.h"
@@ -42,30 +41,16 @@ void holdAsItIs(ContactConstraintPoint& point) {
     point.separation = point.normalImpulse > 0 ? Real(0) : point.baseSeparation;
 }
 
-/// How fast a point comes along the normal; less than 0: it goes.
-Real approachAt(const ContactConstraintPoint& point, Vec2 normal, const BodyState& a, const BodyState& b) {
-    return -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), normal);
-}
-
-Real approachSpeedOf(const ContactConstraint& constraint, const SolverBatch& batch) {
-    Real fastest = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i) {
-        fastest = std::max(fastest, approachAt(constraint.points[i], constraint.normal, batch.states[constraint.slotA],
-                                               batch.states[constraint.slotB]));
-    }
-    return fastest;
-}
-
 }  // namespace
 
 TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const StepPart& part, Real h, Real scale)
     : world_(world),
       group_(group),
       part_(part),
+      hits_(world, part, group.desk.events),
       scale_(scale),
       dt_(static_cast<Real>(part.dt)),
       closingTime_(static_cast<Real>(world.closingTime)),
-      hitThreshold_(length(world.settings.gravity) * dt_),
       softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
 
 /// In place: what is written in pieces and copied has to wait for the pieces.
@@ -107,7 +92,7 @@ void TiedContacts::forEachLink(const Visit& visit) const {
 }
 
 ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
-    Contact& contact = group_.contacts[link.source];
+    const Contact& contact = group_.contacts[link.source];
     ContactConstraint constraint =
         constraintOf(contact.manifold, world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
                      world_.motions[contact.bodyB], surfaceOf(world_, contact),
@@ -125,7 +110,6 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
         if (group_.effort.isSettled) { holdAsItIs(constraint.points[k]); }
     }
     if (contact.rolls()) { constraint.rollingImpulse = scale_ * contact.rollingImpulse(); }
-    contact.approachSpeed = approachSpeedOf(constraint, group_.desk.batch);
     return constraint;
 }
 
@@ -156,14 +140,12 @@ void TiedContacts::setLane(WideContact<kPoints>& block, std::size_t lane, const 
     from.fromAToBY[lane] = fromAToB.y;
     from.extent[lane] = contact.extent;
     from.rows[lane] = &contact;
-    from.wantsApproach = from.wantsApproach || !contact.pressed;
 }
 
 /// The same as `constraintFor` makes, without making one.
 template <std::size_t kPoints>
 void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links links) {
     static constexpr ContactRow kNothing{};
-    const SolverBodies bodies{group_.desk.batch.states, group_.desk.batch.inertias};
     const ContactTerms terms{.scale = scale_,
                              .pushRatio = pushRatioOf(world_.settings),
                              .closingTime = closingTime_,
@@ -176,18 +158,14 @@ void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links link
             from = {};
             from.rows.fill(&kNothing);
         }
-        from.wantsApproach = false;
         for (std::size_t lane = 0; lane < block.lanes; ++lane) {
             if (lane + kAhead < links.size()) { fetchRow(group_.contacts[links[lane + kAhead].source]); }
             setLane(block, lane, links[lane], from);
         }
         if constexpr (kPoints == 2) {
-            contactRowKernels()->fillTwo(block, from, bodies, terms);
+            contactRowKernels()->fillTwo(block, from, terms);
         } else {
-            contactRowKernels()->fillOne(block, from, bodies, terms);
-        }
-        for (std::size_t lane = 0; from.wantsApproach && lane < block.lanes; ++lane) {
-            group_.contacts[links[lane].source].approachSpeed = from.approach[lane];
+            contactRowKernels()->fillOne(block, from, terms);
         }
         links = links.subspan(kBlockLanes);
     }
@@ -246,7 +224,7 @@ std::size_t TiedContacts::link() {
 
 void TiedContacts::letBounce(bool inTurn) {
     if (inTurn) {
-        bounceSpeed_ = hitThreshold_;
+        bounceSpeed_ = hits_.threshold();
     } else {
         for (ContactLink& link : group_.desk.batch.links) { link.isAlone = link.isAlone || link.bounces; }
     }
@@ -266,10 +244,9 @@ void TiedContacts::addConstraints() {
 /// What was made ahead is held by its cores (mode `speculative`).
 void TiedContacts::anchorAhead() {
     for (ContactConstraint& constraint : group_.desk.batch.contacts) {
-        Contact& contact = group_.contacts[constraint.source];
+        const Contact& contact = group_.contacts[constraint.source];
         if (!isAhead(world_, contact)) { continue; }
         anchorAtCores(constraint, contact.radiusA, contact.radiusB);
-        contact.approachSpeed = approachSpeedOf(constraint, group_.desk.batch);
     }
 }
 
@@ -305,7 +282,7 @@ void TiedContacts::takeBlocks(std::span<const WideContact<kPoints>> blocks, Link
             rows[lane] = &group_.contacts[links[lane].source];
         }
         const std::span<ContactRow* const> inUse = std::span(rows).first(block.lanes);
-        std::uint32_t pressing = 0;
+        LanesByPoint pressing;
         if constexpr (kPoints == 2) {
             pressing = contactRowKernels()->takeTwo(block, inUse, scale_);
         } else {
@@ -317,22 +294,35 @@ void TiedContacts::takeBlocks(std::span<const WideContact<kPoints>> blocks, Link
             for (std::size_t k = 0; k < kPoints; ++k) {
                 contact.totalImpulse[k] = block.points[k].totalNormalImpulse[lane];
             }
-            const bool presses = (pressing >> lane & 1U) != 0;
+            const bool presses = ((pressing[0] | pressing[1]) >> lane & 1U) != 0;
             began |= (std::uint32_t{presses} & std::uint32_t{!contact.pressed}) << lane;
             contact.pressedOn = contact.pressed && presses;
             contact.pressed = presses;
         }
-        if (began != 0) { noteHits(block, links, began); }
+        LanesByPoint struck{};
+        for (std::size_t k = 0; k < kPoints; ++k) { struck[k] = pressing[k] & (block.unloaded[k] | began); }
+        if ((struck[0] | struck[1]) != 0) { noteHits(block, links, struck, began); }
         links = links.subspan(kBlockLanes);
     }
 }
 
-/// @param began  one bit per lane of those that did not press before
+/// @param struck  points that began to press
+/// @param began   one bit per lane of those that did not press before at all
 template <std::size_t kPoints>
-void TiedContacts::noteHits(const WideContact<kPoints>& block, Links links, std::uint32_t began) {
-    for (; began != 0; began &= began - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(began));
-        noteHit(group_.contacts[links[lane].source], {block.normalX[lane], block.normalY[lane]}, 0);
+void TiedContacts::noteHits(const WideContact<kPoints>& block, Links links, const LanesByPoint& struck,
+                            std::uint32_t began) {
+    for (std::uint32_t lanes = struck[0] | struck[1]; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        const Contact& contact = group_.contacts[links[lane].source];
+        const Vec2 normal{block.normalX[lane], block.normalY[lane]};
+        const TiedPair pair = hits_.pairOf(contact, block.slotA[lane], block.slotB[lane]);
+        std::array<Real, 2> speeds{};
+        for (std::size_t k = 0; k < kPoints; ++k) {
+            if ((struck[k] >> lane & 1U) != 0) {
+                speeds[k] = pair.approachAt(hits_.anchorsOf(contact, contact.manifold.points[k]), normal);
+            }
+        }
+        hits_.note(contact, normal, speeds, (began >> lane & 1U) != 0);
     }
 }
 
@@ -340,41 +330,34 @@ void TiedContacts::takeConstraint(const ContactConstraint& constraint) {
     Contact& contact = group_.contacts[constraint.source];
     const auto kept = [this](Real impulse) { return scale_ == 1 ? impulse : impulse / scale_; };  // most often it is
     const bool pressedBefore = contact.pressed;
+    LanesByPoint struck{};  // of one lane
     contact.pressed = false;
     for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
         const ContactConstraintPoint& point = constraint.points[k];
+        const bool presses = point.totalNormalImpulse > 0;
+        struck[k] = presses && (!pressedBefore || contact.normalImpulse[k] == 0) ? 1 : 0;
         contact.normalImpulse[k] = kept(point.normalImpulse);
         contact.tangentImpulse[k] = kept(point.tangentImpulse);
         contact.totalImpulse[k] = point.totalNormalImpulse;
-        contact.pressed = contact.pressed || point.totalNormalImpulse > 0;
+        contact.pressed = contact.pressed || presses;
     }
     if (contact.rolls()) { contact.rollingImpulse() = kept(constraint.rollingImpulse); }
     contact.pressedOn = pressedBefore && contact.pressed;
-    if (pressedBefore) { return; }
-    noteHit(contact, constraint.normal, impactSpeed(constraint));
+    if ((struck[0] | struck[1]) != 0) { noteHit(contact, constraint, struck, !pressedBefore); }
 }
 
-/// A contact that began to press while it approached faster than resting contacts do, or that bounced, is a hit.
-/// @param bounceApproach  m/s; 0: it did not bounce by itself
-/// @pre it did not press before, and has its totals
-void TiedContacts::noteHit(const Contact& contact, Vec2 normal, Real bounceApproach) {
-    const Real speed = std::max(contact.approachSpeed, bounceApproach);
-    const Real second = contact.manifold.count == 2 ? contact.totalImpulse[1] : Real(0);
-    const Real impulse = contact.totalImpulse[0] + second;
-    if (!(impulse > 0) || !(speed > hitThreshold_)) { return; }
-    const std::size_t k = second > contact.totalImpulse[0] ? 1 : 0;
-    const BodyMotion& a = world_.motions[contact.bodyA];
-    // The gap closes at the approach speed: a first-order estimate of when in the step.
-    const auto gap = static_cast<double>(std::max(contact.manifold.points[k].separation, Real(0)));
-    const double wait = std::min(gap / static_cast<double>(speed), part_.length);
-    ContactEvent hit = hitBetween(world_, contact.shapeA, contact.shapeB);
-    hit.fraction = std::min((part_.begin + wait) / part_.dt, 1.0);
-    hit.point = apply(a.pose, contact.manifold.points[k].point);
-    hit.normal = normal;
-    hit.approachSpeed = speed;
-    hit.impulse = impulse;
-    const HeldLock lock(hitting_);
-    group_.desk.events.push_back(hit);
+/// @param struck  points that began to press
+/// @param began   whether it did not press before at all
+void TiedContacts::noteHit(const Contact& contact, const ContactConstraint& constraint, const LanesByPoint& struck,
+                           bool began) {
+    const TiedPair pair = hits_.pairOf(contact, constraint.slotA, constraint.slotB);
+    std::array<Real, 2> speeds{};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(constraint.count); ++k) {
+        const ContactConstraintPoint& point = constraint.points[k];
+        if (struck[k] == 0) { continue; }
+        speeds[k] = std::max(point.bounceApproach, pair.approachAt(point, constraint.normal));
+    }
+    hits_.note(contact, constraint.normal, speeds, began);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "../../solver/contacts/contact_rows.h"
-#include "../crew/short_lock.h"
 #include "constraint_builder.h"
 #include "tied_group.h"
+#include "tied_hits.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -53,20 +53,19 @@ private:
     template <std::size_t kPoints>
     void takeBlocks(std::span<const WideContact<kPoints>> blocks, Links links);
     template <std::size_t kPoints>
-    void noteHits(const WideContact<kPoints>& block, Links links, std::uint32_t began);
+    void noteHits(const WideContact<kPoints>& block, Links links, const LanesByPoint& struck, std::uint32_t began);
     void takeConstraint(const ContactConstraint& constraint);
-    void noteHit(const Contact& contact, Vec2 normal, Real bounceApproach);
+    void noteHit(const Contact& contact, const ContactConstraint& constraint, const LanesByPoint& struck, bool began);
     void anchorAhead();
     Real bounceSpeedOf(const Contact& contact) const;
 
     WorldState& world_;
     const TiedGroup& group_;
     const StepPart& part_;
-    ShortLock hitting_;  ///< held by who adds to `SolveDesk::events`
+    TiedHits hits_;
     Real scale_;
     Real dt_;
     Real closingTime_;                                          ///< s, that or more: within it overlaps are pushed out
-    Real hitThreshold_;                                         ///< approach speed of what only rests, m/s
     Real bounceSpeed_ = std::numeric_limits<Real>::infinity();  ///< of links with restitution, m/s
     Softness softness_;
 };

@@ -23,8 +23,7 @@ struct ContactRow {
     Real restitution = 0;
     Real radiusA = 0;
     Real radiusB = 0;
-    Real extent = 0;         ///< of the pair
-    Real approachSpeed = 0;  ///< at the start of the step, m/s; of what did not press before
+    Real extent = 0;  ///< of the pair
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -21,10 +21,8 @@ struct alignas(kBlockBytes) ContactSources {
     LaneArray localCenterY;
     LaneArray fromAToBX;  ///< from centre to centre, world
     LaneArray fromAToBY;
-    LaneArray extent;    ///< `ContactRow::extent`
-    LaneArray approach;  ///< is found: how fast the points come near each other, m/s, at least 0
+    LaneArray extent;  ///< `ContactRow::extent`
     std::array<const ContactRow*, kBlockLanes> rows;
-    bool wantsApproach = false;  ///< else nobody asks for `approach`
 };
 
 /// What all contacts of a solve have in common.
@@ -37,15 +35,18 @@ struct ContactTerms {
     bool settled = false;  ///< `SolverSettings::settled`
 };
 
+/// By point, one bit per lane. Of one point the second is 0.
+using LanesByPoint = std::array<std::uint32_t, 2>;
+
 /// Of one block each. Lanes in use are filled to the bit as by `fillLane`, others as contacts of the fixed world with
 /// itself; then `closeBlock` and `prepareContact` are done, too.
 struct ContactRowKernels {
-    void (*fillOne)(WideContact<1>& block, ContactSources& from, const SolverBodies& bodies, const ContactTerms& terms);
-    void (*fillTwo)(WideContact<2>& block, ContactSources& from, const SolverBodies& bodies, const ContactTerms& terms);
+    void (*fillOne)(WideContact<1>& block, const ContactSources& from, const ContactTerms& terms);
+    void (*fillTwo)(WideContact<2>& block, const ContactSources& from, const ContactTerms& terms);
     /// Impulses of the last sub-step, not the totals. @param rows  of the lanes in use
-    /// @return one bit per lane whose totals are not all 0
-    std::uint32_t (*takeOne)(const WideContact<1>& block, std::span<ContactRow* const> rows, Real scale);
-    std::uint32_t (*takeTwo)(const WideContact<2>& block, std::span<ContactRow* const> rows, Real scale);
+    /// @return points whose totals are not 0
+    LanesByPoint (*takeOne)(const WideContact<1>& block, std::span<ContactRow* const> rows, Real scale);
+    LanesByPoint (*takeTwo)(const WideContact<2>& block, std::span<ContactRow* const> rows, Real scale);
 };
 
 /// Null where `contactKernels` is.

@@ -40,6 +40,9 @@ struct alignas(kBlockBytes) WideContact {
     std::uint32_t movableA = 0;  ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;
     Real mostRestitution = 0;  ///< of its contacts; where it is 0 nothing bounces
+    /// By point, one bit per lane: it carried nothing before the solve. Of blocks that row kernels fill; nobody else
+    /// asks.
+    std::array<std::uint32_t, kPoints> unloaded;
     alignas(kBlockBytes) LaneArray normalX;
     LaneArray normalY;
     LaneArray friction;

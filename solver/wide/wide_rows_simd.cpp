@@ -94,30 +94,6 @@ HWY_INLINE void fillPoint(WideContactPoint& lanes, std::size_t begin, const Fram
     }
 }
 
-/// How fast a point of B comes towards that of A: `velocityAt`, the arms still anchors.
-HWY_INLINE Lanes approachAt(const WideContactPoint& point, std::size_t begin, const Quad& a, const Quad& b,
-                            LanePair normal) {
-    const auto at = [begin](const LaneArray& lanes) { return lanesAt(lanes, begin); };
-    const auto velocityAt = [](const Quad& body, Lanes armX, Lanes armY) -> LanePair {
-        return {hn::Add(body.x, hn::Mul(hn::Neg(body.z), armY)), hn::Add(body.y, hn::Mul(body.z, armX))};
-    };
-    const LanePair ofA = velocityAt(a, at(point.normalArmA), at(point.tangentArmA));
-    const LanePair ofB = velocityAt(b, at(point.normalArmB), at(point.tangentArmB));
-    return hn::Neg(hn::Add(hn::Mul(hn::Sub(ofB.x, ofA.x), normal.x), hn::Mul(hn::Sub(ofB.y, ofA.y), normal.y)));
-}
-
-template <std::size_t kPoints>
-HWY_INLINE void findApproach(const WideContact<kPoints>& block, std::size_t begin, const SolverBodies& bodies,
-                             LanePair normal, ContactSources& from) {
-    const Quad a = gather(bodies.states, block.slotA.data() + begin, kVelocities);
-    const Quad b = gather(bodies.states, block.slotB.data() + begin, kVelocities);
-    Lanes fastest = hn::Zero(Tag());
-    for (const WideContactPoint& point : block.points) {
-        fastest = larger(fastest, approachAt(point, begin, a, b, normal));
-    }
-    put(fastest, from.approach, begin);
-}
-
 /// One bit per lane of the group.
 HWY_INLINE std::uint32_t bitsOf(LaneMask mask) {
     alignas(8) std::uint8_t bits[8] = {};
@@ -132,8 +108,8 @@ HWY_INLINE std::uint32_t movableOf(const LaneArray& inverseMass, const LaneArray
 }
 
 template <std::size_t kPoints>
-HWY_INLINE void fillGroup(WideContact<kPoints>& block, std::size_t begin, ContactSources& from,
-                          const SolverBodies& bodies, const ContactTerms& terms) {
+HWY_INLINE void fillGroup(WideContact<kPoints>& block, std::size_t begin, const ContactSources& from,
+                          const ContactTerms& terms) {
     const Tag tag;
     const RowsOfLanes rows{from.rows.data() + begin};
     const auto at = [begin](const LaneArray& lanes) { return lanesAt(lanes, begin); };
@@ -161,7 +137,8 @@ HWY_INLINE void fillGroup(WideContact<kPoints>& block, std::size_t begin, Contac
     const LaneMask isLively = hn::Gt(surface.y, hn::Set(tag, kLivelyRestitution));
     const Lanes never = hn::Set(tag, std::numeric_limits<Real>::infinity());
     put(hn::IfThenElse(isLively, hn::Set(tag, terms.bounceSpeed), never), block.bounceSpeed, begin);
-    if (from.wantsApproach) { findApproach(block, begin, bodies, normal, from); }
+    block.unloaded[0] |= bitsOf(hn::Eq(impulses.x, hn::Zero(tag))) << begin;
+    if constexpr (kPoints == 2) { block.unloaded[1] |= bitsOf(hn::Eq(impulses.y, hn::Zero(tag))) << begin; }
     block.movableA |= movableOf(block.inverseMassA, block.inverseInertiaA, begin) << begin;
     block.movableB |= movableOf(block.inverseMassB, block.inverseInertiaB, begin) << begin;
     if (!hn::AllFalse(tag, hn::Gt(surface.y, hn::Zero(tag)))) { block.mostRestitution = 1; }
@@ -170,11 +147,12 @@ HWY_INLINE void fillGroup(WideContact<kPoints>& block, std::size_t begin, Contac
 }
 
 template <std::size_t kPoints>
-void fill(WideContact<kPoints>& block, ContactSources& from, const SolverBodies& bodies, const ContactTerms& terms) {
+void fill(WideContact<kPoints>& block, const ContactSources& from, const ContactTerms& terms) {
     block.movableA = block.movableB = 0;
     block.mostRestitution = 0;
+    block.unloaded = {};
     setSoftness(block, terms.softness);
-    for (std::size_t i = 0; i < block.lanes; i += kGroup) { fillGroup(block, i, from, bodies, terms); }
+    for (std::size_t i = 0; i < block.lanes; i += kGroup) { fillGroup(block, i, from, terms); }
     if (block.mostRestitution > 0) {
         block.mostRestitution = 0;
         for (std::size_t i = 0; i < block.lanes; ++i) {
@@ -185,23 +163,24 @@ void fill(WideContact<kPoints>& block, ContactSources& from, const SolverBodies&
 }
 
 template <std::size_t kPoints>
-std::uint32_t take(const WideContact<kPoints>& block, std::span<ContactRow* const> rows, Real scale) {
+LanesByPoint take(const WideContact<kPoints>& block, std::span<ContactRow* const> rows, Real scale) {
     const Lanes scales = hn::Set(Tag(), scale);
     const Lanes zero = hn::Zero(Tag());
-    std::uint32_t pressing = 0;
+    LanesByPoint pressing{};
     for (std::size_t i = 0; i < rows.size(); i += kGroup) {
         const auto kept = [&](const LaneArray& lanes) { return hn::Div(lanesAt(lanes, i), scales); };
         Quad impulses{kept(block.points[0].normalImpulse), zero, kept(block.points[0].tangentImpulse), zero};
-        LaneMask presses = hn::Gt(lanesAt(block.points[0].totalNormalImpulse, i), zero);
         if constexpr (kPoints == 2) {
             impulses.y = kept(block.points[1].normalImpulse);
             impulses.w = kept(block.points[1].tangentImpulse);
-            presses = hn::Or(presses, hn::Gt(lanesAt(block.points[1].totalNormalImpulse, i), zero));
         }
         const std::size_t count = rows.size() - i;
         const std::uint32_t inUse = count < kGroup ? (1U << count) - 1 : (1U << kGroup) - 1;
         storeColumns(impulses, WritableRows{rows.data() + i}, kImpulses, inUse);
-        pressing |= (bitsOf(presses) & inUse) << i;
+        for (std::size_t k = 0; k < kPoints; ++k) {
+            const LaneMask presses = hn::Gt(lanesAt(block.points[k].totalNormalImpulse, i), zero);
+            pressing[k] |= (bitsOf(presses) & inUse) << i;
+        }
     }
     return pressing;
 }
