@@ -19,9 +19,9 @@ struct TiedPair {
     Real approachAt(const ContactConstraintPoint& point, Vec2 normal) const;
 };
 
-/// Which contacts of a solve were blows, and tells them (`ContactEventType::hit`). What rests presses on and on, so only
-/// points that begin to press are judged, by their approach before the solve; and what bounced. Several workers may
-/// note hits at the same time, as long as nobody has moved the bodies of the world.
+/// Which contacts of a solve were blows, and tells them (`ContactEventType::hit`). What rests presses on and on, so
+/// only points that begin to press are judged, by their approach before the solve; and what bounced. Several workers
+/// may note hits at the same time, as long as nobody has moved the bodies of the world.
 class TiedHits {
 public:
     /// Holds on to all of them.

@@ -52,9 +52,10 @@ struct Crate {
     double halfX = 0;
     double halfY = 0;
     BodyId body{};
-    double spin = 0;     ///< before the step, rad/s
-    double slap = 0;     ///< with what its corner came down, m/s
-    double fastest = 0;  ///< hit that was told
+    double spin = 0;      ///< before the step, rad/s
+    double mostLost = 0;  ///< of it, in a step
+    double slap = 0;      ///< with what its corner came down, m/s
+    double fastest = 0;   ///< hit that was told
     int hits = 0;
 };
 
@@ -65,10 +66,13 @@ void addLeaning(World& world, Crate& crate, double x) {
     crate.body = addBody(world, bodyAt(BodyType::dynamic, {x, y}, angle), box(crate.halfX, crate.halfY), material(0.9));
 }
 
-/// The step in which its spin ends is that in which the other corner slaps down.
+/// The step in which it loses most of its spin is that in which the other corner slaps down.
 void follow(const World& world, Crate& crate) {
     const double spin = std::fabs(spinOf(world, crate.body));
-    if (crate.spin - spin > 0.5 * crate.spin) { crate.slap = std::max(crate.slap, crate.spin * 2 * crate.halfY); }
+    if (crate.spin - spin > crate.mostLost) {
+        crate.mostLost = crate.spin - spin;
+        crate.slap = crate.spin * 2 * crate.halfY;
+    }
     crate.spin = spin;
     for (const ContactEvent& hit : hitsOf(world)) {
         if (hit.bodyB != crate.body) { continue; }
@@ -123,8 +127,8 @@ TEST_P(Hits, TellEachCornerOfAHexagonThatIsRolled) {
         const DVec2 corner = turned({kEdge, 0}, i * kPi / 3);
         corners.push_back(vec(corner.x, corner.y));
     }
-    const BodyId hexagon = addBody(world, dynamicAt({0, kEdge * std::cos(kPi / 6)}), must(convexHull(corners)),
-                                   material(0.9));
+    const BodyId hexagon =
+        addBody(world, dynamicAt({0, kEdge * std::cos(kPi / 6)}), must(convexHull(corners)), material(0.9));
     int hits = 0;
     for (int step = 0; step < 300; ++step) {
         must(world.setVelocity(hexagon, vec(kSpin * kEdge, velocityOf(world, hexagon).y), real(-kSpin)));
@@ -166,7 +170,9 @@ int untoldChanges(Profile profile, const Polygon& polygon, double speed, double 
         for (const ContactEvent& hit : hitsOf(world)) {
             ++hits;
             const DVec2 impulse = static_cast<double>(hit.impulse) * toDouble(hit.normal);
-            if (expected.contains(hit.bodyA)) { expected[hit.bodyA] = expected[hit.bodyA] - (1 / world.mass(hit.bodyA)) * impulse; }
+            if (expected.contains(hit.bodyA)) {
+                expected[hit.bodyA] = expected[hit.bodyA] - (1 / world.mass(hit.bodyA)) * impulse;
+            }
             if (expected.contains(hit.bodyB)) { expected[hit.bodyB] += (1 / world.mass(hit.bodyB)) * impulse; }
         }
         for (const BodyId body : bodies) {
@@ -218,8 +224,8 @@ TEST_P(Hits, AreNoneOfWhatRollsOrSlides) {
         World world = worldOf(GetParam());
         for (int i = 0; i < 60; ++i) { addStatic(world, box(0.5, 0.5), material(rolls ? 0.6 : 0.1), {i - 30.0, -0.5}); }
         const Polygon polygon = rolls ? circle(0.5) : box(0.7, 0.5);
-        const BodyId body = addBody(world, dynamicAt({-25, 0.5}, vec(6, 0), rolls ? -12 : 0), polygon,
-                                    material(rolls ? 0.6 : 0.1));
+        const BodyId body =
+            addBody(world, dynamicAt({-25, 0.5}, vec(6, 0), rolls ? -12 : 0), polygon, material(rolls ? 0.6 : 0.1));
         EXPECT_EQ(hitsAfter(world, 1, 240), 0) << nameOf(GetParam()) << (rolls ? ", rolls" : ", slides");
         EXPECT_GT(world.position(body).x, -10);
     }
