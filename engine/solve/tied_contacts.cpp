@@ -46,7 +46,6 @@ void holdAsItIs(ContactConstraintPoint& point) {
 TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const StepPart& part, Real h, Real scale)
     : world_(world),
       group_(group),
-      part_(part),
       hits_(world, part, group.desk.events),
       scale_(scale),
       dt_(static_cast<Real>(part.dt)),

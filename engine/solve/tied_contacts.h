@@ -61,7 +61,6 @@ private:
 
     WorldState& world_;
     const TiedGroup& group_;
-    const StepPart& part_;
     TiedHits hits_;
     Real scale_;
     Real dt_;
