@@ -19,11 +19,12 @@ struct BodyFrame {
     bool awake = false;  ///< static bodies: false
 };
 
+/// Where two bodies touch at the poses of the frame.
 struct ContactFrame {
     DVec2 point;
     DVec2 normal;  ///< from a to b
     double separation = 0;
-    double impulse = 0;  ///< normal impulse of the step, N·s
+    double impulse = 0;  ///< normal impulse of the step, N·s; of our engine, whose contacts are found anew, 0
 };
 
 /// A pose at which a body met something within the step (continuous collision).
@@ -107,18 +108,34 @@ struct LostTime {
     std::string reason;  ///< "budget", "stuck", "cap"
 };
 
+/// Between which bodies of the scene the deepest overlap was, and when.
+struct DeepestPair {
+    double time = 0;
+    int a = 0;
+    int b = 0;
+};
+
+/// Which joint of the scene had the largest error, and when.
+struct WorstJoint {
+    double time = 0;
+    int joint = 0;
+};
+
 /// Totals of a run so far.
 struct RunReport {
     std::vector<NamedNumber> counters;  ///< sums over all steps
     std::vector<LostTime> lostTime;
-    double deepestPenetration = 0;  ///< metres, largest of the run
-    double largestJointError = 0;   ///< metres, largest of the run
-    double startEnergy = 0;         ///< kinetic and potential, joules (potential 0 at y = 0)
+    double deepestPenetration = 0;           ///< metres, largest of the start and the ends of all steps
+    double largestJointError = 0;            ///< metres, likewise
+    std::optional<DeepestPair> deepestPair;  ///< where there was an overlap, of engines that tell
+    std::optional<WorstJoint> worstJoint;    ///< likewise
+    double startEnergy = 0;                  ///< kinetic and potential, joules (potential 0 at y = 0)
     double endEnergy = 0;
     DVec2 startMomentum;  ///< of dynamic bodies
     DVec2 endMomentum;
     double startAngularMomentum = 0;  ///< about the world origin
     double endAngularMomentum = 0;
+    double stepSeconds = 0;                  ///< wall time of the steps alone, of our engine where it measures
     std::optional<std::uint64_t> stateHash;  ///< at the end, of engines that have one
     std::string refusal;                     ///< why the engine refused a step; empty: it did not
     bool finite = true;                      ///< no NaN or infinity in any body's state

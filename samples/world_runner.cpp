@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "counter_names.h"
 #include "engine_refusal.h"
+#include "present_contacts.h"
 #include "runner.h"
 #include "world_builder.h"
 
@@ -59,11 +62,16 @@ public:
         report_.startEnergy = totals.energy;
         report_.startMomentum = totals.momentum;
         report_.startAngularMomentum = totals.angularMomentum;
+        if (options_.measure) {
+            touching_.emplace(scene_, built_);
+            measureOverlaps(touching_->all(false));
+            measureJoints();
+        }
     }
 
     bool step() override {
         if (options_.ways) { keepStarts(); }
-        const Status status = built_.world.step(scene_.settings.dt);
+        const Status status = timedStep();
         if (!status.ok()) {
             report_.refusal = refusalText("/settings", hasKey<SettingsDescription>(status.field), status);
             return false;
@@ -72,13 +80,16 @@ public:
         addCounters(sums_, built_.world.counters());
         for (const LostTimeEntry& entry : built_.world.lostTime()) { noteLostTime(entry); }
         if (options_.collectEvents) { collectEvents(); }
-        if (options_.measure) { measure(); }
+        if (options_.measure) {
+            measureOverlaps(touching_->ofMoved());
+            measureJoints();
+        }
         return true;
     }
 
     void read(Frame& frame, bool withContacts) const override {
         frame.step = steps_;
-        frame.time = static_cast<double>(steps_) * scene_.settings.dt;
+        frame.time = now();
         frame.bodies.clear();
         frame.contacts.clear();
         frame.impacts.clear();
@@ -92,10 +103,11 @@ public:
         }
         if (options_.ways) { readWays(frame); }
         if (!withContacts) { return; }
-        world.visitContacts([&frame](const ContactView& contact) {
-            frame.contacts.push_back({contact.point, toDouble(contact.normal), static_cast<double>(contact.separation),
-                                      static_cast<double>(contact.impulse)});
-        });
+        PresentContacts present(scene_, built_);
+        for (const PresentContact& contact : present.all(steps_ > 0)) {
+            frame.contacts.push_back(
+                {contact.point, toDouble(contact.normal), static_cast<double>(contact.separation), 0});
+        }
     }
 
     const std::vector<SceneEvent>& events() const override { return events_; }
@@ -123,6 +135,14 @@ public:
     }
 
 private:
+    Status timedStep() {
+        if (!options_.measure) { return built_.world.step(scene_.settings.dt); }
+        const auto start = std::chrono::steady_clock::now();
+        const Status status = built_.world.step(scene_.settings.dt);
+        report_.stepSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return status;
+    }
+
     Totals totals() const {
         Totals totals;
         const World& world = built_.world;
@@ -211,13 +231,23 @@ private:
         }
     }
 
-    void measure() {
-        built_.world.visitContacts([this](const ContactView& contact) {
-            report_.deepestPenetration = std::max(report_.deepestPenetration, -static_cast<double>(contact.separation));
-        });
-        for (const JointId id : built_.joints) {
-            report_.largestJointError =
-                std::max(report_.largestJointError, static_cast<double>(built_.world.jointError(id)));
+    double now() const { return static_cast<double>(steps_) * scene_.settings.dt; }
+
+    void measureOverlaps(const std::vector<PresentContact>& contacts) {
+        for (const PresentContact& contact : contacts) {
+            const double depth = -static_cast<double>(contact.separation);
+            if (!(depth > report_.deepestPenetration)) { continue; }
+            report_.deepestPenetration = depth;
+            report_.deepestPair = DeepestPair{now(), contact.bodyA, contact.bodyB};
+        }
+    }
+
+    void measureJoints() {
+        for (std::size_t i = 0; i < built_.joints.size(); ++i) {
+            const auto gap = static_cast<double>(built_.world.jointError(built_.joints[i]));
+            if (!(gap > report_.largestJointError)) { continue; }
+            report_.largestJointError = gap;
+            report_.worstJoint = WorstJoint{now(), static_cast<int>(i)};
         }
     }
 
@@ -229,6 +259,7 @@ private:
     std::vector<std::vector<std::pair<LostTimeReason, double>>> lost_;
     std::vector<PoseFrame> starts_;  ///< before the last step
     std::vector<SceneEvent> events_;
+    std::optional<PresentContacts> touching_;  ///< only to measure
     RunReport report_;
 };
 

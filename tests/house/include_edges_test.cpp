@@ -19,7 +19,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"toi", {"shapes"}},
     {"solver", {"shapes"}},
     {"engine", {"shapes", "broadphase", "toi", "solver"}},
-    {"samples", {"shapes", "toi", "engine"}},
+    {"samples", {"shapes", "broadphase", "toi", "engine"}},
     {"tests/oracle", {"shapes", "toi"}},
     {"tools", {"shapes", "broadphase", "toi", "solver", "engine", "samples", "tests/oracle"}},
     {"tests", {"shapes", "broadphase", "toi", "solver", "engine", "samples", "tools", "tests/oracle"}},
