@@ -73,6 +73,17 @@ TEST_F(CommandTune, TellsWhatTheSceneCanDoWithout) {
     EXPECT_EQ(runSwept({"run", scratch.path("out/lean.json"), "--steps", "2"}).exitCode, 0);
 }
 
+TEST_F(CommandTune, DecidesNothingWhereTheSceneMissesTheErrors) {
+    ASSERT_EQ(tune("out", with(limit, {"--ablate"})).exitCode, 0);
+    const ProgramResult result = tune("out", {"--max-error", "penetration=0.001", "--ablate"});
+    EXPECT_EQ(result.exitCode, 1) << result.err;
+    EXPECT_NE(result.out.find("is not decided: as it is, the scene does not keep these errors (penetration 0.01"),
+              std::string::npos)
+        << result.out;
+    EXPECT_EQ(result.out.find("needed"), std::string::npos) << result.out;
+    EXPECT_FALSE(scratch.has("out/lean.json")) << "what was found for another limit";
+}
+
 TEST_F(CommandTune, RefusesBadInputAndWritesNothing) {
     const std::vector<std::vector<std::string>> cases{
         {},

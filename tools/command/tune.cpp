@@ -121,26 +121,17 @@ bool writeFile(const std::string& path, const std::string& text, std::string& er
     return error.empty();
 }
 
-/// Of two runs, by a clock that others disturb. Empty: nothing could be timed.
-std::string costText(double cost, double now) {
-    constexpr double kNoise = 0.1;
-    if (!(cost > 0) || !(now > 0)) { return ""; }
-    const double part = cost / now;
-    if (part > 1 - kNoise) { return ": no saving that could be measured"; }
-    return ": " + roundedText(part, 2) + " of what the scene costs now";
-}
-
 /// What an earlier search recommended is no advice of this one. @return whether it was there
-bool removeOldAdvice(const std::string& directory) {
+bool removeOldAdvice(const std::string& directory, const char* name) {
     std::error_code ignored;
-    const std::string path = directory + kTuned;
+    const std::string path = directory + name;
     return std::filesystem::is_regular_file(path, ignored) && std::filesystem::remove(path, ignored);
 }
 
 int printAdvice(const Task& task, const tune::Knowledge& known, std::string& error) {
     const tune::Subject& subject = task.options.subject;
     const tune::Verdict verdict = tune::judge(subject, known, task.options.limits);
-    const bool hadAdvice = removeOldAdvice(task.directory);
+    const bool hadAdvice = removeOldAdvice(task.directory, kTuned);
     std::cout << '\n';
     tune::writeTable(std::cout, subject, task.options.limits, known, verdict);
     const std::string plotted = tune::plotRows(task.directory, subject, task.options.limits, known, verdict, error);
@@ -159,7 +150,10 @@ int printAdvice(const Task& task, const tune::Knowledge& known, std::string& err
     const tune::Row& row = known.rows[static_cast<std::size_t>(verdict.recommended)];
     std::cout << "Recommended: " << tune::settingsText(subject, row.config);
     const tune::Row* const own = known.find(tune::ownConfig(subject.scene));
-    if (own != nullptr) { std::cout << costText(row.cost, own->cost); }
+    if (own != nullptr) {
+        const bool isKept = tune::holds(tune::strain(*own, task.options.limits, known.uncertainty));
+        std::cout << tune::costText(row.cost, own->cost, isKept);
+    }
     std::cout << '\n';
     const std::string tuned = writeScene(tune::withConfig(subject.scene, row.config));
     if (!writeFile(task.directory + kTuned, tuned, error)) { return kExitBadInput; }
@@ -193,6 +187,13 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
         tune::ablate(subject, limits, reference.get(), task.options.threads,
                      [&bar](std::size_t done, std::size_t all) { bar.show("features", done, all); });
     bar.clear();
+    if (!ablation.isDecided) {
+        (void)removeOldAdvice(task.directory, kLean);
+        std::cout << "\nWhat it can do without is not decided: as it is, the scene does not keep these errors ("
+                  << tune::missedText(ablation.whole, limits, reference.get().uncertainty)
+                  << ").\nWithout --ablate, settings that do are looked for.\n";
+        return kNotKept;
+    }
     std::cout << '\n';
     tune::writeAblation(std::cout, limits, ablation);
     std::ostringstream csv;
@@ -211,14 +212,9 @@ int ablateScene(const Task& task, tune::LazyReference& reference, tune::Progress
     if (ablation.lean.features.empty()) {
         std::cout << "the scene as it is";
     } else {
-        std::cout << costText(ablation.lean.row.cost, ablation.whole.cost);
+        std::cout << tune::costText(ablation.lean.row.cost, ablation.whole.cost, true);
     }
     std::cout << "\nscene  " << task.directory << kLean << "\nrows   " << task.directory << kAblation << "\n";
-    if (!tune::holds(tune::strain(ablation.whole, limits, reference.get().uncertainty))) {
-        std::cout
-            << "The scene as it is does not keep these errors; without --ablate, settings that do are looked for.\n";
-        return kNotKept;
-    }
     return kExitDone;
 }
 

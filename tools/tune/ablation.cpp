@@ -102,6 +102,10 @@ Ablation ablate(const Subject& subject, const std::vector<Limit>& limits, const 
     Ablation ablation;
     ablation.whole = bench.whole();
     ablation.visible = bench.visible();
+    ablation.lean.row = ablation.whole;
+    ablation.lean.isNeeded = false;
+    ablation.isDecided = holds(strain(ablation.whole, limits, reference.uncertainty));
+    if (!ablation.isDecided) { return ablation; }
     const auto features = allFeatures();
     ablation.single.resize(features.size());
     std::mutex mutex;
@@ -112,8 +116,6 @@ Ablation ablate(const Subject& subject, const std::vector<Limit>& limits, const 
         watch(++done, features.size());
     });
     std::vector<std::string> names = candidates(ablation);
-    ablation.lean.row = ablation.whole;
-    ablation.lean.isNeeded = false;
     for (; !names.empty(); names.pop_back()) {  // what is left out together may matter though each alone does not
         Ablated lean = bench.without(names);
         if (!lean.isNeeded) {

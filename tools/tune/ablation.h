@@ -35,7 +35,9 @@ struct Ablated {
 };
 
 struct Ablation {
-    Row whole;                    ///< the scene as it is
+    Row whole;  ///< the scene as it is
+    /// Whether anything was taken away: where the scene as it is misses the errors, nothing tells what they need.
+    bool isDecided = true;
     double visible = 0;           ///< m, changes up to here are not seen
     std::vector<Ablated> single;  ///< each feature off in turn
     Ablated lean;                 ///< off together in the leanest profile; none: the scene needs all that it has

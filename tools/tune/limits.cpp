@@ -100,10 +100,24 @@ double strain(const Row& row, const std::vector<Limit>& limits, const measures::
         const double error = row.errors[limit.measure] + (compares ? uncertainty[limit.measure] : 0);
         if (std::isnan(error) && limit.implied) { continue; }
         if (std::isnan(error)) { return kFailed; }
-        const double part = limit.value > 0 ? error / limit.value : 1 + error;
+        // Of nothing there are no parts: what is accepted is missed, however small the error.
+        const double part = limit.value > 0 ? error / limit.value : std::max(1 + error, std::nextafter(1.0, 2.0));
         worst = std::max(worst, error == 0 ? 0 : part);
     }
     return worst;
+}
+
+std::string missedText(const Row& row, const std::vector<Limit>& limits, const measures::Values& uncertainty) {
+    if (!row.verdict.empty()) { return row.verdict; }
+    std::string text;
+    for (const Limit& limit : limits) {
+        if (holds(strain(row, {limit}, uncertainty))) { continue; }
+        const measures::MeasureInfo& info = measures::infoOf(limit.measure);
+        const double error = row.errors[limit.measure] + (info.needsReference ? uncertainty[limit.measure] : 0);
+        text += (text.empty() ? "" : ", ") + std::string(info.name) + ' ' + roundedText(error, 3) + " instead of " +
+                roundedText(limit.value) + (std::string(info.unit) == "1" ? "" : std::string(" ") + info.unit);
+    }
+    return text;
 }
 
 }  // namespace swept::tune

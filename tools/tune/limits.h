@@ -31,6 +31,8 @@ std::string whyMeaningless(const Subject& subject, const std::vector<Limit>& lim
 /// The error as a part of what is accepted, of the limit that is nearest to being missed; the uncertainty of the
 /// reference counts as error. Infinite when the run failed or something could not be measured, 0 over 0 is 0.
 double strain(const Row& row, const std::vector<Limit>& limits, const measures::Values& uncertainty);
+/// The errors above what is accepted: "penetration 0.0123 instead of 0.002 m"; of a run that failed, why.
+std::string missedText(const Row& row, const std::vector<Limit>& limits, const measures::Values& uncertainty);
 inline bool holds(double strain) { return strain <= 1; }
 
 }  // namespace swept::tune

@@ -33,8 +33,18 @@ std::string partText(double part) {
     return part < kMostPercent ? roundedText(100 * part, 3) + " %" : roundedText(part, 2) + " times";
 }
 
-std::vector<std::string> cellsOf(const Subject& subject, const std::vector<Limit>& limits, const Row& row, double part,
-                                 char mark) {
+/// The error as a part of what is accepted. Of nothing there are no parts.
+std::string acceptedText(const Row& row, const std::vector<Limit>& limits, const measures::Values& uncertainty) {
+    const double part = strain(row, limits, uncertainty);
+    if (std::isinf(part)) { return "-"; }
+    const auto isOverNothing = [&](const Limit& limit) {
+        return limit.value == 0 && strain(row, {limit}, uncertainty) > 0;
+    };
+    return std::any_of(limits.begin(), limits.end(), isOverNothing) ? "over" : partText(part);
+}
+
+std::vector<std::string> cellsOf(const Subject& subject, const std::vector<Limit>& limits, const Row& row,
+                                 const std::string& part, char mark) {
     const Config& config = row.config;
     const bool isPeer = !isOurs(row);
     std::vector<std::string> cells{std::string(1, mark) + ' ' + nameOf(config.engine), hertz(subject, config),
@@ -48,7 +58,7 @@ std::vector<std::string> cellsOf(const Subject& subject, const std::vector<Limit
     for (const Limit& limit : limits) {
         cells.push_back(row.verdict.empty() ? errorText(row.errors[limit.measure]) : row.verdict);
     }
-    cells.push_back(std::isinf(part) ? "-" : partText(part));
+    cells.push_back(part);
     return cells;
 }
 
@@ -137,13 +147,23 @@ void writeTable(std::ostream& out, const Subject& subject, const std::vector<Lim
         const bool isOnFront = std::find(verdict.front.begin(), verdict.front.end(), i) != verdict.front.end();
         if (isRecommended || isOwn || isOnFront || (!isOurs(row) && isOnOwnFront(known, limits, row))) {
             const char mark = isRecommended ? '>' : (isOwn ? '=' : (isOnFront ? '*' : ' '));
-            table.add(cellsOf(subject, limits, row, strain(row, limits, known.uncertainty), mark));
+            table.add(cellsOf(subject, limits, row, acceptedText(row, limits, known.uncertainty), mark));
         }
     }
     table.write(out);
     out << "> recommended  = as the scene is now  * on the front: nothing of ours is both cheaper and nearer\n"
         << "ms per s: processor time of the steps of a simulated second; sub-steps of Box2D 2.4.1 are velocity "
            "iterations\n";
+}
+
+std::string costText(double cost, double now, bool isKept) {
+    constexpr double kNoise = 0.1;
+    if (!(cost > 0) || !(now > 0)) { return ""; }
+    const double part = cost / now;
+    const bool isEqual = std::fabs(part - 1) <= kNoise;
+    if (isEqual && isKept) { return ": no saving that could be measured"; }
+    const std::string ratio = isEqual ? "about" : (part < 1 ? roundedText(part, 2) + " of" : roundedText(part, 3) + " times");
+    return ": " + ratio + " what the scene costs now" + (isKept ? "" : ", which does not keep these errors");
 }
 
 std::string settingsText(const Subject& subject, const Config& config) {

@@ -27,6 +27,11 @@ Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<
 void writeTable(std::ostream& out, const Subject& subject, const std::vector<Limit>& limits, const Knowledge& known,
                 const Verdict& verdict);
 
+/// How the cost of advice compares with that of the scene as it is, by a clock that others disturb: ": 0.4 of what the
+/// scene costs now". Empty where nothing could be timed.
+/// @param isKept  whether the scene as it is keeps the errors
+std::string costText(double cost, double now, bool isKept);
+
 /// "f32, 120 Hz, 4 sub-steps with 1 relaxation pass, continuous off".
 std::string settingsText(const Subject& subject, const Config& config);
 
