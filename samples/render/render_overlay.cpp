@@ -234,7 +234,7 @@ void drawSweepWork(Paint& paint, const OverlayMetrics& m, const SweepWork& work)
         count(work.sweeps) + (work.sweeps == 1 ? " sweep \u00B7 " : " sweeps \u00B7 ") + count(work.toiCalls) +
             " TOI \u00B7 " + count(work.toiIterations) + (work.toiIterations == 1 ? " iteration" : " iterations"),
         count(work.impacts) + (work.impacts == 1 ? " impact \u00B7 " : " impacts \u00B7 ") + "lost " +
-            fixedDecimals(1000 * work.lostSeconds, 1) + " ms"};
+            fixedDecimals(1000 * work.lostSeconds, 1) + " ms in all bodies"};
     const double width = std::max(textWidth(lines[0], m.text), textWidth(lines[1], m.text));
     const DVec2 size{width + 2 * m.padding, 2.9 * m.text + 2 * m.padding};
     const double top = paint.box().high.y - 1.5 * m.margin - (m.title + 2 * m.padding);

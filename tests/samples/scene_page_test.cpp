@@ -276,14 +276,20 @@ TEST(ScenePage, NamesTheMembersAndTypesOfEvents) {
 TEST(ScenePage, NamesTheMembersOfReports) {
     RunReport report;
     report.lostTime.push_back({0, 1, "stop"});
+    report.deepestPair = DeepestPair{1, 0, 0};
+    report.worstJoint = WorstJoint{1, 0};
     SceneDescription scene;
     scene.bodies.resize(1);
+    scene.joints.resize(1);
     scene.settings.maxPenetration = 1;
     const auto json = nlohmann::ordered_json::parse(reportText(scene, report, {"engine", "f32", 1}));
     expectNamed("### Report", membersOf(json));
     expectNamed("### Report", membersOf(json["lostTime"][0]));
     expectNamed("### Report", membersOf(json["budgets"]["maxPenetration"]));
     expectNamed("### Report", membersOf(json["energy"]));
+    for (const char* const member : {"mostLostTime", "deepestPenetrationAt", "largestJointErrorAt"}) {
+        expectNamed("### Report", membersOf(json[member]));
+    }
 }
 
 TEST(ScenePage, NamesEveryCounterOfReports) {

@@ -113,8 +113,9 @@ TEST_F(CommandLimits, OutputThatIsLost) {
                   R"( {"localCenter": [0, 0], "c0": [5, 0], "c1": [0, 0], "a0": 0, "a1": 0}}, "tMax": 1})"
                   "\n");
     const std::string program = SWEPT_PROGRAM;
-    for (const std::string& arguments : {"toi " + query, "distance " + query, "run " + scene_ + " --steps 1",
-                                         std::string("scenes"), std::string("--help")}) {
+    for (const std::string& arguments :
+         {"toi " + query, "distance " + query, "run " + scene_ + " --steps 1",
+          "run " + scene_ + " --steps 100000000 --csv -", std::string("scenes"), std::string("--help")}) {
         const auto lost = runProgram("sh", {"-c", "exec '" + program + "' " + arguments + " > /dev/full"});
         EXPECT_EQ(lost.exitCode, 2) << arguments;
         EXPECT_EQ(lost.err, "swept: standard output cannot be written\n") << arguments;

@@ -18,6 +18,7 @@ TEST(CommandModes, HasALineForEveryModeAndOnePicture) {
     for (const char* const mode : kModes) {
         EXPECT_NE(result.out.find(std::string("\n") + mode + ' '), std::string::npos) << mode << " in:\n" << result.out;
     }
+    EXPECT_NE(result.out.find("lost: of their steps, by all bodies together"), std::string::npos) << result.out;
     EXPECT_EQ(scratch.read("modes.png").substr(1, 3), "PNG");
 }
 

@@ -217,6 +217,50 @@ TEST(CommandRun, GivesTheSameBytesTwiceAndWithAnyNumberOfThreads) {
     }
 }
 
+/// A run of ages must not go on for a file that is lost.
+TEST(CommandRun, StopsWhereItCannotWrite) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const std::string csv = scratch.path("states.csv");
+    expectRefused({"run", scene, "--steps", "9007199254740992", "--csv", "/dev/full"},
+                  "--csv /dev/full: could not be written to the end");
+    expectRefused({"run", scene, "--steps", "9007199254740993"}, "--steps: must be at most 9007199254740992");
+}
+
+TEST(CommandRun, TakesNamesBetweenCommasWithTheirBlanks) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto statesOf = [&](const std::string& bodies, const std::string& file) {
+        return runSwept({"run", file, "--steps", "2", "--csv", "-", "--csv-bodies", bodies}).out;
+    };
+    EXPECT_EQ(statesOf("ball, floor", scene), statesOf("ball,floor", scene));
+    EXPECT_EQ(statesOf(" ball ", scene), statesOf("ball", scene));
+    std::string odd = kBallScene;
+    odd.replace(odd.find("\"floor\""), 7, "\" floor\"");
+    const std::string oddScene = scratch.write("odd.json", odd);
+    EXPECT_NE(statesOf(" floor", oddScene).find("\n0,0, floor,"), std::string::npos) << "a name is a name";
+    for (const char* const empty : {"", " ", "ball, "}) {
+        expectRefused({"run", scene, "--csv", scratch.path("csv"), "--csv-bodies", empty},
+                      "--csv-bodies: a name is empty");
+    }
+}
+
+TEST(CommandRun, TellsWhereAndWhenTheLargestErrorsWere) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("press.json", R"({"gravity": [0, 0], "settings": {"continuous": "stop"},
+     "bodies": [{"name": "wall", "position": [0, -2], "shapes": [{"box": {"half": [10, 1]}}]},
+      {"name": "in", "type": "dynamic", "position": [3, -0.75], "shapes": [{"box": {"half": [0.5, 0.5]}}]},
+      {"name": "fast", "type": "dynamic", "position": [0, 1], "velocity": [0, -240],
+       "shapes": [{"circle": {"radius": 0.1}}]}]})");
+    const auto result = runSwept({"run", scene, "--steps", "1"});
+    EXPECT_NE(result.out.find("deepest penetration 0.25 m (\"wall\" and \"in\" at 0 s)"), std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("s in all bodies, most by \"fast\": 0.0"), std::string::npos) << result.out;
+    const auto jointed = runSwept({"run", "hanging-chain", "--duration", "1"});
+    EXPECT_NE(jointed.out.find("largest joint error 0.0"), std::string::npos) << jointed.out;
+    EXPECT_NE(jointed.out.find(" m (\"joint"), std::string::npos) << jointed.out;
+}
+
 TEST(CommandRun, SumsUpForAHuman) {
     const ScratchDirectory scratch;
     const std::string scene = scratch.write("ball.json", kBallScene);

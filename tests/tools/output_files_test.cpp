@@ -173,6 +173,18 @@ TEST(OutputFiles, RefusesAFileThatADirectoryOfOutputsHolds) {
     EXPECT_TRUE(beside.open(error)) << error;
 }
 
+/// A long run must not go on when its disk is full.
+TEST(OutputFiles, TellThatSomethingCouldNotBeWrittenBeforeTheEnd) {
+    OutputFiles outputs;
+    outputs.addFile("--csv", "/dev/full");
+    std::string error;
+    ASSERT_TRUE(outputs.open(error)) << error;
+    EXPECT_TRUE(outputs.isWritten(error));
+    *outputs.stream("/dev/full") << std::string(1 << 20, 'x');
+    EXPECT_FALSE(outputs.isWritten(error));
+    EXPECT_EQ(error, "--csv /dev/full: could not be written to the end");
+}
+
 /// Whoever reads it would take a pipe that is closed and opened again for ended.
 TEST(OutputFiles, PipesAreOpenedOnce) {
     const ScratchDirectory scratch;

@@ -57,6 +57,25 @@ TEST(ReportWriter, HoldsTheTotalsOfTheRun) {
     EXPECT_EQ(json.at("stateHash"), "0123456789abcdef");
 }
 
+TEST(ReportWriter, TellsWhereAndWhenTheLargestErrorsWere) {
+    SceneDescription scene = smallScene();
+    scene.joints.resize(2);
+    RunReport report = smallReport();
+    const auto without = nlohmann::json::parse(reportText(scene, report, {"e", "f32", 8}));
+    EXPECT_FALSE(without.contains("deepestPenetrationAt")) << "an engine that does not tell";
+    EXPECT_FALSE(without.contains("largestJointErrorAt"));
+    report.deepestPair = DeepestPair{0.5, 0, 1};
+    report.worstJoint = WorstJoint{0.25, 1};
+    report.lostTime = {{0, 0.4, "budget"}, {1, 0.3, "budget"}, {1, 0.2, "stop"}};
+    const auto json = nlohmann::json::parse(reportText(scene, report, {"e", "f32", 8}));
+    EXPECT_EQ(json.at("deepestPenetrationAt"), nlohmann::json::parse(R"({"time": 0.5, "bodies": ["body0", "ball"]})"));
+    EXPECT_EQ(json.at("largestJointErrorAt"), nlohmann::json::parse(R"({"time": 0.25, "joint": 1, "name": "joint1"})"));
+    EXPECT_EQ(json.at("mostLostTime"), nlohmann::json::parse(R"({"body": "ball", "seconds": 0.5})"));
+    EXPECT_EQ(json.at("budgets").at("maxLostTime").at("value"), 0.5) << "for all reasons together";
+    report.lostTime.clear();
+    EXPECT_FALSE(nlohmann::json::parse(reportText(scene, report, {"e", "f32", 8})).contains("mostLostTime"));
+}
+
 TEST(ReportWriter, HasNoHashOfEnginesWithout) {
     RunReport report = smallReport();
     report.stateHash.reset();

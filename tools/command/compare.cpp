@@ -116,7 +116,7 @@ void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, s
     std::optional<DeviationCsv> csv;
     if (csvFile != nullptr) { csv.emplace(*csvFile, names); }
     const std::int64_t stride = std::max<std::int64_t>(1, (loaded.steps + kTableRows - 1) / kTableRows);
-    Progress progress("comparing " + loaded.source, loaded.steps);
+    Progress progress("comparing " + loaded.source, loaded.steps, loaded.scene.settings.dt);
     printHead();
     for (std::int64_t step = 0; !theirs.aborted(); ++step) {
         ours.read(found.ours, true);

@@ -98,10 +98,13 @@ void printTable(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
                   << std::setw(14) << roundedText(1000 * run.report.deepestPenetration, 3) << std::setw(11)
                   << roundedText(1e6 * run.seconds / steps, 3) << '\n';
     }
+    std::cout << "lost: of their steps, by all bodies together\n";
 }
 
 std::string captionOf(const ModeRun& run) {
-    if (run.lostSeconds > 0) { return run.name + " \u00B7 lost " + roundedText(1000 * run.lostSeconds, 3) + " ms"; }
+    if (run.lostSeconds > 0) {
+        return run.name + " \u00B7 lost " + roundedText(1000 * run.lostSeconds, 3) + " ms in all bodies";
+    }
     return run.counter("impacts") > 0 ? run.name + " \u00B7 nothing lost" : run.name;
 }
 

@@ -5,11 +5,14 @@
 #include <cstdio>
 #include <utility>
 
+#include "../writers/number_text.h"
+
 namespace swept {
 
-Progress::Progress(std::string what, std::int64_t steps)
+Progress::Progress(std::string what, std::int64_t steps, double dt)
     : what_(std::move(what)),
       steps_(steps),
+      dt_(dt),
       onTerminal_(isatty(STDERR_FILENO) == 1),
       start_(Clock::now()),
       next_(start_ + std::chrono::seconds(1)) {}
@@ -26,8 +29,10 @@ void Progress::update(std::int64_t step) {
     shown_ = true;
     const double spent = std::chrono::duration<double>(now - start_).count();
     const double left = step > 0 ? spent * static_cast<double>(steps_ - step) / static_cast<double>(step) : 0;
-    std::fprintf(stderr, "\r\x1b[K%s: step %lld of %lld, %.0f s left", what_.c_str(), static_cast<long long>(step),
-                 static_cast<long long>(steps_), left);
+    const auto timeOf = [this](std::int64_t steps) { return roundedText(dt_ * static_cast<double>(steps), 3); };
+    const std::string simulated = dt_ > 0 ? ", " + timeOf(step) + " of " + timeOf(steps_) + " s simulated" : "";
+    std::fprintf(stderr, "\r\x1b[K%s: step %lld of %lld%s, %.0f s left", what_.c_str(), static_cast<long long>(step),
+                 static_cast<long long>(steps_), simulated.c_str(), left);
     std::fflush(stderr);
 }
 

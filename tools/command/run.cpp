@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -8,6 +7,9 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <swept/samples/scene_names.h>
+#include <swept/samples/scene_reader.h>
 
 #include "../task_threads.h"
 #include "../writers/csv_writer.h"
@@ -39,7 +41,6 @@ struct RunArguments {
 /// What happened to the run, for the exit code and the summary.
 struct RunOutcome {
     std::int64_t steps = 0;
-    double wallSeconds = 0;
     std::optional<std::string> culprit;  ///< the first body whose state is not finite
 };
 
@@ -51,14 +52,15 @@ public:
 
     /// @param csvBodies  indices of those whose states are written; none: all
     void writeTo(OutputFiles& outputs, const RunArguments& arguments, const std::vector<std::size_t>& csvBodies) {
+        outputs_ = &outputs;
         csvEvery_ = arguments.csvEvery.value_or(1);
         if (std::ostream* const file = outputs.stream(arguments.csv)) { csv_.emplace(*file, names_, csvBodies); }
         if (std::ostream* const file = outputs.stream(arguments.events)) { events_.emplace(*file, names_); }
     }
 
-    /// @return false, and the reason in `error`, when a picture could not be written or a step was refused.
+    /// @return false, and the reason in `error`, when something could not be written or a step was refused.
     bool run(PictureOutput* pictures, RunOutcome& outcome, std::string& error) {
-        Progress progress(loaded_.source, loaded_.steps);
+        Progress progress(loaded_.source, loaded_.steps, loaded_.scene.settings.dt);
         const bool wantsContacts = pictures != nullptr && pictures->wantsContacts();
         for (std::int64_t step = 0;; ++step) {
             runner_.read(frame_, wantsContacts);
@@ -69,11 +71,9 @@ public:
                 return true;
             }
             if (pictures != nullptr && !pictures->show(frame_, runner_.events(), error)) { return false; }
+            if (outputs_ != nullptr && !outputs_->isWritten(error)) { return false; }
             if (step == loaded_.steps) { return true; }
-            const auto start = std::chrono::steady_clock::now();
-            const bool stepped = runner_.step();
-            outcome.wallSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            if (!stepped) {
+            if (!runner_.step()) {
                 error = loaded_.source + ": " + runner_.report().refusal;
                 return false;
             }
@@ -89,6 +89,7 @@ private:
     std::optional<CsvWriter> csv_;
     std::int64_t csvEvery_ = 1;
     std::optional<EventWriter> events_;
+    const OutputFiles* outputs_ = nullptr;
     Frame frame_;
 };
 
@@ -133,20 +134,35 @@ std::ostream& toldIn(const RunArguments& arguments) {
     return std::any_of(files.begin(), files.end(), isPiped) ? std::cerr : std::cout;
 }
 
+/// The largest errors of the run, and where and when they were.
+void printWorst(std::ostream& out, const SceneDescription& scene, const RunReport& report) {
+    const auto nameOf = [&scene](int body) { return inQuotes(bodyName(scene, static_cast<std::size_t>(body))); };
+    out << "deepest penetration " << roundedText(report.deepestPenetration, 3) << " m";
+    if (const auto& pair = report.deepestPair) {
+        out << " (" << nameOf(pair->a) << " and " << nameOf(pair->b) << " at " << roundedText(pair->time) << " s)";
+    }
+    out << '\n';
+    if (!scene.joints.empty()) { out << "largest joint error " << roundedText(report.largestJointError, 3) << " m"; }
+    if (const auto& worst = report.worstJoint) {
+        const std::string joint = inQuotes(jointName(scene, static_cast<std::size_t>(worst->joint)));
+        out << " (" << joint << " at " << roundedText(worst->time) << " s)";
+    }
+    if (!scene.joints.empty()) { out << '\n'; }
+    double lost = 0;
+    for (const LostTime& entry : report.lostTime) { lost += entry.seconds; }
+    if (const auto most = mostLostTime(report)) {
+        out << "lost time " << roundedText(lost, 3) << " s in all bodies, most by " << nameOf(most->body) << ": "
+            << roundedText(most->seconds, 3) << " s\n";
+    }
+}
+
 void printSummary(std::ostream& out, const LoadedScene& loaded, const RunOutcome& outcome, const RunReport& report) {
     const double time = static_cast<double>(outcome.steps) * loaded.scene.settings.dt;
     const std::string& name = loaded.scene.name.empty() ? loaded.source : loaded.scene.name;
     out << name << ": " << countText(outcome.steps, "step") << " of " << roundedText(loaded.scene.settings.dt)
-        << " s = " << roundedText(time) << " s, computed in " << roundedText(outcome.wallSeconds, 3) << " s ("
+        << " s = " << roundedText(time) << " s, computed in " << roundedText(report.stepSeconds, 3) << " s ("
         << (loaded.precision == Precision::f64 ? "f64" : "f32") << ")\n";
-    out << "deepest penetration " << roundedText(report.deepestPenetration, 3) << " m";
-    if (!loaded.scene.joints.empty()) {
-        out << ", largest joint error " << roundedText(report.largestJointError, 3) << " m";
-    }
-    double lost = 0;
-    for (const LostTime& entry : report.lostTime) { lost += entry.seconds; }
-    if (lost > 0) { out << ", lost time " << roundedText(lost, 3) << " s"; }
-    out << '\n';
+    printWorst(out, loaded.scene, report);
 }
 
 void printPlace(std::ostream& out, const char* what, const std::string& path) {
@@ -188,14 +204,19 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPicturePlaces(out, arguments.pictures, outcome.steps);
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError, "m");
-    double longestLoss = 0;
-    for (const LostTime& lost : report.lostTime) { longestLoss = std::max(longestLoss, lost.seconds); }
-    warnOfBudget("maxLostTime", loaded.scene.settings.maxLostTime, longestLoss, "s");
+    const auto most = mostLostTime(report);
+    warnOfBudget("maxLostTime", loaded.scene.settings.maxLostTime, most ? most->seconds : 0, "s");
     warnOfOverflow(report);
     if (!outcome.culprit) { return kExitDone; }
     std::cerr << "swept: " << loaded.source << ": the state of body \"" << *outcome.culprit
               << "\" is not finite after step " << outcome.steps << '\n';
     return kExitNotFinite;
+}
+
+/// As it was meant between commas: "chassis, ground".
+std::string withoutBlanks(const std::string& typed) {
+    const std::size_t first = typed.find_first_not_of(' ');
+    return first == std::string::npos ? "" : typed.substr(first, typed.find_last_not_of(' ') - first + 1);
 }
 
 /// Indices of the bodies whose states are asked for. @return nothing, and one line in `error`, when one is none, or
@@ -211,7 +232,13 @@ std::optional<std::vector<std::size_t>> csvBodiesOf(const RunArguments& argument
         return std::nullopt;
     }
     std::vector<std::size_t> bodies;
-    for (const std::string& name : arguments.csvBodies) {
+    for (const std::string& typed : arguments.csvBodies) {
+        const bool isExact = std::find(names.begin(), names.end(), typed) != names.end();
+        const std::string name = isExact ? typed : withoutBlanks(typed);
+        if (name.empty()) {
+            error = "--csv-bodies: a name is empty";
+            return std::nullopt;
+        }
         const auto body = bodyOfName("--csv-bodies", name, names, error);
         if (!body) { return std::nullopt; }
         bodies.push_back(*body);
@@ -254,7 +281,7 @@ int runScene(const RunArguments& arguments) {
     const bool complete = run.run(pictures.get(), outcome, error);
     if (!complete || (pictures && !pictures->finish(error))) {
         outputs.discard();
-        return refuse(error);
+        return error.empty() ? kExitBadInput : refuse(error);
     }
     return finishRun(arguments, *loaded, *runner, outcome, outputs);
 }

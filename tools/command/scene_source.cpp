@@ -91,6 +91,11 @@ std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double dt, 
             error = "--steps: must not be negative";
             return std::nullopt;
         }
+        constexpr auto kMost = static_cast<std::int64_t>(kMostSteps);
+        if (*arguments.steps > kMost) {
+            error = "--steps: must be at most " + std::to_string(kMost);
+            return std::nullopt;
+        }
         return arguments.steps;
     }
     const double duration = arguments.duration.value_or(kDefaultDuration);

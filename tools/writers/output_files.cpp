@@ -185,16 +185,29 @@ std::ostream* OutputFiles::stream(const std::string& path) {
     return nullptr;
 }
 
+bool OutputFiles::isWritten(std::string& error) const {
+    for (const Place& place : files_) {
+        if (place.isStandardOutput ? static_cast<bool>(std::cout) : static_cast<bool>(place.stream)) { continue; }
+        error = place.isStandardOutput ? "" : incomplete(place);
+        return false;
+    }
+    return true;
+}
+
 bool OutputFiles::close(std::string& error) {
     for (Place& place : files_) {
         if (!place.stream.is_open()) { continue; }
         place.stream.close();
         if (place.stream) { continue; }
-        error = place.flag + ' ' + place.path + ": could not be written to the end";
+        error = incomplete(place);
         discard();
         return false;
     }
     return true;
+}
+
+std::string OutputFiles::incomplete(const Place& place) {
+    return place.flag + ' ' + place.path + ": could not be written to the end";
 }
 
 void OutputFiles::discard() {

@@ -32,6 +32,10 @@ public:
     /// The open file of a path given to `addFile`; null for an empty path. Files written by others (pictures) are
     /// simply not asked for: they stay empty until the other overwrites them.
     std::ostream* stream(const std::string& path);
+    /// Whether all that was written so far could be, as far as is known: what waits in buffers is not yet. Cheap.
+    /// @return false, and one line in `error`, when something could not be written; of standard output the line is
+    /// empty, since the program tells of that itself
+    bool isWritten(std::string& error) const;
     /// Closes all files.
     /// @return false, and one line in `error`, when something could not be written (a full disk): then all is
     /// discarded.
@@ -48,6 +52,7 @@ private:
         std::function<bool(const std::string& name)> writes{};  ///< of a directory
         bool isStandardOutput = false;                          ///< then nothing is opened, closed or taken away
     };
+    static std::string incomplete(const Place& place);
     const Place* directoryWriting(const std::string& file) const;
     bool openDirectory(const Place& place, std::string& error);
     bool openFile(Place& place, std::string& error);

@@ -7,6 +7,7 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace swept {
@@ -74,6 +75,22 @@ Json lostTimeOf(const SceneDescription& scene, const RunReport& report) {
     return list;
 }
 
+Json placeOf(const SceneDescription& scene, const DeepestPair& pair) {
+    Json json;
+    json["time"] = pair.time;
+    json["bodies"] = Json::array(
+        {bodyName(scene, static_cast<std::size_t>(pair.a)), bodyName(scene, static_cast<std::size_t>(pair.b))});
+    return json;
+}
+
+Json placeOf(const SceneDescription& scene, const WorstJoint& worst) {
+    Json json;
+    json["time"] = worst.time;
+    json["joint"] = worst.joint;
+    json["name"] = jointName(scene, static_cast<std::size_t>(worst.joint));
+    return json;
+}
+
 void addBudget(Json& budgets, const char* name, const std::optional<double>& limit, double value) {
     if (!limit) { return; }
     Json entry;
@@ -84,12 +101,11 @@ void addBudget(Json& budgets, const char* name, const std::optional<double>& lim
 }
 
 Json budgetsOf(const SettingsDescription& settings, const RunReport& report) {
-    double longestLoss = 0;
-    for (const LostTime& lost : report.lostTime) { longestLoss = std::max(longestLoss, lost.seconds); }
+    const std::optional<MostLostTime> most = mostLostTime(report);
     Json budgets = Json::object();
     addBudget(budgets, "maxPenetration", settings.maxPenetration, report.deepestPenetration);
     addBudget(budgets, "maxJointError", settings.maxJointError, report.largestJointError);
-    addBudget(budgets, "maxLostTime", settings.maxLostTime, longestLoss);
+    addBudget(budgets, "maxLostTime", settings.maxLostTime, most ? most->seconds : 0);
     return budgets;
 }
 
@@ -102,6 +118,16 @@ std::string hexOf(std::uint64_t value) {
 
 }  // namespace
 
+std::optional<MostLostTime> mostLostTime(const RunReport& report) {
+    std::map<int, double> sums;
+    for (const LostTime& lost : report.lostTime) { sums[lost.body] += lost.seconds; }
+    std::optional<MostLostTime> most;
+    for (const auto& [body, seconds] : sums) {
+        if (seconds > (most ? most->seconds : 0)) { most = MostLostTime{body, seconds}; }
+    }
+    return most;
+}
+
 std::string reportText(const SceneDescription& scene, const RunReport& report, const RunFacts& facts) {
     Json json;
     json["scene"] = scene.name;
@@ -113,8 +139,14 @@ std::string reportText(const SceneDescription& scene, const RunReport& report, c
     json["counters"] = Json::object();
     for (const NamedNumber& counter : report.counters) { json["counters"][counter.name] = countOf(counter.value); }
     json["lostTime"] = lostTimeOf(scene, report);
+    if (const auto most = mostLostTime(report)) {
+        json["mostLostTime"] =
+            Json{{"body", bodyName(scene, static_cast<std::size_t>(most->body))}, {"seconds", most->seconds}};
+    }
     json["deepestPenetration"] = report.deepestPenetration;
+    if (report.deepestPair) { json["deepestPenetrationAt"] = placeOf(scene, *report.deepestPair); }
     json["largestJointError"] = report.largestJointError;
+    if (report.worstJoint) { json["largestJointErrorAt"] = placeOf(scene, *report.worstJoint); }
     json["energy"] = Json{{"start", report.startEnergy}, {"end", report.endEnergy}};
     json["momentum"] = Json{{"start", pairOf(report.startMomentum)}, {"end", pairOf(report.endMomentum)}};
     json["angularMomentum"] = Json{{"start", report.startAngularMomentum}, {"end", report.endAngularMomentum}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <swept/samples/frame.h>
@@ -14,6 +15,14 @@ struct RunFacts {
     std::string precision;  ///< "f32", "f64"
     std::int64_t steps = 0;
 };
+
+/// The body that lost most time in a run, for all reasons together.
+struct MostLostTime {
+    int body = 0;
+    double seconds = 0;
+};
+/// Nothing where none lost any.
+std::optional<MostLostTime> mostLostTime(const RunReport& report);
 
 /// The report of a run as one JSON object: what ran, counters, lost time per body with its reason, deepest penetration,
 /// largest joint error, energy and momentum at start and end, budgets and whether they were kept, settings used.
