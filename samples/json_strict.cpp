@@ -1,7 +1,11 @@
 #include "json_strict.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,18 +42,54 @@ std::string plainMessage(std::string message) {
     return message;
 }
 
+/// What people and programs write though no JSON has it.
+struct CommonMistake {
+    std::size_t offset;  ///< where it begins
+    std::string reason;
+};
+
+/// @param offset  of the last character that the parser read
+std::optional<CommonMistake> commonMistake(std::string_view text, std::size_t offset) {
+    if (offset >= text.size()) { return std::nullopt; }
+    if (text[offset] == ']' || text[offset] == '}') {
+        const std::size_t before = offset == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", offset - 1);
+        if (before == std::string_view::npos || text[before] != ',') { return std::nullopt; }
+        return CommonMistake{before, std::string("a trailing comma: nothing follows it before ") + text[offset]};
+    }
+    const auto isOfWord = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-'; };
+    std::size_t begin = offset;
+    std::size_t end = offset;
+    while (begin > 0 && isOfWord(text[begin - 1])) { --begin; }
+    while (end < text.size() && isOfWord(text[end])) { ++end; }
+    const std::string_view word = text.substr(begin, end - begin);
+    constexpr std::string_view kNoNumbers[] = {"NaN",      "nan",       "-NaN", "-nan", "Infinity", "-Infinity",
+                                               "infinity", "-infinity", "inf",  "-inf", "Inf",      "-Inf"};
+    if (std::find(std::begin(kNoNumbers), std::end(kNoNumbers), word) == std::end(kNoNumbers)) { return std::nullopt; }
+    return CommonMistake{begin, std::string(word) + " is no JSON number"};
+}
+
 // Builds the value and keeps the path, so that errors can name their place.
 class StrictBuilder {
 public:
     explicit StrictBuilder(std::string_view text) : text_(text) {}
 
-    JsonResult take() { return error_ ? JsonResult{Json(), std::move(error_)} : JsonResult{std::move(root_), {}}; }
+    JsonResult take() {
+        return error_ ? JsonResult{Json(), std::move(error_)}
+                      : JsonResult{std::move(root_), {}, std::move(underflows_)};
+    }
 
     bool null() { return add(nullptr); }
     bool boolean(bool value) { return add(value); }
     bool number_integer(Json::number_integer_t value) { return add(value); }
     bool number_unsigned(Json::number_unsigned_t value) { return add(value); }
-    bool number_float(Json::number_float_t value, const std::string&) { return add(value); }
+    bool number_float(Json::number_float_t value, const std::string& token) {
+        add(value);
+        const std::string digits = token.substr(0, token.find_first_of("eE"));
+        if (value == 0 && digits.find_first_of("123456789") != std::string::npos) {
+            underflows_.push_back({pointer(), token});
+        }
+        return true;
+    }
     bool string(std::string& value) { return add(std::move(value)); }
     bool binary(Json::binary_t&) { return false; }  // exists in binary formats only
     bool start_object(std::size_t) { return open(Json::object()); }
@@ -70,6 +110,9 @@ public:
             return fail(pointer(), "the number " + token + " overflows");
         }
         const std::size_t offset = position > 0 ? position - 1 : 0;  // of the last character that was read
+        if (const auto mistake = commonMistake(text_, offset)) {
+            return fail(lineAndColumn(text_, mistake->offset), mistake->reason);
+        }
         return fail(lineAndColumn(text_, offset), plainMessage(error.what()));
     }
 
@@ -144,6 +187,7 @@ private:
     std::vector<Level>
         levels_;  // the containers that are open; their addresses are stable, for only the last one grows
     std::optional<JsonError> error_;
+    std::vector<JsonUnderflow> underflows_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -17,10 +18,17 @@ struct JsonError {
     std::string reason;
 };
 
+/// A number that is too small for a double, and became 0.
+struct JsonUnderflow {
+    std::string where;   ///< JSON pointer
+    std::string number;  ///< as it was written
+};
+
 /// A value or an error, never both.
 struct JsonResult {
     Json value;
     std::optional<JsonError> error;
+    std::vector<JsonUnderflow> underflows{};  ///< for those who take no 0
 };
 
 /// Parses by RFC 8259, and refuses what a lenient reader would let through: duplicate keys, numbers that overflow a

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "json_strict.h"
 #include "scene_description.h"
@@ -20,8 +21,9 @@ Json sceneToJson(const SceneDescription& scene);
 
 /// Applies one `--set`. Objects missing on the way are made (an omitted "settings" is one full of defaults); elements
 /// of arrays must exist, or be the one behind the last ("-" or its index).
+/// @param underflows  those of the value are added
 /// @return nothing, or why the pointer or the value cannot be used (`file` empty).
-std::optional<SceneError> applyOverride(Json& document, const Override& change);
+std::optional<SceneError> applyOverride(Json& document, const Override& change, std::vector<JsonUnderflow>& underflows);
 
 /// Laid out to be read: whatever fits a line stands on one line; numbers as the shortest decimals that read back as the
 /// same double. Ends with a line break.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <vector>
 
 #include "scene_json.h"
 #include "scene_names.h"
@@ -70,7 +71,8 @@ std::string reasonFor(Step step, const Json& at, const std::string& token) {
 
 }  // namespace
 
-std::optional<SceneError> applyOverride(Json& document, const Override& change) {
+std::optional<SceneError> applyOverride(Json& document, const Override& change,
+                                        std::vector<JsonUnderflow>& underflows) {
     const std::string& pointer = change.first;
     const std::string& text = change.second;
     const std::string given = "--set " + pointer + "=" + text + ": ";
@@ -82,6 +84,8 @@ std::optional<SceneError> applyOverride(Json& document, const Override& change) 
     if (parsed.error) {
         const bool looksLikeWord = !text.empty() && text.find_first_of("\"[]{} ") == std::string::npos &&
                                    (text[0] < '0' || text[0] > '9') && text[0] != '-';
+        const bool isNoNumber = parsed.error->reason.ends_with(" is no JSON number");  // its place is all of the text
+        if (isNoNumber) { return fail(parsed.error->reason); }
         if (looksLikeWord) { return fail("not a JSON value (a string needs double quotes: \"" + text + "\")"); }
         const std::string where = parsed.error->where.empty() ? "" : parsed.error->where + ": ";
         return fail("not a JSON value: " + where + parsed.error->reason);
@@ -96,6 +100,9 @@ std::optional<SceneError> applyOverride(Json& document, const Override& change) 
         const Step step = descend(at, token, end == pointer.size());
         if (step != Step::ok) { return fail(reasonFor(step, *at, token)); }
         start = end + 1;
+    }
+    for (const JsonUnderflow& inside : parsed.underflows) {
+        underflows.push_back({pointer + inside.where, inside.number});
     }
     *at = std::move(parsed.value);
     return std::nullopt;

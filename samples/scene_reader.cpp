@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
+#include <vector>
 
 #include "scene_json.h"
 
@@ -14,6 +15,15 @@ namespace {
 SceneResult failure(SceneError error, std::string_view file) {
     error.file = file;
     return {std::nullopt, std::move(error)};
+}
+
+/// Nobody wrote the 0 that the error is about.
+std::string whyZero(const SceneError& error, const std::vector<JsonUnderflow>& underflows) {
+    if (!error.reason.ends_with(", not 0") && !error.reason.ends_with(", not -0")) { return ""; }
+    for (const JsonUnderflow& underflow : underflows) {
+        if (underflow.where == error.pointer) { return " (" + underflow.number + " underflows)"; }
+    }
+    return "";
 }
 
 }  // namespace
@@ -35,11 +45,16 @@ SceneResult readScene(std::string_view text, std::string_view file, const std::v
         return failure({"", "", "a scene must be an object {…}, not " + kindOf(parsed.value)}, file);
     }
     for (const Override& change : overrides) {
-        if (auto error = applyOverride(parsed.value, change)) { return failure(std::move(*error), file); }
+        if (auto error = applyOverride(parsed.value, change, parsed.underflows)) {
+            return failure(std::move(*error), file);
+        }
     }
     SceneDescription scene;
     if (auto error = sceneFromJson(parsed.value, scene)) { return failure(std::move(*error), file); }
-    if (auto error = validateScene(scene)) { return failure(std::move(*error), file); }
+    if (auto error = validateScene(scene)) {
+        error->reason += whyZero(*error, parsed.underflows);
+        return failure(std::move(*error), file);
+    }
     return {std::move(scene), {}};
 }
 

@@ -7,6 +7,7 @@
 #include "engine_refusal.h"
 #include "present_contacts.h"
 #include "runner.h"
+#include "scene_names.h"
 #include "world_builder.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -270,7 +271,8 @@ std::unique_ptr<Runner> makeWorldRunner(const SceneDescription& scene, const Run
     // A length of step that `World::step` refuses is bad input, as a body is that it does not create.
     const double dt = scene.settings.dt;
     if (!isInRange(dt) || !isInRange(1 / dt)) {
-        error = refusalText("/settings", true, {StatusCode::outOfRange, "dt"}) + ", for dt and for 1/dt";
+        error = refusalText("/settings", true, {StatusCode::outOfRange, "dt"}) + ", for dt = " + shortestNumber(dt) +
+                " and for 1/dt" + (sizeof(Real) == sizeof(float) ? "; --precision f64 takes more" : "");
         return nullptr;
     }
     SceneWorld built;

@@ -46,6 +46,42 @@ TEST(StrictJson, Depth) {
     EXPECT_TRUE(parseStrict(std::string(1'000'000, '[')).error.has_value());
 }
 
+TEST(StrictJson, NamesCommonMistakes) {
+    struct Case {
+        const char* text;
+        const char* where;
+        const char* reason;
+    };
+    for (const Case& c : {Case{"[1, 2,]", "line 1, column 6", "a trailing comma: nothing follows it before ]"},
+                          Case{"{\"a\": 1,\n }", "line 1, column 8", "a trailing comma: nothing follows it before }"},
+                          Case{"[1, NaN]", "line 1, column 5", "NaN is no JSON number"},
+                          Case{"{\"a\": nan}", "line 1, column 7", "nan is no JSON number"},
+                          Case{"[-Infinity]", "line 1, column 2", "-Infinity is no JSON number"},
+                          Case{"Infinity", "line 1, column 1", "Infinity is no JSON number"}}) {
+        const JsonResult result = parseStrict(c.text);
+        ASSERT_TRUE(result.error.has_value()) << c.text;
+        EXPECT_EQ(result.error->where, c.where) << c.text;
+        EXPECT_EQ(result.error->reason, c.reason) << c.text;
+    }
+    for (const char* const other : {"[]]", "[1 2]", "nul", "[,]", "}", "[names]", ","}) {
+        const JsonResult result = parseStrict(other);
+        ASSERT_TRUE(result.error.has_value()) << other;
+        EXPECT_EQ(result.error->reason.find("no JSON number"), std::string::npos) << other;
+    }
+}
+
+TEST(StrictJson, NumbersThatUnderflowAreTold) {
+    for (const char* const tiny : {"1e-400", "-0.0012e-330"}) {
+        const JsonResult result = parseStrict(std::string("{\"x\": [1, ") + tiny + "]}");
+        ASSERT_FALSE(result.error.has_value()) << tiny;
+        ASSERT_EQ(result.underflows.size(), 1u) << tiny;
+        EXPECT_EQ(result.underflows[0].where, "/x/1");
+        EXPECT_EQ(result.underflows[0].number, tiny);
+        EXPECT_EQ(result.value["x"][1].get<double>(), 0);
+    }
+    EXPECT_TRUE(parseStrict("[0.0, -0.0, 0e-400, 5e-324, 0.000e5]").underflows.empty());
+}
+
 TEST(StrictJson, LargestNumbers) {
     EXPECT_EQ(parseStrict("1.7976931348623157e308").value.get<double>(), std::numeric_limits<double>::max());
     EXPECT_EQ(parseStrict("18446744073709551616").value.get<double>(), 0x1p64);  // beyond every integer type

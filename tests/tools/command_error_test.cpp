@@ -175,6 +175,11 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({}, "swept: no command given (\"swept --help\" lists them)");
     expectRefused({"bench", "--unheard-of"}, "swept: --unheard-of: no such option");
     expectRefused({"fly"}, "fly: no such command");
+    // What was probably meant.
+    expectRefused({"rnu"}, "swept: rnu: no such command; did you mean run?");
+    expectRefused({"bench", "continous"}, "bench continous: no such command; did you mean continuous?");
+    expectRunRefused({scene_, "--step", "3"}, "swept: --step: no such option; did you mean --steps?");
+    expectRefused({"bench", "world", "--sceens", "rain"}, "--sceens: no such option; did you mean --scenes?");
     expectRefused({"bench", "world", "--size", "nan"}, "nan is not a number");
     expectRefused({"bench", "world", "--write", out_.path("scenes"), "--csv", out_.path("a.csv")}, "--write");
     expectRefused({"bench", "world", "--full", "--steps", "5"}, "--full");

@@ -105,6 +105,27 @@ TEST_F(CommandLimits, CommandsBelowOthers) {
     expectRefused({"bench"}, "swept: no command given (\"swept bench --help\" lists them)");
 }
 
+TEST_F(CommandLimits, HelpIsACommandToo) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{}, {"run"}, {"bench"}, {"bench", "world"}}) {
+        std::vector<std::string> asWord{"help"};
+        asWord.insert(asWord.end(), words.begin(), words.end());
+        std::vector<std::string> asOption = words;
+        asOption.emplace_back("--help");
+        const auto help = runSwept(asWord);
+        EXPECT_EQ(help.exitCode, 0) << help.err;
+        EXPECT_EQ(help.out, runSwept(asOption).out);
+        EXPECT_NE(help.out, "");
+    }
+    expectRefused({"help", "rnu"}, "rnu: no such command; did you mean run?");
+}
+
+TEST_F(CommandLimits, NumbersThatAreNoneOrTooSmall) {
+    expectRefused({"run", scene_, "--set", "/settings/dt=1e-400"}, "must be greater than 0, not 0 (1e-400 underflows)");
+    expectRefused({"run", scene_, "--set", "/settings/dt=NaN"}, "--set /settings/dt=NaN: NaN is no JSON number");
+    expectRefused({"run", scene_, "--set", "/settings/dt=1e30", "--steps", "1"},
+                  "for dt = 1e+30 and for 1/dt; --precision f64 takes more");
+}
+
 TEST_F(CommandLimits, OutputThatIsLost) {
     const std::string query =
         in_.write("q.jsonl",

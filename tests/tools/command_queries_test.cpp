@@ -74,7 +74,7 @@ TEST(CommandQueries, TheAnatomyTellsWhichLineOfWhatIsBad) {
     const ScratchDirectory scratch;
     const std::string picture = scratch.path("anatomy.png");
     const std::string file = scratch.write("queries.jsonl", "\n \n{\"id\": 1,}\n");
-    expectRefused({"toi", file, "--anatomy", picture}, file + ": line 3, column 10: ");
+    expectRefused({"toi", file, "--anatomy", picture}, file + ": line 3, column 9: ");
     expectRefused({"toi", "--anatomy", picture}, "standard input: line 2: /a: is missing", "\n{\"id\": 1}\n");
     expectRefused({"toi", "--anatomy", picture}, "standard input: there is no query", "\n");
 }

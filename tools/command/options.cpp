@@ -8,8 +8,12 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
+
+#include <swept/samples/scene_names.h>
 
 #include "commands.h"
 
@@ -51,6 +55,41 @@ struct ValueOf<std::optional<T>> {
     using Type = T;
 };
 
+/// `; did you mean "run"?`, or nothing.
+std::string nearestOf(const std::string& word, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view nearest = nearestName(word, known);
+    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + '?';
+}
+
+/// Those that the help lists.
+std::vector<std::string> namesOfCommands(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (!command->get_group().empty()) { names.push_back(command->get_name()); }
+    }
+    return names;
+}
+
+/// "--steps" and so on, of the command that was named.
+std::vector<std::string> namesOfOptions(const CLI::App& program) {
+    const CLI::App* app = &program;
+    while (!app->get_subcommands().empty()) { app = app->get_subcommands().front(); }
+    std::vector<std::string> names;
+    for (const CLI::Option* const option : app->get_options()) {
+        for (const std::string& name : option->get_lnames()) { names.push_back("--" + name); }
+    }
+    return names;
+}
+
+/// "help run" is "run --help".
+std::vector<std::string> withHelpAsOption(std::vector<std::string> arguments) {
+    if (arguments.empty() || arguments.front() != "help") { return arguments; }
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+    return arguments;
+}
+
 /// "bench foo: no such command …" of the first word that should be a command and is none, or that there is no word
 /// where one should be; empty: neither.
 std::string faultOfCommand(const CLI::App& program, const std::vector<std::string>& arguments) {
@@ -65,7 +104,10 @@ std::string faultOfCommand(const CLI::App& program, const std::vector<std::strin
         const auto found = app->get_subcommands(isNamed);
         const std::string above = path;
         path += ' ' + word;
-        if (found.empty()) { return path.substr(1) + ": no such command" + listedBy(above); }
+        if (found.empty()) {
+            const std::string nearest = nearestOf(word, namesOfCommands(*app));
+            return path.substr(1) + ": no such command" + (nearest.empty() ? listedBy(above) : nearest);
+        }
         app = found.front();
     }
     return app->get_require_subcommand_min() == 0 ? "" : "no command given" + listedBy(path);
@@ -80,7 +122,10 @@ std::string faultOfLeftOver(const CLI::App& program, const std::vector<std::stri
     const auto first = std::find_if(arguments.begin(), arguments.end(), isLeftOver);
     if (first == arguments.end()) { return ""; }
     const bool isOption = first->size() > 1 && first->starts_with('-');
-    if (isOption) { return first->substr(0, first->find('=')) + ": no such option"; }
+    if (isOption) {
+        const std::string name = first->substr(0, first->find('='));
+        return name + ": no such option" + nearestOf(name, namesOfOptions(program));
+    }
     return *first + ": one argument too many" +
            (program.get_subcommands().empty() ? "" : " (--help tells which there are)");
 }
@@ -184,7 +229,8 @@ void Command::runs(std::function<int()> action) const {
 }
 
 int runProgram(const ProgramTexts& texts, const std::function<void(Command)>& addCommands,
-               const std::vector<std::string>& arguments) {
+               const std::vector<std::string>& typed) {
+    const std::vector<std::string> arguments = withHelpAsOption(typed);
     CLI::App app(texts.description, texts.name);
     app.set_version_flag("--version", texts.version);
     app.footer(texts.footer);
