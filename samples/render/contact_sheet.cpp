@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "render_canvas.h"
+#include "render_options.h"
+#include "render_paint.h"
 #include "render_style.h"
 #include "stroke_font.h"
 
@@ -24,11 +27,13 @@ struct SheetLayout {
     int tileHeight = 0;
     int gap = 0;      // pixels between tiles and around all
     int caption = 0;  // height of the line below a tile
+    int head = 0;     // height of the title above all
+    int foot = 0;     // and of the legend below
 
     int width() const { return columns * (tileWidth + gap) + gap; }
-    int height() const { return rows * (tileHeight + caption) + gap; }
+    int height() const { return head + rows * (tileHeight + caption) + gap + foot; }
     int left(int i) const { return gap + i % columns * (tileWidth + gap); }
-    int top(int i) const { return gap + i / columns * (tileHeight + caption); }
+    int top(int i) const { return head + gap + i / columns * (tileHeight + caption); }
 };
 
 SheetLayout layoutFor(const Image& tile, int count, int columns) {
@@ -69,10 +74,30 @@ void drawFrame(Image& sheet, int x, int y, int width, int height) {
     blit(down, sheet, x + width, y - 1);
 }
 
+/// Letters as large as those of a picture of the size of the sheet.
+OverlayMetrics metricsOf(const SheetLayout& layout) {
+    RenderOptions options;
+    options.width = layout.width();
+    options.height = layout.height();
+    return OverlayMetrics(options);
+}
+
+/// A strip over all of the width of the sheet.
+template <class Draw>
+bool drawStrip(Image& sheet, int top, int height, const Draw& draw, std::string& error) {
+    if (height == 0) { return true; }
+    const std::unique_ptr<RenderCanvas> canvas = RenderCanvas::create(sheet.width, height, 3, error);
+    if (!canvas) { return false; }
+    Paint paint(sheet.width, height);
+    draw(paint);
+    blit(canvas->draw(kSheet, paint.triangles()), sheet, 0, top);
+    return true;
+}
+
 }  // namespace
 
 std::optional<Image> contactSheet(std::span<const Image> tiles, std::span<const std::string> captions, int columns,
-                                  std::string& error) {
+                                  std::string& error, const SheetTexts& texts) {
     if (tiles.empty() || captions.size() != tiles.size()) {
         error = "a contact sheet needs pictures, and one caption for each";
         return std::nullopt;
@@ -84,7 +109,12 @@ std::optional<Image> contactSheet(std::span<const Image> tiles, std::span<const 
         error = "the pictures of a contact sheet must have one size";
         return std::nullopt;
     }
-    const SheetLayout layout = layoutFor(first, static_cast<int>(tiles.size()), columns);
+    SheetLayout layout = layoutFor(first, static_cast<int>(tiles.size()), columns);
+    const OverlayMetrics metrics = metricsOf(layout);
+    if (!texts.title.empty()) { layout.head = static_cast<int>(std::ceil(titleHeight(metrics))); }
+    if (!texts.legend.empty()) {
+        layout.foot = static_cast<int>(std::ceil(legendHeight(layout.width(), metrics, texts.legend)));
+    }
     const std::unique_ptr<RenderCanvas> canvas = RenderCanvas::create(first.width, layout.caption - 2, 3, error);
     if (!canvas) { return std::nullopt; }
     Image sheet = makeImage(layout.width(), layout.height(), kSheet.red, kSheet.green, kSheet.blue);
@@ -98,7 +128,11 @@ std::optional<Image> contactSheet(std::span<const Image> tiles, std::span<const 
         blit(canvas->draw(kSheet, paint.triangles()), sheet, layout.left(i), layout.top(i) + first.height + 1);
         drawFrame(sheet, layout.left(i), layout.top(i), first.width, first.height);
     }
-    return sheet;
+    const auto addTitle = [&](Paint& paint) { drawTitle(paint, metrics, texts.title, ""); };
+    const auto addLegend = [&](Paint& paint) { drawLegend(paint, metrics, texts.legend); };
+    const bool isComplete = drawStrip(sheet, 0, layout.head, addTitle, error) &&
+                            drawStrip(sheet, layout.height() - layout.foot, layout.foot, addLegend, error);
+    return isComplete ? std::optional(std::move(sheet)) : std::nullopt;
 }
 
 }  // namespace swept

@@ -66,6 +66,38 @@ void swatch(Paint& paint, DVec2 center, double size, const LegendEntry& entry, d
     }
 }
 
+/// Where the entries of a legend go, in pixels.
+struct LegendLayout {
+    LegendLayout(double pictureWidth, const OverlayMetrics& m, std::span<const LegendEntry> entries)
+        : size(1.15 * m.text), gap(1.5 * m.text), rowHeight(1.9 * m.text) {
+        const double available = (1 - kScaleBarShare) * pictureWidth - 4 * m.margin - 4 * m.padding;
+        for (const LegendEntry& entry : entries) {
+            const double width = widthOf(entry, m);
+            if (rows.empty() || rows.back() + gap + width > available) {
+                rows.push_back(width);
+            } else {
+                rows.back() += gap + width;
+            }
+            rowOf.push_back(rows.size() - 1);
+        }
+    }
+
+    double widthOf(const LegendEntry& entry, const OverlayMetrics& m) const {
+        return 1.55 * size + textWidth(entry.label, m.text);
+    }
+    DVec2 panelSize(const OverlayMetrics& m) const {
+        const double widest = rows.empty() ? 0 : *std::max_element(rows.begin(), rows.end());
+        const double more = rows.empty() ? 0 : static_cast<double>(rows.size() - 1) * rowHeight;
+        return {widest + 2 * m.padding, more + size + 2 * m.padding};
+    }
+
+    double size;  // of a swatch
+    double gap;
+    double rowHeight;
+    std::vector<double> rows;  // widths
+    std::vector<std::size_t> rowOf;
+};
+
 }  // namespace
 
 double roundLengthBelow(double limit) {
@@ -172,6 +204,8 @@ void drawTitle(Paint& paint, const OverlayMetrics& m, const std::string& whole, 
     drawText(paint, title, box.low + DVec2{m.padding, m.padding}, m.title, style::kText);
 }
 
+double titleHeight(const OverlayMetrics& m) { return m.title + 2 * m.padding + 2 * m.margin; }
+
 void drawTime(Paint& paint, const OverlayMetrics& m, const std::string& label) {
     const DVec2 size{textWidth(label, m.title) + 2 * m.padding, m.title + 2 * m.padding};
     const PixelBox box = panel(paint, m, paint.box().high - DVec2{m.margin, m.margin} - size, size);
@@ -197,35 +231,23 @@ void drawScaleBar(Paint& paint, const OverlayMetrics& m, const ScaleBar& bar) {
 }
 
 void drawLegend(Paint& paint, const OverlayMetrics& m, std::span<const LegendEntry> entries) {
-    const double size = 1.15 * m.text;
-    const double gap = 1.5 * m.text;
-    const double rowHeight = 1.9 * m.text;
-    const double available = (1 - kScaleBarShare) * paint.box().high.x - 4 * m.margin - 4 * m.padding;
-    const auto widthOf = [&](const LegendEntry& entry) { return 1.55 * size + textWidth(entry.label, m.text); };
-    std::vector<double> rows;  // widths
-    std::vector<std::size_t> rowOf;
-    for (const LegendEntry& entry : entries) {
-        const double width = widthOf(entry);
-        if (rows.empty() || rows.back() + gap + width > available) {
-            rows.push_back(width);
-        } else {
-            rows.back() += gap + width;
-        }
-        rowOf.push_back(rows.size() - 1);
-    }
-    if (rows.empty()) { return; }
-    const double widest = *std::max_element(rows.begin(), rows.end());
-    const DVec2 panelSize{widest + 2 * m.padding,
-                          static_cast<double>(rows.size() - 1) * rowHeight + size + 2 * m.padding};
+    const LegendLayout layout(paint.box().high.x, m, entries);
+    if (entries.empty()) { return; }
+    const DVec2 panelSize = layout.panelSize(m);
     const PixelBox box = panel(paint, m, {paint.box().high.x - m.margin - panelSize.x, m.margin}, panelSize);
     double x = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (i == 0 || rowOf[i] != rowOf[i - 1]) { x = box.low.x + m.padding; }
-        const double middle = box.high.y - m.padding - size / 2 - static_cast<double>(rowOf[i]) * rowHeight;
-        swatch(paint, {x + size / 2, middle}, size, entries[i], m.pen);
-        drawText(paint, entries[i].label, {x + 1.55 * size, middle - m.text / 2}, m.text, style::kText);
-        x += widthOf(entries[i]) + gap;
+        const std::size_t row = layout.rowOf[i];
+        if (i == 0 || row != layout.rowOf[i - 1]) { x = box.low.x + m.padding; }
+        const double middle = box.high.y - m.padding - layout.size / 2 - static_cast<double>(row) * layout.rowHeight;
+        swatch(paint, {x + layout.size / 2, middle}, layout.size, entries[i], m.pen);
+        drawText(paint, entries[i].label, {x + 1.55 * layout.size, middle - m.text / 2}, m.text, style::kText);
+        x += layout.widthOf(entries[i], m) + layout.gap;
     }
+}
+
+double legendHeight(double width, const OverlayMetrics& m, std::span<const LegendEntry> entries) {
+    return LegendLayout(width, m, entries).panelSize(m).y + 2 * m.margin;
 }
 
 void drawSweepWork(Paint& paint, const OverlayMetrics& m, const SweepWork& work) {

@@ -63,6 +63,8 @@ void drawGrid(Paint& paint, const PixelView& view);
 /// In the upper left corner; what is too long for the picture is cut off.
 /// @param clock  what `drawTime` writes beside it; empty: nothing
 void drawTitle(Paint& paint, const OverlayMetrics& metrics, const std::string& title, const std::string& clock);
+/// Of a strip that holds the title and its margins, pixels.
+double titleHeight(const OverlayMetrics& metrics);
 /// In the upper right corner.
 void drawTime(Paint& paint, const OverlayMetrics& metrics, const std::string& label);
 /// In the lower left corner. The bar is black and begins and ends with an upright tick; its length is that between the
@@ -70,6 +72,8 @@ void drawTime(Paint& paint, const OverlayMetrics& metrics, const std::string& la
 void drawScaleBar(Paint& paint, const OverlayMetrics& metrics, const ScaleBar& bar);
 /// In the lower right corner, in as many rows as needed beside the scale bar.
 void drawLegend(Paint& paint, const OverlayMetrics& metrics, std::span<const LegendEntry> entries);
+/// Of a strip of that width that holds the legend and its margins, pixels.
+double legendHeight(double width, const OverlayMetrics& metrics, std::span<const LegendEntry> entries);
 /// Below the title: what continuous collision did in the last step.
 void drawSweepWork(Paint& paint, const OverlayMetrics& metrics, const SweepWork& work);
 /// In the middle of the upper edge, in red.

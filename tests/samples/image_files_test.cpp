@@ -201,6 +201,31 @@ TEST(ContactSheets, ShowAllTilesInOrderWithCaptions) {
     EXPECT_EQ(countPixels(*silent, [](Color c) { return near(c, style::kText, 20); }), 0);
 }
 
+TEST(ContactSheets, SayOnceWhatHoldsForAll) {
+    const std::vector<Image> tiles(4, makeImage(160, 90, 200, 0, 0));
+    const std::vector<std::string> captions(4);
+    std::string error;
+    const auto bare = contactSheet(tiles, captions, 2, error);
+    SheetTexts texts;
+    texts.title = "falling";
+    const auto titled = contactSheet(tiles, captions, 2, error, texts);
+    texts.legend = {dynamicLegend("dynamic")};
+    const auto whole = contactSheet(tiles, captions, 2, error, texts);
+    ASSERT_TRUE(bare && titled && whole) << error;
+    EXPECT_EQ(titled->width, bare->width);
+    EXPECT_GT(titled->height, bare->height + 10);
+    EXPECT_GT(whole->height, titled->height + 10);
+    const auto inked = [](const Image& image) {
+        return countPixels(image, [](Color c) { return c.green > 0 && c.green < 200; });  // of letters and swatches
+    };
+    EXPECT_EQ(inked(*bare), 0);
+    EXPECT_GT(inked(*titled), 30);
+    EXPECT_GT(inked(*whole), inked(*titled) + 30);
+    for (const auto& sheet : {bare, titled, whole}) {
+        EXPECT_EQ(countColor(*sheet, pixel(tiles[0], 0, 0)), 4 * 160 * 90) << "nothing lies over the pictures";
+    }
+}
+
 TEST(ContactSheets, RefuseWhatDoesNotFit) {
     std::string error;
     EXPECT_FALSE(contactSheet({}, {}, 2, error).has_value());

@@ -66,6 +66,19 @@ TEST(CommandPictures, DrawsASheetAndAnAnimation) {
     EXPECT_NE(webp.find("ANIM"), std::string::npos);
 }
 
+/// A run of two steps has three moments, however many are asked for.
+TEST(CommandPictures, OfASheetAreAsLargeAsTheirNumberAllows) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto sizeOf = [&](const char* moments) {
+        const auto result = runSwept({"run", scene, "--steps", "2", "--size", "1280x720", "--every", "2", "--png",
+                                      scratch.path("out"), "--sheet", moments});
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return pngSize(scratch.read("out/sheet.png"));
+    };
+    EXPECT_EQ(sizeOf("400"), sizeOf("3"));
+}
+
 /// Where nothing moves, moments differ in their captions alone.
 TEST(CommandPictures, OfASheetTellTheirTimesOnce) {
     const ScratchDirectory scratch;

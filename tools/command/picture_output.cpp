@@ -81,8 +81,11 @@ public:
         if (!arguments_.webp.empty()) { webp_.emplace(); }
         if (arguments_.sheet == 0) { return true; }
         sheetSteps_ = sheetSteps(steps, arguments_.sheet);
-        RenderOptions tile = renderOptions(arguments_, camera, tileSize(size, arguments_.sheet));
-        tile.time = false;  // that is the caption
+        const auto moments = static_cast<int>(sheetSteps_.size());  // a short run has fewer than asked for
+        RenderOptions tile = renderOptions(arguments_, camera, tileSize(size, moments));
+        tile.time = false;                 // that is the caption
+        tile.title = tile.legend = false;  // those are said once
+        sheetTexts_ = {scene.name, legendEntries(scene, tile)};
         tileRenderer_ = SceneRenderer::create(scene, tile, error);
         return tileRenderer_ != nullptr;
     }
@@ -105,7 +108,7 @@ public:
         const int pause = std::max(1, static_cast<int>(std::lround(1000 * dt_ * static_cast<double>(everyStep()))));
         if (webp_ && !webp_->finish(arguments_.webp, lastMs_ + pause, error)) { return failOf("--webp ", error); }
         if (tiles_.empty()) { return true; }
-        const std::optional<Image> sheet = contactSheet(tiles_, captions_, 0, error);
+        const std::optional<Image> sheet = contactSheet(tiles_, captions_, 0, error, sheetTexts_);
         return (sheet && writePng(*sheet, sheetPath(arguments_), error)) || failOf("--sheet: ", error);
     }
 
@@ -146,6 +149,7 @@ private:
     std::vector<std::int64_t> sheetSteps_;
     std::vector<Image> tiles_;
     std::vector<std::string> captions_;
+    SheetTexts sheetTexts_;
 };
 
 /// Animations count in milliseconds.
