@@ -35,7 +35,8 @@ constexpr std::array<BuiltinScene, 22> kScenes{{
     {"continuous-stop", "mode stop: held at the wall, and the rest of the step lost", scenes::continuousStop, 1},
     {"continuous-sub-step", "mode subStep: off the wall within the step, and nothing lost", scenes::continuousSubStep,
      1},
-    {"spinning-bars", "thin bars spin at up to 60 rad/s into a field of pins", scenes::spinningBars, 8},
+    {"spinning-bars", "thin bars spin at up to 60 rad/s into a field of pins, and each other: they are bullets",
+     scenes::spinningBars, 8},
     {"slender-and-tiny", "a table of 90 cm: rods 2 mm thin, shot of 4 mm, a shelf without thickness",
      scenes::slenderAndTiny, 4},
 }};

@@ -15,6 +15,8 @@ namespace swept {
 bool checkRefusals(const SceneDescription& scene, std::vector<Finding>& findings);
 /// Single bodies: units, size against the step, place, shape, speed.
 void checkBodies(const PlacedScene& placed, std::vector<Finding>& findings);
+/// Dynamic bodies so fast at the start, or by their motors, that others pass through them in a step: one finding.
+void checkPassing(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Bodies that touch or overlap at the start, and the ground under them.
 void checkPairs(const PlacedScene& placed, std::vector<Finding>& findings);
 /// Chains that are the wrong way round for what is above them.

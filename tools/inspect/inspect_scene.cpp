@@ -11,6 +11,7 @@ Inspection inspectScene(const SceneDescription& scene) {
     Inspection inspection;
     const bool needsDouble = checkRefusals(scene, inspection.findings);
     checkBodies(placed, inspection.findings);
+    checkPassing(placed, inspection.findings);
     checkPairs(placed, inspection.findings);
     checkChains(placed, inspection.findings);
     checkJoints(placed, inspection.findings);
