@@ -374,26 +374,6 @@ TEST(Inspect, AdviceOnRodsThatStartViolatedIsAccepted) {
     expectAdvice(stiff, "length", &DistanceDescription::length);
 }
 
-TEST(Inspect, FindsBodiesThatMayPassEachOther) {
-    SceneDescription scene = build::scene("bars", {0, 2}, 6);
-    scene.gravity = {0, 0};
-    for (int i = 0; i < 3; ++i) {
-        build::addDynamic(scene, "bar" + std::to_string(i), {3.0 * i, 0}, {box({0.5, 0.03})});
-    }
-    EXPECT_TRUE(inspectScene(scene).findings.empty());
-    scene.bodies[1].angularVelocity = 60;
-    expectOnly(scene, "passing", "/bodies/1");
-    scene.bodies[2].angularVelocity = 60;
-    expectOnly(scene, "passing", "/bodies/1");  // which tells how many more
-    EXPECT_NE(inspectScene(scene).findings[0].text.find("so may 1 more)"), std::string::npos);
-    scene.bodies[1].bullet = scene.bodies[2].bullet = true;
-    EXPECT_TRUE(inspectScene(scene).findings.empty());
-    scene.bodies[2].bullet = false;
-    expectOnly(scene, "passing", "/bodies/2");
-    for (BodyDescription& body : scene.bodies) { body.shapes[0].filter.group = -1; }
-    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "they do not see each other";
-}
-
 TEST(Inspect, FindsBulletsWhoseModeIgnoresTheMark) {
     SceneDescription scene = soundScene();
     scene.bodies[1].bullet = true;
