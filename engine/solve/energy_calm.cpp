@@ -1,12 +1,12 @@
 #include "energy_calm.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "energy_gain.h"
 #include "joint_builder.h"
+#include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -19,16 +19,6 @@ bool mayHaveBurst(const EnergyAccount& account) {
     if (!account.isJointed || account.isYanked) { return false; }
     const double before = std::max(account.kinetic - account.gained, 0.0);
     return excessOf(account) > kBurst * (before + account.fall);
-}
-
-/// Metres over the extent of the smallest body of the joint, or rad.
-Real ratioOf(const WorldState& world, const Joint& joint, const JointErrors& errors) {
-    Real smallest = std::numeric_limits<Real>::infinity();
-    for (const std::uint32_t slot : joint.allBodies()) {
-        const Body& body = world.bodies[slot];
-        if (body.isDynamic() && body.extent > 0) { smallest = std::min(smallest, body.extent); }
-    }
-    return std::max(errors.length / smallest, errors.angle);
 }
 
 class Calmer {
@@ -65,7 +55,7 @@ private:
             EnergyAccount& account = accountOf(world_, world_.jointTies[i]);
             if (!pays(account) || !isMeant(account)) { continue; }
             const Joint& joint = world_.joints[i];
-            account.*gap += gapOf(world_, joint) + ratioOf(world_, joint, limitErrorsOf(world_, joint));
+            account.*gap += gapOf(world_, joint) + errorRatio(world_, joint, limitErrorsOf(world_, joint));
             any = true;
         }
         return any;
@@ -132,7 +122,7 @@ private:
 
 }  // namespace
 
-Real gapOf(const WorldState& world, const Joint& joint) { return ratioOf(world, joint, errorsOf(world, joint)); }
+Real gapOf(const WorldState& world, const Joint& joint) { return errorRatio(world, joint, errorsOf(world, joint)); }
 
 void calmTorn(WorldState& world, const TiedGroup& group, double time) { Calmer(world, group).calm(time); }
 

@@ -54,7 +54,8 @@ void noteJoint(WorldState& world, std::uint32_t joint) {
 }
 
 /// Of a joint that does not hold, by far, at least this. Where it is one of several that hold an island to what it does
-/// not move, they cannot all hold; of a single one, what hangs there may be heavy, or whirl.
+/// not move, or the island presses on something static, they cannot all hold; of a single one, what hangs there may be
+/// heavy, or whirl.
 constexpr Real kTornGap = Real(1) / 8;
 
 /// Kinematic bodies do work, and so do joints that calls move. What they lead may hang on levers, or whirl, and go as
@@ -75,20 +76,19 @@ void findDriven(WorldState& world, const TiedGroup& group) {
         account.led += 0.5 * (body.mass * squared(account.leadSpeed + account.leadSpin * arm) +
                               inertiaOf(body) * squared(account.leadSpin));
     }
-    const auto mayTear = [](const EnergyAccount& account) {
+    const auto isFast = [](const EnergyAccount& account) {
         return account.isLed && !account.isDriven && account.kinetic > kMostLead * account.led && hasGained(account);
     };
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
         EnergyAccount& account = accountOf(world, tie);
-        if (account.solve != desk.energySolve || account.anchors < 2 || account.isTorn || !mayTear(account)) {
-            continue;
-        }
+        const bool isHeldTwice = account.anchors >= 2 || account.isGrounded;
+        if (account.solve != desk.energySolve || !isHeldTwice || account.isTorn || !isFast(account)) { continue; }
         account.isTorn = gapOf(world, world.joints[i]) > kTornGap;
     }
     for (const std::uint32_t root : desk.energyRoots) {
         EnergyAccount& account = world.energyAccounts[root];
-        const bool mayPay = account.isTorn || (account.isYanked && mayTear(account));
+        const bool mayPay = account.isTorn || (account.isYanked && isFast(account));
         account.isDriven = account.isDriven || (account.isLed && !mayPay);
     }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "../state/profile.h"
 #include "driven_joints.h"
@@ -10,6 +11,7 @@
 #include "motor_stop.h"
 #include "rest_springs.h"
 #include "step_change.h"
+#include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -221,7 +223,10 @@ struct ConstraintFiller {
         const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
         constraint.softness = jointSoftness(world, world.bodies[moving].effort, h, dt);
         (*this)(constraint, part.def);
+        if (std::is_same_v<typename Part::Constraint, MouseConstraint> || mayTear(world)) { ease(constraint, part); }
     }
+    template <class Part>
+    void ease(typename Part::Constraint& constraint, const Part& part) const;
 };
 
 constexpr BodyState kStill{};
@@ -258,6 +263,15 @@ struct ErrorReader {
         return {std::max(ropeLength(c, kStill, kStill) - c.totalLength, Real(0)), 0};
     }
 };
+
+/// Where it may not hold.
+template <class Part>
+void ConstraintFiller::ease(typename Part::Constraint& constraint, const Part& part) const {
+    const JointErrors held = ErrorReader{*this}(constraint, part.def);
+    const JointErrors limits = limitErrorsOf(world, joint);
+    constraint.softness = easedOf(constraint.softness, world, joint,
+                                  {std::max(held.length, limits.length), std::max(held.angle, limits.angle)});
+}
 
 RevoluteConstraint& append(SolverBatch& batch, const RevoluteConstraint& c) { return batch.revolutes.emplace_back(c); }
 DistanceConstraint& append(SolverBatch& batch, const DistanceConstraint& c) { return batch.distances.emplace_back(c); }

@@ -3,6 +3,7 @@
 #include "../../shapes/cache_line.h"
 #include "../../solver/joint_blocks/hinge_lanes.h"
 #include "joint_builder.h"
+#include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -35,7 +36,8 @@ TiedHinges::TiedHinges(WorldState& world, const TiedGroup& group, Real h, const 
       dt_(static_cast<Real>(part.dt)),
       left_(static_cast<Real>(part.dt - part.begin)),
       length_(static_cast<Real>(part.length)),
-      softness_(jointSoftness(world, group.effort, h, dt_)) {}
+      softness_(jointSoftness(world, group.effort, h, dt_)),
+      mayTear_(mayTear(world)) {}
 
 void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
     SolverBatch& batch = desk_.batch;
@@ -56,15 +58,18 @@ Vec2 TiedHinges::armOf(BodySlot slot, std::uint32_t body, Vec2 localAnchor) cons
 void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink& link) const {
     const Joint& joint = world_.joints[link.source];
     const SolverBatch& batch = desk_.batch;
-    fillHead(block, lane,
-             {.slotA = link.slotA,
-              .slotB = link.slotB,
-              .anchorA = armOf(link.slotA, joint.bodyA, joint.localAnchorA),
-              .anchorB = armOf(link.slotB, joint.bodyB, joint.localAnchorB),
-              .centerOffset = toReal(world_.motions[joint.bodyB].center - world_.motions[joint.bodyA].center),
-              .softness = softness_,
-              .impulse = joint.hinge.point},
-             batch.inertias[link.slotA], batch.inertias[link.slotB]);
+    HingeHead head{.slotA = link.slotA,
+                   .slotB = link.slotB,
+                   .anchorA = armOf(link.slotA, joint.bodyA, joint.localAnchorA),
+                   .anchorB = armOf(link.slotB, joint.bodyB, joint.localAnchorB),
+                   .centerOffset = toReal(world_.motions[joint.bodyB].center - world_.motions[joint.bodyA].center),
+                   .softness = softness_,
+                   .impulse = joint.hinge.point};
+    if (mayTear_) {
+        const Real gap = length(head.centerOffset + head.anchorB - head.anchorA);
+        head.softness = easedOf(softness_, world_, joint, {gap, limitErrorsOf(world_, joint).angle});
+    }
+    fillHead(block, lane, head, batch.inertias[link.slotA], batch.inertias[link.slotB]);
     if (!block.parts.any()) { return; }
     const auto angle = static_cast<Real>(angleOf(world_, joint));
     fillParts(block, lane, hingeParts(joint, angle, h_, dt_), angle);

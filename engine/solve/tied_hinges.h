@@ -31,6 +31,7 @@ private:
     Real left_;    ///< of the step, as the part begins
     Real length_;  ///< of the part
     Softness softness_;
+    bool mayTear_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION
