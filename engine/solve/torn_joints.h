@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "../../solver/softness.h"
 #include "joint_place.h"
 
@@ -16,17 +18,27 @@ inline bool mayTear(const WorldState& world) { return world.kinematicBodies > 0;
 /// A joint is a spring, the stiffest one that a sub-step samples, and so it pulls the harder the farther it is off. A
 /// contact gives way to it by twelve times its gap: what a train dragged against a wall was pressed through that, swept
 /// back to it, and pulled again, with ten thousand times its weight and more (it went at 3319 m/s behind a train of 5,
-/// once that was 30 m beyond the wall). So from this gap on, in extents or radians, the pull does not grow: the contact
-/// holds then. It is still that of hundreds of bodies of the kind that the joint holds, and closes gaps at some
-/// extents per second.
-inline constexpr Real kMostPull = Real(1) / 16;
+/// once that was 30 m beyond the wall). So the pull grows up to a gap of half an extent: less carries no load of
+/// hundreds of times the bodies that the joint holds. What is off by more is torn, and its pull goes down to one that
+/// contacts bear. So is at once what a mouse drags, since nobody hangs a load on that which it cannot carry.
+inline constexpr Real kMostGap = Real(1) / 2;    ///< extents at which a joint pulls hardest
+inline constexpr Real kTornPull = Real(1) / 16;  ///< that of such a gap, in the end
+inline constexpr Real kMostTwist = Real(1) / 8;  ///< radians, likewise, from which on it stays the same
+
+/// Part of its pull that is left to a joint that is off. @param ratio  its gap over an extent, greater than 0
+inline Real shareOfPull(Real ratio, bool isTornAtOnce) {
+    const Real torn = kTornPull / ratio;
+    return isTornAtOnce ? torn : std::max(torn, square(kMostGap / ratio));
+}
 
 /// @param errors  of its anchors, lengths, angles and limits
 inline Softness easedOf(const Softness& softness, const WorldState& world, const Joint& joint,
                         const JointErrors& errors) {
-    const Real ratio = errorRatio(world, joint, errors);
-    if (!(ratio > kMostPull)) { return softness; }
-    return {kMostPull / ratio * softness.biasRate, softness.massScale, softness.impulseScale};
+    const bool isMouse = joint.type() == JointType::mouse;
+    const Real ratio = errorRatio(world, joint, {errors.length, 0});
+    Real share = ratio > (isMouse ? kTornPull : kMostGap) ? shareOfPull(ratio, isMouse) : Real(1);
+    if (errors.angle > kMostTwist) { share = std::min(share, kMostTwist / errors.angle); }
+    return {share * softness.biasRate, softness.massScale, softness.impulseScale};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
