@@ -12,6 +12,7 @@
 #include "../state/profile.h"
 #include "cut_motion.h"
 #include "island_contacts.h"
+#include "yield_to_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -128,36 +129,9 @@ int subStepsFor(const Course& course, double time) {
     return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);
 }
 
-/// Whether something kinematic leads it, and it has met ground: its joints and that may contradict each other.
-bool isLedOntoGround(const Course& course) {
-    const WorldState& world = course.world;
-    if (world.kinematicBodies == 0) { return false; }
-    const auto isKinematic = [&world](std::uint32_t slot) {
-        return world.bodies[slot].def.type == BodyType::kinematic;
-    };
-    const auto isLed = [&](std::uint32_t joint) {
-        const auto bodies = world.joints[joint].allBodies();
-        return std::any_of(bodies.begin(), bodies.end(), isKinematic);
-    };
-    const std::vector<Contact>& held = course.island.held;
-    const std::vector<std::uint32_t>& joints = course.island.jointSlots;
-    return std::any_of(held.begin(), held.end(), [](const Contact& contact) { return contact.manifold.count > 0; }) &&
-           std::any_of(joints.begin(), joints.end(), isLed);
-}
-
-/// What is solved exactly gives way to nothing, nor do contacts that are found on the way: where they contradict each
-/// other, one of them throws. (Of 20 boxes on a hinge of a carrier at 40 m/s, one left the wall at 1400 m/s.) So for the
-/// rest of the step joints are iterated, and what they gain is watched.
-void yieldToGround(Course& course) {
-    const std::vector<std::uint32_t>& members = course.island.members;
-    const bool isExact = course.world.bodies[members[0]].effort.direct == DirectScope::islands;
-    if (!isExact || !isLedOntoGround(course)) { return; }
-    for (const std::uint32_t slot : members) { course.world.bodies[slot].effort.direct = DirectScope::none; }
-}
-
 void solvePart(Course& course, double time) {
-    yieldToGround(course);
     AdvancingIsland& island = course.island;
+    yieldToGround(course.world, island);
     const StepPart part{
         .begin = course.elapsed, .length = time, .dt = course.dt, .subSteps = subStepsFor(course, time)};
     setSubStep(course.world, island, time / part.subSteps);

@@ -18,11 +18,11 @@ inline bool mayTear(const WorldState& world) { return world.kinematicBodies > 0;
 /// A joint is a spring, the stiffest one that a sub-step samples, and so it pulls the harder the farther it is off. A
 /// contact gives way to it by twelve times its gap: what a train dragged against a wall was pressed through that, swept
 /// back to it, and pulled again, with ten thousand times its weight and more (it went at 3319 m/s behind a train of 5,
-/// once that was 30 m beyond the wall). So the pull grows up to a gap of half an extent: less carries no load of
-/// hundreds of times the bodies that the joint holds. What is off by more is torn, and its pull goes down to one that
-/// contacts bear. So is at once what a mouse drags, since nobody hangs a load on that which it cannot carry.
+/// once that was 30 m beyond the wall). So the pull grows up to a gap of half an extent: with less of it, light links
+/// carry no load of hundreds of times their mass. What is off by more is torn, and its pull goes down to one that
+/// contacts bear. A mouse joint pulls no harder than that at any gap: it takes hold of a body itself.
 inline constexpr Real kMostGap = Real(1) / 2;    ///< extents at which a joint pulls hardest
-inline constexpr Real kTornPull = Real(1) / 16;  ///< that of such a gap, in the end
+inline constexpr Real kTornPull = Real(1) / 16;  ///< extents: the pull of such a gap is what is left in the end
 inline constexpr Real kMostTwist = Real(1) / 8;  ///< radians, likewise, from which on it stays the same
 
 /// Part of its pull that is left to a joint that is off. @param ratio  its gap over an extent, greater than 0

@@ -9,7 +9,7 @@
 /// What something kinematic, or a target, drags by rigid joints until a wall stops it: the joints cannot hold. It stays
 /// at the wall, and is not flung about; nothing passes the wall.
 
-namespace swept::test {
+namespace swept::test::dragged {
 namespace {
 
 constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
@@ -43,12 +43,18 @@ enum class Tie : std::uint8_t { hinge, rod, weld, rope, wheel, slider };
 constexpr Tie kTies[] = {Tie::hinge, Tie::rod, Tie::weld, Tie::rope, Tie::wheel, Tie::slider};
 const char* nameOf(Tie tie) {
     switch (tie) {
-        case Tie::hinge: return "hinge";
-        case Tie::rod: return "rod";
-        case Tie::weld: return "weld";
-        case Tie::rope: return "rope";
-        case Tie::wheel: return "wheel";
-        case Tie::slider: return "slider";
+        case Tie::hinge:
+            return "hinge";
+        case Tie::rod:
+            return "rod";
+        case Tie::weld:
+            return "weld";
+        case Tie::rope:
+            return "rope";
+        case Tie::wheel:
+            return "wheel";
+        case Tie::slider:
+            return "slider";
     }
     return "";
 }
@@ -57,9 +63,12 @@ const char* nameOf(Tie tie) {
 JointId tie(World& world, Tie kind, BodyId before, BodyId after, DVec2 anchor) {
     const JointDef base = between(before, after);
     switch (kind) {
-        case Tie::hinge: return must(world.createJoint(RevoluteJointDef{base, anchor}));
-        case Tie::weld: return must(world.createJoint(WeldJointDef{base, anchor}));
-        case Tie::wheel: return must(world.createJoint(WheelJointDef{base, anchor, {0, 1}}));
+        case Tie::hinge:
+            return must(world.createJoint(RevoluteJointDef{base, anchor}));
+        case Tie::weld:
+            return must(world.createJoint(WeldJointDef{base, anchor}));
+        case Tie::wheel:
+            return must(world.createJoint(WheelJointDef{base, anchor, {0, 1}}));
         case Tie::rod:
         case Tie::rope: {
             DistanceJointDef def;
@@ -101,8 +110,8 @@ Fastest watch(World& world, const std::vector<BodyId>& bodies, int steps) {
     return fastest;
 }
 
-/// A train drives on at 5 m/s beyond the wall that stops its trailers after two seconds. (Ten seconds later a trailer on
-/// a hinge went at 3319 m/s in `accurate` and 2146 in `fast`, two at 15785 and 4134; events told as much.)
+/// A train drives on at 5 m/s beyond the wall that stops its trailers after two seconds. (Ten seconds later a trailer
+/// on a hinge went at 3319 m/s in `accurate` and 2146 in `fast`, two at 15785 and 4134; events told as much.)
 TEST(Dragged, TrailersStayAtTheWallThatStopsThem) {
     constexpr double kSpeed = 5;
     for (const Profile profile : kProfiles) {
@@ -140,8 +149,9 @@ TEST(Dragged, TrailersStayAtTheWallThatStopsThem) {
     }
 }
 
-/// A hook takes chains of up to four bodies at up to 40 m/s anywhere out of the room. (Up to 193 000 m/s; where only the
-/// pull of what is off was bounded still 4586, in the step in which they met the wall, since it was solved exactly.)
+/// A hook takes chains of up to four bodies at up to 40 m/s anywhere out of the room. (Up to 193 000 m/s; where only
+/// the pull of what is off was bounded still 4586, in the step in which they met the wall, since it was solved
+/// exactly.)
 TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
     for (const Profile profile : kProfiles) {
         for (const Tie kind : {Tie::hinge, Tie::rod, Tie::weld}) {
@@ -180,8 +190,8 @@ TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
     }
 }
 
-/// A rigid mouse joint whose target goes on beyond the wall, and rests there. (2 m beyond: at 101 m/s in `accurate`; 5 m
-/// beyond at 260 m/s in `fast`, turning at 390 rad/s for as long as it was held.)
+/// A rigid mouse joint whose target goes on beyond the wall, and rests there. (2 m beyond: at 101 m/s in `accurate`; 5
+/// m beyond at 260 m/s in `fast`, turning at 390 rad/s for as long as it was held.)
 TEST(Dragged, WhatTheMouseTakesBeyondAWallComesToRestAtIt) {
     for (const Profile profile : kProfiles) {
         for (const double beyond : {0.5, 1.0, 2.0, 5.0, 20.0}) {
@@ -275,4 +285,4 @@ TEST(Dragged, HeavyLoadsAreLifted) {
 }
 
 }  // namespace
-}  // namespace swept::test
+}  // namespace swept::test::dragged
