@@ -20,8 +20,8 @@ struct TiedPair {
 };
 
 /// Which contacts of a solve were blows, and tells them (`ContactEventType::hit`). What rests presses on and on, so
-/// only points that begin to press are judged, by their approach before the solve; and what bounced. Several workers
-/// may note hits at the same time, as long as nobody has moved the bodies of the world.
+/// only points that begin to press are judged: by their approach before the solve, or by that with which they bounced
+/// in it. Several workers may note hits at the same time, as long as nobody has moved the bodies of the world.
 class TiedHits {
 public:
     /// Holds on to all of them.
@@ -32,7 +32,7 @@ public:
     TiedPair pairOf(const Contact& contact, BodySlot slotA, BodySlot slotB) const;
     /// Anchors of a point of the contact.
     ContactConstraintPoint anchorsOf(const Contact& contact, const ManifoldPoint& point) const;
-    /// @param speeds  of approach, by point, m/s; 0: it neither began to press nor bounced
+    /// @param speeds  of approach, by point, m/s; 0: it did not begin to press
     /// @param began   whether the contact did not press before at all
     /// @pre the contact has its totals
     void note(const Contact& contact, Vec2 normal, const std::array<Real, 2>& speeds, bool began);
