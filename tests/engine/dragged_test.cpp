@@ -160,7 +160,7 @@ TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
                     for (std::uint32_t seed = 0; seed < 12; ++seed) {
                         std::mt19937 random(seed);
                         const auto number = [&random](double least, double most) {
-                            return least + (most - least) * (random() / 4294967296.0);
+                            return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
                         };
                         World world = worldOf(profile);
                         addRoom(world);
