@@ -67,7 +67,8 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
                    .impulse = joint.hinge.point};
     if (mayTear_) {
         const Real gap = length(head.centerOffset + head.anchorB - head.anchorA);
-        head.softness = easedOf(softness_, world_, joint, {gap, limitErrorsOf(world_, joint).angle});
+        head.softness = easedOf(softness_, world_, joint,
+                                {gap, link.parts.hasLimits ? limitErrorsOf(world_, joint).angle : Real(0)});
     }
     fillHead(block, lane, head, batch.inertias[link.slotA], batch.inertias[link.slotB]);
     if (!block.parts.any()) { return; }

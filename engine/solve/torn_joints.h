@@ -31,6 +31,11 @@ inline Real shareOfPull(Real ratio, bool isTornAtOnce) {
     return isTornAtOnce ? torn : std::max(torn, square(kMostGap / ratio));
 }
 
+/// Whether a call moved what it holds far: nothing tears it, and it closes its gap at once. (A mouse is led.)
+inline bool isYanked(const WorldState& world, const Joint& joint) {
+    return joint.driven != kNotDriven && world.drivenJoints[joint.driven].isYank;
+}
+
 /// @param errors  of its anchors, lengths, angles and limits
 inline Softness easedOf(const Softness& softness, const WorldState& world, const Joint& joint,
                         const JointErrors& errors) {
@@ -38,6 +43,7 @@ inline Softness easedOf(const Softness& softness, const WorldState& world, const
     const Real ratio = errorRatio(world, joint, {errors.length, 0});
     Real share = ratio > (isMouse ? kTornPull : kMostGap) ? shareOfPull(ratio, isMouse) : Real(1);
     if (errors.angle > kMostTwist) { share = std::min(share, kMostTwist / errors.angle); }
+    if (!(share < 1) || (!isMouse && isYanked(world, joint))) { return softness; }
     return {share * softness.biasRate, softness.massScale, softness.impulseScale};
 }
 
