@@ -19,16 +19,24 @@ inline bool mayTear(const WorldState& world) { return world.kinematicBodies > 0;
 /// contact gives way to it by twelve times its gap: what a train dragged against a wall was pressed through that, swept
 /// back to it, and pulled again, with ten thousand times its weight and more (it went at 3319 m/s behind a train of 5,
 /// once that was 30 m beyond the wall). So the pull grows up to a gap of half an extent: with less of it, light links
-/// carry no load of hundreds of times their mass. What is off by more is torn, and its pull goes down to one that
-/// contacts bear. A mouse joint pulls no harder than that at any gap: it takes hold of a body itself.
+/// carry no load of hundreds of times their mass. What is off by more is torn, and where it touches something its pull
+/// goes down to one that contacts bear. A mouse joint pulls no harder than that at any gap: it holds a body itself.
 inline constexpr Real kMostGap = Real(1) / 2;    ///< extents at which a joint pulls hardest
 inline constexpr Real kTornPull = Real(1) / 16;  ///< extents: the pull of such a gap is what is left in the end
 inline constexpr Real kMostTwist = Real(1) / 8;  ///< radians, likewise, from which on it stays the same
 
 /// Part of its pull that is left to a joint that is off. @param ratio  its gap over an extent, greater than 0
-inline Real shareOfPull(Real ratio, bool isTornAtOnce) {
+inline Real shareOfPull(Real ratio, bool isTornAtOnce, bool isTouching) {
     const Real torn = kTornPull / ratio;
-    return isTornAtOnce ? torn : std::max(torn, square(kMostGap / ratio));
+    if (isTornAtOnce) { return torn; }
+    return isTouching ? std::max(torn, square(kMostGap / ratio)) : kMostGap / ratio;
+}
+
+/// Whether one of its bodies touches something: what does not comes back from afar sooner.
+inline bool isTouching(const WorldState& world, const Joint& joint) {
+    const auto bodies = joint.allBodies();
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&world](std::uint32_t slot) { return world.bodies[slot].hasContact; });
 }
 
 /// Whether a call moved what it holds far: nothing tears it, and it closes its gap at once. (A mouse is led.)
@@ -41,7 +49,8 @@ inline Softness easedOf(const Softness& softness, const WorldState& world, const
                         const JointErrors& errors) {
     const bool isMouse = joint.type() == JointType::mouse;
     const Real ratio = errorRatio(world, joint, {errors.length, 0});
-    Real share = ratio > (isMouse ? kTornPull : kMostGap) ? shareOfPull(ratio, isMouse) : Real(1);
+    Real share =
+        ratio > (isMouse ? kTornPull : kMostGap) ? shareOfPull(ratio, isMouse, isTouching(world, joint)) : Real(1);
     if (errors.angle > kMostTwist) { share = std::min(share, kMostTwist / errors.angle); }
     if (!(share < 1) || (!isMouse && isYanked(world, joint))) { return softness; }
     return {share * softness.biasRate, softness.massScale, softness.impulseScale};
