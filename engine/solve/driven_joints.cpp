@@ -130,7 +130,7 @@ const DrivenJoint* drivenOf(const WorldState& world, const Joint& joint) {
 
 Real woundSpeed(const DrivenJoint& driven) { return driven.isYank ? driven.paceSpeed : driven.speed; }
 
-void noteDriven(WorldState& world, const TiedGroup& group) {
+void markDrivenAccounts(WorldState& world, const TiedGroup& group) {
     const std::vector<DrivenJoint>& all = world.drivenJoints;
     if (group.role == BodyRole::solved || all.size() <= group.bodies.size()) {
         for (const DrivenJoint& driven : all) { tell(world, driven, group.desk); }

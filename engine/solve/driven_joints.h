@@ -26,6 +26,6 @@ const DrivenJoint* drivenOf(const WorldState& world, const Joint& joint);
 /// How fast a joint draws, and does work in this step, as that of a winch, m/s; 0: it does none.
 Real woundSpeed(const DrivenJoint& driven);
 /// Tells the accounts of the islands of a solve.
-void noteDriven(WorldState& world, const TiedGroup& group);
+void markDrivenAccounts(WorldState& world, const TiedGroup& group);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -326,7 +326,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
         noteJointed(world, group);
         bookSprings(world, group, h);
     }
-    noteDriven(world, group);
+    markDrivenAccounts(world, group);
     const auto drifts = [&](std::uint32_t root) { return mayDrift(world.energyAccounts[root]); };
     if (std::any_of(roots.begin(), roots.end(), drifts)) { findDrifts(world, group.desk); }
     const bool mayTouch = group.role == BodyRole::solved ? !world.touching.empty() : !group.contacts.empty();
