@@ -33,7 +33,7 @@ picture ragdolls 75
 picture newtons-cradle 120 --trails
 picture terrain 120 --trails
 picture machine-room 150
-picture car 250 --trails
+picture car 250 --trails --follow chassis --view=-2,0,5.5
 picture conveyors 570
 
 say "continuous-modes.png"

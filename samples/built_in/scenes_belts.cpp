@@ -39,7 +39,7 @@ void addHopper(SceneDescription& scene, DVec2 outlet) {
 /// A tracked body, heavy enough for its edges to hold on to steps.
 void addCrawler(SceneDescription& scene, DVec2 place) {
     const ShapeDescription hull = polygon({{-0.5, -0.2}, {0.5, -0.2}, {0.75, 0.1}, {-0.75, 0.1}});
-    addDynamic(scene, "crawler", place, {belt(withFriction(withDensity(rounded(hull, 0.1), 3), 1.5), 1.2)});
+    addDynamic(scene, "crawler", place, {belt(withFriction(withDensity(rounded(hull, 0.1), 3), 1.5), 0.3)});
 }
 
 }  // namespace
