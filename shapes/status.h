@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -29,6 +30,7 @@ enum class StatusCode : std::uint8_t {
     disabled,         ///< the call is for bodies that take part (`World::setEnabled`)
     notNow,           ///< the call has to come at another time (another broadphase before the world has shapes)
 };
+inline constexpr std::size_t kStatusCodeCount = static_cast<std::size_t>(StatusCode::notNow) + 1;
 
 /// What went wrong, and with which argument. The name is that of the argument or member, with these exceptions: an id
 /// goes by what it names ("body", "shape", "joint"); motors, limits of length and break limits go by what the

@@ -33,7 +33,7 @@ void vandalise(Sizes sizes, int seeds, int actions) {
     int refusals = 0;
     int calls = 0;
     int broken = 0;
-    std::array<int, 16> codes{};
+    std::array<int, kStatusCodeCount> codes{};
     JointTally joined{};
     for (int seed = 0; seed < seeds; ++seed) {
         Vandal vandal(static_cast<std::uint64_t>(seed), sizes);

@@ -51,7 +51,7 @@ public:
     int calls() const { return calls_; }
     int refusals() const { return refusals_; }
     int steps() const { return steps_; }
-    const std::array<int, 16>& codes() const { return codes_; }
+    const std::array<int, kStatusCodeCount>& codes() const { return codes_; }
     const JointTally& joined() const { return joined_; }
     int broken() const { return broken_; }
 
@@ -291,7 +291,7 @@ private:
     int calls_ = 0;
     int refusals_ = 0;
     int steps_ = 0;
-    std::array<int, 16> codes_{};
+    std::array<int, kStatusCodeCount> codes_{};
     JointTally joined_{};
     int broken_ = 0;
 };
