@@ -133,8 +133,10 @@ void advance(WorldState& world, double dt) {
     closeUpPairs(world);
     closeUpAwake(world);
     if (!world.unmeasured.empty()) { measureAnew(world); }
-    if (dt != world.lastDt) { changeStep(world, dt); }
-    world.closingTime = closingTimeOf(world, dt);
+    const double before = world.lastDt;
+    if (dt != before) { changeStep(world, dt); }
+    const bool varies = dt != before || world.closingTime > dt || world.recentSteps.longest < dt;
+    if (varies) { world.closingTime = closingTimeAfter(world, before, dt); }
     if (world.closingStretch > 1) { world.closingStretch = closingStretchOf(world, dt); }
     StageClock clock(world.settings.measureStageTimes);
     world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);

@@ -17,6 +17,21 @@ namespace {
 constexpr double kClosingPace = 1.0 / 32;
 /// s. What longer steps leave is not waited for: springs of seconds would give way by metres.
 constexpr double kLongestClosing = 1.0 / 30;
+/// s. It does not go back at all as long as one of the last steps was as long: what rests on springs that follow the
+/// ups and downs of steps goes up and down with them. It may be twice this until it does.
+constexpr double kHoldTime = 4;
+/// s. Nor do longer steps hold it.
+constexpr double kLongestHeld = 1.0 / 15;
+/// What takes so many times as long as all of them is a hitch. When the next one is another it counts, as this much.
+constexpr double kHitchRatio = 1.5;
+
+void noteStep(RecentSteps& recent, double before, double dt) {
+    recent.time += dt;
+    if (recent.time > kHoldTime) { recent = {.longestBefore = recent.longest}; }
+    const double known = std::max(recent.longest, recent.longestBefore);
+    const double bound = kHitchRatio * (known > 0 ? known : std::min(before, dt));
+    if (dt < bound || before >= bound) { recent.longest = std::max(recent.longest, std::min(dt, bound)); }
+}
 
 /// Of all contacts that are not parked. Those keep their impulses until they come back (parked_contacts.h), so that
 /// sleep costs nothing. So do joints: theirs are found anew within a step, and grown in proportion a jerk would be as
@@ -50,8 +65,13 @@ void changeSubSteps(WorldState& world, int before) {
     world.closingStretch = std::max(1.0, world.closingStretch * ratio);
 }
 
-double closingTimeOf(const WorldState& world, double dt) {
-    return std::max(dt, std::min(world.closingTime, kLongestClosing) - kClosingPace * dt);
+double closingTimeAfter(WorldState& world, double before, double dt) {
+    RecentSteps& recent = world.recentSteps;
+    noteStep(recent, before, dt);
+    const double held = std::min(std::max(recent.longest, recent.longestBefore), kLongestHeld);
+    const bool wasHeld = world.closingTime > before;  // or it was that of a step, however long
+    const double last = wasHeld ? world.closingTime : std::min(world.closingTime, kLongestClosing);
+    return std::max({dt, held, last - kClosingPace * dt});
 }
 
 double closingStretchOf(const WorldState& world, double dt) {

@@ -12,9 +12,11 @@ void changeStep(WorldState& world, double dt);
 /// The same of settings with other sub-steps than before, between two steps. @pre what is held was released
 void changeSubSteps(WorldState& world, int before);
 
-/// Of a step: errors go on being closed at nearly the pace of longer ones before it.
-/// @return  s, dt or more
-double closingTimeOf(const WorldState& world, double dt);
+/// Of a step of another length than the one before, or after longer ones: errors go on being closed at the pace of the
+/// longest of the last seconds, or nearly at that of longer ones before it.
+/// @param before  length of the step before it, s, or 0
+/// @return        s, dt or more
+double closingTimeAfter(WorldState& world, double before, double dt);
 /// Likewise after steps of fewer sub-steps. @param dt  of the step. @return  how many times that time, at least once
 double closingStretchOf(const WorldState& world, double dt);
 

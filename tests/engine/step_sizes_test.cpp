@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <numbers>
+
 #include "../support/random.h"
 #include "extreme_scenes.h"
 
@@ -171,6 +174,57 @@ TEST(StepSizes, MoreSubStepsThanBefore) {
             }
         }
         expectAtMost(std::to_string(before) + " to " + std::to_string(after) + ", speed", fastest, 0.02);
+    }
+}
+
+/// Lengths of steps that go up and down.
+struct Rhythm {
+    std::string name;
+    double shortest, longest;  ///< s
+    double period;             ///< s, of a sine; or 0: at random
+
+    double stepAt(double time, Random& random) const {
+        const double part = period > 0 ? 0.5 + 0.5 * std::sin(2 * std::numbers::pi * time / period) : random.uniform();
+        return shortest + (longest - shortest) * part;
+    }
+};
+
+/// Springs that gave way more in longer steps, and less in shorter ones, would pump the pile up and down: it would
+/// never come to rest, and creep.
+TEST(StepSizes, PilesSleepInStepsThatGoUpAndDown) {
+    const std::vector<Rhythm> rhythms = {{"slow motion and back", 1.0 / 240, 1.0 / 60, 2.1},
+                                         {"slower", 1.0 / 240, 1.0 / 60, 4},
+                                         {"slowest", 1.0 / 240, 1.0 / 60, 10},
+                                         {"half as far", 1.0 / 144, 1.0 / 60, 2.1},
+                                         {"a tenth, twice a second", 1.0 / 66, 1.0 / 55, 0.5},
+                                         {"to long ones", 1.0 / 240, 1.0 / 20, 2.1},
+                                         {"a fifth, at random", 1.0 / 72, 1.0 / 48, 0},
+                                         {"four times, at random", 1.0 / 120, 1.0 / 30, 0}};
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const Rhythm& rhythm : rhythms) {
+            for (const std::uint64_t seed : {1U, 2U}) {
+                WorldSettings settings;
+                settings.profile = profile;
+                World world = makeWorld(settings);
+                addStatic(world, box(20, 0.5), {}, {0, -0.5});
+                for (const double side : {-8.0, 8.0}) { addStatic(world, box(0.5, 10), {}, {side, 10}); }
+                Random random(seed);
+                std::vector<BodyId> boxes;
+                for (int i = 0; i < 60; ++i) {
+                    boxes.push_back(addBody(world, dynamicAt({random.range(-6, 6), 1 + 0.6 * i}), box(0.3, 0.3)));
+                }
+                const auto isAwake = [&world](BodyId body) { return world.isAwake(body); };
+                double time = 0;
+                while (time < 30 && std::any_of(boxes.begin(), boxes.end(), isAwake)) {
+                    const double dt = rhythm.stepAt(time, random);
+                    must(world.step(dt));
+                    time += dt;
+                }
+                expectAtMost(std::string(profile == Profile::fast ? "fast, " : "accurate, ") + rhythm.name + ", seed " +
+                                 std::to_string(seed) + ", seconds until all sleep",
+                             time, 20);
+            }
+        }
     }
 }
 
