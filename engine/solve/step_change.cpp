@@ -7,6 +7,7 @@
 #include "../contacts/parked_contacts.h"
 #include "../islands/held_islands.h"
 #include "../state/profile.h"
+#include "joint_growth.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -24,6 +25,10 @@ constexpr double kHoldTime = 4;
 constexpr double kLongestHeld = 1.0 / 15;
 /// What takes so many times as long as all of them is a hitch. When the next one is another it counts, as this much.
 constexpr double kHitchRatio = 1.5;
+/// Impulses of joints become those of the new step where that is up to so many times as long, or short. Grown in
+/// proportion farther, a jerk would be as well (a net that hung in steps of 1/60 s and 0.1 ms by turns rose by half a
+/// metre); those that start from too little sag, and in steps that vary swing for ever.
+constexpr Real kMostJointGrowth = 2;
 
 void noteStep(RecentSteps& recent, double before, double dt) {
     recent.time += dt;
@@ -34,12 +39,22 @@ void noteStep(RecentSteps& recent, double before, double dt) {
 }
 
 /// Of all contacts that are not parked. Those keep their impulses until they come back (parked_contacts.h), so that
-/// sleep costs nothing. So do joints: theirs are found anew within a step, and grown in proportion a jerk would be as
-/// well (a net that hung in steps of 1/60 s and 0.1 ms by turns rose by half a metre).
+/// sleep costs nothing. So do joints that sleep: theirs are found anew within a step.
 void scaleContacts(WorldState& world, Real factor) {
     for (const ContactProbe& probe : world.probes) {
         Contact& contact = world.contacts[probe.contact];
         scaleToSubStep(contact, factor, wasStill(contact, world.bodies[contact.bodyA], world.bodies[contact.bodyB]));
+    }
+}
+
+bool holdsAwake(const WorldState& world, const JointTie& tie) {
+    return tie.holds && (world.bodies[tie.bodyA].awake || world.bodies[tie.bodyB].awake);
+}
+
+void scaleJoints(WorldState& world, Real factor) {
+    if (!(factor >= 1 / kMostJointGrowth && factor <= kMostJointGrowth)) { return; }
+    for (const std::uint32_t i : world.activeJoints) {  // of the last step: some may be gone since, or asleep
+        if (holdsAwake(world, world.jointTies[i])) { scaleStart(world.joints[i], factor); }
     }
 }
 
@@ -48,7 +63,11 @@ void scaleContacts(WorldState& world, Real factor) {
 void changeStep(WorldState& world, double dt) {
     const double before = world.lastDt;
     releaseAllHeld(world);  // to be in balance with impulses of this step, it may be that at once
-    if (before > 0) { scaleContacts(world, static_cast<Real>(dt / before)); }
+    if (before > 0) {
+        const auto factor = static_cast<Real>(dt / before);
+        scaleContacts(world, factor);
+        scaleJoints(world, factor);
+    }
     world.lastDt = dt;
     if (before > 0) { unparkContacts(world); }
     if (!(dt > before)) { return; }  // the first of all is longer, too: no box knew it

@@ -6,7 +6,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// As a step of another length than the last one begins: what is held takes part again, boxes reach as far as the step
-/// asks, and impulses of contacts become those of its sub-steps.
+/// asks, and impulses of contacts and joints become those of its sub-steps.
 void changeStep(WorldState& world, double dt);
 
 /// The same of settings with other sub-steps than before, between two steps. @pre what is held was released

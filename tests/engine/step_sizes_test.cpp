@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <numbers>
 
 #include "../support/random.h"
@@ -189,41 +188,80 @@ struct Rhythm {
     }
 };
 
+const std::vector<Rhythm>& rhythms() {
+    static const std::vector<Rhythm> kRhythms = {{"slow motion and back", 1.0 / 240, 1.0 / 60, 2.1},
+                                                 {"slower", 1.0 / 240, 1.0 / 60, 4},
+                                                 {"slowest", 1.0 / 240, 1.0 / 60, 10},
+                                                 {"half as far", 1.0 / 144, 1.0 / 60, 2.1},
+                                                 {"a tenth, twice a second", 1.0 / 66, 1.0 / 55, 0.5},
+                                                 {"to long ones", 1.0 / 240, 1.0 / 20, 2.1},
+                                                 {"a fifth, at random", 1.0 / 72, 1.0 / 48, 0},
+                                                 {"four times, at random", 1.0 / 120, 1.0 / 30, 0}};
+    return kRhythms;
+}
+
+/// @return seconds until all sleep, at most 40
+double timeToSleep(World& world, const Rhythm& rhythm, Random& random) {
+    double time = 0;
+    for (bool isAnyAwake = true; isAnyAwake && time < 40;) {
+        const double dt = rhythm.stepAt(time, random);
+        must(world.step(dt));
+        time += dt;
+        isAnyAwake = false;
+        world.visitBodies([&](BodyId body) { isAnyAwake = isAnyAwake || world.isAwake(body); });
+    }
+    return time;
+}
+
+World worldOf(Profile profile) {
+    WorldSettings settings;
+    settings.profile = profile;
+    World world = makeWorld(settings);
+    addStatic(world, box(20, 0.5), {}, {0, -0.5});
+    return world;
+}
+
 /// Springs that gave way more in longer steps, and less in shorter ones, would pump the pile up and down: it would
 /// never come to rest, and creep.
 TEST(StepSizes, PilesSleepInStepsThatGoUpAndDown) {
-    const std::vector<Rhythm> rhythms = {{"slow motion and back", 1.0 / 240, 1.0 / 60, 2.1},
-                                         {"slower", 1.0 / 240, 1.0 / 60, 4},
-                                         {"slowest", 1.0 / 240, 1.0 / 60, 10},
-                                         {"half as far", 1.0 / 144, 1.0 / 60, 2.1},
-                                         {"a tenth, twice a second", 1.0 / 66, 1.0 / 55, 0.5},
-                                         {"to long ones", 1.0 / 240, 1.0 / 20, 2.1},
-                                         {"a fifth, at random", 1.0 / 72, 1.0 / 48, 0},
-                                         {"four times, at random", 1.0 / 120, 1.0 / 30, 0}};
     for (const Profile profile : {Profile::fast, Profile::accurate}) {
-        for (const Rhythm& rhythm : rhythms) {
+        for (const Rhythm& rhythm : rhythms()) {
             for (const std::uint64_t seed : {1U, 2U}) {
-                WorldSettings settings;
-                settings.profile = profile;
-                World world = makeWorld(settings);
-                addStatic(world, box(20, 0.5), {}, {0, -0.5});
+                World world = worldOf(profile);
                 for (const double side : {-8.0, 8.0}) { addStatic(world, box(0.5, 10), {}, {side, 10}); }
                 Random random(seed);
-                std::vector<BodyId> boxes;
                 for (int i = 0; i < 60; ++i) {
-                    boxes.push_back(addBody(world, dynamicAt({random.range(-6, 6), 1 + 0.6 * i}), box(0.3, 0.3)));
-                }
-                const auto isAwake = [&world](BodyId body) { return world.isAwake(body); };
-                double time = 0;
-                while (time < 30 && std::any_of(boxes.begin(), boxes.end(), isAwake)) {
-                    const double dt = rhythm.stepAt(time, random);
-                    must(world.step(dt));
-                    time += dt;
+                    addBody(world, dynamicAt({random.range(-6, 6), 1 + 0.6 * i}), box(0.3, 0.3));
                 }
                 expectAtMost(std::string(profile == Profile::fast ? "fast, " : "accurate, ") + rhythm.name + ", seed " +
                                  std::to_string(seed) + ", seconds until all sleep",
-                             time, 20);
+                             timeToSleep(world, rhythm, random), 20);
             }
+        }
+    }
+}
+
+/// Impulses of joints, too, become those of the new step: what started from too much or too little would swing.
+TEST(StepSizes, ChainsSleepInStepsThatGoUpAndDown) {
+    for (const bool areWelded : {false, true}) {
+        for (const Rhythm& rhythm : rhythms()) {
+            if (rhythm.longest > 1.0 / 40) { continue; }  // in `fast` they do not rest in steps of just that, either
+            World world = worldOf(Profile::fast);
+            BodyId before;
+            for (int k = 0; k < 60; ++k) {
+                const DVec2 place{0.5 * (k % 6) + 0.3 * std::floor(k / 6) - 10, 2 + 1.2 * std::floor(k / 6)};
+                const BodyId next = addBody(world, dynamicAt(place), box(areWelded ? 0.2 : 0.25, 0.1));
+                const JointDef base{.bodyA = before, .bodyB = next};
+                const DVec2 anchor{place.x - 0.25, place.y};
+                if (k % 6 > 0 && areWelded) { must(world.createJoint(WeldJointDef{.base = base, .anchor = anchor})); }
+                if (k % 6 > 0 && !areWelded) {
+                    must(world.createJoint(RevoluteJointDef{.base = base, .anchor = anchor}));
+                }
+                before = next;
+            }
+            Random random(1);
+            expectAtMost(std::string(areWelded ? "welds, " : "hinges, ") + rhythm.name + ", seconds until all sleep",
+                         timeToSleep(world, rhythm, random), 30);
         }
     }
 }
