@@ -234,6 +234,38 @@ TEST(Linkages, FreeRingsTumble) {
     }
 }
 
+/// Walls of welded bricks, more than are solved all at once: the fewer sub-steps of what swings must not keep it
+/// swinging.
+TEST(Linkages, WeldedWallsComeToRest) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        for (const int high : {33, 40, 60}) {
+            World world;
+            must(world.configure({.profile = profile}));
+            ShapeDef ghost;
+            ghost.filter.mask = 0;
+            const BodyId ground = addStatic(world, box(1, 0.1), ghost, {0, -0.1});
+            std::vector<BodyId> bricks;
+            const auto weld = [&](BodyId a, BodyId b, DVec2 at) {
+                must(world.createJoint(WeldJointDef{.base = {.bodyA = a, .bodyB = b}, .anchor = at}));
+            };
+            for (int y = 0; y < high; ++y) {
+                for (int x = 0; x < 2; ++x) {
+                    const BodyId below = y > 0 ? bricks[bricks.size() - 2] : ground;
+                    bricks.push_back(
+                        addBody(world, dynamicAt({0.5 * x, 0.5 * y + 0.25}, {}, 0), box(0.25, 0.25), ghost));
+                    weld(below, bricks.back(), {0.5 * x, 0.5 * y});
+                    if (x > 0) { weld(bricks[bricks.size() - 2], bricks.back(), {0.25, 0.5 * y + 0.25}); }
+                }
+            }
+            for (int i = 0; i < 25 * kRate; ++i) { must(world.step(kStep)); }
+            for (const BodyId brick : bricks) {
+                ASSERT_FALSE(world.isAwake(brick))
+                    << high << " high, profile " << static_cast<int>(profile) << ", " << velocityOf(world, brick).y;
+            }
+        }
+    }
+}
+
 TEST(Linkages, PendulumKeepsItsEnergy) {
     Pendulum pendulum(90);
     double worst = 0;
