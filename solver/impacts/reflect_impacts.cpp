@@ -196,7 +196,8 @@ void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScrat
 bool isOfOneBody(const SolverBodies& bodies, const ImpactScratch& scratch) {
     const ContactConstraint& first = *scratch.approaching.front();
     const BodySlot one = isMovable(bodies.inertias[first.slotA]) ? first.slotA : first.slotB;
-    return std::ranges::all_of(scratch.approaching, [&](const ContactConstraint* contact) {
+    const auto& approaching = scratch.approaching;
+    return std::all_of(approaching.begin(), approaching.end(), [&](const ContactConstraint* contact) {
         const bool isA = contact->slotA == one;
         const BodySlot other = isA ? contact->slotB : contact->slotA;
         return (isA || contact->slotB == one) && !isMovable(bodies.inertias[other]);
