@@ -4,9 +4,9 @@
 #include <exception>
 #ifdef __STDCPP_THREADS__
 #include <thread>
+#endif
 
 #include "spin_pause.h"
-#endif
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
