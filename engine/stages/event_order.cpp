@@ -168,7 +168,8 @@ void mergeChainEvents(WorldState& world, int bits) {
             return pairKey(events[place.index]) != pairKey(first);
         });
         while (!touches.empty() && touches.front().key < group->key) { touches = touches.subspan(1); }
-        keep = keepTurns(world, {group, last}, touchesNow(world, *group, touches), keep);
+        const std::span<EventPlace> ofPair(&*group, static_cast<std::size_t>(last - group));
+        keep = keepTurns(world, ofPair, touchesNow(world, *group, touches), keep);
         group = last;
     }
     places.erase(keep, places.end());
