@@ -38,11 +38,22 @@ Polygon withNormals(const Polygon& polygon) {
     return result;
 }
 
-/// A simplex of one vertex of B and an edge of A holds a face of A, and the
-/// other way round; two edges are either's.
-AxisOwner ownerOf(const GjkResult& gjk) {
+/// Squared, beyond which ratio of their lengths an edge is lost beside another: rounding then picks any of its ends as
+/// the closest one, so both turn up in a simplex, and its normal has nothing to do with the closest direction.
+constexpr double kLostEdge = 0x1p52;
+
+bool isLostBeside(Vec2 edge, Vec2 other) { return dot(edge, edge) * kLostEdge < dot(other, other); }
+
+/// A simplex of one vertex of B and an edge of A holds a face of A, and the other way round; two edges are parallel, and
+/// either's.
+AxisOwner ownerOf(const MovingPair& pair, const GjkResult& gjk) {
     if (gjk.count < 2) { return AxisOwner::world; }
-    return gjk.simplex[0].a == gjk.simplex[1].a ? AxisOwner::b : AxisOwner::a;
+    const SupportPair& p = gjk.simplex[0];
+    const SupportPair& q = gjk.simplex[1];
+    if (p.a == q.a) { return AxisOwner::b; }
+    if (p.b == q.b) { return AxisOwner::a; }
+    const bool isLost = isLostBeside(pair.a.vertex(q.a) - pair.a.vertex(p.a), pair.b.vertex(q.b) - pair.b.vertex(p.b));
+    return isLost ? AxisOwner::b : AxisOwner::a;
 }
 
 /// Whether it pays to look for a proof of overlap before the distance: shapes of like size with their centres near each
@@ -127,7 +138,7 @@ void MovingPair::findClosest(const PairPose& pose, SimplexCache& cache, Closest&
         closest.separation = gjk.distance - radii;
         closest.coreSeparation = gjk.distance;
         closest.normal = {gjk.normal.x, gjk.normal.y};
-        closest.owner = ownerOf(gjk);
+        closest.owner = ownerOf(*this, gjk);
     } else if (gjk.encloses) {
         closest.separation = 0;
     } else {
