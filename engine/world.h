@@ -56,8 +56,8 @@ public:
     void setTaskSystem(TaskSystem* tasks);
 
     /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`; `outOfRange` when dt or 1/dt is above 2⁶³ (in
-    /// f64 2⁵¹¹); `missingMass` when a dynamic body has neither shapes with density nor a mass of its own (its `mass`
-    /// is 0; `bodyWithoutMass`).
+    /// f64 2⁵¹¹); `missingMass` when a dynamic body has neither shapes with density nor a mass of its own, or
+    /// shapes so large that their mass is no number (its `mass` is 0; `bodyWithoutMass`).
     Status step(double dt);
 
     // Errors of all calls below that return a `Status` or a `Result`: `staleId` of what is not there, `notFinite` of

@@ -40,9 +40,9 @@ inline double firstRoot(const Parabola& p, double limit) {
     if (discriminant < kInfinity) { return firstRootBy(discriminant, p, limit); }
     // Beyond 2⁵¹¹ squares overflow, and their difference is no number. The root is the same at any scale.
     constexpr double kScale = 0x1p-540;
-    const Parabola small{kScale * p.value, kScale * p.rate, kScale * p.bend};
-    const double ofSmall = discriminantOf(small);
-    return ofSmall < kInfinity ? firstRootBy(ofSmall, small, limit) : 0;
+    const Parabola scaled{kScale * p.value, kScale * p.rate, kScale * p.bend};
+    const double ofScaled = discriminantOf(scaled);
+    return ofScaled < kInfinity ? firstRootBy(ofScaled, scaled, limit) : 0;
 }
 
 }  // namespace swept

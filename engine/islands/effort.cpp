@@ -48,13 +48,12 @@ constexpr double kRestRatioOfFall = 1.0 / 8;
 constexpr double kStirRatioOfFall = 1.0 / 2;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
 constexpr int kFewestSubStepsForJoints = 8;
-/// What jostles: so many bodies at least, this part of which is on the move, as fast as in a fall of 1/32 of its
-/// extent; or with all joints driven, a ragdoll's, also where it lies or nothing holds it. Half of the sub-steps do
-/// there, with one pass of relaxation, as long as springs of those carry what may lie on the thinnest body with an
-/// error below this part of it. (With all that is faster than an eighth of what gravity gives in a step on the move, a
+/// What jostles: so many bodies at least (`kFewestInCrowd`), this part of which is on the move, as fast as in a fall of
+/// 1/32 of its extent; or with all joints driven, a ragdoll's, also where it lies or nothing holds it. Half of the
+/// sub-steps do there, with one pass of relaxation, as long as springs of those carry what may lie on the thinnest body
+/// with an error below this part of it. (With all that is faster than an eighth of what gravity gives in a step on the move, a
 /// pyramid that had been disturbed breathed by 5 cm for ever; a stack of twenty boxes that is dropped sinks in
 /// farther.)
-constexpr std::uint32_t kFewestInCrowd = 64;
 constexpr std::uint32_t kFewestInRagdoll = 8;
 constexpr std::uint32_t kMovingShare = 8;
 constexpr double kCrowdErrorRatio = 1.0 / 32;
@@ -105,6 +104,14 @@ bool isWeb(const IslandLoad& load) {
 /// carries, and for the heaviest body as well.
 double sagOf(double layers, double heaviest, double give) { return layers * ((layers + 1) / 2 + heaviest) * give; }
 
+/// Whether a net swings, as a whole, faster than the springs of a crowd would make it.
+bool swings(const IslandLoad& load, double gravity, double give) {
+    const auto heaviest = static_cast<double>(heaviestOf(load) / load.lightest);
+    const double size = std::max(load.highest - load.lowest, load.rightmost - load.leftmost);
+    const double sag = sagOf(size / static_cast<double>(load.thinnest), heaviest, give);
+    return static_cast<double>(load.fastest) > kSwingOfSag * gravity * sag;
+}
+
 /// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
 /// island is high, and the heaviest that lies loose. The springs give way by about h²·|g| under the weight of the body
 /// that they hold. Ragdolls that lie about, or that nothing holds up, are a crowd, too, on the move or about to be (in
@@ -114,20 +121,18 @@ bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int 
     // Joints that carry one another have to have a drive, or be a net: chains tighten.
     const bool isRagdoll = load.joints > 0 && load.driven == load.joints;
     const bool isLoose = isRagdoll && (load.contacts > 0 || !load.isAnchored);
-    const bool isNet = load.hasLoop && load.contacts == 0;
     const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
     const std::uint32_t fewest = isRagdoll ? kFewestInRagdoll : kFewestInCrowd;
     const auto thinnest = static_cast<double>(load.thinnest);
-    if (load.bodies < fewest || !(isRagdoll || isNet || isPile) || !(thinnest > 0)) { return false; }
+    if (load.bodies < fewest || !(isRagdoll || load.isNet || isPile) || !(thinnest > 0)) { return false; }
     const double h = dt / subStepsFor(kCrowd, subSteps);
     const double give = gravity * h * h;
     const double most = kCrowdErrorRatio * thinnest;
     const double layers = (load.highest - load.lowest) / thinnest;
     const auto heaviest = static_cast<double>(load.heaviestLoose / load.lightest);
     const bool isStirred = load.moving >= kFewestStirring && sagOf(layers, heaviest, give) <= most;
-    const double swing = kSwingOfSag * gravity * sagOf(layers, heaviest, give);
-    const bool swings = isNet && static_cast<double>(load.fastest) > swing;  // as a whole
-    const bool jostles = isLoose || (!rests && (swings || isStirred || kMovingShare * load.moving >= load.bodies));
+    const bool moves = isStirred || kMovingShare * load.moving >= load.bodies;
+    const bool jostles = isLoose || (!rests && (load.isNet ? swings(load, gravity, give) : moves));
     return jostles && (layers + heaviest) * give <= most;
 }
 

@@ -1,6 +1,7 @@
 #include "island_load.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "../crew/beside.h"
 #include "../state/world_state.h"
@@ -112,10 +113,16 @@ void countIslandContacts(WorldState& world) {
     if (count > 0) { runs.push_back({root, count}); }
 }
 
+/// Against gravity; 0 without.
+DVec2 upIn(const WorldState& world) {
+    const auto gravity = static_cast<double>(length(world.settings.gravity));
+    return gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
+}
+
 /// One worker counts contacts meanwhile.
 void addBodiesAndContacts(WorldState& world) {
     const auto gravity = static_cast<double>(length(world.settings.gravity));
-    const DVec2 up = gravity > 0 ? (-1 / gravity) * toDouble(world.settings.gravity) : DVec2{};
+    const DVec2 up = upIn(world);
     const std::size_t blocks = (world.tied.size() + kLoadBlock - 1) / kLoadBlock;
     world.bodyLoads.resize(world.tied.size());
     world.blockLoads.resize(blocks);
@@ -140,12 +147,34 @@ void addJoints(WorldState& world) {
         IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
         load.longestChain = std::max(load.longestChain, chain.joints);
         // What only lies on a bridge makes it no chain.
-        load.hasLoop = load.hasLoop || chain.ties > chain.bodies;
+        load.hasLoop = load.hasLoop || chain.hasLoop();
         load.isAnchored = load.isAnchored || chain.anchors > 0;
         load.joints += chain.joints;
         load.plainJoints += chain.plainJoints;
         load.driven += chain.drivenJoints;
         load.holdsAngles = load.holdsAngles || chain.holdsAngles;
+    }
+}
+
+/// Nets that hang sag by their height, those that span a gap by their breadth.
+void measureNets(WorldState& world) {
+    bool isAny = false;
+    for (const JointChain& chain : world.jointChains.list) {
+        IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
+        load.isNet = load.hasLoop && load.contacts == 0 && load.bodies >= kFewestInCrowd;
+        isAny = isAny || load.isNet;
+        load.leftmost = std::numeric_limits<double>::infinity();
+        load.rightmost = -load.leftmost;
+    }
+    if (!isAny) { return; }
+    const DVec2 up = upIn(world);
+    const DVec2 across{up.y, -up.x};
+    for (const std::uint32_t slot : world.tied) {
+        IslandLoad& load = world.islandLoads[world.islands.rootOf(slot)];
+        if (!load.isNet) { continue; }
+        const double place = dot(across, world.motions[slot].center);
+        load.leftmost = std::min(load.leftmost, place);
+        load.rightmost = std::max(load.rightmost, place);
     }
 }
 
@@ -161,7 +190,10 @@ void findIslandLoads(WorldState& world) {
     world.islandLoads.resize(std::max<std::size_t>(world.islandLoads.size(), world.bodies.slotCount()));
     addBodiesAndContacts(world);
     if (world.rollingShapes > 0) { noteRolling(world); }
-    if (!world.activeJoints.empty()) { addJoints(world); }
+    if (!world.activeJoints.empty()) {
+        addJoints(world);
+        measureNets(world);
+    }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

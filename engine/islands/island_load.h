@@ -22,6 +22,9 @@ struct IslandLoad {
     Real thinnest = 0;  ///< smallest extent, metres
     double lowest = 0;  ///< centre of mass against gravity, metres
     double highest = 0;
+    bool isNet = false;    ///< joints alone hold it together, and close loops; known of as many bodies as make a crowd
+    double leftmost = 0;   ///< centre of mass across gravity, metres; of nets
+    double rightmost = 0;
     Real fastest = 0;             ///< square of the largest speed of a centre of mass, m²/s²
     std::uint32_t moving = 0;     ///< bodies on the move: fast for their size
     Real heaviestLoose = 0;       ///< kg, of the bodies that no joint holds
@@ -32,6 +35,9 @@ struct IslandLoad {
     bool staysPut = true;         ///< each body was solved all at once in the last step, or does not move at all
     Effort effort{};
 };
+
+/// Bodies in the smallest crowd (effort.cpp).
+inline constexpr std::uint32_t kFewestInCrowd = 64;
 
 inline Real heaviestOf(const IslandLoad& load) { return std::max(load.heaviestJointed, load.heaviestLoose); }
 

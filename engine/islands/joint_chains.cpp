@@ -1,6 +1,7 @@
 #include "joint_chains.h"
 
 #include <algorithm>
+#include <span>
 
 #include "../state/world_state.h"
 
@@ -97,6 +98,20 @@ void listMembers(WorldState& world) {
     }
 }
 
+bool tiesSameBodies(const JointTie& a, const JointTie& b) {
+    return (a.bodyA == b.bodyA && a.bodyB == b.bodyB) || (a.bodyA == b.bodyB && a.bodyB == b.bodyA);
+}
+
+/// Whether one of a lower slot may close the same loops.
+bool isDoubled(const WorldState& world, const JointTie& tie, std::uint32_t joint) {
+    if (!tie.isPair) { return false; }
+    const std::span<const std::uint32_t> others = fewerJoints(world, tie.bodyA, tie.bodyB);
+    return std::any_of(others.begin(), others.end(), [&](std::uint32_t index) {
+        const JointTie& other = world.jointTies[index];
+        return index < joint && other.holds && other.isPair && !other.drivesAngleAlone && tiesSameBodies(tie, other);
+    });
+}
+
 void sumUpJoints(WorldState& world) {
     JointChains& chains = world.jointChains;
     for (const std::uint32_t i : world.activeJoints) {
@@ -104,6 +119,7 @@ void sumUpJoints(WorldState& world) {
         JointChain& chain = chains.list[chains.places[chains.finder.find(firstAwakeOf(world, tie, i))]];
         ++chain.joints;
         chain.ties += tie.drivesAngleAlone ? 0 : 1;
+        chain.doubled += !tie.drivesAngleAlone && isDoubled(world, tie, i) ? 1 : 0;
         chain.plainJoints += tie.isPlain ? 1 : 0;
         chain.drivenJoints += tie.isDriven ? 1 : 0;
         chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;

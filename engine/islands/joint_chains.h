@@ -17,11 +17,15 @@ struct JointChain {
     std::uint32_t bodies = 0;
     std::uint32_t joints = 0;
     std::uint32_t ties = 0;         ///< those of them that may close a loop: not what drives an angle alone
+    std::uint32_t doubled = 0;      ///< those of them whose two bodies one before ties already
     std::uint32_t plainJoints = 0;  ///< `JointTie::isPlain`
     std::uint32_t drivenJoints = 0;
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
     bool holdsAngles = false;   ///< `JointTie::holdsAngle` of any
     bool isPassive = true;      ///< `JointTie::isPassive` of all
+
+    /// What is not anchored has a tie less than bodies if it is a tree. Two bodies that are tied twice are no ring.
+    bool hasLoop() const { return ties > bodies || (anchors == 0 && ties - doubled >= bodies); }
 };
 
 /// All chains. They persist: as long as no joint is made, changed or removed, and nothing that one holds wakes or falls

@@ -27,7 +27,11 @@ MassProperties massOfShapes(WorldState& world, const Body& body) {
     std::vector<MassProperties>& parts = world.massParts;
     parts.clear();
     for (const std::uint32_t slot : body.shapes) { parts.push_back(world.shapeMasses[slot]); }
-    return combine(parts);
+    const MassProperties sum = combine(parts);
+    // In double the fourth power of a length overflows within the range of lengths: what has no mass that is a number
+    // has none, so `step` refuses it.
+    const bool isSound = std::isfinite(sum.mass) && std::isfinite(sum.inertia) && isInRange(sum.center);
+    return isSound ? sum : MassProperties{};
 }
 
 bool jointForbids(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
