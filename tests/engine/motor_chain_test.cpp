@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "joint_support.h"
+#include "bar_chain.h"
 
 /// Bodies that motors hold or drive against each other, one after the other: arms, masts, cranes. Statics is the
 /// oracle.
@@ -13,29 +13,12 @@
 namespace swept::test {
 namespace {
 
-constexpr double kBarWeight = 40;  ///< N, of a bar of 2 m
-
-WorldSettings settingsOf(Profile profile, bool sleeps = false) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
-    settings.sleep = sleeps;
-    return settings;
-}
-std::string nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
-ShapeDef untouchable(double density) {
-    ShapeDef def = material(0.6, 0, density);
-    def.filter.mask = 0;
-    return def;
-}
-
 /// Bars one on the end of the other, from the origin to the right; the last one is heavier.
 struct Chain {
     World world;
     std::vector<BodyId> bars;
     std::vector<JointId> joints;
 
-    double tipSpeed() const { return length(velocityOf(world, bars.back())); }
     double torque() const { return std::fabs(static_cast<double>(world.jointTorque(joints.front()))); }
 };
 
@@ -45,8 +28,8 @@ Chain chainOf(const WorldSettings& settings, int bars, double tip, const Join& j
     Chain chain{makeWorld(settings), {}, {}};
     BodyId before = anchorOf(chain.world);
     for (int i = 0; i < bars; ++i) {
-        const double density = kBarWeight / kGravity / 0.8 * (i == bars - 1 ? tip : 1);
-        const BodyId bar = addBody(chain.world, dynamicAt({2.0 * i + 1, 0}), box(1, 0.2), untouchable(density));
+        const BodyId bar =
+            addBody(chain.world, dynamicAt({2.0 * i + 1, 0}), box(1, 0.2), barOf(i == bars - 1 ? tip : 1));
         chain.joints.push_back(join(chain.world, before, bar, i));
         chain.bars.push_back(bar);
         before = bar;
@@ -69,16 +52,6 @@ double staticTorque(int bars, double tip) {
     double torque = 0;
     for (int i = 0; i < bars; ++i) { torque += kBarWeight * (i == bars - 1 ? tip : 1) * (2 * i + 1); }
     return torque;
-}
-
-/// Over some seconds from now on.
-double fastestTip(Chain& chain, double seconds) {
-    double fastest = 0;
-    for (int step = 0; step < seconds * kRate; ++step) {
-        run(chain.world, 1);
-        fastest = std::max(fastest, chain.tipSpeed());
-    }
-    return fastest;
 }
 
 /// They flew about with 20 m/s.

@@ -5,30 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "joint_support.h"
+#include "bar_chain.h"
 
 /// Bodies that motor joints hold or drive against each other, with hinges beside them or without. Statics is the
 /// oracle.
 
 namespace swept::test {
 namespace {
-
-constexpr double kBarWeight = 40;  ///< N, of a bar of 2 m
-
-WorldSettings settingsOf(Profile profile, bool sleeps = false) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
-    settings.sleep = sleeps;
-    return settings;
-}
-std::string nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
-/// @param times  as heavy as a bar
-ShapeDef barOf(double times) {
-    ShapeDef def = material(0.6, 0, kBarWeight / kGravity / 0.8 * times);
-    def.filter.mask = 0;
-    return def;
-}
 
 enum class Held { byHinge, byMotor };
 
@@ -91,16 +74,6 @@ double staticTorque(const Arm& arm) {
         torque += kBarWeight * (i == arm.bars - 1 ? arm.tip : 1) * lever;
     }
     return torque;
-}
-
-/// Over some seconds from now on.
-double fastestTip(Chain& chain, double seconds) {
-    double fastest = 0;
-    for (int step = 0; step < seconds * kRate; ++step) {
-        run(chain.world, 1);
-        fastest = std::max(fastest, length(velocityOf(chain.world, chain.bars.back())));
-    }
-    return fastest;
 }
 
 /// From two bars and 10 : 1 on they flew about with 60 to 260 m/s.
