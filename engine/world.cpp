@@ -1,16 +1,12 @@
 #include "world.h"
 
-#include <chrono>
 #include <cmath>
 #include <tuple>
 
-#include "crew/beside.h"
 #include "crew/shared_step.h"
-#include "modes/modes.h"
-#include "solve/driven_joints.h"
 #include "solve/step_change.h"
 #include "stages/step.h"
-#include "state/body_measures.h"
+#include "state/awake.h"
 #include "state/number_range.h"
 #include "state/profile.h"
 
@@ -19,25 +15,6 @@ namespace {
 
 constexpr int kMaxSubSteps = 1024;
 constexpr int kMaxRelaxPasses = 64;
-
-/// Gives a stage the time since it was made, or since the last call; costs nothing when nobody asked.
-class StageClock {
-public:
-    explicit StageClock(bool on) : on_(on) {
-        if (on_) { last_ = Clock::now(); }
-    }
-    void stop(double& stage) {
-        if (!on_) { return; }
-        const Clock::time_point now = Clock::now();
-        stage = std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    bool on_;
-    Clock::time_point last_;
-};
 
 /// Enumerators that were made from numbers may be none.
 Status checkKinds(const WorldSettings& settings) {
@@ -84,100 +61,6 @@ bool restsAlike(const WorldSettings& a, const WorldSettings& b) {
                           s.maxPenetration, s.maxJointError, s.sleep);
     };
     return key(a) == key(b);
-}
-
-void clearForces(WorldState& world) {
-    world.forcesGiven = false;
-    for (const std::uint32_t slot : world.awake) {
-        world.bodies[slot].force = {};
-        world.bodies[slot].torque = 0;
-    }
-}
-
-/// Of more than one slot in so many it is faster to go through all of them in order.
-constexpr std::size_t kFewShare = 64;
-
-/// What was not awake in the last step has none, and what is held lost them.
-void resetTraits(WorldState& world) {
-    std::vector<BodyTraits>& traits = world.traits;
-    if (kFewShare * world.stepped.size() > traits.size()) {
-        traits.clear();
-    } else {
-        for (const std::uint32_t slot : world.stepped) { traits[slot] = 0; }
-    }
-    traits.resize(world.bodies.slotCount(), 0);
-}
-
-/// One worker notices contacts while the others forget what bodies did in the last step, but of what wakes then.
-/// @param noticed  called when contacts are
-void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
-    resetTraits(world);
-    world.awake.reserve(world.bodies.size());  // so that nothing moves when something wakes
-    listTouching(world);
-    const std::span<const std::uint32_t> before = world.awake;
-    const auto notice = [&world, noticed] {
-        noticeContacts(world);
-        noticed();
-    };
-    constexpr std::size_t kResetGrain = 32;  // each range has the first of its bodies fetched late
-    runBeside(*world.loops, notice, before.size(), kResetGrain,
-              [&world, before, dt](std::size_t begin, std::size_t end) {
-                  resetBodies(world, before.subspan(begin, end - begin), dt);
-              });
-    resetBodies(world, std::span(world.awake).subspan(before.size()), dt);
-}
-
-/// The pipeline. A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
-void advance(WorldState& world, double dt) {
-    const Real step = static_cast<Real>(dt);
-    closeUpPairs(world);
-    closeUpAwake(world);
-    if (!world.unmeasured.empty()) { measureAnew(world); }
-    const double before = world.lastDt;
-    if (dt != before) { changeStep(world, dt); }
-    const bool varies = dt != before || world.closingTime > dt || world.recentSteps.longest < dt;
-    if (varies) { world.closingTime = closingTimeAfter(world, before, dt); }
-    if (world.closingStretch > 1) { world.closingStretch = closingStretchOf(world, dt); }
-    StageClock clock(world.settings.measureStageTimes);
-    world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
-    if (world.watched) {
-        limitSpeeds(world, dt);
-        reachAhead(world);
-    }
-    if (world.kinematicBodies > 0) { reachWithKinematicBodies(world); }
-    const bool isAnyDriven = !world.drivenJoints.empty();
-    if (isAnyDriven) { beginDriven(world, dt); }
-    findPairs(world);
-    clock.stop(world.stageTimes.pairs);
-    collideContacts(world);
-    noticeAndReset(world, step, [&] { clock.stop(world.stageTimes.collide); });
-    assignRoles(world, step);
-    findIslands(world);
-    assignEfforts(world, dt);
-    world.fastIslands.any = world.fastIslands.anyDissolved = false;
-    if (world.anyFast) { findFastIslands(world); }
-    clock.stop(world.stageTimes.islands);
-    moveFreeBodies(world, dt);
-    if (world.fastIslands.any) { beginFastIslands(world, dt); }
-    solveTiedBodies(world, dt);
-    if (world.fastIslands.any) { advanceFastIslands(world, dt); }
-    putBackOverflown(world);
-    if (world.watched) { limitWays(world, dt); }
-    clock.stop(world.stageTimes.solve);
-    const bool sweeps = world.anyFast || world.anyFlung;
-    if (sweeps) { sweepFastBodies(world, dt); }
-    if (world.kinematicBodies > 0) { moveKinematicBodies(world, dt); }
-    if (sweeps || world.kinematicBodies > 0) { putBackOverflown(world); }
-    if (world.sensorShapes > 0) { sweepSensors(world, dt); }
-    clock.stop(world.stageTimes.continuous);
-    if (world.forcesGiven) { clearForces(world); }
-    if (!world.activeJoints.empty()) { breakJoints(world); }
-    if (isAnyDriven) { endDriven(world); }
-    moveProxiesAndSortEvents(world);
-    world.stepped = world.awake;
-    if (world.settings.sleep) { putToSleep(world, dt); }
-    if (!world.lostTime.empty()) { countLostTime(world); }
-    clock.stop(world.stageTimes.finish);
 }
 
 }  // namespace
@@ -239,7 +122,7 @@ Status World::step(double dt) {
     world.bodiesPutBack.clear();
     world.lostTime.clear();
     world.impactPoses.clear();
-    shareStep(world, work, [&world, dt] { advance(world, dt); });
+    shareStep(world, work, [&world, dt] { runStages(world, dt); });
     world.wokenBySteps = world.counters.wokeUp;
     return Status::success();
 }

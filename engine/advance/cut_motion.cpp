@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../flight/free_path.h"
+#include "../state/body_mass.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -6,10 +6,12 @@
 
 #include "../contacts/chain_passage.h"
 #include "../contacts/contact_batch.h"
+#include "../contacts/contact_making.h"
 #include "../contacts/contact_manifold.h"
 #include "../contacts/ghosts.h"
+#include "../contacts/may_touch.h"
+#include "../contacts/new_pairs.h"
 #include "../contacts/slides.h"
-#include "../stages/step.h"
 #include "../state/tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {

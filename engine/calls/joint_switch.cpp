@@ -7,6 +7,8 @@
 
 #include "../islands/levers.h"
 #include "../solve/joint_builder.h"
+#include "../state/awake.h"
+#include "../state/body_joints.h"
 #include "../state/number_range.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -1,6 +1,10 @@
 #include "../../shapes/room.h"
+#include "../contacts/pairs_of_shapes.h"
 #include "../contacts/travel.h"
+#include "../state/awake.h"
+#include "../state/body_mass.h"
 #include "../state/proxies.h"
+#include "../state/world_boxes.h"
 #include "../state/world_state.h"
 #include "joint_switch.h"
 

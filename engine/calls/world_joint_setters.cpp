@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "../solve/driven_joints.h"
+#include "../state/awake.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
 #include "joint_checks.h"

@@ -5,6 +5,7 @@
 #include "../crew/beside.h"
 #include "../crew/join_blocks.h"
 #include "../state/world_state.h"
+#include "candidates.h"
 #include "pair_boxes.h"
 #include "travel.h"
 

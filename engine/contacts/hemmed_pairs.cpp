@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "../stages/step.h"
 #include "../state/tolerances.h"
+#include "near_update.h"
+#include "noticing.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "../state/awake.h"
 #include "../state/world_state.h"
+#include "contact_making.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -144,6 +146,15 @@ void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint
         const Contact& contact = world.contacts[probe->contact];
         if (contact.isSolid()) { rouse(world, contact.bodyA == body ? contact.bodyB : contact.bodyA); }
     }
+}
+
+void dropContacts(WorldState& world, std::uint32_t slot) {
+    const std::span<const std::uint32_t> places =
+        pairsOf(world, world.bodies[slot].shapes,
+                [slot](const ContactPair& pair) { return pair.bodyA == slot || pair.bodyB == slot; });
+    wakeAcross(world, slot, places);
+    wakeJoined(world, slot);
+    removePairs(world, places);
 }
 
 void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events) {

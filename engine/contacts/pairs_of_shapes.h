@@ -40,6 +40,8 @@ ContactProbe* probeAt(WorldState& world, std::size_t place);
 void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places);
 /// Removes these pairs, and reports the end of those that touched.
 void removePairs(WorldState& world, std::span<const std::uint32_t> places);
+/// Contacts of a body that is put elsewhere, or leaves, say nothing any more; what rested on it, or is joined, wakes.
+void dropContacts(WorldState& world, std::uint32_t body);
 /// Of a contact that is about to be dropped: its end, if it touches.
 void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events);
 /// As a step begins, or before anything else gives pairs other places: what stays moves up, in its order (who comes

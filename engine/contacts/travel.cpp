@@ -3,6 +3,7 @@
 #include "../../shapes/manifold_memory.h"
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
+#include "../state/world_boxes.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -95,6 +96,18 @@ void rememberApart(const WorldState& world, ContactProbe& probe, Real room) {
     const double rounding =
         static_cast<double>(kVerdictRounding) * size + kRounding * (sumNorm(a.center) + sumNorm(b.center));
     probe.apartUntil = (a.turned + b.turned + (static_cast<double>(room) - rounding)) * (1 - kRounding);
+}
+
+Real contactReach(const WorldState& world, const Shape& shape) {
+    const Body& body = world.bodies[shape.body];
+    if (body.def.type == BodyType::fixed) { return 0; }
+    const auto dt = static_cast<Real>(world.lastDt);
+    const bool isAhead = modeOf(world, body) == ContinuousMode::speculative;
+    const Real most = kMaxReachRatio * shape.extent;
+    const Vec2 velocity = world.motions[shape.body].velocity;
+    // What is fast along one axis is told without a root, and many of those that are asked for their reach are.
+    if (!isAhead && dt * std::max(std::fabs(velocity.x), std::fabs(velocity.y)) >= most) { return most; }
+    return reachOfMotion(motionBound(world, shape.body, dt), shape.extent, isAhead);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -22,6 +22,10 @@ void noteRest(WorldState& world, std::uint32_t body);
 /// For a body that is awake, as the stage of contacts begins. @pre `BodyGlance::motion` is that of this step
 void noteMotion(WorldState& world, std::uint32_t body);
 
+/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its
+/// extent (all of it in mode `speculative`).
+Real contactReach(const WorldState& world, const Shape& shape);
+
 /// Both bodies of a contact, as the stage of contacts found them.
 struct BodyGlances {
     const BodyGlance& a;

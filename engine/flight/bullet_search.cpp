@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "../../broadphase/wide_kernels.h"
+#include "../contacts/may_touch.h"
 #include "../containers/move_all.h"
 #include "../modes/modes.h"
 #include "../state/place_order.h"

@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "../../solver/impacts/impact.h"
+#include "../islands/reset_bodies.h"
 #include "../modes/modes.h"
 #include "../solve/constraint_builder.h"
-#include "../stages/step.h"
+#include "../state/awake.h"
 #include "../state/tolerances.h"
 #include "bullet_paths.h"
 #include "bullet_search.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../broadphase/proxy_table.h"
+#include "../contacts/may_touch.h"
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
 #include "bullet_start.h"

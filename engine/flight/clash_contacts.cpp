@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../contacts/contact_making.h"
 #include "../solve/constraint_builder.h"
 #include "../state/tolerances.h"
 #include "flight_state.h"

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "../../toi/toi_polygon.h"
+#include "../contacts/travel.h"
+#include "../state/body_mass.h"
 #include "../state/tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../stages/step.h"
 #include "../state/profile.h"
 #include "hard_pull.h"
 #include "island_load.h"

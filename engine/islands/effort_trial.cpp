@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../solve/joint_builder.h"
+#include "../state/body_mass.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 

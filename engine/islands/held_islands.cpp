@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "../contacts/travel.h"
-#include "../stages/step.h"
+#include "../state/awake.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
+#include "tied_roots.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -5,8 +5,9 @@
 
 #include "../../broadphase/wide_kernels.h"
 #include "../../toi/toi_polygon.h"
+#include "../contacts/may_touch.h"
+#include "../contacts/new_pairs.h"
 #include "../containers/sort_few.h"
-#include "../stages/step.h"
 #include "../state/place_order.h"
 #include "../state/tolerances.h"
 #include "modes.h"

@@ -1,5 +1,5 @@
-#include "../stages/step.h"
 #include "../state/tolerances.h"
+#include "../state/world_boxes.h"
 #include "modes.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../stages/step.h"
+#include "../state/body_mass.h"
 #include "modes.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -30,6 +30,15 @@ constexpr bool isWatched(ContinuousMode mode) {
     return mode == ContinuousMode::speedLimit || mode == ContinuousMode::speculative;
 }
 
+/// In the step, before anything looks at speeds. `speedLimit` (mode_speed_limit.cpp) slows what is too fast,
+/// `speculative` (mode_speculative.cpp) has the boxes of its bodies span their whole motion.
+void limitSpeeds(WorldState& world, double dt);
+void reachAhead(WorldState& world);
+/// `speedLimit` again, after the solve: what other bodies pushed does not go farther than it may either.
+void limitWays(WorldState& world, double dt);
+/// Begin and end of what passed sensors within the step, at its time (mode_sensors.cpp).
+void sweepSensors(WorldState& world, double dt);
+
 /// Largest speed that any point of the body may have under `speedLimit`, m/s: half the width of the body and of the
 /// thinnest wall in a step. A width is the smallest of a shape, radius included: 0 of segments and chains without
 /// radius. Infinite while the world has no walls.

@@ -7,6 +7,7 @@
 #include "../contacts/parked_contacts.h"
 #include "../islands/held_islands.h"
 #include "../state/profile.h"
+#include "../state/world_boxes.h"
 #include "joint_growth.h"
 
 namespace swept::inline SWEPT_PRECISION {

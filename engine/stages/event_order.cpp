@@ -1,3 +1,5 @@
+#include "event_order.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -8,7 +10,6 @@
 
 #include "../../shapes/bit_cast.h"
 #include "../containers/key_sort.h"
-#include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

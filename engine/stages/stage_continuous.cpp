@@ -6,6 +6,7 @@
 #include "../flight/solved_path.h"
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
+#include "../state/world_boxes.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {

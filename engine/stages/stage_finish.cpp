@@ -6,7 +6,11 @@
 #include "../contacts/travel.h"
 #include "../crew/beside.h"
 #include "../solve/joint_builder.h"
+#include "../state/awake.h"
+#include "../state/body_joints.h"
 #include "../state/tolerances.h"
+#include "../state/world_boxes.h"
+#include "event_order.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {

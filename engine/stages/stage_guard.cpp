@@ -6,6 +6,7 @@
 
 #include "../contacts/parked_contacts.h"
 #include "../solve/joint_builder.h"
+#include "../state/body_mass.h"
 #include "../state/number_range.h"
 #include "step.h"
 

@@ -3,6 +3,7 @@
 #include "../advance/first_try.h"
 #include "../advance/island_advance.h"
 #include "../advance/island_contacts.h"
+#include "../contacts/candidates.h"
 #include "../flight/bullet_start.h"
 #include "../flight/clash.h"
 #include "../modes/modes.h"

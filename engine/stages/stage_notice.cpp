@@ -1,8 +1,11 @@
 #include <algorithm>
 
 #include "../contacts/contact_fetch.h"
+#include "../contacts/contact_making.h"
 #include "../contacts/contact_tests.h"
 #include "../contacts/ghosts.h"
+#include "../contacts/noticing.h"
+#include "../contacts/pairs_of_shapes.h"
 #include "../crew/join_blocks.h"
 #include "../modes/modes.h"
 #include "step.h"
@@ -14,60 +17,6 @@ namespace {
 /// Noted probes per block, each of which one worker lists.
 constexpr std::size_t kNotedPerBlock = 512;
 
-ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begins) {
-    ContactEvent event;
-    if (contact.sensor) {
-        event.type = begins ? ContactEventType::sensorBegin : ContactEventType::sensorEnd;
-    } else {
-        event.type = begins ? ContactEventType::begin : ContactEventType::end;
-    }
-    event.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
-    event.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
-    event.bodyA = world.bodies.idOf(contact.bodyA);
-    event.bodyB = world.bodies.idOf(contact.bodyB);
-    if (contact.sensor || contact.manifold.count > 0) {
-        const WorldTransform& pose = world.motions[contact.bodyA].pose;
-        event.point = apply(pose, contact.manifold.points[0].point);
-        event.normal = rotate(pose.rotation, contact.manifold.normal);
-    }
-    return event;
-}
-
-/// In order of the contacts: events, and waking of what an awake body touches.
-void noticeTouching(WorldState& world, Contact& contact) {
-    const bool touching = isTouching(contact);
-    if (touching != contact.touching) {
-        world.contactEvents.push_back(eventOf(world, contact, touching));
-        contact.touching = touching;
-    }
-    if (!contact.isSolid()) { return; }
-    const bool sleepsA = contact.dynamicA && !isUp(world, contact.bodyA);
-    const bool sleepsB = contact.dynamicB && !isUp(world, contact.bodyB);
-    if (!sleepsA && !sleepsB) { return; }
-    if (disturbs(world, contact.bodyA) && world.bodies[contact.bodyB].isDynamic()) { wake(world, contact.bodyB); }
-    if (disturbs(world, contact.bodyB) && world.bodies[contact.bodyA].isDynamic()) { wake(world, contact.bodyA); }
-}
-
-bool isDeep(const Contact& contact) { return deepestSeparation(contact.manifold) < -kShallowRatio * contact.extent; }
-
-bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold) > kEndRatio * contact.extent; }
-
-TouchingPair touchingPair(const Contact& contact, std::uint32_t place) {
-    const TouchTraits traits{.points = static_cast<std::uint8_t>(contact.manifold.count),
-                             .dynamicA = contact.dynamicA,
-                             .dynamicB = contact.dynamicB,
-                             .bounces = contact.restitution > 0,
-                             .isBelt = contact.isBelt,
-                             .resistsRolling = contact.resistsRolling,
-                             .isOpen = isOpen(contact),
-                             .mayMeet = !contact.touching,
-                             .isDeep = !(contact.dynamicA && contact.dynamicB) && isDeep(contact)};
-    return {traits, place, contact.bodyA, contact.bodyB};
-}
-
-/// Of what `isTold`.
-TouchingPair touchingPair(const ContactProbe& probe) { return {probe, probe.contact, probe.bodyA, probe.bodyB}; }
-
 /// Few contacts lose their points to others of the same body: their probes tell what they had before.
 void distrustGhosts(WorldState& world) {
     for (const std::uint32_t i : world.lists.near) {
@@ -76,24 +25,9 @@ void distrustGhosts(WorldState& world) {
     }
 }
 
-/// Whether the probe of a contact tells all: mostly.
-bool isTold(const ContactProbe& probe) {
-    return (int{probe.state == ContactState::near} & int{probe.areUp} & int{!probe.turns}) != 0;
-}
-
 /// Of another one: whether its contact is asked.
 bool mayHavePoints(const ContactProbe& probe) {
     return probe.state == ContactState::near || probe.state == ContactState::asleep;
-}
-
-/// Of a contact whose manifold is new, or which sleeps with points. @return whether it has some
-bool noticeOther(WorldState& world, ContactProbe& probe) {
-    Contact& contact = world.contacts[probe.contact];
-    if (probe.state == ContactState::near) {
-        noticeTouching(world, contact);
-        probe.isIdle = contact.manifold.count == 0 && !contact.sensor;
-    }
-    return contact.isSolid();
 }
 
 /// Of a block of noted probes: those that are told with points go to the place that the first of them would have if all
@@ -146,6 +80,23 @@ void closeFreePlaces(WorldState& world) {
     std::erase_if(world.touching, [](const TouchingPair& pair) { return pair.points == 0; });
 }
 
+/// Removes the contacts whose boxes came apart (`ContactState`).
+void removeApartContacts(WorldState& world) {
+    const std::span<const std::uint32_t> apart = world.lists.apart;
+    if (apart.empty()) { return; }
+    std::vector<ContactProbe>& probes = world.probes;
+    const auto at = [&probes](std::size_t place) { return probes.begin() + static_cast<std::ptrdiff_t>(place); };
+    world.droppedPairs.clear();
+    auto kept = at(apart.front());
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+        world.droppedPairs.push_back(probes[apart[i]]);
+        reportEnd(world, probes[apart[i]], world.contactEvents);
+        kept = std::copy(at(apart[i] + 1), at(i + 1 < apart.size() ? apart[i + 1] : probes.size()), kept);
+    }
+    probes.resize(probes.size() - apart.size());
+    dropPairs(world, world.droppedPairs);
+}
+
 void countAhead(WorldState& world) {
     for (const std::uint32_t i : world.lists.near) {
         const Contact& contact = world.contacts[world.probes[i].contact];
@@ -160,29 +111,6 @@ void countContacts(WorldState& world) {
 }
 
 }  // namespace
-
-void listUnparked(WorldState& world) {
-    const std::size_t count = unparkContacts(world);
-    for (const ContactProbe& probe : std::span(world.probes).last(count)) {
-        const Contact& contact = world.contacts[probe.contact];
-        if (contact.isSolid()) { world.touching.push_back(touchingPair(contact, probe.contact)); }
-    }
-}
-
-void listHemmed(WorldState& world, std::span<const std::uint32_t> probes) {
-    const std::size_t before = world.touching.size();
-    for (const std::uint32_t place : probes) {
-        ContactProbe& probe = world.probes[place];
-        probe.state = ContactState::near;
-        if (isTold(probe)) {
-            probe.isIdle = probe.points == 0;
-            if (!probe.isIdle) { world.touching.push_back(touchingPair(probe)); }
-        } else if (noticeOther(world, probe)) {
-            world.touching.push_back(touchingPair(world.contacts[probe.contact], probe.contact));
-        }
-    }
-    world.counters.touching += world.touching.size() - before;
-}
 
 void listTouching(WorldState& world) {
     if (!hasContacts(world)) { return; }

@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <span>
 
-#include "../../shapes/branchless.h"
-#include "../../shapes/cache_line.h"
-#include "../../shapes/compiler.h"
+#include "../contacts/noticing.h"
 #include "../islands/note_touching.h"
+#include "../islands/reset_bodies.h"
+#include "../islands/tied_roots.h"
 #include "../modes/modes.h"
+#include "../state/awake.h"
 #include "../state/tolerances.h"
 #include "step.h"
 #include "waking.h"
@@ -18,51 +19,6 @@ namespace {
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kRoleGrain = 128;
-/// Of those that are asked for their islands alone.
-constexpr std::size_t kRootGrain = 512;
-
-/// Bodies that are fetched ahead: most of them are written, and others read them since.
-constexpr std::size_t kResetAhead = 16;
-
-/// @param coming  of the same worker
-SWEPT_FORCE_INLINE void fetchForReset(const WorldState& world, std::span<const std::uint32_t> coming) {
-    if (coming.size() <= kResetAhead) { return; }
-    const std::uint32_t slot = coming[kResetAhead];
-    const Body& body = world.bodies[slot];
-    fetchToWrite(body.awake);
-    fetchToWrite(body.startAngle);
-    prefetch(&world.motions[slot]);
-    prefetch(&world.glances[slot]);
-}
-
-/// @param restSpeed  `restSpeedOf` the step
-void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
-    Body& body = world.bodies[slot];
-    const BodyMotion& motion = world.motions[slot];
-    body.fresh = body.deepContact = body.sunk = false;
-    body.bounces = body.rests = body.strikes = body.startled = body.flung = false;
-    // What just woke has no bound yet.
-    const Real known = world.glances[slot].motion;
-    const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
-    body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
-    const bool isAtRest = isStill(body, motion, restSpeed, dt);
-    if (!isAtRest) { body.soughtSteps = 0; }
-    world.traits[slot] = static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) |
-                                                 (body.fast ? kIsFast : 0) | (isAtRest ? kIsStill : 0));
-    body.startCenter = motion.center;
-    body.startAngle = motion.angle;
-}
-
-/// @param awake  that were reset
-void speedUpFreeBullets(WorldState& world, std::span<const std::uint32_t> awake, Real dt) {
-    for (const std::uint32_t slot : awake) {
-        const Real known = world.glances[slot].motion;
-        Body& body = world.bodies[slot];
-        if (!isFastFreeBullet(world, body, known < 0 ? motionBound(world, slot, dt) : known)) { continue; }
-        body.fast = true;
-        world.traits[slot] = static_cast<BodyTraits>(world.traits[slot] | kIsFast);
-    }
-}
 
 void startle(WorldState& world, const Contact& contact, Real dt) {
     if (contact.sensor || contact.dynamicA == contact.dynamicB) { return; }
@@ -156,15 +112,6 @@ void listRoles(WorldState& world) {
 
 }  // namespace
 
-void resetBodies(WorldState& world, std::span<const std::uint32_t> awake, Real dt) {
-    const Real restSpeed = restSpeedOf(world, dt);
-    for (std::size_t i = 0; i < awake.size(); ++i) {
-        fetchForReset(world, awake.subspan(i));
-        resetBody(world, awake[i], restSpeed, dt);
-    }
-    if (world.bulletBodies > 0) { speedUpFreeBullets(world, awake, dt); }
-}
-
 void assignRoles(WorldState& world, Real dt) {
     if (world.kinematicBodies > 0) {
         const std::size_t before = world.awake.size();
@@ -193,23 +140,6 @@ void findIslands(WorldState& world) {
         world.islands.unite(member.body, member.lowest);
     }
     world.counters.islands += findRoots(world);
-}
-
-std::uint64_t findRoots(WorldState& world) {
-    world.tiedRoots.resize(world.tied.size());
-    if (world.tied.empty()) { return 0; }
-    std::atomic<std::uint64_t> count = 0;
-    world.loops->run(world.tied.size(), kRootGrain, [&world, &count](std::size_t begin, std::size_t end, int) {
-        std::uint64_t some = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t root = world.islands.rootOf(world.tied[i]);
-            world.tiedRoots[i] = root;
-            some += root == world.tied[i] ? 1 : 0;
-        }
-        count.fetch_add(some, std::memory_order_relaxed);
-    });
-    world.islands.flatten(world.tied, world.tiedRoots);
-    return count;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -15,6 +15,7 @@
 #include "../solve/tied_contacts.h"
 #include "../solve/tied_group.h"
 #include "../solve/tied_hinges.h"
+#include "../state/body_mass.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
 #include "step.h"

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "step.h"
+#include "../contacts/noticing.h"
+#include "../state/awake.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

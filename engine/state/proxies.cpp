@@ -1,5 +1,7 @@
 #include "proxies.h"
 
+#include "world_boxes.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 

@@ -1,11 +1,11 @@
+#include "world_boxes.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "../contacts/travel.h"
 #include "../modes/modes.h"
 #include "tolerances.h"
-
-/// Boxes of shapes: what the broadphase has to know of them in the coming step.
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

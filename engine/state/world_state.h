@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <memory>
@@ -120,7 +121,7 @@ struct Workers {
     ~Workers() = default;
 };
 
-/// All data of a world. The step is a sequence of free functions over it (step.h); the public face is `World`. Nothing
+/// All data of a world. The step is a sequence of free functions over it (step.cpp); the public face is `World`. Nothing
 /// in it refers to a place in it from one step to the next, so that a copy goes on like the original.
 struct WorldState : Workers {
     WorldSettings settings;
@@ -239,102 +240,6 @@ struct WorldState : Workers {
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 
-// --- contacts (stage_pairs.cpp, stage_collide.cpp, stage_notice.cpp)
-
-/// A contact of two shapes, still without manifold; which of them is A is decided here.
-Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
-/// Friction and restitution of a contact, by its shapes.
-void mixSurfaces(const WorldState& world, Contact& contact);
-/// The same with the speed of belts, which contacts do not keep.
-MixedSurface surfaceOf(const WorldState& world, const Contact& contact);
-/// Moves contacts together when there are many gaps between them. Before anything refers to their places.
-void closeGaps(WorldState& world);
-/// So that the broadphase may find the pair anew.
-void dropPair(WorldState& world, const ContactPair& pair);
-void dropPairs(WorldState& world, std::span<const ContactPair> pairs);
-/// Candidates that came near become contacts.
-void promoteCandidates(WorldState& world);
-/// Closes the gaps that these left, and those whose boxes came apart, which are gone: not yet before, since others may
-/// look at contacts meanwhile.
-void closeCandidates(WorldState& world);
-/// Those that are meant become contacts, without points until the next step looks at them.
-void promoteCandidatesOf(WorldState& world, FunctionRef<bool(const ContactPair&)> isMeant);
-
-// --- bookkeeping shared by the stages (world_bookkeeping.cpp, world_boxes.cpp)
-
-/// Removes the contacts whose boxes came apart (`ContactState`).
-void removeApartContacts(WorldState& world);
-/// Whether two shapes may collide at all: bodies, filters, joints.
-bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
-/// Adds a body to the awake list, with all that fell asleep together with it. No effect on awake, static and disabled
-/// bodies.
-void wake(WorldState& world, std::uint32_t body);
-/// Likewise, when something happens to a body between steps. What is awake rests anew: if it was about to fall asleep,
-/// it would do so in the very step that shows what comes of it, and hang in the air, or lose a speed it was given.
-void rouse(WorldState& world, std::uint32_t body);
-/// Gives a body other velocities, between steps, and rouses it.
-void setInMotion(WorldState& world, std::uint32_t body, Vec2 velocity, Real angularVelocity);
-/// Wakes all that fell asleep; what was made asleep, and nothing woke yet, sleeps on.
-void wakeAll(WorldState& world);
-/// Whether a body wakes what it touches: it is awake and can push. A kinematic body at rest lets others sleep on it.
-bool disturbs(const WorldState& world, std::uint32_t body);
-/// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.
-double restTimeOf(const WorldState& world, const Body& body);
-/// Between steps: a body is no longer among the awake ones. Its place stays as a gap, so that each of many that go
-/// costs no look at all.
-void leaveAwake(WorldState& world, std::uint32_t body);
-/// Closes these gaps, as a step begins; what stays moves up in its order.
-void closeUpAwake(WorldState& world);
-/// For all that sleeps, and one more body: then to wake any of it asks for no memory.
-void makeRoomToWake(WorldState& world);
-/// Contacts of a body that is put elsewhere, or leaves, say nothing any more; what rested on it, or is joined, wakes.
-void dropContacts(WorldState& world, std::uint32_t body);
-/// Leaves the ring of bodies it sleeps with by waking them all.
-void removeFromAwake(WorldState& world, std::uint32_t body);
-/// Counts a body among those of its kind. @param sign  1, or −1 when it is one of them no longer
-void countBody(WorldState& world, const Body& body, std::int32_t sign);
-/// All that is awake counts its rest from now on: after another gravity; and nothing counts while sleep is off.
-void restAnew(WorldState& world);
-/// Whether all of its bodies are enabled, and what it moves is dynamic: A or B, of a mouse joint B. Else it is off.
-bool canHold(const WorldState& world, const Joint& joint);
-/// Wakes everything that a joint holds to the body.
-void wakeJoined(WorldState& world, std::uint32_t body);
-/// Notes the masses of shapes that came to a dynamic body, or have another density.
-void weigh(WorldState& world, std::span<const std::uint32_t> shapes);
-/// Recomputes mass, centre, extent and radius from the shapes; keeps the body frame where it is.
-void updateMass(WorldState& world, std::uint32_t body);
-/// Recomputes the pose of the body frame from centre and angle.
-void updatePose(WorldState& world, std::uint32_t body);
-/// Box that a shape's proxy must contain in the next step, and the larger one that it is given when it does not.
-Aabb neededBox(const WorldState& world, const Shape& shape);
-Aabb fatBox(const WorldState& world, const Shape& shape);
-/// Hands boxes that are too small for where the shapes may be next to the broadphase.
-void updateProxies(WorldState& world, std::uint32_t body);
-/// The same after shapes of a dynamic body came or went: without a look at the others as long as theirs stay the same.
-/// @param first   of those that came, in the list of the body
-/// @param before  as it was before
-void updateProxiesFrom(WorldState& world, std::uint32_t body, std::size_t first, const BodyTravel& before);
-/// The same for different bodies at the same time, between `Broadphase::beginMoves` and `endMoves`.
-void renewBoxes(WorldState& world, std::uint32_t body);
-/// Also boxes that still fit, and all their pairs are found anew (teleports).
-void renewProxies(WorldState& world, std::uint32_t body);
-/// After its velocity changed between steps, or the step became longer: boxes reach as far as the coming step asks.
-void reachWithVelocity(WorldState& world, std::uint32_t body);
-/// Removes a joint and the gears it is part of, wakes their bodies, and lets them collide again.
-/// @param leaving  slot of a body that is about to be destroyed: nothing will meet it
-void removeJoint(WorldState& world, JointId id, std::uint32_t leaving = kNoIndex);
-/// Slots of the joints of one of two bodies (ground may have thousands): all between the two are among them, and all
-/// gears on these, which are listed at the bodies of both their joints.
-std::span<const std::uint32_t> fewerJoints(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB);
-/// Of the two that a joint may keep apart the one by whose shapes their pairs are found sooner.
-std::uint32_t bodyOfFewerShapes(const WorldState& world, const Joint& joint);
-/// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its
-/// extent (all of it in mode `speculative`).
-Real contactReach(const WorldState& world, const Shape& shape);
-/// Approach speed up to which a body does not bounce, m/s: what gravity, or all that pulls the body, gives it in a
-/// step.
-Real bounceThreshold(const WorldState& world, const Body& body, Real dt);
-
 // --- asked for every body, several times a step: inline
 
 /// Acceleration of a dynamic body: gravity and force, m/s²; angular, rad/s².
@@ -342,6 +247,11 @@ inline Vec2 accelerationOf(const WorldState& world, const Body& body) {
     return body.def.gravityScale * world.settings.gravity + body.inverseMass * body.force;
 }
 inline Real angularAccelerationOf(const Body& body) { return body.inverseInertia * body.torque; }
+/// Approach speed up to which a body does not bounce, m/s: what gravity, or all that pulls the body, gives it in a
+/// step.
+inline Real bounceThreshold(const WorldState& world, const Body& body, Real dt) {
+    return dt * std::max(length(world.settings.gravity), length(accelerationOf(world, body)));
+}
 inline std::size_t awakeCount(const WorldState& world) { return world.awake.size() - world.awakeGaps; }
 /// Whether something that could move sleeps. (No joint holds what is held.)
 inline bool anyAsleep(const WorldState& world) {

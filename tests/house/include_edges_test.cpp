@@ -54,6 +54,21 @@ TEST(IncludeEdges, PointOneWay) {
     EXPECT_GT(edges, 100) << "the scan found hardly anything";
 }
 
+/// What stages are made of does not know them, nor when they are called.
+TEST(IncludeEdges, ToStagesOfAStepComeFromAbove) {
+    const std::string stages = "engine/stages/";
+    int edges = 0;
+    for (const SourceFile& file : cppFilesIn("engine")) {
+        for (const Include& include : includesIn(file.text)) {
+            if (!includedFile(file, include).starts_with(stages)) { continue; }
+            ++edges;
+            EXPECT_TRUE(file.path.starts_with(stages) || file.path == "engine/world.cpp")
+                << file.path << ':' << include.line << " includes " << include.target;
+        }
+    }
+    EXPECT_GT(edges, 5) << "the scan found hardly anything";
+}
+
 TEST(IncludeEdges, OfTheLibraryAreRelativeOrStandard) {
     for (const std::string& folder : kLibraryFolders) {
         for (const SourceFile& file : cppFilesIn(folder)) {

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "../state/world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Whether two shapes may collide at all: bodies, filters, joints.
+bool mayTouch(const WorldState& world, const Shape& a, const Shape& b);
+
+}  // namespace swept::inline SWEPT_PRECISION

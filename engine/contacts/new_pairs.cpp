@@ -1,0 +1,82 @@
+#include "new_pairs.h"
+
+#include "../islands/held_islands.h"
+#include "../state/awake.h"
+#include "contact_making.h"
+#include "may_touch.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Nobody asks about such a pair before it is near: what kinematic bodies may meet is looked for farther away, and
+/// those that bounce off each other in flight ask for theirs (clash.h).
+bool mayWait(const WorldState& world, const Shape& a, const Shape& b) {
+    return !world.watched && !a.def.sensor && !b.def.sensor && world.bodies[a.body].isDynamic() &&
+           world.bodies[b.body].isDynamic();
+}
+
+/// Nothing moves here, and yet the two met: something was put there. A kinematic body at rest wakes nobody, but what is
+/// held is awake to the user.
+void releaseWhatIsMet(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    if (disturbs(world, a) || disturbs(world, b)) { return; }
+    for (const std::uint32_t slot : {a, b}) {
+        if (world.bodies[slot].heldIn != kNoIndex) { releaseHeld(world, slot); }
+    }
+}
+
+/// @return false when the two may not touch, or have a contact already
+bool addPair(WorldState& world, const NewPair& pair, bool isNear) {
+    if (!pair.mayTouch || !world.pairs.insert(pair.shapeA, pair.shapeB)) { return false; }
+    if (!isNear && pair.mayWait) {
+        world.candidates.push_back(pair);
+    } else {
+        makeContact(world, pair.shapeA, pair.shapeB);
+    }
+    ++world.counters.pairsFound;
+    return true;
+}
+
+}  // namespace
+
+NewPair newPairOf(const WorldState& world, std::uint32_t a, std::uint32_t b) {
+    const Shape& first = world.shapes[a];
+    const Shape& second = world.shapes[b];
+    NewPair pair;
+    pair.shapeA = a;
+    pair.shapeB = b;
+    pair.bodyA = first.body;
+    pair.bodyB = second.body;
+    pair.proxyA = first.proxy;
+    pair.proxyB = second.proxy;
+    pair.mayTouch = mayTouch(world, first, second);
+    if (!pair.mayTouch) { return pair; }
+    pair.mayWait = mayWait(world, first, second);
+    pair.isKnown = disturbs(world, first.body) || disturbs(world, second.body);
+    return pair;
+}
+
+bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    const NewPair pair = newPairOf(world, a, b);
+    if (!addPair(world, pair, true)) { return false; }
+    if (!pair.isKnown) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
+    return true;
+}
+
+void addPairs(WorldState& world) {
+    const std::vector<NewPair>& found = world.newPairKinds;
+    world.metPairs.clear();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i + kLookedUpAhead < found.size()) {
+            const NewPair& coming = found[i + kLookedUpAhead];
+            world.pairs.fetch(coming.shapeA, coming.shapeB);
+        }
+        if (addPair(world, found[i], false) && !found[i].isKnown) { world.metPairs.push_back(found[i]); }
+    }
+}
+
+void releaseMet(WorldState& world) {
+    for (const ContactPair& pair : world.metPairs) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
+    world.metPairs.clear();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
