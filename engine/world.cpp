@@ -3,8 +3,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "crew/shared_step.h"
 #include "solve/step_change.h"
+#include "stages/shared_step.h"
 #include "stages/step.h"
 #include "state/awake.h"
 #include "state/number_range.h"

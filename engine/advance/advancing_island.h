@@ -6,6 +6,7 @@
 
 #include "../contacts/contact.h"
 #include "../contacts/slide.h"
+#include "../solve/solve_desk.h"
 #include "../state/body.h"
 #include "../state/joint.h"
 
@@ -33,6 +34,12 @@ struct AdvancingIsland {
     std::vector<Joint> jointsBefore;
     std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
     std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`
+};
+
+/// Where islands are solved that advance, one after the other.
+struct IslandDesk : SolveDesk {
+    AdvancingIsland island;      ///< the present one
+    std::vector<Contact> found;  ///< contacts that they found on their way, and that pressed
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -46,7 +46,7 @@ constexpr double kGoodFit = 0.5;
 /// How far one island has come in the step.
 struct Course {
     WorldState& world;
-    SolveDesk& desk;
+    IslandDesk& desk;
     AdvancingIsland& island;
     FlightScratch& scratch;
     double dt;
@@ -337,7 +337,7 @@ void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const S
 
 std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }
 
-void advanceIsland(WorldState& world, SolveDesk& desk, double dt, FlightScratch& scratch, double met) {
+void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch& scratch, double met) {
     Course course{world, desk, desk.island, scratch, dt};
     begin(course);
     const bool wasTried = met < 1;

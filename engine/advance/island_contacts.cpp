@@ -86,7 +86,7 @@ void tellImpulse(Contact& contact, const Manifold& pointsBefore) {
 
 }  // namespace
 
-void collideHeld(WorldState& world, SolveDesk& desk, double time, GroundOnTheWay* ground) {
+void collideHeld(WorldState& world, IslandDesk& desk, double time, GroundOnTheWay* ground) {
     AdvancingIsland& island = desk.island;
     const auto length = static_cast<Real>(time);
     listHeldPairs(island);
@@ -153,7 +153,7 @@ void addUpTotals(AdvancingIsland& island) {
     }
 }
 
-void storeHeld(WorldState& world, SolveDesk& desk) {
+void storeHeld(WorldState& world, IslandDesk& desk) {
     AdvancingIsland& island = desk.island;
     island.pointsBefore.resize(island.held.size());
     for (std::size_t i = 0; i < island.held.size(); ++i) {
@@ -161,7 +161,7 @@ void storeHeld(WorldState& world, SolveDesk& desk) {
         const bool isTold = hasPressed(contact);
         if (isTold) { tellImpulse(contact, island.pointsBefore[i]); }
         if (island.sources[i] == kNoIndex) {
-            if (isTold) { desk.foundContacts.push_back(contact); }
+            if (isTold) { desk.found.push_back(contact); }
             continue;
         }
         world.contacts[island.sources[i]] = contact;
@@ -174,9 +174,9 @@ void storeHeld(WorldState& world, SolveDesk& desk) {
 void addFoundContacts(WorldState& world) {
     std::vector<Contact>& found = world.fastIslands.found;
     found.clear();
-    for (SolveDesk& desk : world.desks) {
-        found.insert(found.end(), desk.foundContacts.begin(), desk.foundContacts.end());
-        desk.foundContacts.clear();
+    for (IslandDesk& desk : world.desks) {
+        found.insert(found.end(), desk.found.begin(), desk.found.end());
+        desk.found.clear();
     }
     std::sort(found.begin(), found.end(), [](const Contact& a, const Contact& b) {
         return std::tie(a.shapeA, a.shapeB) < std::tie(b.shapeA, b.shapeB);

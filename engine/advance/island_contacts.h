@@ -9,7 +9,7 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Manifolds of all of them, and of what comes within reach in this part of the step, where the bodies are now.
 /// @param ground  meets what comes within reach; null: no kinematic body is awake
-void collideHeld(WorldState& world, SolveDesk& desk, double time, GroundOnTheWay* ground);
+void collideHeld(WorldState& world, IslandDesk& desk, double time, GroundOnTheWay* ground);
 
 /// Makes the impulses that contacts start from those of sub-steps of another length, seconds. What a contact carries
 /// grows with that length, what an impact gives does not: longer sub-steps start from no more than there was in the
@@ -24,7 +24,7 @@ void addUpTotals(AdvancingIsland& island);
 /// After the step: the contacts of the world are what they became here. What pressed in it has points, those with which
 /// it did, though they may be out of reach by now: its impulse is told by them. Of contacts that were found on the way,
 /// those are left at the desk.
-void storeHeld(WorldState& world, SolveDesk& desk);
+void storeHeld(WorldState& world, IslandDesk& desk);
 
 /// What islands left at their desks becomes part of the world, in an order that does not depend on where they advanced:
 /// their impulses are told, and the next step begins with them.

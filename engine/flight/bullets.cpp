@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../../solver/impacts/impact.h"
+#include "../contacts/hit_event.h"
 #include "../islands/reset_bodies.h"
 #include "../modes/modes.h"
 #include "../solve/constraint_builder.h"
@@ -12,7 +13,6 @@
 #include "bullet_search.h"
 #include "flight_state.h"
 #include "free_path.h"
-#include "hit_event.h"
 #include "take_along.h"
 
 namespace swept::inline SWEPT_PRECISION {

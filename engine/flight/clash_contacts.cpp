@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "../contacts/contact_making.h"
+#include "../contacts/hit_event.h"
 #include "../solve/constraint_builder.h"
 #include "../state/tolerances.h"
 #include "flight_state.h"
-#include "hit_event.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

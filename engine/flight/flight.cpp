@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "../contacts/ghosts.h"
+#include "../contacts/hit_event.h"
 #include "../modes/modes.h"
 #include "../solve/constraint_builder.h"
 #include "../state/tolerances.h"
 #include "flight_state.h"
 #include "free_path.h"
-#include "hit_event.h"
 #include "set_back.h"
 #include "solved_path.h"
 #include "sweep_obstacles.h"

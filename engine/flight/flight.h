@@ -10,8 +10,8 @@
 #include "../../solver/impacts/impact.h"
 #include "../../toi/time_of_impact.h"
 #include "../events.h"
-#include "../solve/step_part.h"
 #include "../state/body.h"
+#include "../state/step_part.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

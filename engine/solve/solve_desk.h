@@ -7,7 +7,6 @@
 #include "../../shapes/raw_vector.h"
 #include "../../shapes/task_system.h"
 #include "../../solver/solver.h"
-#include "../advance/advancing_island.h"
 #include "../counters.h"
 #include "../events.h"
 #include "energy_account.h"
@@ -38,10 +37,8 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<IslandMotion> islandMotions;  ///< likewise
     std::vector<IslandMotion> motionsBefore;  ///< scratch: the same, before the solve
     std::uint64_t energySolve = 0;            ///< its number
-    AdvancingIsland island;                   ///< that advances here
 
     std::vector<ContactEvent> events;
-    std::vector<Contact> foundContacts;  ///< that islands found on their way, and that pressed
     StepCounters counters;
     bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
 };

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "../state/step_part.h"
 #include "../state/world_state.h"
-#include "step_part.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../flight/hit_event.h"
+#include "../contacts/hit_event.h"
 #include "../state/tolerances.h"
 #include "constraint_builder.h"
 

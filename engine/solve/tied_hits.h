@@ -5,8 +5,8 @@
 
 #include "../../solver/contacts/contact_constraint.h"
 #include "../crew/short_lock.h"
+#include "../state/step_part.h"
 #include "../state/world_state.h"
-#include "step_part.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

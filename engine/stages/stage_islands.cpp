@@ -222,8 +222,8 @@ struct Traces {
     std::size_t poses;
     std::size_t losses;
 };
-Traces tracesOf(const SolveDesk& desk, const FlightScratch& scratch) {
-    return {desk.events.size(), desk.foundContacts.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
+Traces tracesOf(const IslandDesk& desk, const FlightScratch& scratch) {
+    return {desk.events.size(), desk.found.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
 }
 
 template <class Items>
@@ -232,7 +232,7 @@ void cutTo(Items& items, std::size_t size) {
 }
 
 /// As the island was before it advanced, but for the effort of its members.
-void takeBack(WorldState& world, SolveDesk& desk, const Traces& before, FlightScratch& scratch) {
+void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightScratch& scratch) {
     const AdvancingIsland& fast = desk.island;
     const EffortTrial& trial = world.trial;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
@@ -242,13 +242,13 @@ void takeBack(WorldState& world, SolveDesk& desk, const Traces& before, FlightSc
     for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
     for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }
     cutTo(desk.events, before.events);
-    cutTo(desk.foundContacts, before.found);
+    cutTo(desk.found, before.found);
     cutTo(scratch.impactPoses, before.poses);
     cutTo(scratch.lostTime, before.losses);
 }
 
 /// One after the other.
-void advanceWithinBudget(WorldState& world, SolveDesk& desk, std::size_t island, double dt, FlightScratch& scratch) {
+void advanceWithinBudget(WorldState& world, IslandDesk& desk, std::size_t island, double dt, FlightScratch& scratch) {
     AdvancingIsland& fast = desk.island;
     world.trial.joints.clear();
     for (const std::uint32_t slot : fast.jointSlots) { world.trial.joints.push_back(world.joints[slot]); }
@@ -262,7 +262,7 @@ void advanceWithinBudget(WorldState& world, SolveDesk& desk, std::size_t island,
     }
 }
 
-void advanceOne(WorldState& world, SolveDesk& desk, std::size_t island, double dt, FlightScratch& scratch) {
+void advanceOne(WorldState& world, IslandDesk& desk, std::size_t island, double dt, FlightScratch& scratch) {
     const FastIslands& islands = world.fastIslands;
     gather(world, desk.island, island);
     const bool isTried = hasErrorBudget(world.settings) && !islands.joints.of(island).empty();
@@ -304,11 +304,11 @@ void advanceAtOnce(WorldState& world, double dt) {
             advanceOne(world, world.desks[w], waiting[i], dt, world.flightScratch[w]);
         }
     });
-    for (SolveDesk& desk : world.desks) { clearDesk(world, desk); }
+    for (IslandDesk& desk : world.desks) { clearDesk(world, desk); }
 }
 
 void advanceInTurn(WorldState& world, double dt) {
-    SolveDesk& desk = world.desks[0];
+    IslandDesk& desk = world.desks[0];
     desk.loops = world.loops;
     for (const std::uint32_t island : world.fastIslands.waiting) {
         advanceOne(world, desk, island, dt, world.flightScratch[0]);

@@ -11,6 +11,7 @@
 #include "../../shapes/mass.h"
 #include "../../solver/graph/island_finder.h"
 #include "../../solver/solver.h"
+#include "../advance/advancing_island.h"
 #include "../advance/fast_islands.h"
 #include "../contacts/contact.h"
 #include "../contacts/contact_lists.h"
@@ -121,8 +122,8 @@ struct Workers {
     ~Workers() = default;
 };
 
-/// All data of a world. The step is a sequence of free functions over it (step.cpp); the public face is `World`. Nothing
-/// in it refers to a place in it from one step to the next, so that a copy goes on like the original.
+/// All data of a world. The step is a sequence of free functions over it (step.cpp); the public face is `World`.
+/// Nothing in it refers to a place in it from one step to the next, so that a copy goes on like the original.
 struct WorldState : Workers {
     WorldSettings settings;
     SlotPool<Body, BodyId> bodies;
@@ -189,7 +190,7 @@ struct WorldState : Workers {
     RawVector<std::uint8_t> answers;        ///< scratch of `forEachMeant`
     FastIslands fastIslands;
     SolveDesk mainDesk;  ///< of what no island advances: what it keeps is mostly that of the step before
-    std::deque<SolveDesk> desks = std::deque<SolveDesk>(1);  ///< of islands, one per worker
+    std::deque<IslandDesk> desks = std::deque<IslandDesk>(1);  ///< of islands that advance, one per worker
     IslandFinder islands;
     std::vector<EnergyAccount> energyAccounts;     ///< by root: of the last solve that it was part of
     CopiedAtomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number

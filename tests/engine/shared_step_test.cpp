@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <swept/engine/crew/shared_step.h>
+#include <swept/engine/stages/shared_step.h>
 
 /// Which steps are handed to several threads: those with enough in shared loops, counted in the step before.
 
