@@ -122,12 +122,12 @@ inline constexpr Real kContactDampingRatio = 10;
 inline constexpr Real kJointDampingRatio = 2;
 
 /// How soft the point of a hinge is between two bodies that can be moved, while its motor has the speed that it wants:
-/// in units of what it is else, this part of the ratio of their masses, at least 1 and no more than `kMostDrivenGive`.
+/// in units of what it is else, this part of the ratio of their masses, at least 1 and no more than `kMostMotorGive`.
 /// Of two hinges with brakes the one on the ground, which comes last in order, fed the gap of the other from 6 : 1 on
 /// in profile `fast`, where that was as stiff as any. (A motor at its limit is a force, and ragdolls whose joints have
 /// friction had three times the gaps with points that were four times as soft in any case.)
-inline constexpr Real kDrivenGive = Real(1) / 2;
-inline constexpr Real kMostDrivenGive = 8;
+inline constexpr Real kMotorGive = Real(1) / 2;
+inline constexpr Real kMostMotorGive = 8;
 
 /// What motor joints that seek a pose give way by under a load, in units of what welds do, where other joints hold
 /// their bodies as well. Without that, chains of them fed on their own error where they are iterated: in profile `fast`

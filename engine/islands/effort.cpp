@@ -48,10 +48,10 @@ constexpr double kStirRatioOfFall = 1.0 / 2;
 /// Fewer sub-steps than this do not follow what whips about at the end of a chain: joints are then left to iteration.
 constexpr int kFewestSubStepsForJoints = 8;
 /// What jostles: so many bodies at least (`kFewestInCrowd`), this part of which is on the move, as fast as in a fall of
-/// 1/32 of its extent; or with all joints driven, a ragdoll's, also where it lies or nothing holds it. Half of the
+/// 1/32 of its extent; or with all joints powered, a ragdoll's, also where it lies or nothing holds it. Half of the
 /// sub-steps do there, with one pass of relaxation, as long as springs of those carry what may lie on the thinnest body
-/// with an error below this part of it. (With all that is faster than an eighth of what gravity gives in a step on the move, a
-/// pyramid that had been disturbed breathed by 5 cm for ever; a stack of twenty boxes that is dropped sinks in
+/// with an error below this part of it. (With all that is faster than an eighth of what gravity gives in a step on the
+/// move, a pyramid that had been disturbed breathed by 5 cm for ever; a stack of twenty boxes that is dropped sinks in
 /// farther.)
 constexpr std::uint32_t kFewestInRagdoll = 8;
 constexpr std::uint32_t kMovingShare = 8;
@@ -118,7 +118,7 @@ bool swings(const IslandLoad& load, double gravity, double give) {
 /// is not.
 bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int subSteps) {
     // Joints that carry one another have to have a drive, or be a net: chains tighten.
-    const bool isRagdoll = load.joints > 0 && load.driven == load.joints;
+    const bool isRagdoll = load.joints > 0 && load.powered == load.joints;
     const bool isLoose = isRagdoll && (load.contacts > 0 || !load.isAnchored);
     const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
     const std::uint32_t fewest = isRagdoll ? kFewestInRagdoll : kFewestInCrowd;

@@ -151,7 +151,7 @@ void addJoints(WorldState& world) {
         load.isAnchored = load.isAnchored || chain.anchors > 0;
         load.joints += chain.joints;
         load.plainJoints += chain.plainJoints;
-        load.driven += chain.drivenJoints;
+        load.powered += chain.poweredJoints;
         load.holdsAngles = load.holdsAngles || chain.holdsAngles;
     }
 }

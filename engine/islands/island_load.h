@@ -28,7 +28,7 @@ struct IslandLoad {
     Real fastest = 0;             ///< square of the largest speed of a centre of mass, m²/s²
     std::uint32_t moving = 0;     ///< bodies on the move: fast for their size
     Real heaviestLoose = 0;       ///< kg, of the bodies that no joint holds
-    std::uint32_t driven = 0;     ///< joints with a motor or a spring
+    std::uint32_t powered = 0;    ///< joints with a motor or a spring
     bool holdsAngles = false;     ///< some joint keeps its bodies from turning against each other
     std::uint32_t debt = 0;       ///< largest `Body::searchDebt`
     bool resistsRolling = false;  ///< somewhere; known where contacts may be solved all at once

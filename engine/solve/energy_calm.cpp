@@ -43,7 +43,7 @@ public:
 
 private:
     bool pays(const EnergyAccount& account) const {
-        return account.solve == group_.desk.energySolve && !account.isDriven && account.motion != kNoIndex;
+        return account.solve == group_.desk.energySolve && !account.isFed && account.motion != kNoIndex;
     }
 
     /// Of all joints of an island, added up: what closes one of them has a reason, whatever the others do. And how far

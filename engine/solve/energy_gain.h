@@ -66,7 +66,7 @@ void forEachGainer(WorldState& world, const TiedGroup& group, const Visit& visit
         const Body& body = world.bodies[slot];
         if (!body.isDynamic() || !isMember(body, group)) { continue; }
         EnergyAccount& account = accountOf(world, slot);
-        if (account.solve == group.desk.energySolve && !account.isDriven && hasGained(account)) {
+        if (account.solve == group.desk.energySolve && !account.isFed && hasGained(account)) {
             visit(slot, account);
         }
     }

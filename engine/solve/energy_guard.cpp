@@ -20,9 +20,9 @@ void noteContact(WorldState& world, const Contact& contact) {
     const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
     EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
     account.isTouching = true;
-    account.isDriven = account.isDriven || contact.isBelt;
+    account.isFed = account.isFed || contact.isBelt;
     if (contact.dynamicA == contact.dynamicB) { return; }
-    account.isDriven = account.isDriven || world.bodies[other].def.type == BodyType::kinematic;
+    account.isFed = account.isFed || world.bodies[other].def.type == BodyType::kinematic;
     account.isGrounded = account.isGrounded || contact.pressed;
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
@@ -60,10 +60,10 @@ constexpr Real kTornGap = Real(1) / 8;
 
 /// Kinematic bodies do work, and so do joints that calls move. What they lead may hang on levers, or whirl, and go as
 /// fast as it likes, unless its joints are torn or closed at once: then what goes faster than `kMostLead` has it is not
-/// driven. (A box on joints to two things that part, by a metre in a second, was at 350 m/s when they stopped, and with
+/// fed. (A box on joints to two things that part, by a metre in a second, was at 350 m/s when they stopped, and with
 /// welds beyond all numbers.)
 /// @pre what leads is noted
-void findDriven(WorldState& world, const TiedGroup& group) {
+void findFed(WorldState& world, const TiedGroup& group) {
     const SolveDesk& desk = group.desk;
     for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
@@ -77,7 +77,7 @@ void findDriven(WorldState& world, const TiedGroup& group) {
                               inertiaOf(body) * squared(account.leadSpin));
     }
     const auto isFast = [](const EnergyAccount& account) {
-        return account.isLed && !account.isDriven && account.kinetic > kMostLead * account.led && hasGained(account);
+        return account.isLed && !account.isFed && account.kinetic > kMostLead * account.led && hasGained(account);
     };
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
@@ -89,13 +89,13 @@ void findDriven(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t root : desk.energyRoots) {
         EnergyAccount& account = world.energyAccounts[root];
         const bool mayPay = account.isTorn || (account.isYanked && isFast(account));
-        account.isDriven = account.isDriven || (account.isLed && !mayPay);
+        account.isFed = account.isFed || (account.isLed && !mayPay);
     }
 }
 
 void noteJointed(EnergyAccount& account, bool isPassive, std::uint32_t anchors) {
     account.isJointed = true;
-    account.isDriven = account.isDriven || !isPassive;
+    account.isFed = account.isFed || !isPassive;
     account.isAnchored = account.isAnchored || anchors > 0;
     account.anchors += anchors;
 }
@@ -122,7 +122,7 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
 
 /// @pre `noteJointed`
 bool mayDrift(const EnergyAccount& account) {
-    return account.isJointed && !account.isAnchored && !account.isDriven &&
+    return account.isJointed && !account.isAnchored && !account.isFed &&
            excessOf(account) > kGainRounding * account.kinetic;
 }
 
@@ -162,7 +162,7 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
     if (group.role != BodyRole::solved || world.kinematicBodies > 0) {  // of others all is known
         for (const std::uint32_t joint : group.joints) { noteJoint(world, joint); }
     }
-    if (hasJoints) { findDriven(world, group); }
+    if (hasJoints) { findFed(world, group); }
 }
 
 }  // namespace
@@ -333,13 +333,13 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
     const double hanging = mayTouch ? kMostFallsInTouch : kMostFalls;
     const auto mayHaveGained = [&](std::uint32_t root) {
         const EnergyAccount& account = world.energyAccounts[root];
-        return !account.isDriven && hasGained(account, account.isAnchored ? hanging : 0);
+        return !account.isFed && hasGained(account, account.isAnchored ? hanging : 0);
     };
     if (std::none_of(roots.begin(), roots.end(), mayHaveGained)) { return; }
     noteOthers(world, group);
-    // What platforms carry gains all the time, and is driven.
+    // What platforms carry gains all the time, and is fed.
     const auto pays = [&](std::uint32_t root) {
-        return hasGained(world.energyAccounts[root]) && !world.energyAccounts[root].isDriven;
+        return hasGained(world.energyAccounts[root]) && !world.energyAccounts[root].isFed;
     };
     if (std::none_of(roots.begin(), roots.end(), pays)) { return; }
     takeBackGains(world, group, static_cast<double>(time));

@@ -70,7 +70,7 @@ void countRests(WorldState& world, double dt) {
     world.loops->run(world.awake.size(), kRestGrain, [&world, dt](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             Body& body = world.bodies[world.awake[i]];
-            world.tiredness[i] = Tiredness::driven;
+            world.tiredness[i] = Tiredness::kinematic;
             if (!body.isDynamic()) { continue; }
             const BodyMotion& motion = world.motions[world.awake[i]];
             countRest(body, motion, dt);
@@ -106,9 +106,9 @@ void keepAwakeByDrives(WorldState& world) {
     for (const std::uint32_t i : world.activeJoints) {
         if (!world.joints.isAlive(i)) { continue; }  // broke in this step
         const auto bodies = world.joints[i].allBodies();
-        const bool driven = std::any_of(bodies.begin(), bodies.end(),
+        const bool isMoved = std::any_of(bodies.begin(), bodies.end(),
                                         [&](std::uint32_t slot) { return movesKinematically(world, slot); });
-        if (!driven) { continue; }
+        if (!isMoved) { continue; }
         for (const std::uint32_t slot : bodies) { world.islandRestless[world.islands.find(slot)] = 1; }
     }
 }
@@ -207,7 +207,7 @@ void putToSleep(WorldState& world, double dt) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < world.awake.size(); ++i) {
         const std::uint32_t slot = world.awake[i];
-        if (tiredness[i] != Tiredness::driven && world.islandRestless[world.islands.find(slot)] == 0) {
+        if (tiredness[i] != Tiredness::kinematic && world.islandRestless[world.islands.find(slot)] == 0) {
             fallAsleep(world, slot);
         } else {
             world.awake[kept++] = slot;

@@ -28,13 +28,13 @@ private:
 bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
 
 /// Whether a joint has a motor or a spring: what it holds keeps no energy.
-struct DrivenJoints {
+struct PoweredJoints {
     template <class Part>
     bool operator()(const Part& part) const {
-        bool isDriven = false;
-        if constexpr (requires { part.def.motor.has_value(); }) { isDriven = part.def.motor.has_value(); }
-        if constexpr (requires { part.def.spring.has_value(); }) { isDriven |= part.def.spring.has_value(); }
-        return isDriven;
+        bool isPowered = false;
+        if constexpr (requires { part.def.motor.has_value(); }) { isPowered = part.def.motor.has_value(); }
+        if constexpr (requires { part.def.spring.has_value(); }) { isPowered |= part.def.spring.has_value(); }
+        return isPowered;
     }
 };
 /// Whether a joint gives no energy but what its springs held: no motor, nor what follows a target.
@@ -73,7 +73,7 @@ bool isSprung(const Joint& joint) { return std::visit(SprungJoints{}, joint.part
 
 bool holdsAngle(const Joint& joint) { return std::visit(AngleJoints{}, joint.parts); }
 
-bool isDriven(const Joint& joint) { return std::visit(DrivenJoints{}, joint.parts); }
+bool isPowered(const Joint& joint) { return std::visit(PoweredJoints{}, joint.parts); }
 
 HingeParts hingePartsOf(const RevoluteJointDef& def) {
     return {
@@ -93,7 +93,7 @@ JointTie tieOf(const Joint& joint) {
             .isHinge = hinge != nullptr,
             .isPlain = isPlain(joint),
             .isPassive = isPassive(joint),
-            .isDriven = isDriven(joint),
+            .isPowered = isPowered(joint),
             .holdsAngle = holdsAngle(joint),
             .isSprung = isSprung(joint),
             .drivesAngleAlone = motor != nullptr && !motor->def.drive.maxForce,

@@ -47,7 +47,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// Whether a body may sleep, as far as its own motion tells.
-enum class Tiredness : std::uint8_t { driven, restless, tired };
+enum class Tiredness : std::uint8_t { kinematic, restless, tired };
 
 /// What the order of events is told by, mostly.
 struct EventPlace {

@@ -86,17 +86,17 @@ void DirectSolver::gatherDrives(SolverBatch& batch, Real h, bool useBias) {
     drives_.clear();
     isFirstHalf_ = useBias;
     if (!holdsDrives(scope_)) { return; }
-    drivenRows_.clear();
-    addDrivenRows(batch, h, useBias, drivenRows_);
+    motorRows_.clear();
+    addMotorRows(batch, h, useBias, motorRows_);
     bool continues = false;
-    for (const DrivenRow& driven : drivenRows_) {
-        DriveRow row{.row = rowOf(batch, driven.held), .held = driven.held};
+    for (const MotorRow& motor : motorRows_) {
+        DriveRow row{.row = rowOf(batch, motor.held), .held = motor.held};
         if (!(row.row.strength > 0)) {
             continues = false;
             continue;
         }
         row.before = static_cast<double>(*row.held.impulse);
-        row.row.excess = excessOf(batch, driven.held);
+        row.row.excess = excessOf(batch, motor.held);
         if (continues) {
             // Of one strength, or a push at its limit would pull to a side.
             Drive& drive = drives_.back();
@@ -106,10 +106,10 @@ void DirectSolver::gatherDrives(SolverBatch& batch, Real h, bool useBias) {
         } else {
             Drive& drive = drives_.emplace_back();
             drive.rows[0] = row;
-            drive.most = (useBias ? 0.5 : 1.0) * static_cast<double>(driven.most);
-            drive.isPatient = driven.isOfMotorJoint;
+            drive.most = (useBias ? 0.5 : 1.0) * static_cast<double>(motor.most);
+            drive.isPatient = motor.isOfMotorJoint;
         }
-        continues = driven.hasOther;
+        continues = motor.hasOther;
     }
     expectDrives();
 }

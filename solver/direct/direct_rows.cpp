@@ -167,7 +167,7 @@ void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, R
     });
 }
 
-void addDrivenRows(SolverBatch& batch, Real h, bool isFirst, std::vector<DrivenRow>& rows) {
+void addMotorRows(SolverBatch& batch, Real h, bool isFirst, std::vector<MotorRow>& rows) {
     const auto add = [&rows](const JointConstraint& joint, const JointRow& row, Real speed, Real most, Real& impulse,
                              bool isOfMotorJoint = false, bool hasOther = false) {
         rows.push_back({{row, joint.slotA, joint.slotB, -speed, &impulse}, most, hasOther, isOfMotorJoint});

@@ -19,7 +19,7 @@ struct DirectRow {
 };
 
 /// A motor: brings its row to a speed as long as its impulse stays within a limit.
-struct DrivenRow {
+struct MotorRow {
     DirectRow held;         ///< bias: minus the speed that is wanted
     Real most = 0;          ///< of the impulse of a sub-step, to either side
     bool hasOther = false;  ///< the next row is the other direction of its point: the limit is that of both together
@@ -43,7 +43,7 @@ void addJointRows(SolverBatch& batch, std::span<const Motion> motions, Real h, R
 
 /// Motors of hinges, sliders and wheels, and motor joints that are held (`JointConstraint::isDriveHeld`).
 /// @param isFirst  of the sub-step: what seeks a pose finds its speed. @pre likewise
-void addDrivenRows(SolverBatch& batch, Real h, bool isFirst, std::vector<DrivenRow>& rows);
+void addMotorRows(SolverBatch& batch, Real h, bool isFirst, std::vector<MotorRow>& rows);
 
 /// Calls `visit` with the array of each kind of joint that may have such rows.
 template <class Batch, class Visit>

@@ -296,7 +296,7 @@ private:
     std::vector<Motion> motions_;  ///< by slot; empty: not noted
     std::vector<DirectRow> jointRows_;
     std::vector<HeldJoint> joints_;
-    std::vector<DrivenRow> drivenRows_;
+    std::vector<MotorRow> motorRows_;
     std::vector<Drive> drives_;
     std::array<std::vector<DriveMemory>, 2> remembered_;  ///< of them, with bias and without, in this step
     std::vector<DrivePush> ended_;                        ///< with what they ended the sub-step before

@@ -25,14 +25,14 @@ void solvePoint(RevoluteConstraint& joint, const Pin& pin, const JointPair& pair
     push(joint, pin, pair, -joint.softness.massScale * firm - joint.softness.impulseScale * joint.linearImpulse);
 }
 
-/// See `kDrivenGive`.
+/// See `kMotorGive`.
 Real complianceOf(const RevoluteConstraint& joint, const JointPair& pair, bool useBias) {
     const Real compliance = complianceOf(joint, useBias);
     const Real ofHeavy = std::min(pair.inertiaA.inverseMass, pair.inertiaB.inverseMass);
     const bool isWithin = joint.hasMotor && std::fabs(joint.motorImpulse) < joint.maxMotorImpulse;
     if (!isWithin || !(ofHeavy > 0)) { return compliance; }
     const Real ratio = std::max(pair.inertiaA.inverseMass, pair.inertiaB.inverseMass) / ofHeavy;
-    return std::clamp(kDrivenGive * ratio, Real(1), kMostDrivenGive) * compliance;
+    return std::clamp(kMotorGive * ratio, Real(1), kMostMotorGive) * compliance;
 }
 
 /// The point, and the angle after it, but guided: the point stays as it was just solved.

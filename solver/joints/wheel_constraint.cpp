@@ -26,16 +26,16 @@ Real determinantWithAngle(const Spins& row, const JointPair& pair) {
            pair.inertiaA.inverseInertia * pair.inertiaB.inverseInertia * square(row.a - row.b);
 }
 
-bool isDriven(const WheelConstraint& joint, const JointPair& pair) { return joint.hasMotor && turnOf(pair) > 0; }
+bool isMotored(const WheelConstraint& joint, const JointPair& pair) { return joint.hasMotor && turnOf(pair) > 0; }
 bool isSprung(const WheelConstraint& joint) { return joint.suspension.hasSpring || joint.suspension.hasLimits; }
 
 /// @param point  determinant of both directions; @param all  of these and the angle
 Real lonelyResponse(const WheelConstraint& joint, const Axle& axle, const JointPair& pair, Real point, Real all) {
-    if (isDriven(joint, pair) && isSprung(joint)) {
+    if (isMotored(joint, pair) && isSprung(joint)) {
         const Real rest = determinantWithAngle(axle.along, pair);
         return rest > 0 ? all / rest : axle.response;
     }
-    if (isDriven(joint, pair)) { return determinantWithAngle(axle.across, pair) / turnOf(pair); }
+    if (isMotored(joint, pair)) { return determinantWithAngle(axle.across, pair) / turnOf(pair); }
     return isSprung(joint) && axle.own > 0 ? point / axle.own : axle.response;
 }
 
@@ -71,7 +71,7 @@ void solveOne(WheelConstraint& joint, const JointPair& pair, Real h, bool useBia
     const Real given = complianceOf(joint, useBias) * axle.lonely;
     solveAcross(joint, joint.heldImpulse.x, axle, pair, given, useBias);
     const bool mayDrive = !joint.isDriveHeld || !useBias;
-    if (isDriven(joint, pair) && mayDrive) { driveSpin(joint, axle, pair, given); }
+    if (isMotored(joint, pair) && mayDrive) { driveSpin(joint, axle, pair, given); }
     if (!isSprung(joint)) { return; }
     solveAlong(joint, joint.suspension, joint.heldImpulse.x, axle, pair, given, h, useBias);
 }

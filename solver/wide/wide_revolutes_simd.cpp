@@ -101,11 +101,11 @@ private:
         if (!block_.parts.hasMotor) { return ofPoint; }
         const Lanes ofHeavy = hn::Min(inverseMassA_, inverseMassB_);
         const Lanes ratio = hn::Div(hn::Max(inverseMassA_, inverseMassB_), ofHeavy);
-        const Lanes give = hn::Min(hn::Max(hn::Mul(hn::Set(Tag(), kDrivenGive), ratio), hn::Set(Tag(), Real(1))),
-                                   hn::Set(Tag(), kMostDrivenGive));
+        const Lanes give = hn::Min(hn::Max(hn::Mul(hn::Set(Tag(), kMotorGive), ratio), hn::Set(Tag(), Real(1))),
+                                   hn::Set(Tag(), kMostMotorGive));
         const LaneMask isWithin = hn::Lt(hn::Abs(at(block_.motorImpulse)), at(block_.maxMotorImpulse));
-        const LaneMask isDriven = hn::And(hn::Gt(ofHeavy, hn::Zero(Tag())), isWithin);
-        return hn::IfThenElse(isDriven, hn::Mul(give, ofPoint), ofPoint);
+        const LaneMask isMotored = hn::And(hn::Gt(ofHeavy, hn::Zero(Tag())), isWithin);
+        return hn::IfThenElse(isMotored, hn::Mul(give, ofPoint), ofPoint);
     }
 
     HWY_INLINE void turnGuided(const Spin& spin, Lanes impulse) {
