@@ -26,7 +26,7 @@ struct StepCounters {
     std::uint64_t bodiesAgain = 0;      ///< solved again, with more sub-steps, since an error budget was missed
     std::uint64_t directBodies = 0;     ///< in islands whose rigid rows are solved all at once
     std::uint64_t settledBodies = 0;    ///< in islands that are right as they are, and only have to be held
-    std::uint64_t factorisations = 0;   ///< of their matrices
+    std::uint64_t factorisations = 0;   ///< of the matrices of what is solved all at once
     std::uint64_t directRounds = 0;     ///< in which it was found what presses and what sticks
     std::uint64_t directGivenUp = 0;    ///< solves in which it was not: left to iteration
     std::uint64_t overPenetration = 0;  ///< contacts deeper than `maxPenetration` when the step began

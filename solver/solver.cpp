@@ -37,14 +37,6 @@ std::size_t countOf(const std::vector<Constraint>& joints, const ConstraintGraph
     return joints.empty() ? 0 : range.end - range.begin;
 }
 
-/// Of arrays of joints: `Solver::blocksOf` has those.
-template <class Joints>
-constexpr bool kStandInBlocks = std::is_same_v<std::remove_cvref_t<Joints>, std::vector<RevoluteConstraint>> ||
-                                std::is_same_v<std::remove_cvref_t<Joints>, std::vector<DistanceConstraint>> ||
-                                std::is_same_v<std::remove_cvref_t<Joints>, std::vector<PrismaticConstraint>> ||
-                                std::is_same_v<std::remove_cvref_t<Joints>, std::vector<WheelConstraint>> ||
-                                std::is_same_v<std::remove_cvref_t<Joints>, std::vector<WeldConstraint>>;
-
 SolverBodies bodiesOf(SolverBatch& batch) { return {batch.states, batch.inertias}; }
 
 }  // namespace
@@ -56,7 +48,7 @@ template <class OfBlocks, class OfJoints>
 void Solver::forEachJointOf(SolverBatch& batch, int colour, RangeCut& cut, const OfBlocks& ofBlocks,
                             const OfJoints& ofJoints) {
     batch.forEachJointKind([&](auto& joints) {
-        if constexpr (kStandInBlocks<decltype(joints)>) {
+        if constexpr (standInBlocks<std::remove_cvref_t<decltype(joints)>>()) {
             auto& blocks = blocksOf(joints);
             if (blocks.areIn(batch)) { ofBlocks(blocks); }
         } else if (!joints.empty()) {
@@ -139,7 +131,7 @@ std::size_t Solver::partsOf(SolverBatch& batch, int colour) {
     std::size_t count = contacts_.countOf(colour);
     if constexpr (kJoints) {
         batch.forEachJointKind([&](auto& joints) {
-            if constexpr (kStandInBlocks<decltype(joints)>) {
+            if constexpr (standInBlocks<std::remove_cvref_t<decltype(joints)>>()) {
                 auto& blocks = blocksOf(joints);
                 count += blocks.areIn(batch) ? blocks.countOf(colour) : 0;
             } else {
@@ -304,7 +296,7 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
         }
         if constexpr (kJoints) {
             batch.forEachJointKind([&](auto& joints) {
-                if constexpr (kStandInBlocks<decltype(joints)>) {
+                if constexpr (standInBlocks<std::remove_cvref_t<decltype(joints)>>()) {
                     blocksOf(joints).addUpRest(batch);
                 } else {
                     addUpReactions(std::span(joints));
@@ -312,6 +304,19 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
             });
         }
     }
+}
+
+void Solver::buildJointBlocks(SolverBatch& batch, bool isWide, TaskSystem& ofManyHinges) {
+    hinges_.build(batch, graph_, isWide, ofManyHinges);
+    forEachPlainBlocks([&](auto& blocks) { blocks.build(batch, graph_, isWide); });
+}
+
+void Solver::countJointBlocks(SolveReport& report) const {
+    report.hingeBlocks = hinges_.blockCount();
+    report.rodBlocks = rods_.blockCount();
+    report.slideBlocks = slides_.blockCount();
+    report.wheelBlocks = wheels_.blockCount();
+    report.weldBlocks = welds_.blockCount();
 }
 
 template <bool kJoints>
@@ -340,17 +345,8 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     const bool hasManyHinges = isAtOnce || batch.hingeLinks.size() >= kFewestToFill;
     TaskSystem& ofManyHinges = hasManyHinges ? loops : serial_;
     if constexpr (kJoints) {
-        const bool isWide = settings.wide && !report.isDirect;
-        hinges_.build(batch, graph_, isWide, ofManyHinges);
-        rods_.build(batch, graph_, isWide);
-        slides_.build(batch, graph_, isWide);
-        wheels_.build(batch, graph_, isWide);
-        welds_.build(batch, graph_, isWide);
-        report.hingeBlocks = hinges_.blockCount();
-        report.rodBlocks = rods_.blockCount();
-        report.slideBlocks = slides_.blockCount();
-        report.wheelBlocks = wheels_.blockCount();
-        report.weldBlocks = welds_.blockCount();
+        buildJointBlocks(batch, settings.wide && !report.isDirect, ofManyHinges);
+        countJointBlocks(report);
     }
     listRuns<kJoints>(batch);
     const bool isShared = isAtOnce || isWorthSharing();
@@ -365,10 +361,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     contacts_.readBack(batch, ofMany);
     if constexpr (kJoints) {
         hinges_.readBack(batch, ofManyHinges);
-        rods_.readBack(batch);
-        slides_.readBack(batch);
-        wheels_.readBack(batch);
-        welds_.readBack(batch);
+        forEachPlainBlocks([&batch](auto& blocks) { blocks.readBack(batch); });
     }
     return report;
 }

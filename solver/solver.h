@@ -98,12 +98,26 @@ private:
     template <bool kJoints>
     SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings, bool isColoured, TaskSystem& loops);
     SolveReport solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
-    /// Of joints that stand in blocks.
+    /// Of joints that stand in blocks; no other kind has one.
     HingeBlocks& blocksOf(const std::vector<RevoluteConstraint>&) { return hinges_; }
     JointBlocks<RodSort>& blocksOf(const std::vector<DistanceConstraint>&) { return rods_; }
     JointBlocks<SlideSort>& blocksOf(const std::vector<PrismaticConstraint>&) { return slides_; }
     JointBlocks<WheelSort>& blocksOf(const std::vector<WheelConstraint>&) { return wheels_; }
     JointBlocks<WeldSort>& blocksOf(const std::vector<WeldConstraint>&) { return welds_; }
+    template <class Joints>
+    static constexpr bool standInBlocks() {
+        return requires(Solver & solver, const Joints& joints) { solver.blocksOf(joints); };
+    }
+    /// All of these but hinges, which a store may keep.
+    template <class Visit>
+    void forEachPlainBlocks(const Visit& visit) {
+        visit(rods_);
+        visit(slides_);
+        visit(wheels_);
+        visit(welds_);
+    }
+    void buildJointBlocks(SolverBatch& batch, bool isWide, TaskSystem& ofManyHinges);
+    void countJointBlocks(SolveReport& report) const;
     template <class OfBlocks, class OfJoints>
     void forEachJointOf(SolverBatch& batch, int colour, RangeCut& cut, const OfBlocks& ofBlocks,
                         const OfJoints& ofJoints);
