@@ -63,8 +63,8 @@ struct BodyGlances {
     /// How far the bodies have moved, compared with `ContactProbe::apartUntil`: metres.
     double movedSince(const ContactProbe& probe) const;
     /// Dynamic bodies that are awake, one of them fast, pass each other where their shapes are farther apart than this,
-    /// metres: whatever points they would have are dropped by `passEachOther` (note_touching.cpp), which looks along the
-    /// normal. Others never pass: infinite.
+    /// metres: whatever points they would have are dropped by `passEachOther` (note_touching.cpp), which looks along
+    /// the normal. Others never pass: infinite.
     /// @pre both are dynamic
     Real passesBeyond(Real dt) const;
 };

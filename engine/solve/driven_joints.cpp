@@ -42,8 +42,9 @@ Real lesserOf(Real a, Real b) {
     return std::fabs(a) < std::fabs(b) ? a : b;
 }
 
-/// What goes on as it did in the step before has a pace. What is set elsewhere once draws its bodies after it, and leaves
-/// them no speed; and so does what goes farther in a step than its bodies are wide. What jumps does not glide, either.
+/// What goes on as it did in the step before has a pace. What is set elsewhere once draws its bodies after it, and
+/// leaves them no speed; and so does what goes farther in a step than its bodies are wide. What jumps does not glide,
+/// either.
 void findMotion(DrivenJoint& driven, const WorldState& world, const Joint& joint, Real dt) {
     const std::array<Real, 2> before = driven.speedBefore;
     for (std::size_t i = 0; i < before.size(); ++i) {

@@ -20,7 +20,7 @@ struct EnergyAccount {
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
     double drift = 0;         ///< kinetic, of how an island goes as a whole that joints alone hold together
     bool isFed = false;       ///< from outside: by belts, kinematic bodies, motors, calls; what it gains is no error
-    bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
+    bool isYanked = false;    ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
     bool isTouching = false;    ///< something; noted only of what may have gained
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
@@ -29,8 +29,8 @@ struct EnergyAccount {
     DVec2 push{};               ///< of what is static, all of it, N·s
     /// By joints to kinematic bodies, and by those that calls move. Noted only of what may have gained.
     bool isLed = false;
-    bool isTorn = false;            ///< its joints cannot all hold, and it goes faster than it is led: so it pays
-    Real gapBefore = 0;             ///< of its joints and limits (energy_calm.cpp), of what may have burst
+    bool isTorn = false;  ///< its joints cannot all hold, and it goes faster than it is led: so it pays
+    Real gapBefore = 0;   ///< of its joints and limits (energy_calm.cpp), of what may have burst
     Real gapAfter = 0;
     double leadSpeed = 0;           ///< of the fastest one, m/s
     double leadSpin = 0;            ///< rad/s

@@ -18,8 +18,8 @@ inline constexpr double kGainTremble = 1.0 / 1024;
 /// held closer: it bursts with up to hundreds of times that. What nothing holds falls as a whole, and sags nowhere.
 inline constexpr double kJointedGain = 1.0 / 64;
 inline constexpr double kMostFalls = 16;
-/// Where springs take part, of what moves and what they hold: while rigid joints are solved at once, what turns on springs
-/// is up to a tenth off within a step, now more, now less, and would lose by it.
+/// Where springs take part, of what moves and what they hold: while rigid joints are solved at once, what turns on
+/// springs is up to a tenth off within a step, now more, now less, and would lose by it.
 inline constexpr double kSprungGain = 1.0 / 8;
 inline constexpr double kMostFallsInTouch = 1.0 / 4;
 
@@ -66,9 +66,7 @@ void forEachGainer(WorldState& world, const TiedGroup& group, const Visit& visit
         const Body& body = world.bodies[slot];
         if (!body.isDynamic() || !isMember(body, group)) { continue; }
         EnergyAccount& account = accountOf(world, slot);
-        if (account.solve == group.desk.energySolve && !account.isFed && hasGained(account)) {
-            visit(slot, account);
-        }
+        if (account.solve == group.desk.energySolve && !account.isFed && hasGained(account)) { visit(slot, account); }
     }
 }
 

@@ -107,7 +107,7 @@ void keepAwakeByDrives(WorldState& world) {
         if (!world.joints.isAlive(i)) { continue; }  // broke in this step
         const auto bodies = world.joints[i].allBodies();
         const bool isMoved = std::any_of(bodies.begin(), bodies.end(),
-                                        [&](std::uint32_t slot) { return movesKinematically(world, slot); });
+                                         [&](std::uint32_t slot) { return movesKinematically(world, slot); });
         if (!isMoved) { continue; }
         for (const std::uint32_t slot : bodies) { world.islandRestless[world.islands.find(slot)] = 1; }
     }

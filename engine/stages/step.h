@@ -2,8 +2,8 @@
 
 #include "../state/world_state.h"
 
-/// A step of a world, and its stages in their order. Each is a file of its own. What modes (modes.h), efforts (effort.h)
-/// and joints that calls move (driven_joints.h) have to do in a step stands with them; step.cpp says when.
+/// A step of a world, and its stages in their order. Each is a file of its own. What modes (modes.h), efforts
+/// (effort.h) and joints that calls move (driven_joints.h) have to do in a step stands with them; step.cpp says when.
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -39,7 +39,7 @@ struct DrivenJoint {
     /// their speed in the step before, m/s or rad/s.
     std::array<Real, 2> way{};
     std::array<Real, 2> speedBefore{};
-    Real lever = 1;      ///< metres by unit of these
+    Real lever = 1;        ///< metres by unit of these
     LimitMotion motion{};  ///< in this step
     Real paceSpeed = 0;    ///< of the faster pace, m/s
 };
@@ -106,7 +106,7 @@ struct JointTie {
     bool isHinge : 1 = false;
     bool isPlain : 1 = false;           ///< holds what it holds rigidly, and does nothing else
     bool isPassive : 1 = false;         ///< does nothing that gives energy, but for what its springs held
-    bool isPowered : 1 = false;          ///< does what takes or gives energy: what it holds keeps none
+    bool isPowered : 1 = false;         ///< does what takes or gives energy: what it holds keeps none
     bool holdsAngle : 1 = false;        ///< of its bodies to each other, rigidly
     bool isSprung : 1 = false;          ///< passive, with a spring
     bool drivesAngleAlone : 1 = false;  ///< a motor joint that drives no point

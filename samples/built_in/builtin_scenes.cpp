@@ -6,7 +6,8 @@ namespace swept {
 namespace {
 
 constexpr std::array<BuiltinScene, 22> kScenes{{
-    {"falling-shapes", "boxes, balls, capsules and polygons fall into a tray and come to rest", scenes::fallingShapes, 8},
+    {"falling-shapes", "boxes, balls, capsules and polygons fall into a tray and come to rest", scenes::fallingShapes,
+     8},
     {"pyramid", "210 boxes stand still on each other, then a heavy ball arrives", scenes::pyramid, 10},
     {"tall-stack", "20 boxes stand; so do a ladder of planks and boxes that get heavier upwards", scenes::tallStack,
      10},

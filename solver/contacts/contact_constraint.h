@@ -41,8 +41,8 @@ struct ContactConstraint {
     Vec2 normal{};  ///< unit, world, from A to B, held for the whole step
     Real friction = 0;
     Real restitution = 0;
-    Real surfaceSpeed = 0;  ///< friction works towards this speed of B beside A, along the tangent, m/s
-    Real rolling = 0;       ///< of one point: a torque that resists rolling is up to this times what presses, metres
+    Real surfaceSpeed = 0;    ///< friction works towards this speed of B beside A, along the tangent, m/s
+    Real rolling = 0;         ///< of one point: a torque that resists rolling is up to this times what presses, metres
     Real rollingMass = 0;     ///< kg·m²
     Real rollingImpulse = 0;  ///< accumulated like those of points, on B, N·m·s
     bool isHeld = false;      ///< a direct solve takes care of overlaps and gaps: what presses just does not move

@@ -10,9 +10,9 @@ namespace {
 
 /// Weaker than where speeds are solved: rows that contradict each other (a card wedged between planks) must give.
 constexpr double kProjectionStrength = 1.0 / 4;
-/// Friction holds with this part of that. What sticks has more rows than there are ways to move in any heap, so gaps that
-/// were closed without a slip grew smaller by a hundredth a step: of heaps of 20 to 256 boxes, discs and capsules that
-/// came to rest most were solved in every step of the next minutes, instead of being held.
+/// Friction holds with this part of that. What sticks has more rows than there are ways to move in any heap, so gaps
+/// that were closed without a slip grew smaller by a hundredth a step: of heaps of 20 to 256 boxes, discs and capsules
+/// that came to rest most were solved in every step of the next minutes, instead of being held.
 constexpr double kTangentShare = 1.0 / 256;
 /// Part of an overlap or gap that a projection closes.
 constexpr Real kProjectionRate = Real(1) / 4;
@@ -20,8 +20,8 @@ constexpr Real kProjectionRate = Real(1) / 4;
 /// find.)
 constexpr Real kProjectionRateOfPatient = Real(1) / 2;
 /// Separations beyond this part of the distance to the centre of mass of the nearer body that can be moved are closed
-/// within the step, smaller ones at its end. (With the farther one, static or not, bodies on ground that began ten metres
-/// away were left with gaps that kept them from being held, and were solved in every step.)
+/// within the step, smaller ones at its end. (With the farther one, static or not, bodies on ground that began ten
+/// metres away were left with gaps that kept them from being held, and were solved in every step.)
 constexpr Real kLargeRatio = Real(1) / 8192;
 constexpr Real kSmallRatio = Real(1) / (1 << 20);
 /// Of many bodies: 1275 boxes side by side took 60 more steps, 25 ms each, to come down to the other one.

@@ -80,8 +80,8 @@ struct IslandHold {
     DVec2 axis{1, 0};
     double rest = 0;   ///< goes with the pace
     double begun = 0;  ///< the same at the start of the step
-    double size = 0;  ///< of what its error is measured against, metres or radians
-    double rate = 0;  ///< 1/s at which errors are closed that cannot be closed at once
+    double size = 0;   ///< of what its error is measured against, metres or radians
+    double rate = 0;   ///< 1/s at which errors are closed that cannot be closed at once
     Row rows[2];
     double tightness = 0;  ///< kg by which a rod under tension resists being moved aside, along the second row
     DVec2 reaction;        ///< on B, over the step, N·s

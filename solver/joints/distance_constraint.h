@@ -16,7 +16,7 @@ struct DistanceConstraint : JointConstraint {
     bool hasSpring = false;
     bool hasLimits = false;
     bool isGliding = false;  ///< length and limits move
-    Vec2 axis{1, 0};  ///< unit, from A's anchor to B's, renewed each sub-step; kept when the anchors coincide
+    Vec2 axis{1, 0};         ///< unit, from A's anchor to B's, renewed each sub-step; kept when the anchors coincide
     /// Accumulated; warm start in, result out. N·s per sub-step.
     Real rigidImpulse = 0;
     Real springImpulse = 0;

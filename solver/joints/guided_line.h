@@ -4,8 +4,8 @@
 #include "guided_row.h"
 #include "joint_constraint.h"
 
-/// The rows of joints along whose axis a body slides, as numbers that are found once per motion: one row along the axis,
-/// and one across it that guides whatever else the joint does. Scalar twin of wide_lines.inc.
+/// The rows of joints along whose axis a body slides, as numbers that are found once per motion: one row along the
+/// axis, and one across it that guides whatever else the joint does. Scalar twin of wide_lines.inc.
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -31,8 +31,8 @@ struct GuidedLine {
     Real lonely = 0;       ///< what is left of `response` while all that it guides is held, too: a Schur complement
 };
 
-/// Where both rows act, what they answer, and what of errors the offset of the anchors alone makes; the rest of the line
-/// is for who calls this.
+/// Where both rows act, what they answer, and what of errors the offset of the anchors alone makes; the rest of the
+/// line is for who calls this.
 inline GuidedLine lineAlong(Vec2 axis, Vec2 offset, Vec2 armA, Vec2 armB, const JointPair& pair) {
     GuidedLine line{.axis = axis,
                     .along = {cross(armA, axis), cross(armB, axis)},

@@ -20,8 +20,8 @@ namespace {
 struct Slide : GuidedLine {
     Vec2 lever;  ///< of that point, from B's anchor
     Real angle = 0;
-    /// The angle gives way by no more than what moves the anchor as far as its softness across the axis does: this is its
-    /// response, that far, per compliance.
+    /// The angle gives way by no more than what moves the anchor as far as its softness across the axis does: this is
+    /// its response, that far, per compliance.
     Real angleShare = 0;
 };
 

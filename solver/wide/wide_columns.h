@@ -7,8 +7,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A block of a column before it is divided, also spread so that the product of another one with its transposed is found
-/// four numbers at a time: what the numbers 0 to 3, and 4 to 7, of such a product are sums of, column by column.
+/// A block of a column before it is divided, also spread so that the product of another one with its transposed is
+/// found four numbers at a time: what the numbers 0 to 3, and 4 to 7, of such a product are sums of, column by column.
 struct SpreadBlock {
     Block33 block;
     double low[3][4];

@@ -7,8 +7,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// What blocks of all sorts of joints have: as many joints as there are lanes, no movable body in two of them. Lanes that are
-/// left over hold the fixed world to itself. What a joint is made of stays all step; see `JointConstraint`.
+/// What blocks of all sorts of joints have: as many joints as there are lanes, no movable body in two of them. Lanes
+/// that are left over hold the fixed world to itself. What a joint is made of stays all step; see `JointConstraint`.
 struct alignas(kBlockBytes) WideJoint {
     std::array<BodySlot, kBlockLanes> slotA;
     std::array<BodySlot, kBlockLanes> slotB;

@@ -28,8 +28,8 @@ namespace HWY_NAMESPACE {
 
 using namespace SWEPT_GROUP;
 
-// Every function here does what its scalar twin in distance_constraint.cpp does, in the same order. Signs are moved only
-// where that is exact.
+// Every function here does what its scalar twin in distance_constraint.cpp does, in the same order. Signs are moved
+// only where that is exact.
 
 struct UnitLanes {
     Pair unit;
@@ -136,10 +136,10 @@ private:
                        at(block_.upperImpulse));
     }
     HWY_INLINE Lanes speed() const {
-        const Lanes x = hn::Sub(hn::Sub(b_.x, hn::Mul(b_.z, at(block_.armBY))),
-                                hn::Sub(a_.x, hn::Mul(a_.z, at(block_.armAY))));
-        const Lanes y = hn::Sub(hn::Add(b_.y, hn::Mul(b_.z, at(block_.armBX))),
-                                hn::Add(a_.y, hn::Mul(a_.z, at(block_.armAX))));
+        const Lanes x =
+            hn::Sub(hn::Sub(b_.x, hn::Mul(b_.z, at(block_.armBY))), hn::Sub(a_.x, hn::Mul(a_.z, at(block_.armAY))));
+        const Lanes y =
+            hn::Sub(hn::Add(b_.y, hn::Mul(b_.z, at(block_.armBX))), hn::Add(a_.y, hn::Mul(a_.z, at(block_.armAX))));
         return hn::Add(hn::Mul(at(block_.axisX), x), hn::Mul(at(block_.axisY), y));
     }
     HWY_INLINE void apply(Lanes impulse) {

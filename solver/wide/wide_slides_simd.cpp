@@ -26,8 +26,8 @@ namespace HWY_NAMESPACE {
 
 using namespace SWEPT_GROUP;
 
-// Every function here does what its scalar twin in prismatic_constraint.cpp does, in the same order. Signs are moved only
-// where that is exact. One body or both can turn.
+// Every function here does what its scalar twin in prismatic_constraint.cpp does, in the same order. Signs are moved
+// only where that is exact. One body or both can turn.
 
 class SlideGroup : LineGroup<WideSlide> {
 public:
@@ -50,8 +50,7 @@ public:
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
         if (pass.hasMoved) { findSlide(); }
-        const Lanes compliance =
-            kUseBias ? hn::Div(at(block_.impulseScale), at(block_.massScale)) : hn::Zero(Tag());
+        const Lanes compliance = kUseBias ? hn::Div(at(block_.impulseScale), at(block_.massScale)) : hn::Zero(Tag());
         const Lanes given = hn::Mul(compliance, at(block_.lonely));
         moveTwist(hn::Neg(leverTorque()));
         solveAngle<kUseBias>(compliance);
@@ -114,8 +113,8 @@ private:
         const Lanes given = hn::Mul(compliance, at(block_.angleShare));
         Lanes wanted = speedOfSpin();
         if constexpr (kUseBias) {
-            wanted = hn::Add(wanted, hn::Add(hn::Mul(at(block_.biasRate), at(block_.angle)),
-                                             hn::Mul(given, at(block_.heldTwist))));
+            wanted = hn::Add(
+                wanted, hn::Add(hn::Mul(at(block_.biasRate), at(block_.angle)), hn::Mul(given, at(block_.heldTwist))));
         }
         const Lanes twist = hn::Div(hn::Neg(wanted), hn::Add(turns(), given));
         moveTwist(twist);

@@ -47,9 +47,9 @@ public:
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
         if (pass.hasMoved) { findAxle(); }
-        const Lanes given =
-            kUseBias ? hn::Mul(hn::Div(at(block_.impulseScale), at(block_.massScale)), at(block_.lonely))
-                     : hn::Zero(Tag());
+        const Lanes given = kUseBias
+                                ? hn::Mul(hn::Div(at(block_.impulseScale), at(block_.massScale)), at(block_.lonely))
+                                : hn::Zero(Tag());
         solveAcross<kUseBias>(given);
         if (block_.parts.hasMotor) { driveSpin(given); }
         if (block_.parts.isSprung()) { solveAlong<kUseBias, false>(given, hn::Set(Tag(), pass.h)); }
@@ -71,8 +71,8 @@ private:
         const Pair offset = anchorOffset(a, b, anchorA, armB);
         const Pair armA = plus(anchorA, offset);
         const Line line = findLine(axis, offset, armA, armB);
-        put(hn::Add(hn::Mul(inverseInertiaA_, line.across.a), hn::Mul(inverseInertiaB_, line.across.b)), block_.spinCoupled,
-            begin_);
+        put(hn::Add(hn::Mul(inverseInertiaA_, line.across.a), hn::Mul(inverseInertiaB_, line.across.b)),
+            block_.spinCoupled, begin_);
         const Lanes point = pointDeterminant(armA, armB);
         const Lanes inverse = quotient(point, line.response, hn::Zero(Tag()));
         put(inverse, block_.inverseMass, begin_);

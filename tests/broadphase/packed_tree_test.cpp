@@ -57,7 +57,8 @@ class PackedTree : public testing::TestWithParam<Family> {};
 TEST_P(PackedTree, IsWhatItWasPackedOfWithAllChangesSince) {
     Random random(500 + static_cast<std::uint64_t>(GetParam()));
     Packed packed;
-    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 64U, 65U, 200U, 3U}) {  // one after the other: nothing is left of before
+    for (const std::size_t count :
+         {0U, 1U, 7U, 8U, 9U, 64U, 65U, 200U, 3U}) {  // one after the other: nothing is left of before
         packed.pack(GetParam(), random, count);
         for (int i = 0; i < 30; ++i) {
             ASSERT_NO_FATAL_FAILURE(packed.expectFound(GetParam(), random)) << "change " << i << " of " << count;

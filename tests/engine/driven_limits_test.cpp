@@ -94,8 +94,8 @@ private:
 constexpr double kThin = 0.1;    ///< half of a platform
 constexpr double kCrate = 0.15;  ///< half of a crate
 
-/// A crate of 0.3 m on a platform that is raised. (It fell through from 0.5 m/s on in `accurate`, beside other places of
-/// it, from 2 m/s on in any, and from 5 m/s on in `fast`; and the platform stood still as it rose.)
+/// A crate of 0.3 m on a platform that is raised. (It fell through from 0.5 m/s on in `accurate`, beside other places
+/// of it, from 2 m/s on in any, and from 5 m/s on in `fast`; and the platform stood still as it rose.)
 TEST(DrivenLimits, CarryWhatStandsOnThemUp) {
     for (const Profile profile : kProfiles) {
         for (const Hold hold : kHolds) {
@@ -127,8 +127,8 @@ TEST(DrivenLimits, CarryWhatStandsOnThemUp) {
     }
 }
 
-/// What is let down goes along as well: it falls until it has caught up, and then hangs by its weight. (It was caught in
-/// every few steps, at 1 m/s with 13 times that.)
+/// What is let down goes along as well: it falls until it has caught up, and then hangs by its weight. (It was caught
+/// in every few steps, at 1 m/s with 13 times that.)
 TEST(DrivenLimits, LetDownWithoutJerks) {
     for (const Profile profile : kProfiles) {
         for (const Hold hold : kHolds) {
@@ -231,7 +231,9 @@ TEST(DrivenLimits, RaiseAndLowerADrawbridge) {
             for (int i = stepsDown; i-- > 0;) {
                 must(world.setAngleLimits(hinge, AngleLimits{real(down * i * kStep), real(1.5)}));
                 run(world, 1);
-                if (i < stepsDown / 3) { most = std::max(most, std::abs(static_cast<double>(world.jointTorque(hinge)))); }
+                if (i < stepsDown / 3) {
+                    most = std::max(most, std::abs(static_cast<double>(world.jointTorque(hinge))));
+                }
             }
             EXPECT_LT(most, 1.5 * holding) << nameOf(profile) << ", " << rate << " rad/s";
             EXPECT_NEAR(spinOf(world, bridge), -down, 0.02 * down) << nameOf(profile);
@@ -387,7 +389,8 @@ TEST(DrivenLimits, PassNoCeiling) {
                 for (int i = 1; speed * i * kStep < 3; ++i) {
                     hoist.setHeight(speed * i * kStep);
                     run(world, 1);
-                    EXPECT_LT(world.position(platform).y, 2) << nameOf(profile) << ", " << nameOf(hold) << ", " << speed;
+                    EXPECT_LT(world.position(platform).y, 2)
+                        << nameOf(profile) << ", " << nameOf(hold) << ", " << speed;
                 }
                 run(world, 60);
                 EXPECT_LT(world.position(platform).y, 2) << nameOf(profile) << ", " << nameOf(hold) << ", " << speed;

@@ -8,8 +8,8 @@
 namespace swept::scenes {
 
 /// A heap of 252 bodies that fly at a floor beside each other, nearly as fast as each other: which of them are hemmed
-/// in when the first ones strike (engine/contacts/hemmed_pairs.h) is asked of hundreds of pairs. Its numbers are the same on
-/// every machine.
+/// in when the first ones strike (engine/contacts/hemmed_pairs.h) is asked of hundreds of pairs. Its numbers are the
+/// same on every machine.
 /// @param seed  of gap, speed, disorder, and what the heap is made of: the more kinds of shapes, the larger it is
 inline SceneDescription fallingHeap(int seed) {
     using namespace build;

@@ -103,7 +103,8 @@ void addUnevenPyramid(Pile& pile, double spacing) {
     Random random(3);
     for (int row = 0; row < 50; ++row) {
         for (int i = 0; i < 50 - row; ++i) {
-            pile.add({spacing * (i - 0.5 * (50 - row)), row + 0.5 + (row > 0 ? random.range(-1e-4, 1e-4) : 0)}, 0.5, 0.5);
+            pile.add({spacing * (i - 0.5 * (50 - row)), row + 0.5 + (row > 0 ? random.range(-1e-4, 1e-4) : 0)}, 0.5,
+                     0.5);
         }
     }
 }

@@ -258,8 +258,8 @@ TEST(Speculative, FastPairsMeet) {
 }
 
 /// One wall, five bodies, each with a mode of its own; the world's is another one.
-/// What stopped at the top of a block, and is put beside it then, meets its side on a path that leads away from the top.
-/// (It remembered what it had met, and flew through.)
+/// What stopped at the top of a block, and is put beside it then, meets its side on a path that leads away from the
+/// top. (It remembered what it had met, and flew through.)
 TEST(Stop, MeetsAgainWhatItWasPutBeside) {
     WorldSettings settings = awakeSettings(0);
     settings.continuous = ContinuousMode::stop;

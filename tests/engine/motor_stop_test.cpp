@@ -14,10 +14,8 @@ struct Rate {
     Profile profile;
     double dt;
 };
-constexpr Rate kRates[] = {{Profile::accurate, 1.0 / 60},
-                           {Profile::accurate, 1.0 / 30},
-                           {Profile::fast, 1.0 / 60},
-                           {Profile::fast, 1.0 / 30}};
+constexpr Rate kRates[] = {
+    {Profile::accurate, 1.0 / 60}, {Profile::accurate, 1.0 / 30}, {Profile::fast, 1.0 / 60}, {Profile::fast, 1.0 / 30}};
 
 World worldAt(const Rate& rate) {
     WorldSettings settings = awakeSettings();

@@ -187,8 +187,8 @@ TEST(Webs, SettledForAMinute) {
     EXPECT_EQ(s.world.counters().settledBodies, s.bodies.size());
 }
 
-/// A large pile that is searched in vain is iterated in the same step, and nobody else moves in it again. (With equal masses
-/// it was in vain, too, until points without a known limit of friction no longer sent the search to and fro.)
+/// A large pile that is searched in vain is iterated in the same step, and nobody else moves in it again. (With equal
+/// masses it was in vain, too, until points without a known limit of friction no longer sent the search to and fro.)
 TEST(Webs, WhatIsSearchedInVainHoldsUpNobody) {
     std::uint64_t inVain = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {

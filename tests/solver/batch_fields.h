@@ -233,9 +233,8 @@ void visitBatch(SolverBatch& batch, Visit&& visit) {
 /// Every field in bits: −0 differs from 0.
 inline std::vector<std::uint64_t> bitsOf(SolverBatch& batch) {
     std::vector<std::uint64_t> all;
-    visitBatch(batch, [&](Real& value, Dimension) {
-        all.push_back(bitCast<std::uint64_t>(static_cast<double>(value)));
-    });
+    visitBatch(batch,
+               [&](Real& value, Dimension) { all.push_back(bitCast<std::uint64_t>(static_cast<double>(value))); });
     return all;
 }
 

@@ -16,8 +16,8 @@
 
 #include "../support/random.h"
 
-/// Columns of a factorisation eliminated four numbers at a time, against the same number by number: the same bits with every
-/// instruction set of this machine.
+/// Columns of a factorisation eliminated four numbers at a time, against the same number by number: the same bits with
+/// every instruction set of this machine.
 
 namespace swept::test {
 namespace {

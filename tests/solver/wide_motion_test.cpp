@@ -18,8 +18,8 @@
 
 #include "../support/random.h"
 
-/// Bodies that move and turn side by side, against the same one by one: the same bits with every instruction set of this
-/// machine.
+/// Bodies that move and turn side by side, against the same one by one: the same bits with every instruction set of
+/// this machine.
 
 namespace swept::test {
 namespace {

@@ -28,10 +28,10 @@ long double trueSeparation(const Query& query, double fraction);
 /// The same without radii: negative when the polygons themselves intersect.
 long double trueCoreSeparation(const Query& query, double fraction);
 
-/// Whether an answer keeps its promises, by samples in long double; the other judge, tools/toi/toi_judge.h, proves instead:
-/// at no sampled fraction before the answer's the separation is below target − tolerance, at a hit it is within target
-/// ± tolerance, and what is reported there is true. Samples lie as close as the separation and the greatest speed
-/// demand, but at most some thousands of them.
+/// Whether an answer keeps its promises, by samples in long double; the other judge, tools/toi/toi_judge.h, proves
+/// instead: at no sampled fraction before the answer's the separation is below target − tolerance, at a hit it is
+/// within target ± tolerance, and what is reported there is true. Samples lie as close as the separation and the
+/// greatest speed demand, but at most some thousands of them.
 ::testing::AssertionResult keepsItsPromise(const Query& query, const Toi& toi);
 
 /// The query with both rotations left out, as `shapeCast` sees it.

@@ -162,7 +162,8 @@ std::string costText(double cost, double now, bool isKept) {
     const double part = cost / now;
     const bool isEqual = std::fabs(part - 1) <= kNoise;
     if (isEqual && isKept) { return ": no saving that could be measured"; }
-    const std::string ratio = isEqual ? "about" : (part < 1 ? roundedText(part, 2) + " of" : roundedText(part, 3) + " times");
+    const std::string ratio =
+        isEqual ? "about" : (part < 1 ? roundedText(part, 2) + " of" : roundedText(part, 3) + " times");
     return ": " + ratio + " what the scene costs now" + (isKept ? "" : ", which does not keep these errors");
 }
 
