@@ -116,6 +116,7 @@ struct Workers {
     Workers() = default;
     Workers(const Workers& other) { *this = other; }
     Workers& operator=(const Workers& other) {
+        if (this == &other) { return *this; }
         userTasks = other.userTasks == &other.serialTasks ? &serialTasks : other.userTasks;
         return *this;
     }

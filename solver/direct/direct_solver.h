@@ -209,8 +209,8 @@ private:
     void listNodes(const SolverBatch& batch);
     bool listEdges(const SolverBatch& batch);
     void weighIslands(const SolverBatch& batch);
-    Row rowOf(const SolverBatch& batch, const DirectRow& row);
-    double excessOf(const SolverBatch& batch, const DirectRow& row) const;
+    Row rowOf(const SolverBatch& batch, const DirectRow& held);
+    double excessOf(const SolverBatch& batch, const DirectRow& held) const;
     void gatherJoints(SolverBatch& batch, Real h, bool useBias, bool atRest);
     // Without joints nothing of theirs is looked at.
     /// @param tangentShare  of their strength that rows of friction have

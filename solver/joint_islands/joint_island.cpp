@@ -328,7 +328,8 @@ bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates&
     };
     const bool isCoarse = h * subSteps * rates.turn > kCoarseTurn;
     double left = subSteps;
-    double compositions = std::max(wantedFor(rates, left), static_cast<double>(finer * (subSteps / kSubStepsReplaced)));
+    const int replaced = subSteps / kSubStepsReplaced;  // rounded down
+    double compositions = std::max(wantedFor(rates, left), static_cast<double>(finer * replaced));
     for (double done = 0; compositions > 0; --compositions, ++done) {
         if (!(done + compositions <= finer * most)) { return false; }
         const double length = left / compositions;
