@@ -46,6 +46,7 @@ void makeRoomToEnable(WorldState& world, const Body& body) {
     // A proxy that is free is taken before there is a new one.
     makeRoom(world.proxyShapes, world.proxyShapes.size() + body.shapes.size());
     makeRoom(world.neededBoxes, world.proxyShapes.size() + body.shapes.size());
+    makeRoom(world.newJoints, world.newJoints.size() + body.joints.size());
     makeRoomToWake(world);
 }
 
@@ -62,6 +63,7 @@ Status enable(WorldState& world, std::uint32_t slot) {
     body.def.enabled = true;
     countBody(world, body, 1);
     switchJoints(world, slot);
+    for (const std::uint32_t joint : body.joints) { world.newJoints.push_back(world.joints.idOf(joint)); }
     rouse(world, slot);
     updateProxies(world, slot);
     if (!body.awake) { noteRest(world, slot); }  // no step does it for what is fixed

@@ -59,6 +59,7 @@ void makeRoomForJoint(WorldState& world, const Joint& joint, std::size_t pairs) 
         std::vector<std::uint32_t>& joints = world.bodies[body].joints;
         makeRoom(joints, joints.size() + 1);
     }
+    makeRoom(world.newJoints, world.newJoints.size() + 1);
     makeRoomToWake(world);
     makeRoom(world.eventsToCome, world.eventsToCome.size() + pairs);
 }
@@ -74,6 +75,7 @@ Result<JointId> insert(WorldState& world, Joint joint) {
     world.jointTies.resize(world.joints.slotCount());
     world.jointTies[id->index] = tieOf(placed);
     world.jointChains.areCurrent = false;
+    world.newJoints.push_back(*id);
     for (const std::uint32_t body : placed.allBodies()) {
         world.bodies[body].joints.push_back(id->index);
         world.bodies[body].holdingJoints += placed.holds() ? 1 : 0;

@@ -8,6 +8,7 @@
 #include "../state/profile.h"
 #include "driven_joints.h"
 #include "joint_place.h"
+#include "joint_rest.h"
 #include "motor_stop.h"
 #include "rest_springs.h"
 #include "step_change.h"
@@ -320,6 +321,11 @@ void visitPart(Parts& parts, Visit&& visit) {
         parts);
 }
 
+bool isIterated(const WorldState& world, const Joint& joint) {
+    const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
+    return world.bodies[moving].effort.direct == DirectScope::none;
+}
+
 }  // namespace
 
 void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt, Real left) {
@@ -331,6 +337,7 @@ void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t so
         filler.fill(constraint, part);
         constraint.woundSpeed = 0;
         constraint.source = source;
+        if (world.anyRestLoads && isIterated(world, joint)) { bear(constraint, world, joint, h); }
         if (const DrivenJoint* const driven = drivenOf(world, joint)) {
             constraint.woundSpeed = woundSpeed(*driven);
             if constexpr (requires { setOut(constraint, driven->motion, left); }) {
@@ -380,6 +387,7 @@ void forgetStart(Joint& joint) {
         if constexpr (requires { part.memory; }) { part.memory = {}; }
     });
     joint.hinge = {};
+    joint.restLoad = {};
 }
 
 void forgetImpulses(Joint& joint) {

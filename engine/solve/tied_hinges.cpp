@@ -3,6 +3,7 @@
 #include "../../shapes/cache_line.h"
 #include "../../solver/joint_blocks/hinge_lanes.h"
 #include "joint_builder.h"
+#include "joint_rest.h"
 #include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -70,6 +71,12 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
         head.softness = easedOf(softness_, world_, joint,
                                 {gap, link.parts.hasLimits ? limitErrorsOf(world_, joint).angle : Real(0)});
     }
+    if (world_.anyRestLoads && joint.restLoad.any()) {
+        BodyState still;
+        head.centerOffset += restGap({still, still, batch.inertias[link.slotA], batch.inertias[link.slotB]},
+                                     head.anchorA, head.anchorB, link.parts.any(), head.softness,
+                                     h_ * joint.restLoad.force);
+    }
     fillHead(block, lane, head, batch.inertias[link.slotA], batch.inertias[link.slotB]);
     if (!block.parts.any()) { return; }
     const auto angle = static_cast<Real>(angleOf(world_, joint));
@@ -89,7 +96,11 @@ void TiedHinges::fill(std::size_t first, std::span<const BlockPlace> places, con
         if (place.isInBlock) {
             fillLane(to.blocks[place.index], place.lane, link);
         } else {
-            to.rest[place.index] = hingeConstraint(world_, link.source, h_, dt_, left_);
+            RevoluteConstraint& hinge = to.rest[place.index];
+            hinge = hingeConstraint(world_, link.source, h_, dt_, left_);
+            if (world_.anyRestLoads) {
+                bear(hinge, world_, world_.joints[link.source], h_);
+            }
         }
     }
 }

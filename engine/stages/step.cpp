@@ -8,6 +8,8 @@
 #include "../islands/reset_bodies.h"
 #include "../modes/modes.h"
 #include "../solve/driven_joints.h"
+#include "../solve/joint_rest.h"
+#include "../solve/joint_start.h"
 #include "../solve/step_change.h"
 #include "../state/awake.h"
 #include "../state/body_measures.h"
@@ -104,6 +106,7 @@ void runStages(WorldState& world, double dt) {
     assignRoles(world, step);
     findIslands(world);
     assignEfforts(world, dt);
+    if (!world.newJoints.empty()) { startJoints(world, dt); }
     world.fastIslands.any = world.fastIslands.anyDissolved = false;
     if (world.anyFast) { findFastIslands(world); }
     clock.stop(world.stageTimes.islands);
@@ -121,6 +124,7 @@ void runStages(WorldState& world, double dt) {
     if (world.sensorShapes > 0) { sweepSensors(world, dt); }
     clock.stop(world.stageTimes.continuous);
     if (world.forcesGiven) { clearForces(world); }
+    if (world.anyRestLoads) { loosenMoving(world, dt); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
     if (isAnyDriven) { endDriven(world); }
     moveProxiesAndSortEvents(world);

@@ -97,6 +97,7 @@ JointTie tieOf(const Joint& joint) {
             .holdsAngle = holdsAngle(joint),
             .isSprung = isSprung(joint),
             .drivesAngleAlone = motor != nullptr && !motor->def.drive.maxForce,
+            .hasRestLoad = joint.restLoad.any(),
             .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
 }
 

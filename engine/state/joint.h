@@ -53,6 +53,14 @@ struct HingeMemory {
     Real spring = 0;
 };
 
+/// A load that a joint carries without giving way (joint_rest.h), on B.
+struct JointLoad {
+    Vec2 force{};     ///< N, world; of a rod in the direction of the rod, in the first coordinate
+    Real torque = 0;  ///< N·m
+
+    bool any() const { return force != Vec2{} || torque != 0; }
+};
+
 /// In the order of `JointType`.
 using JointParts =
     std::variant<HingePart, JointPart<DistanceJointDef, DistanceConstraint>,
@@ -82,6 +90,7 @@ struct Joint {
     Vec2 localAxisB;                                       ///< the same in the frame of B, at creation
     std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
     std::size_t bodyCount = 0;
+    JointLoad restLoad;
     bool isOff = false;                 ///< it cannot hold: see `canHold`
     std::uint32_t driven = kNotDriven;  ///< place in `WorldState::drivenJoints`, while a call's move of it is noted
     double gearConstant = 0;            ///< metres or radians
@@ -110,6 +119,7 @@ struct JointTie {
     bool holdsAngle : 1 = false;        ///< of its bodies to each other, rigidly
     bool isSprung : 1 = false;          ///< passive, with a spring
     bool drivesAngleAlone : 1 = false;  ///< a motor joint that drives no point
+    bool hasRestLoad : 1 = false;       ///< `Joint::restLoad`
     HingeParts hingeParts;              ///< of a hinge
 
     bool operator==(const JointTie&) const = default;

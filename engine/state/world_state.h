@@ -133,6 +133,9 @@ struct WorldState : Workers {
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
     std::vector<JointTie> jointTies;          ///< by joint slot
+    std::vector<JointId> newJoints;           ///< made or switched on since the last step (joint_start.h)
+    std::uint32_t startPause = 0;             ///< steps with new joints to come in which no balance is sought
+    bool anyRestLoads = false;                ///< of joints, maybe of such that sleep (joint_rest.h)
     std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
     std::vector<std::uint32_t> departures;    ///< by body slot: so many of its places in `awake`, the first, are gaps
