@@ -44,8 +44,8 @@ constexpr double kLostEdge = 0x1p52;
 
 bool isLostBeside(Vec2 edge, Vec2 other) { return dot(edge, edge) * kLostEdge < dot(other, other); }
 
-/// A simplex of one vertex of B and an edge of A holds a face of A, and the other way round; two edges are parallel, and
-/// either's.
+/// A simplex of one vertex of B and an edge of A holds a face of A, and the other way round; two edges are parallel,
+/// and either's.
 AxisOwner ownerOf(const MovingPair& pair, const GjkResult& gjk) {
     if (gjk.count < 2) { return AxisOwner::world; }
     const SupportPair& p = gjk.simplex[0];

@@ -20,8 +20,8 @@ namespace {
 
 /// Bodies of an island: beyond that a search takes too long for a step.
 constexpr std::size_t kMostStartBodies = 2048;
-/// So many bodies cost a step in which nothing is sought (900 bricks take 8 ms): who adds a brick in each step to what is
-/// large pays for that now and then.
+/// So many bodies cost a step in which nothing is sought (900 bricks take 8 ms): who adds a brick in each step to what
+/// is large pays for that now and then.
 constexpr std::size_t kBodiesOfPause = 128;
 
 struct StartMarks {
@@ -132,13 +132,9 @@ std::size_t startIslandOf(WorldState& world, std::uint32_t root, double dt) {
         const std::uint32_t body = dynamicBodyOf(world, joint);
         if (body != kNoIndex && world.islands.find(body) == root) { joints.push_back(joint); }
     }
-    startIsland(world,
-                {.desk = world.mainDesk,
-                 .effort = effort,
-                 .bodies = bodies,
-                 .contacts = world.contacts,
-                 .joints = joints},
-                dt);
+    startIsland(
+        world,
+        {.desk = world.mainDesk, .effort = effort, .bodies = bodies, .contacts = world.contacts, .joints = joints}, dt);
     return bodies.size();
 }
 

@@ -73,9 +73,9 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
     }
     if (world_.anyRestLoads && joint.restLoad.any()) {
         BodyState still;
-        head.centerOffset += restGap({still, still, batch.inertias[link.slotA], batch.inertias[link.slotB]},
-                                     head.anchorA, head.anchorB, link.parts.any(), head.softness,
-                                     h_ * joint.restLoad.force);
+        head.centerOffset +=
+            restGap({still, still, batch.inertias[link.slotA], batch.inertias[link.slotB]}, head.anchorA, head.anchorB,
+                    link.parts.any(), head.softness, h_ * joint.restLoad.force);
     }
     fillHead(block, lane, head, batch.inertias[link.slotA], batch.inertias[link.slotB]);
     if (!block.parts.any()) { return; }
@@ -98,9 +98,7 @@ void TiedHinges::fill(std::size_t first, std::span<const BlockPlace> places, con
         } else {
             RevoluteConstraint& hinge = to.rest[place.index];
             hinge = hingeConstraint(world_, link.source, h_, dt_, left_);
-            if (world_.anyRestLoads) {
-                bear(hinge, world_, world_.joints[link.source], h_);
-            }
+            if (world_.anyRestLoads) { bear(hinge, world_, world_.joints[link.source], h_); }
         }
     }
 }

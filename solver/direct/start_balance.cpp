@@ -74,7 +74,8 @@ void StartBalance::listRows(SolverBatch& batch) {
         for (int i = 0; i < contact.count; ++i) {
             ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
             if (point.baseSeparation > 0) { continue; }
-            points_.push_back({.row = rows_.size(), .friction = contact.surfaceSpeed == 0 ? static_cast<double>(contact.friction) : 0});
+            points_.push_back({.row = rows_.size(),
+                               .friction = contact.surfaceSpeed == 0 ? static_cast<double>(contact.friction) : 0});
             DirectRow normal = normalRowOf(contact, point, 0);
             DirectRow tangent = tangentRowOf(contact, point);
             normal.impulse = &point.normalImpulse;

@@ -20,8 +20,8 @@ class StartBalance {
 public:
     /// Changes impulses alone, and leaves bodies without speed; what limits, motors and springs give stays.
     /// @pre bodies stand where the step begins. Of contacts what gapes carries nothing
-    /// @return false when no balance was found, or there is none (a pendulum that is let go): what the impulses then are
-    /// is of no use
+    /// @return false when no balance was found, or there is none (a pendulum that is let go): what the impulses then
+    /// are is of no use
     bool find(SolverBatch& batch);
 
 private:
@@ -59,9 +59,9 @@ private:
     bool holdPoints();
     bool isStill() const;
 
-    std::vector<std::uint32_t> nodes_;  ///< by slot
+    std::vector<std::uint32_t> nodes_;   ///< by slot
     std::vector<BodyInertia> inertias_;  ///< by node
-    double heaviest_ = 0;               ///< kg
+    double heaviest_ = 0;                ///< kg
     std::vector<DirectRow> jointRows_;
     std::vector<Row> rows_;
     std::vector<Point> points_;
