@@ -257,6 +257,20 @@ void assignByLoad(WorldState& world, double dt) {
     }
 }
 
+/// Chains that nothing touched, whose joints were solved all at once in the last step, and that are iterated in this
+/// one.
+void listLoosened(WorldState& world) {
+    world.loosenedChains.clear();
+    for (const JointChain& chain : world.jointChains.list) {
+        const Body& body = world.bodies[chain.lowest];
+        const bool wasExact =
+            body.effort.direct == DirectScope::islands || body.effort.direct == DirectScope::freeJoints;
+        if (body.role != BodyRole::solved || !wasExact) { continue; }
+        const Effort& effort = world.islandLoads[world.islands.find(chain.lowest)].effort;
+        if (effort.direct == DirectScope::none) { world.loosenedChains.push_back(chain.lowest); }
+    }
+}
+
 }  // namespace
 
 void assignEfforts(WorldState& world, double dt) {
@@ -270,6 +284,7 @@ void assignEfforts(WorldState& world, double dt) {
         holdBalancedIslands(world);
     }
     if (isByLoad && !budgeted && !world.activeJoints.empty()) { slowHangingIslands(world, dt); }
+    if (isByLoad) { listLoosened(world); }
     world.tiedEfforts.resize(world.tied.size());
     static constexpr Effort kUsual;
     world.loops->run(world.tied.size(), kEffortGrain, [&world, isByLoad](std::size_t begin, std::size_t end, int) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <variant>
+#include <vector>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 constexpr double kLooseningFalls = 2;
 /// Weights of the lighter body: a load of less is none.
 constexpr Real kLeastRestLoad = Real(1) / 1024;
+/// Of its weight: what joints leave of a body at rest.
+constexpr Real kMostUnbalanced = Real(1) / 16;
 /// On the move is what is as fast as in a fall of half of this part of its extent (as in island_load.cpp).
 constexpr Real kMoveRatioOfFall = Real(1) / 16;
 
@@ -38,6 +41,69 @@ bool isSmall(const WorldState& world, const Joint& joint) {
     const Real extent = std::max(world.bodies[joint.bodyA].radius, world.bodies[joint.bodyB].radius);
     const Real least = kLeastRestLoad * lighterOf(world, joint) * length(world.settings.gravity);
     return length(joint.restLoad.force) <= least && std::fabs(joint.restLoad.torque) <= least * extent;
+}
+
+/// Of the last step. @pre the joint was solved rigidly
+JointLoad reactionOf(const WorldState& world, const Joint& joint) {
+    switch (joint.type()) {
+        case JointType::revolute:
+            return {joint.reactionForce, 0};
+        case JointType::weld:
+            return {joint.reactionForce, joint.reactionTorque};
+        case JointType::distance: {
+            const DVec2 rod = apply(world.motions[joint.bodyB].pose, joint.localAnchorB) -
+                              apply(world.motions[joint.bodyA].pose, joint.localAnchorA);
+            return {{dot(normalized(toReal(rod)).unit, joint.reactionForce), 0}, 0};
+        }
+        default:
+            return {};
+    }
+}
+
+bool isAmong(std::span<const std::uint32_t> sorted, std::uint32_t slot) {
+    return std::binary_search(sorted.begin(), sorted.end(), slot);
+}
+
+/// Lowest body of what the joint is part of.
+std::uint32_t chainOf(WorldState& world, const Joint& joint) {
+    return world.jointChains.finder.find(world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA);
+}
+
+/// Forces of joints in the last step and weights, by member of all chains: blows are no loads at rest.
+std::vector<Vec2> forcesOnMembers(WorldState& world, std::span<const std::uint32_t> chains) {
+    const std::vector<JointChains::Member>& members = world.jointChains.members;
+    std::vector<Vec2> forces(members.size());
+    const auto add = [&](std::uint32_t body, Vec2 force) {
+        const auto isLower = [](const JointChains::Member& a, std::uint32_t slot) { return a.body < slot; };
+        const auto place = std::lower_bound(members.begin(), members.end(), body, isLower);
+        if (place != members.end() && place->body == body) {
+            forces[static_cast<std::size_t>(place - members.begin())] += force;
+        }
+    };
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const Body& body = world.bodies[members[i].body];
+        forces[i] = static_cast<Real>(body.mass) * body.def.gravityScale * world.settings.gravity;
+    }
+    for (const std::uint32_t slot : world.activeJoints) {
+        const Joint& joint = world.joints[slot];
+        if (!isAmong(chains, chainOf(world, joint))) { continue; }
+        add(joint.bodyA, -joint.reactionForce);
+        add(joint.bodyB, joint.reactionForce);
+    }
+    return forces;
+}
+
+/// Those of the chains that hung still in the last step.
+std::vector<std::uint32_t> balancedOf(WorldState& world, std::span<const std::uint32_t> chains) {
+    const std::vector<Vec2> forces = forcesOnMembers(world, chains);
+    const Real gravity = length(world.settings.gravity);
+    std::vector<std::uint32_t> balanced(chains.begin(), chains.end());
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        const auto [body, lowest] = world.jointChains.members[i];
+        const Real most = kMostUnbalanced * static_cast<Real>(world.bodies[body].mass) * gravity;
+        if (length(forces[i]) > most || isOnTheMove(world, body)) { std::erase(balanced, lowest); }
+    }
+    return balanced;
 }
 
 /// Part of its load that a joint has left after a step in which its bodies moved.
@@ -78,6 +144,19 @@ void addRestLoads(WorldState& world, SolverBatch& batch, Real h) {
     add(batch.revolutes);
     add(batch.welds);
     add(batch.distances);
+}
+
+void bearReactions(WorldState& world, std::span<const std::uint32_t> chains) {
+    if (chains.empty()) { return; }
+    const std::vector<std::uint32_t> balanced = balancedOf(world, chains);
+    for (const std::uint32_t slot : world.activeJoints) {
+        Joint& joint = world.joints[slot];
+        if (!isAmong(balanced, chainOf(world, joint))) { continue; }
+        joint.restLoad = reactionOf(world, joint);
+        if (isSmall(world, joint)) { joint.restLoad = {}; }
+        world.jointTies[slot].hasRestLoad = joint.restLoad.any();
+        world.anyRestLoads = world.anyRestLoads || joint.restLoad.any();
+    }
 }
 
 void loosenMoving(WorldState& world, double dt) {

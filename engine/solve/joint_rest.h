@@ -70,6 +70,11 @@ bool isOnTheMove(const WorldState& world, std::uint32_t slot);
 /// @param h  s, of the sub-steps that their impulses are of. @pre `readConstraints` comes later
 void addRestLoads(WorldState& world, SolverBatch& batch, Real h);
 
+/// What joints carried in the last step, when they were solved all at once, becomes their loads at rest, where it held
+/// their chain in balance: from now on they are iterated.
+/// @param chains  lowest bodies, ascending
+void bearReactions(WorldState& world, std::span<const std::uint32_t> chains);
+
 /// Once a step is over: loads of what is on the move go down.
 void loosenMoving(WorldState& world, double dt);
 

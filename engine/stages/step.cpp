@@ -106,6 +106,7 @@ void runStages(WorldState& world, double dt) {
     assignRoles(world, step);
     findIslands(world);
     assignEfforts(world, dt);
+    bearReactions(world, world.loosenedChains);
     if (!world.newJoints.empty()) { startJoints(world, dt); }
     world.fastIslands.any = world.fastIslands.anyDissolved = false;
     if (world.anyFast) { findFastIslands(world); }

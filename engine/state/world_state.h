@@ -132,11 +132,12 @@ struct WorldState : Workers {
     std::vector<BodySlot> solverSlots;  ///< by body slot: in its present solve, of what that moves or may meet
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
-    std::vector<JointTie> jointTies;          ///< by joint slot
-    std::vector<JointId> newJoints;           ///< made or switched on since the last step (joint_start.h)
-    std::uint32_t startPause = 0;             ///< steps with new joints to come in which no balance is sought
-    bool anyRestLoads = false;                ///< of joints, maybe of such that sleep (joint_rest.h)
-    std::vector<std::uint32_t> activeJoints;  ///< slots of those that hold something awake, ascending; of this step
+    std::vector<JointTie> jointTies;            ///< by joint slot
+    std::vector<JointId> newJoints;             ///< made or switched on since the last step (joint_start.h)
+    std::uint32_t startPause = 0;               ///< steps with new joints to come in which no balance is sought
+    std::vector<std::uint32_t> loosenedChains;  ///< lowest bodies of chains that are iterated from this step on
+    bool anyRestLoads = false;                  ///< of joints, maybe of such that sleep (joint_rest.h)
+    std::vector<std::uint32_t> activeJoints;    ///< slots of those that hold something awake, ascending; of this step
     std::vector<std::uint32_t> awake;         ///< body slots of awake dynamic and kinematic bodies, in order of waking
     std::vector<std::uint32_t> departures;    ///< by body slot: so many of its places in `awake`, the first, are gaps
     std::size_t awakeGaps = 0;                ///< between steps: of what calls destroyed or put to sleep
