@@ -14,6 +14,7 @@
 #include "flight_state.h"
 #include "free_path.h"
 #include "take_along.h"
+#include "turning_ride.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -252,6 +253,7 @@ void store(WorldState& world, BulletPartner& partner) {
     BodyMotion& motion = world.motions[partner.flight.slot];
     if (partner.flies) {
         if (partner.flight.remaining() > 0) { advance(partner.flight, partner.path, 1); }
+        endRide(partner.flight);
         limitSpeed(partner.flight);
         motion = partner.flight.motion;
         return;

@@ -12,6 +12,7 @@
 #include "flight_state.h"
 #include "sweep_circles.h"
 #include "take_along.h"
+#include "turning_ride.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -249,6 +250,7 @@ bool mayMeetMore(const Clash& clash, std::span<const std::uint32_t> members) {
 
 void store(Clash& clash) {
     for (Flight& flight : clash.work.flights) {
+        endRide(flight);
         limitSpeed(flight);
         clash.world.motions[flight.slot] = flight.motion;
     }

@@ -16,6 +16,7 @@
 #include "solved_path.h"
 #include "sweep_obstacles.h"
 #include "take_along.h"
+#include "turning_ride.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -224,6 +225,7 @@ void flyThrough(Flight& flight) {
         const FirstImpact first = nextImpact(flight, sweep);
         if (!first.hit) {
             advance(flight, sweep, 1);
+            endRide(flight);
             return;
         }
         const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
@@ -279,6 +281,7 @@ FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
     clearWhatIsLeft(flight, sweep);
     const auto count = static_cast<std::size_t>(flight.carrierCount);
     if (count > 0) { allowSag(*flight.world, {flight.carriers.data(), count}, flight.elapsed, *flight.scratch); }
+    if (flight.ride.sag > 0) { allowRide(*flight.world, flight.ride, flight.elapsed, *flight.scratch); }
     return firstImpact(*flight.world, sweep, flight.elapsed, flight.dt, *flight.scratch, limit);
 }
 
@@ -304,14 +307,17 @@ bool resolveHere(Flight& flight) {
         prepareContact(constraint, scratch.inertias);
         scratch.order.push_back(&constraint);
     }
+    const bool slides = flight.ride.body != kNoIndex && slidesOn(flight);
     reflectOrStop(scratch, flight.threshold());
     flight.motion.velocity = scratch.states[kFlyerSlot].velocity;
     flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
     bool anyHit = false;
     for (const ContactConstraint& constraint : scratch.constraints) {
-        anyHit = report(flight, constraint) || anyHit;
+        anyHit = (!slides && report(flight, constraint)) || anyHit;
         noteCarrier(flight, constraint);
     }
+    const bool meetsKinematic = scratch.states.size() > kFlyerSlot + 1;
+    if (meetsKinematic || flight.ride.body != kNoIndex) { followRide(flight, slides); }
     return anyHit;
 }
 

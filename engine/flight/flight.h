@@ -11,6 +11,7 @@
 #include "../../toi/time_of_impact.h"
 #include "../events.h"
 #include "../state/body.h"
+#include "../state/shape.h"
 #include "../state/step_part.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -34,6 +35,15 @@ struct MetGround {
     std::uint32_t own = 0;  ///< slots, as in `FlightObstacle`
     std::uint32_t other = 0;
     Vec2 normal{};  ///< towards the flyer
+};
+
+/// What a flyer slides along: a kinematic body that turns, whose surface therefore meets it again and again.
+struct TurningRide {
+    std::uint32_t body = kNoIndex;  ///< slot of what it met last
+    int impacts = 0;                ///< of the ride so far; 0: it did not slide
+    double since = 0;               ///< of the last one, seconds of the step
+    Vec2 normal{};                  ///< there, towards the flyer
+    double sag = 0;                 ///< how far it sinks in until the next one, slops
 };
 
 /// An obstacle by its distance from the start of a sweep.
@@ -81,6 +91,7 @@ struct Flight {
     double elapsed = 0;              ///< seconds
     std::array<Vec2, 4> carriers{};  ///< normals of what carries it
     int carrierCount = 0;
+    TurningRide ride{};
     bool stops = false;  ///< mode `stop`: it stays at its first hit
 
     const Body& body() const;

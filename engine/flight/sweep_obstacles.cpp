@@ -133,11 +133,13 @@ StartContact contactAtStart(const WorldState& world, const FlightObstacle& obsta
 /// the side of the next piece would stop it.
 /// @param slops  how far
 /// @param from  seconds of the step at which the sweep begins
+/// @param ofBody  slot: shapes of others are left out; `kNoIndex`: none is
 void liftFlush(const WorldState& world, double slops, std::span<const Vec2> normals, double from,
-               FlightScratch& scratch) {
+               FlightScratch& scratch, std::uint32_t ofBody = kNoIndex) {
     for (FlightObstacle& obstacle : scratch.obstacles) {
         if (obstacle.isClear) { continue; }  // nobody sweeps against it
         const Shape& other = world.shapes[obstacle.other];
+        if (ofBody != kNoIndex && other.body != ofBody) { continue; }
         const Real slop = slopOf(world, obstacle);
         const WorldTransform pose = groundPose(world, other.body, from);
         for (const Vec2 normal : normals) {
@@ -312,6 +314,10 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
 
 void allowSag(const WorldState& world, std::span<const Vec2> normals, double from, FlightScratch& scratch) {
     liftFlush(world, kSagSlops, normals, from, scratch);
+}
+
+void allowRide(const WorldState& world, const TurningRide& ride, double from, FlightScratch& scratch) {
+    liftFlush(world, ride.sag, {&ride.normal, 1}, from, scratch, ride.body);
 }
 
 FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,

@@ -85,6 +85,9 @@ double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impa
 /// the slop. @param from  seconds of the step at which the sweep begins
 void allowSag(const WorldState& world, std::span<const Vec2> normals, double from, FlightScratch& scratch);
 
+/// Likewise, but only shapes of one body, and so many slops.
+void allowRide(const WorldState& world, const TurningRide& ride, double from, FlightScratch& scratch);
+
 struct FirstImpact {
     bool hit = false;
     double fraction = 1;
