@@ -71,7 +71,13 @@ struct BulletWork {
     bool areSomeAtRest = false;  ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 
+    // Of this moment.
+    std::vector<BulletMeeting> together;  ///< those that share bodies; or one, of something static or kinematic
+    std::vector<std::uint32_t> members;   ///< indices of all that they name
+    std::vector<Real> separations;        ///< of those that are in reach, metres
+
     // Scratch.
+    std::vector<BulletMeeting> aside;
     std::vector<std::uint32_t> searchers;  ///< indices
     std::vector<std::uint32_t> early;      ///< slots, as the next one
     std::vector<std::uint32_t> found;

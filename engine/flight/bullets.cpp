@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
-#include "../../solver/impacts/impact.h"
-#include "../contacts/hit_event.h"
 #include "../islands/reset_bodies.h"
 #include "../modes/modes.h"
-#include "../solve/constraint_builder.h"
 #include "../state/awake.h"
 #include "../state/tolerances.h"
+#include "bullet_impact.h"
 #include "bullet_paths.h"
 #include "bullet_search.h"
 #include "flight_state.h"
@@ -18,15 +16,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-constexpr BodySlot kFirstSlot = 1;
-constexpr BodySlot kSecondSlot = 2;
-/// Two points of a contact, and friction at each: more rounds change nothing.
-constexpr int kPairRounds = 8;
-
-BulletPartner& partnerIn(WorldState& world, std::uint32_t slot) {
-    return world.bulletWork.partners[world.bulletWork.indices[slot]];
-}
 
 /// Bodies keep no lists of their contacts: one look at all that touch does for all bodies.
 void listPressed(WorldState& world) {
@@ -108,79 +97,6 @@ void bringTo(WorldState& world, BulletPartner& partner, double time) {
     partner.flight.motion.pose = now.pose;
 }
 
-void report(WorldState& world, const BulletMeeting& pair, const ContactConstraint& constraint) {
-    const Flight& second = partnerIn(world, pair.second).flight;
-    if (!(impactSpeed(constraint) > second.threshold())) { return; }
-    second.scratch->events.push_back(
-        hitOf(world, pair.shapes.other, pair.shapes.own, constraint, second.motion.center, pair.time / second.dt));
-}
-
-/// In the contact that they have, if it was that of a clash.
-void noteImpulse(WorldState& world, const BulletMeeting& pair, const ContactConstraint& constraint) {
-    const std::uint32_t clash = partnerIn(world, pair.first).clash;
-    if (clash == kNoIndex || clash != partnerIn(world, pair.second).clash) { return; }
-    for (const std::uint32_t index : world.fastIslands.contacts.of(clash)) {
-        Contact& contact = world.contacts[world.probes[index].contact];
-        const bool isTheirs = (contact.shapeA == pair.shapes.other && contact.shapeB == pair.shapes.own) ||
-                              (contact.shapeA == pair.shapes.own && contact.shapeB == pair.shapes.other);
-        if (!isTheirs) { continue; }
-        for (std::size_t k = 0; k < contact.totalImpulse.size(); ++k) {
-            contact.totalImpulse[k] += constraint.points[k].totalNormalImpulse;
-            contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
-        }
-    }
-}
-
-/// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on
-/// it.
-void setApart(WorldState& world, const BulletMeeting& pair, const Manifold& manifold, Vec2 normal) {
-    BulletPartner& first = partnerIn(world, pair.first);
-    BulletPartner& second = partnerIn(world, pair.second);
-    const double inverseFirst = first.flies ? static_cast<double>(first.flight.body().inverseMass) : 0;
-    const double inverseSecond = second.flies ? static_cast<double>(second.flight.body().inverseMass) : 0;
-    const DVec2 way = partingWay(world, pair.shapes, deepestSeparation(manifold), inverseFirst + inverseSecond, normal);
-    if (way == DVec2{}) { return; }
-    shift(first.flight, -inverseFirst * way);
-    shift(second.flight, inverseSecond * way);
-}
-
-void collideBodies(WorldState& world, const BulletMeeting& pair) {
-    Flight& first = partnerIn(world, pair.first).flight;
-    Flight& second = partnerIn(world, pair.second).flight;
-    const Shape& own = world.shapes[pair.shapes.own];
-    const Shape& other = world.shapes[pair.shapes.other];
-    const Manifold manifold =
-        obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, reachOf(world, pair.shapes));
-    if (manifold.count == 0) { return; }
-    ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
-                                                mixedSurface(own.def, other.def), 0);
-    constraint.slotA = kFirstSlot;
-    constraint.slotB = kSecondSlot;
-    FlightScratch& scratch = *second.scratch;
-    scratch.states.assign(3, {});
-    scratch.inertias.assign(3, {});
-    for (const Flight* flight : {&first, &second}) {
-        const BodySlot slot = flight == &first ? kFirstSlot : kSecondSlot;
-        scratch.states[slot].velocity = flight->motion.velocity;
-        scratch.states[slot].angularVelocity = flight->motion.angularVelocity;
-        scratch.inertias[slot] = {flight->body().inverseMass, flight->body().inverseInertia};
-    }
-    prepareContact(constraint, scratch.inertias);
-    ContactConstraint* const only[] = {&constraint};
-    const ImpactRule rule{.restitutionThreshold = second.threshold(), .resolvePlastic = true};
-    resolveImpacts(only, {scratch.states, scratch.inertias}, rule, kPairRounds);
-    for (Flight* flight : {&first, &second}) {
-        const BodySlot slot = flight == &first ? kFirstSlot : kSecondSlot;
-        flight->motion.velocity = scratch.states[slot].velocity;
-        flight->motion.angularVelocity = scratch.states[slot].angularVelocity;
-    }
-    report(world, pair, constraint);
-    noteImpulse(world, pair, constraint);
-    setApart(world, pair, manifold, constraint.normal);
-    const bool bounces = constraint.restitution > 0 && impactSpeed(constraint) > second.threshold();
-    setCarrier(world.bulletWork, pair, bounces ? Vec2{} : constraint.normal);
-}
-
 /// It rides on with the other one to the end of the step: what it would have done on its own is lost.
 void ride(BulletPartner& rider, const BulletPartner& carrier, double time) {
     enterLedger(rider.flight, LostTimeReason::clamp);
@@ -211,31 +127,42 @@ void stop(BulletPartner& partner, double time, LostTimeReason reason) {
     partner.tied = true;
 }
 
-void meet(WorldState& world, const BulletMeeting& pair, FlightScratch& scratch) {
-    BulletPartner& first = partnerIn(world, pair.first);
-    BulletPartner& second = partnerIn(world, pair.second);
-    bringTo(world, first, pair.time);
-    bringTo(world, second, pair.time);
-    collideBodies(world, pair);
-    ++scratch.impacts;
-    for (BulletPartner* const partner : {&first, &second}) {
-        const BulletPartner& other = partner == &first ? second : first;
-        partner->moved = true;
-        if (!partner->flies) { continue; }
-        notePose(partner->flight);
-        resolveStanding(partner->flight);
-        // What is tied does not get out of the way in this step.
-        if (!other.flies && other.tied && partner->impacts > 1) {
-            ride(*partner, other, pair.time);
-        } else if (spendImpact(*partner)) {
-            stop(*partner, pair.time, LostTimeReason::budget);
+/// What a member of this moment met that does not get out of the way in this step; null: nothing.
+const BulletPartner* tiedBeside(WorldState& world, std::uint32_t slot) {
+    for (const BulletMeeting& pair : world.bulletWork.together) {
+        if (pair.first != slot && pair.second != slot) { continue; }
+        const BulletPartner& other = partnerIn(world.bulletWork, pair.first == slot ? pair.second : pair.first);
+        if (!other.flies && other.tied) { return &other; }
+    }
+    return nullptr;
+}
+
+/// All meetings of this moment.
+void meet(WorldState& world, FlightScratch& scratch) {
+    BulletWork& work = world.bulletWork;
+    const double time = work.together.front().time;
+    listMembers(work);
+    for (const std::uint32_t index : work.members) { bringTo(world, work.partners[index], time); }
+    collideBodies(world, scratch);
+    scratch.impacts += work.together.size();
+    for (const std::uint32_t index : work.members) {
+        BulletPartner& partner = work.partners[index];
+        partner.moved = true;
+        if (!partner.flies) { continue; }
+        notePose(partner.flight);
+        resolveStanding(partner.flight);
+        const BulletPartner* const tied = tiedBeside(world, partner.flight.slot);
+        if (tied != nullptr && partner.impacts > 1) {
+            ride(partner, *tied, time);
+        } else if (spendImpact(partner)) {
+            stop(partner, time, LostTimeReason::budget);
         }
     }
-    lookAhead(world, {world.bulletWork.indices[pair.first], world.bulletWork.indices[pair.second]}, scratch);
+    lookAhead(world, work.members, scratch);
 }
 
 void bounce(WorldState& world, const BulletMeeting& meeting, FlightScratch& scratch) {
-    BulletPartner& partner = partnerIn(world, meeting.first);
+    BulletPartner& partner = partnerIn(world.bulletWork, meeting.first);
     bringTo(world, partner, meeting.time);
     if (spendImpact(partner)) {
         stop(partner, partner.flight.elapsed, LostTimeReason::budget);
@@ -245,7 +172,8 @@ void bounce(WorldState& world, const BulletMeeting& meeting, FlightScratch& scra
         ++scratch.impacts;
         if (isHit && partner.flight.stops) { stop(partner, partner.flight.elapsed, LostTimeReason::stop); }
     }
-    lookAhead(world, {world.bulletWork.indices[meeting.first]}, scratch);
+    world.bulletWork.members.assign(1, world.bulletWork.indices[meeting.first]);
+    lookAhead(world, world.bulletWork.members, scratch);
 }
 
 /// To the end of the step. @pre awake
@@ -291,11 +219,11 @@ void flyBullets(WorldState& world, double dt) {
     BulletWork& work = world.bulletWork;
     FlightScratch& scratch = world.flightScratch[0];
     for (BulletPartner& partner : work.partners) { partner.flight.scratch = &scratch; }  // from here on, on one thread
-    for (BulletMeeting meeting; takeMeeting(work, meeting);) {
-        if (meeting.isPair()) {
-            meet(world, meeting, scratch);
+    while (takeMeetings(world)) {
+        if (work.together.front().isPair()) {
+            meet(world, scratch);
         } else {
-            bounce(world, meeting, scratch);
+            bounce(world, work.together.front(), scratch);
         }
     }
     storeAll(world, static_cast<Real>(dt));

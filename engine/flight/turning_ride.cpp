@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "../contacts/ghosts.h"
+#include "../contacts/hit_event.h"
 #include "flight_state.h"
-#include "hit_event.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -1,0 +1,152 @@
+#include "bullet_impact.h"
+
+#include <algorithm>
+
+#include "../../solver/impacts/impact.h"
+#include "../contacts/hit_event.h"
+#include "../solve/constraint_builder.h"
+#include "bullet_paths.h"
+#include "bullet_search.h"
+#include "flight_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Two points of a contact, and friction at each: more rounds change nothing.
+constexpr int kPairRounds = 8;
+
+void report(WorldState& world, const BulletMeeting& pair, const ContactConstraint& constraint) {
+    const Flight& second = partnerIn(world.bulletWork, pair.second).flight;
+    if (!(impactSpeed(constraint) > second.threshold())) { return; }
+    second.scratch->events.push_back(
+        hitOf(world, pair.shapes.other, pair.shapes.own, constraint, second.motion.center, pair.time / second.dt));
+}
+
+/// In the contact that they have, if it was that of a clash.
+void noteImpulse(WorldState& world, const BulletMeeting& pair, const ContactConstraint& constraint) {
+    const std::uint32_t clash = partnerIn(world.bulletWork, pair.first).clash;
+    if (clash == kNoIndex || clash != partnerIn(world.bulletWork, pair.second).clash) { return; }
+    for (const std::uint32_t index : world.fastIslands.contacts.of(clash)) {
+        Contact& contact = world.contacts[world.probes[index].contact];
+        const bool isTheirs = (contact.shapeA == pair.shapes.other && contact.shapeB == pair.shapes.own) ||
+                              (contact.shapeA == pair.shapes.own && contact.shapeB == pair.shapes.other);
+        if (!isTheirs) { continue; }
+        for (std::size_t k = 0; k < contact.totalImpulse.size(); ++k) {
+            contact.totalImpulse[k] += constraint.points[k].totalNormalImpulse;
+            contact.pressed = contact.pressed || contact.totalImpulse[k] > 0;
+        }
+    }
+}
+
+/// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on
+/// it.
+void setApart(WorldState& world, const BulletMeeting& pair, Real deepest, Vec2 normal) {
+    BulletPartner& first = partnerIn(world.bulletWork, pair.first);
+    BulletPartner& second = partnerIn(world.bulletWork, pair.second);
+    const double inverseFirst = first.flies ? static_cast<double>(first.flight.body().inverseMass) : 0;
+    const double inverseSecond = second.flies ? static_cast<double>(second.flight.body().inverseMass) : 0;
+    const DVec2 way = partingWay(world, pair.shapes, deepest, inverseFirst + inverseSecond, normal);
+    if (way == DVec2{}) { return; }
+    shift(first.flight, -inverseFirst * way);
+    shift(second.flight, inverseSecond * way);
+}
+
+BodySlot slotOf(const BulletWork& work, std::uint32_t body) {
+    const auto place = std::find(work.members.begin(), work.members.end(), work.indices[body]);
+    return static_cast<BodySlot>(place - work.members.begin() + 1);
+}
+
+/// Contacts of this moment. One that is not in reach after all comes later.
+void listImpacts(WorldState& world, FlightScratch& scratch) {
+    BulletWork& work = world.bulletWork;
+    scratch.constraints.clear();
+    work.separations.clear();
+    for (std::size_t i = 0; i < work.together.size(); ++i) {
+        const BulletMeeting& pair = work.together[i];
+        const Flight& first = partnerIn(work, pair.first).flight;
+        const Flight& second = partnerIn(work, pair.second).flight;
+        const Manifold manifold =
+            obstacleManifold(world, pair.shapes, first.motion.pose, second.motion.pose, reachOf(world, pair.shapes));
+        if (manifold.count == 0) { continue; }
+        const ShapeDef& own = world.shapes[pair.shapes.own].def;
+        const ShapeDef& other = world.shapes[pair.shapes.other].def;
+        ContactConstraint constraint =
+            constraintOf(manifold, first.motion, first.body().localCenter, second.motion, mixedSurface(own, other), 0);
+        constraint.source = static_cast<std::uint32_t>(i);
+        constraint.slotA = slotOf(work, pair.first);
+        constraint.slotB = slotOf(work, pair.second);
+        scratch.constraints.push_back(constraint);
+        work.separations.push_back(deepestSeparation(manifold));
+    }
+}
+
+/// @return the threshold below which they do not bounce, m/s
+Real listStates(const WorldState& world, FlightScratch& scratch) {
+    const BulletWork& work = world.bulletWork;
+    scratch.states.assign(1, {});
+    scratch.inertias.assign(1, {});
+    for (const std::uint32_t index : work.members) {
+        const Flight& flight = work.partners[index].flight;
+        scratch.states.push_back(
+            {.velocity = flight.motion.velocity, .angularVelocity = flight.motion.angularVelocity});
+        scratch.inertias.push_back({flight.body().inverseMass, flight.body().inverseInertia});
+    }
+    Real threshold = 0;
+    for (const BulletMeeting& pair : work.together) {
+        threshold = std::max(threshold, work.partners[work.indices[pair.second]].flight.threshold());
+    }
+    return threshold;
+}
+
+void reflect(WorldState& world, FlightScratch& scratch, Real threshold) {
+    scratch.order.clear();
+    for (ContactConstraint& constraint : scratch.constraints) {
+        prepareContact(constraint, scratch.inertias);
+        scratch.order.push_back(&constraint);
+    }
+    if (scratch.order.size() == 1) {
+        const ImpactRule rule{.restitutionThreshold = threshold, .resolvePlastic = true};
+        resolveImpacts(scratch.order, {scratch.states, scratch.inertias}, rule, kPairRounds);
+    } else {
+        reflectOrStop(scratch, threshold);
+    }
+    BulletWork& work = world.bulletWork;
+    for (std::size_t i = 0; i < work.members.size(); ++i) {
+        BodyMotion& motion = work.partners[work.members[i]].flight.motion;
+        motion.velocity = scratch.states[i + 1].velocity;
+        motion.angularVelocity = scratch.states[i + 1].angularVelocity;
+    }
+}
+
+}  // namespace
+
+void listMembers(BulletWork& work) {
+    work.members.clear();
+    for (const BulletMeeting& pair : work.together) {
+        for (const std::uint32_t slot : {pair.first, pair.second}) {
+            const std::uint32_t index = work.indices[slot];
+            if (std::find(work.members.begin(), work.members.end(), index) == work.members.end()) {
+                work.members.push_back(index);
+            }
+        }
+    }
+}
+
+void collideBodies(WorldState& world, FlightScratch& scratch) {
+    BulletWork& work = world.bulletWork;
+    listImpacts(world, scratch);
+    if (scratch.constraints.empty()) { return; }
+    const Real threshold = listStates(world, scratch);
+    reflect(world, scratch, threshold);
+    for (std::size_t i = 0; i < scratch.constraints.size(); ++i) {
+        const ContactConstraint& constraint = scratch.constraints[i];
+        const BulletMeeting& pair = work.together[constraint.source];
+        report(world, pair, constraint);
+        noteImpulse(world, pair, constraint);
+        setApart(world, pair, work.separations[i], constraint.normal);
+        const bool bounces = constraint.restitution > 0 && impactSpeed(constraint) > threshold;
+        setCarrier(work, pair, bounces ? Vec2{} : constraint.normal);
+    }
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
