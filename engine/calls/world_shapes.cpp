@@ -53,10 +53,23 @@ void makeRoomForShape(WorldState& world, Body& body) {
     makeRoomToWake(world);
 }
 
+/// Longer side of their box, metres.
+Real spanOf(std::span<const Vec2> points) {
+    Vec2 lower = points[0];
+    Vec2 upper = points[0];
+    for (const Vec2 point : points) {
+        lower = {std::min(lower.x, point.x), std::min(lower.y, point.y)};
+        upper = {std::max(upper.x, point.x), std::max(upper.y, point.y)};
+    }
+    return std::max(upper.x - lower.x, upper.y - lower.y);
+}
+
 /// Puts a shape into the world: slot, proxy, list of the body.
-Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape) {
+/// @param leastExtent  of a segment of a chain without radius, which is as large as its chain: how finely a curve is cut
+/// up says nothing of how far a body may sink into it
+Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape, Real leastExtent = 0) {
     shape.body = body;
-    shape.extent = extentOf(shape.polygon);
+    shape.extent = std::max(leastExtent, extentOf(shape.polygon));
     shape.size = radiusAbout(shape.polygon, {});
     shape.isBatched = shape.isChainSegment ? collidesInBatches(shape.segment) : collidesInBatches(shape.polygon);
     if (shape.isBatched && shape.isChainSegment) { shape.closedEnds = closedEndsOf(shape.segment); }
@@ -200,6 +213,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
     if (!surface.ok()) { return surface; }
     ShapeId head;
     std::uint32_t previous = kNoIndex;
+    const Real extent = radius > 0 ? Real(0) : spanOf(points);
     AddedShapes added(world, body.index);
     for (int i = 0; i < chainSegmentCount(static_cast<int>(points.size()), loop); ++i) {
         Shape shape;
@@ -207,7 +221,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
         shape.polygon = polygonOf(shape.segment);
         shape.isChainSegment = true;
         shape.def = def;
-        const Result<ShapeId> id = insert(world, body.index, std::move(shape));
+        const Result<ShapeId> id = insert(world, body.index, std::move(shape), extent);
         if (!id.ok()) { return id.status(); }
         if (previous == kNoIndex) {
             head = id.value();

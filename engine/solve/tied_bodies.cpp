@@ -11,6 +11,7 @@
 #include "../../solver/wide/wide_motion.h"
 #include "../crew/beside.h"
 #include "../state/tolerances.h"
+#include "curved_ground.h"
 #include "energy_guard.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -136,9 +137,10 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
     for (std::size_t i = begin; i < end; ++i) {
         fetchToTakeBack(world, std::span(desk.bodies).subspan(i, rangeEnd - i));
         const std::uint32_t slot = desk.bodies[i];
-        const BodyState& state = desk.batch.states[i + 1];
+        BodyState& state = desk.batch.states[i + 1];
         world.solverSlots[slot] = kFixedSlot;
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+        if (Body& body = world.bodies[slot]; mayRide(body)) { followCurve(world, slot, body, state, time); }
         if (isWatched) { noteEnergy(desk.energyEntries[i], world, slot, state, time); }
         any = readBody(world, slot, state) || any;
         places[count] = i;

@@ -57,6 +57,7 @@ struct Body {
     bool startled = false;        ///< this step: a kinematic body may move over it
     bool fast = false;            ///< this step: startled, or some point may move far (`kFastRatio` and its like)
     bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
+    bool rode = false;            ///< the last solve: ground bore it (curved_ground.h)
     BodyRole role = BodyRole::idle;
     std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (effort.h)
     std::uint16_t soughtSteps = 0;  ///< in which it was still, and its island not in balance (balance.h)

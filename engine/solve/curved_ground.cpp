@@ -1,0 +1,83 @@
+#include "curved_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "energy_gain.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Radians in a solve beyond which ground is no curve any more, but a corner.
+constexpr double kMostTurn = 1.0 / 4;
+/// Ground bears what rides on it: with this part of its weight at least.
+constexpr double kLeastBorne = 1.0 / 4;
+/// What turns by less of a speed than this part of what it would fall by in the time goes straight on.
+constexpr double kLeastTurned = 1.0 / 1024;
+/// This part of the way into the curve is bent back at once; the rest is left to contacts, so that what comes to where
+/// the ground is straight again hardly leaves it.
+constexpr double kBent = 1.0 / 2;
+
+/// Of one body and one solve, per kilogram.
+struct Ride {
+    DVec2 before{};  ///< velocity, m/s
+    DVec2 after{};
+    DVec2 pull{};  ///< m/s²
+    double time = 0;
+
+    bool isBorne() const {
+        const double borne = squared(after - before - time * pull);
+        return borne > squared(kLeastBorne * time) * squared(pull) && borne > kGainRounding * squared(after);
+    }
+    /// Radians that it turned; 0: hardly any, too many for a curve, or it is as good as at rest.
+    double turn() const {
+        const double square = dot(before, after);
+        const double turned = cross(before, after);
+        const double least = squared(kLeastTurned * time) * squared(pull) + kGainRounding * squared(after);
+        const bool isCurve = std::fabs(turned) < kMostTurn * square && squared(turned) > least * square;
+        return isCurve ? turned / square : 0;
+    }
+    /// How far it has gone into the curve, as a vector out of it, metres.
+    DVec2 wayOut(double turn) const { return (0.5 * time * turn) * DVec2{-after.y, after.x}; }
+};
+
+/// Of solid shapes, all of them: a circle about the centre of mass.
+bool isRound(const Body& body) { return body.extent >= (2 - 8 * kEpsilon) * body.radius; }
+
+/// What has corners turns as its way does; else it lands, or tips over one of them.
+bool goesAlong(const BodyState& state, double turn) {
+    return std::fabs(static_cast<double>(state.deltaAngle) - turn) < 0.5 * std::fabs(turn);
+}
+
+}  // namespace
+
+void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodyState& state, Real time) {
+    const BodyMotion& motion = world.motions[slot];
+    const Ride ride{.before = toDouble(motion.velocity),
+              .after = toDouble(state.velocity),
+              .pull = toDouble(accelerationOf(world, body)),
+              .time = static_cast<double>(time)};
+    const bool rode = body.rode;
+    body.rode = ride.isBorne();
+    if (!rode || !body.rode) { return; }
+    const double turn = ride.turn();
+    if (turn == 0) { return; }
+    const bool round = isRound(body);
+    if (!round && !goesAlong(state, turn)) { return; }
+    const DVec2 out = ride.wayOut(turn);
+    if (round) { state.deltaPosition += toReal(kBent * out); }
+    const double turning = 0.5 * inertiaOf(body) * static_cast<double>(body.inverseMass);
+    const double spins = squared(static_cast<double>(state.angularVelocity)) -
+                         squared(static_cast<double>(motion.angularVelocity));
+    const double excess = 0.5 * (squared(ride.after) - squared(ride.before)) + turning * spins -
+                          dot(ride.pull, toDouble(state.deltaPosition)) -
+                          static_cast<double>(body.torque * body.inverseMass * state.deltaAngle);
+    const double lift = -dot(ride.pull, out);
+    const double lost = 0.5 * squared(turn) * squared(ride.before);
+    const double wanted = round ? lost - lift : std::min(lost - lift, 0.0);
+    const double change = std::max(std::min(wanted, -excess), std::min(-lift, 0.0));
+    const double share = 1 + 2 * change / squared(ride.after);
+    state.velocity = toReal(std::sqrt(std::max(share, 0.0)) * ride.after);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
