@@ -65,8 +65,8 @@ Real spanOf(std::span<const Vec2> points) {
 }
 
 /// Puts a shape into the world: slot, proxy, list of the body.
-/// @param leastExtent  of a segment of a chain without radius, which is as large as its chain: how finely a curve is cut
-/// up says nothing of how far a body may sink into it
+/// @param leastExtent  of a segment of a chain without radius, which is as large as its chain: how finely a curve is
+/// cut up says nothing of how far a body may sink into it
 Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape, Real leastExtent = 0) {
     shape.body = body;
     shape.extent = std::max(leastExtent, extentOf(shape.polygon));

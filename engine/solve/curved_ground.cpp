@@ -54,9 +54,9 @@ bool goesAlong(const BodyState& state, double turn) {
 void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodyState& state, Real time) {
     const BodyMotion& motion = world.motions[slot];
     const Ride ride{.before = toDouble(motion.velocity),
-              .after = toDouble(state.velocity),
-              .pull = toDouble(accelerationOf(world, body)),
-              .time = static_cast<double>(time)};
+                    .after = toDouble(state.velocity),
+                    .pull = toDouble(accelerationOf(world, body)),
+                    .time = static_cast<double>(time)};
     const bool rode = body.rode;
     body.rode = ride.isBorne();
     if (!rode || !body.rode) { return; }
@@ -67,8 +67,8 @@ void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodySt
     const DVec2 out = ride.wayOut(turn);
     if (round) { state.deltaPosition += toReal(kBent * out); }
     const double turning = 0.5 * inertiaOf(body) * static_cast<double>(body.inverseMass);
-    const double spins = squared(static_cast<double>(state.angularVelocity)) -
-                         squared(static_cast<double>(motion.angularVelocity));
+    const double spins =
+        squared(static_cast<double>(state.angularVelocity)) - squared(static_cast<double>(motion.angularVelocity));
     const double excess = 0.5 * (squared(ride.after) - squared(ride.before)) + turning * spins -
                           dot(ride.pull, toDouble(state.deltaPosition)) -
                           static_cast<double>(body.torque * body.inverseMass * state.deltaAngle);

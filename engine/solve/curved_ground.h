@@ -6,9 +6,9 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Contacts keep their normals for a whole solve, so what rides on curved ground goes straight on in it, along the
 /// ground as that was at the start: v²t²/2ρ into the curve. Then it is pushed out, without speed, which lifts it at no
-/// cost; and where it is going by then, across the new normal, is lost. To a ball in a shallow bowl the lift is more: it
-/// climbed from turn to turn, until it left the bowl. In a steep one the loss is. So what rides by itself pays for that
-/// lift, and if it is round gets back what turning took from it. Neither ever makes energy.
+/// cost; and where it is going by then, across the new normal, is lost. To a ball in a shallow bowl the lift is more:
+/// it climbed from turn to turn, until it left the bowl. In a steep one the loss is. So what rides by itself pays for
+/// that lift, and if it is round gets back what turning took from it. Neither ever makes energy.
 ///
 /// Of a body that nothing dynamic touches and no joint holds, after a solve: changes its speed, not where it is going.
 /// @param state  what the solve made of it; its motion in the world is still that of before

@@ -84,12 +84,10 @@ void expectNoGain(const std::string& name, const Swings& swings, double least) {
 }
 
 TEST(CurvedGround, NeverLiftsABall) {
-    const BowlCase cases[] = {{{.steepness = 0.15, .segments = 800}, 60, 0.9},
-                              {{.steepness = 0.15, .segments = 800}, 240, 0.97},
-                              {{.steepness = 0.5, .segments = 800}, 60, 0.7},
-                              {{.steepness = 1, .segments = 800}, 60, 0.6},
-                              {{.steepness = 0.15, .segments = 100}, 60, 0.85},
-                              {{.steepness = 0.5, .segments = 8000}, 60, 0.7}};
+    const BowlCase cases[] = {
+        {{.steepness = 0.15, .segments = 800}, 60, 0.9},  {{.steepness = 0.15, .segments = 800}, 240, 0.97},
+        {{.steepness = 0.5, .segments = 800}, 60, 0.7},   {{.steepness = 1, .segments = 800}, 60, 0.6},
+        {{.steepness = 0.15, .segments = 100}, 60, 0.85}, {{.steepness = 0.5, .segments = 8000}, 60, 0.7}};
     for (const Profile profile : kProfiles) {
         for (const BowlCase& c : cases) {
             for (const double friction : {0.0, 0.6}) {
