@@ -17,6 +17,7 @@ namespace {
 void forgetSteps(Body& body) {
     body.hasContact = false;
     body.touchesDynamic = false;
+    body.rode = false;
     body.fast = false;
     body.effort = {};
     body.searchDebt = 0;
