@@ -140,7 +140,11 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
         BodyState& state = desk.batch.states[i + 1];
         world.solverSlots[slot] = kFixedSlot;
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        if (Body& body = world.bodies[slot]; mayRide(body)) { followCurve(world, slot, body, state, time); }
+        if (Body& body = world.bodies[slot]; mayRide(body)) {
+            followCurve(world, slot, body, state, time);
+        } else {
+            body.rode = false;
+        }
         if (isWatched) { noteEnergy(desk.energyEntries[i], world, slot, state, time); }
         any = readBody(world, slot, state) || any;
         places[count] = i;
