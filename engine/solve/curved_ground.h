@@ -17,7 +17,8 @@ void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodySt
 
 /// Whether a body may ride by itself.
 inline bool mayRide(const Body& body) {
-    return body.hasContact && !body.touchesDynamic && body.holdingJoints == 0 && body.inverseMass > 0;
+    if (!body.hasContact || body.touchesDynamic) { return false; }
+    return body.holdingJoints == 0 && body.inverseMass > 0;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -66,7 +66,7 @@ std::vector<Stage> stages() {
 const std::regex kFindsOut(
     "roleOf|isFlyer|assignRoles|noteContact|resetBody|begin|finish|colourContacts|assignEfforts|addContactsAndJoints|"
     "isTree|isCrowd|loadOf|addBody|effortFor|solveTiedBodies|listCandidates");
-const std::regex kCalls("void |counters|solveGroup\\(|solver\\.solve\\(|clearAllButJoints|kJoints[>,]");
+const std::regex kCalls("void |counters|countSolve\\(|solveGroup\\(|solver\\.solve\\(|clearAllButJoints|kJoints[>,]");
 
 struct SourceLine {
     std::string text;
