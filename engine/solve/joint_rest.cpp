@@ -43,6 +43,15 @@ bool isSmall(const WorldState& world, const Joint& joint) {
     return length(joint.restLoad.force) <= least && std::fabs(joint.restLoad.torque) <= least * extent;
 }
 
+/// A small one is none.
+void giveRestLoad(WorldState& world, std::uint32_t slot, const JointLoad& load) {
+    Joint& joint = world.joints[slot];
+    joint.restLoad = load;
+    if (isSmall(world, joint)) { joint.restLoad = {}; }
+    world.jointTies[slot].hasRestLoad = joint.restLoad.any();
+    world.anyRestLoads = world.anyRestLoads || joint.restLoad.any();
+}
+
 /// Of the last step. @pre the joint was solved rigidly
 JointLoad reactionOf(const WorldState& world, const Joint& joint) {
     switch (joint.type()) {
@@ -132,13 +141,10 @@ bool isOnTheMove(const WorldState& world, std::uint32_t slot) {
 void addRestLoads(WorldState& world, SolverBatch& batch, Real h) {
     const auto add = [&world, h](const auto& constraints) {
         for (const auto& constraint : constraints) {
-            Joint& joint = world.joints[constraint.source];
+            const Joint& joint = world.joints[constraint.source];
             const JointLoad more = moreThan(joint, constraint, 1 / h);
-            joint.restLoad.force += more.force;
-            joint.restLoad.torque += more.torque;
-            if (isSmall(world, joint)) { joint.restLoad = {}; }
-            world.jointTies[constraint.source].hasRestLoad = joint.restLoad.any();
-            world.anyRestLoads = world.anyRestLoads || joint.restLoad.any();
+            giveRestLoad(world, constraint.source,
+                         {joint.restLoad.force + more.force, joint.restLoad.torque + more.torque});
         }
     };
     add(batch.revolutes);
@@ -150,12 +156,8 @@ void bearReactions(WorldState& world, std::span<const std::uint32_t> chains) {
     if (chains.empty()) { return; }
     const std::vector<std::uint32_t> balanced = balancedOf(world, chains);
     for (const std::uint32_t slot : world.activeJoints) {
-        Joint& joint = world.joints[slot];
-        if (!isAmong(balanced, chainOf(world, joint))) { continue; }
-        joint.restLoad = reactionOf(world, joint);
-        if (isSmall(world, joint)) { joint.restLoad = {}; }
-        world.jointTies[slot].hasRestLoad = joint.restLoad.any();
-        world.anyRestLoads = world.anyRestLoads || joint.restLoad.any();
+        const Joint& joint = world.joints[slot];
+        if (isAmong(balanced, chainOf(world, joint))) { giveRestLoad(world, slot, reactionOf(world, joint)); }
     }
 }
 
