@@ -218,12 +218,12 @@ void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings,
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.noteMotions(batch);
     warmStart<kJoints>(batch, true);
-    direct_.solve<kJoints>(batch, h, true, report.direct);
+    direct_.solve(batch, h, true, report.direct);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = settings.relaxPasses == 0});
     if constexpr (kJoints) { direct_.holdAgain(batch, report.direct); }
     integratePositions(batch, h);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
-    direct_.solve<kJoints>(batch, h, false, report.direct);
+    direct_.solve(batch, h, false, report.direct);
     for (int pass = 0; pass < settings.relaxPasses; ++pass) {
         solveColours<kJoints>(batch, {.h = h, .isLast = pass + 1 == settings.relaxPasses});
     }
@@ -236,15 +236,15 @@ void Solver::subStepOfContacts(SolverBatch& batch, const SolverSettings& setting
                                SolveReport& report) {
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.beginFirstHalf();
-    if (!direct_.solve<kJoints>(batch, h, true, report.direct)) {
+    if (!direct_.solve(batch, h, true, report.direct)) {
         warmStart<kJoints>(batch, true);
         solveColours<kJoints>(batch, {.h = h, .useBias = true});
     }
     integratePositions(batch, h);
-    direct_.project<kJoints>(batch, h, isLast, report.direct);
+    direct_.project(batch, h, isLast, report.direct);
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
     direct_.beginSecondHalf();
-    if (!direct_.solve<kJoints>(batch, h, false, report.direct)) {
+    if (!direct_.solve(batch, h, false, report.direct)) {
         warmStart<kJoints>(batch, true);
         for (int pass = 0; pass < settings.relaxPasses; ++pass) { solveColours<kJoints>(batch, {.h = h}); }
     }

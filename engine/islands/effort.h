@@ -4,7 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "../../solver/direct/direct_solver.h"
+#include "../../solver/direct/direct_scope.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -1,10 +1,9 @@
+#include "direct_drives.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
-
-#include "direct_parts.h"
-#include "direct_solver.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -18,22 +17,6 @@ constexpr int kRoundsToHold = 1;
 /// three.)
 constexpr int kRoundsOfPoint = 8;
 constexpr double kSmallTurn = 1.0 / 4096;
-
-/// Whether joints have anything that is left to iteration, but for motors.
-bool isAnyIterated(const SolverBatch& batch) {
-    if (!batch.mice.empty() || !batch.gears.empty() || !batch.pulleys.empty()) { return true; }
-    const auto isLeft = [](const MotorConstraint& joint) { return !joint.isDriveHeld; };
-    if (std::any_of(batch.motors.begin(), batch.motors.end(), isLeft)) { return true; }
-    const auto isIterated = [](const FreedomParts& parts) { return parts.hasSpring || parts.hasLimits; };
-    return std::any_of(batch.revolutes.begin(), batch.revolutes.end(), isIterated) ||
-           std::any_of(batch.prismatics.begin(), batch.prismatics.end(), isIterated) ||
-           std::any_of(batch.wheels.begin(), batch.wheels.end(),
-                       [&](const WheelConstraint& joint) { return isIterated(joint.suspension); }) ||
-           std::any_of(batch.distances.begin(), batch.distances.end(),
-                       [](const DistanceConstraint& joint) { return !joint.isRigid; }) ||
-           std::any_of(batch.welds.begin(), batch.welds.end(),
-                       [](const WeldConstraint& joint) { return joint.hasLinearSpring || joint.hasAngularSpring; });
-}
 
 using Push2 = std::array<double, 2>;
 
@@ -49,29 +32,33 @@ Push2 across(const Push2& unit) { return {-unit[1], unit[0]}; }
 
 }  // namespace
 
-/// Bodies that motor joints tie to others are part of the solve. Where one joint has its bodies for itself, iteration
-/// has nothing to bring together (a thousand cars seen from above, each rubbing on the ground).
-void DirectSolver::tieMotors(const SolverBatch& batch, std::uint32_t tied) {
-    const std::uint32_t once = tied + 1;
+void DirectDrives::tieBodies(const SolverBatch& batch, std::span<BodyTie> ties) {
     for (const MotorConstraint& joint : batch.motors) {
         for (const BodySlot slot : bodySlots(joint)) {
-            if (isMovable(batch.inertias[slot])) { nodeOf_[slot] = nodeOf_[slot] == kNoNode ? once : tied; }
+            if (!isMovable(batch.inertias[slot])) { continue; }
+            ties[slot] = ties[slot] == BodyTie::none ? BodyTie::once : BodyTie::tied;
         }
     }
     for (const MotorConstraint& joint : batch.motors) {
-        const auto isTied = [&](BodySlot slot) { return isMovable(batch.inertias[slot]) && nodeOf_[slot] == tied; };
-        if (isTied(joint.slotA) || isTied(joint.slotB)) { nodeOf_[joint.slotA] = nodeOf_[joint.slotB] = tied; }
+        const auto isTied = [&](BodySlot slot) {
+            return isMovable(batch.inertias[slot]) && ties[slot] == BodyTie::tied;
+        };
+        if (isTied(joint.slotA) || isTied(joint.slotB)) { ties[joint.slotA] = ties[joint.slotB] = BodyTie::tied; }
     }
 }
 
-void DirectSolver::markDrives(SolverBatch& batch) const {
-    const bool areHeld = holdsDrives(scope_);
+void DirectDrives::mark(SolverBatch& batch, const DirectSystem& system, bool areHeld) {
     batch.forEachJointKind([&](auto& joints) {
         for (auto& joint : joints) {
-            const bool isTied = nodeOf_[joint.slotA] != kNoNode || nodeOf_[joint.slotB] != kNoNode;
+            const bool isTied = system.nodeOf(joint.slotA) != kNoNode || system.nodeOf(joint.slotB) != kNoNode;
             joint.isDriveHeld = areHeld && isTied;
         }
     });
+}
+
+void DirectDrives::begin() {
+    drives_.clear();
+    for (std::vector<Memory>& drives : remembered_) { drives.clear(); }
 }
 
 /// A sub-step solves for its drives twice, each time for half of them. A motor is expected to give half of what the
@@ -82,25 +69,24 @@ void DirectSolver::markDrives(SolverBatch& batch) const {
 /// A motor joint may drive what other joints hold anyway, and must not be made to work against them: it is expected to
 /// give in the end what it gave before. (With twice what the first half found, a point drive beside a hinge grew by an
 /// eighth in each sub-step, and what it drove crept by 2 mm/s.)
-void DirectSolver::gatherDrives(SolverBatch& batch, Real h, bool useBias) {
+void DirectDrives::gather(SolverBatch& batch, DirectSystem& system, Real h, bool useBias) {
     drives_.clear();
     isFirstHalf_ = useBias;
-    if (!holdsDrives(scope_)) { return; }
-    motorRows_.clear();
-    addMotorRows(batch, h, useBias, motorRows_);
+    rows_.clear();
+    addMotorRows(batch, h, useBias, rows_);
     bool continues = false;
-    for (const MotorRow& motor : motorRows_) {
-        DriveRow row{.row = rowOf(batch, motor.held), .held = motor.held};
+    for (const MotorRow& motor : rows_) {
+        DriveRow row{.row = system.rowOf(batch.inertias, motor.held), .held = motor.held};
         if (!(row.row.strength > 0)) {
             continues = false;
             continue;
         }
         row.before = static_cast<double>(*row.held.impulse);
-        row.row.excess = excessOf(batch, motor.held);
+        row.row.excess = DirectSystem::excessOf(batch.states, motor.held);
         if (continues) {
             // Of one strength, or a push at its limit would pull to a side.
             Drive& drive = drives_.back();
-            Row& first = drive.rows[0].row;
+            SystemRow& first = drive.rows[0].row;
             first.strength = row.row.strength = std::min(first.strength, row.row.strength);
             drive.rows[drive.count++] = row;
         } else {
@@ -111,20 +97,20 @@ void DirectSolver::gatherDrives(SolverBatch& batch, Real h, bool useBias) {
         }
         continues = motor.hasOther;
     }
-    expectDrives();
+    expect();
 }
 
-void DirectSolver::expectDrives() {
-    const std::vector<DriveMemory>& remembered = remembered_[isFirstHalf_ ? 0 : 1];
+void DirectDrives::expect() {
+    const std::vector<Memory>& remembered = remembered_[isFirstHalf_ ? 0 : 1];
     if (isFirstHalf_) { ended_.clear(); }
     for (std::size_t i = 0; i < drives_.size(); ++i) {
         Drive& drive = drives_[i];
-        const DrivePush before{drive.rows[0].before, drive.count > 1 ? drive.rows[1].before : 0};
+        const Push before{drive.rows[0].before, drive.count > 1 ? drive.rows[1].before : 0};
         if (isFirstHalf_) { ended_.push_back(before); }
         const bool isPatient = !isFirstHalf_ && drive.isPatient;
-        const DrivePush expected = isPatient ? ended_[i] : times(isFirstHalf_ ? 0.5 : 2.0, before);
+        const Push expected = isPatient ? ended_[i] : times(isFirstHalf_ ? 0.5 : 2.0, before);
         const bool isWithin = sizeOf(expected) < drive.most;
-        const DrivePush guess = isWithin ? expected : times(drive.most, unitOf(expected));
+        const Push guess = isWithin ? expected : times(drive.most, unitOf(expected));
         for (std::size_t k = 0; k < drive.count; ++k) { drive.rows[k].row.guess = guess[k]; }
         drive.hold = isWithin ? Hold::held : Hold::forced;
         drive.along = unitOf(expected);
@@ -135,68 +121,70 @@ void DirectSolver::expectDrives() {
     }
 }
 
-/// Speeds that are too much, at `change_`.
-DirectSolver::DrivePush DirectSolver::excessesOf(const Drive& drive) const {
-    return {changedExcess(drive.rows[0].row), drive.count > 1 ? changedExcess(drive.rows[1].row) : 0};
+/// Speeds that are too much, after the change.
+DirectDrives::Push DirectDrives::excessesOf(const DirectSystem& system, const Drive& drive) {
+    return {system.changedExcess(drive.rows[0].row), drive.count > 1 ? system.changedExcess(drive.rows[1].row) : 0};
 }
 
 /// What its dampers say.
-DirectSolver::DrivePush DirectSolver::pullAt(const Drive& drive, const DrivePush& excess) const {
-    DrivePush pull{};
+DirectDrives::Push DirectDrives::pullAt(const DirectSystem& system, const Drive& drive, const Push& excess) {
+    Push pull{};
     for (std::size_t i = 0; i < drive.count; ++i) {
-        const Row& row = drive.rows[i].row;
-        pull[i] = row.guess - strength_ * row.strength * excess[i];
+        const SystemRow& row = drive.rows[i].row;
+        pull[i] = system.pullOf(row, excess[i]);
     }
     return pull;
 }
 
 /// What it gives: all of that, or where that is cut off, how it would turn.
-DirectSolver::DrivePush DirectSolver::impulseAt(const Drive& drive, const DrivePush& excess) const {
-    if (drive.hold == Hold::held) { return pullAt(drive, excess); }
-    const DrivePush most = times(drive.most, drive.along);
+DirectDrives::Push DirectDrives::impulseAt(const DirectSystem& system, const Drive& drive, const Push& excess) {
+    if (drive.hold == Hold::held) { return pullAt(system, drive, excess); }
+    const Push most = times(drive.most, drive.along);
     if (drive.count < 2) { return most; }
-    const DrivePush aside = across(drive.along);
-    const double turn = drive.share * dotOf(aside, pullAt(drive, excess));
+    const Push aside = across(drive.along);
+    const double turn = drive.share * dotOf(aside, pullAt(system, drive, excess));
     return {most[0] + turn * aside[0], most[1] + turn * aside[1]};
 }
 
-void DirectSolver::assembleDrives() {
+void DirectDrives::addTo(DirectSystem& system) const {
     for (const Drive& drive : drives_) {
         if (drive.hold == Hold::held) {
-            for (const DriveRow& row : drive.all()) { addToMatrix(row.row); }
+            for (const DriveRow& row : drive.all()) { system.add(row.row); }
         } else if (drive.count > 1) {
-            const DrivePush aside = across(drive.along);
-            Row row = drive.rows[0].row;
-            const Row& other = drive.rows[1].row;
+            const Push aside = across(drive.along);
+            SystemRow row = drive.rows[0].row;
+            const SystemRow& other = drive.rows[1].row;
             for (std::size_t k = 0; k < 3; ++k) {
                 row.ofA[k] = aside[0] * row.ofA[k] + aside[1] * other.ofA[k];
                 row.ofB[k] = aside[0] * row.ofB[k] + aside[1] * other.ofB[k];
             }
-            addToMatrix(row, drive.share);
+            system.add(row, drive.share);
         }
     }
 }
 
 /// Beyond what is applied.
-void DirectSolver::pushDrives() {
+void DirectDrives::push(DirectSystem& system) const {
     for (const Drive& drive : drives_) {
-        const DrivePush excess{drive.rows[0].row.excess, drive.count > 1 ? drive.rows[1].row.excess : 0};
-        const DrivePush impulse = impulseAt(drive, excess);
-        for (std::size_t i = 0; i < drive.count; ++i) { push(drive.rows[i].row, impulse[i] - drive.rows[i].before); }
+        const Push excess{drive.rows[0].row.excess, drive.count > 1 ? drive.rows[1].row.excess : 0};
+        const Push impulse = impulseAt(system, drive, excess);
+        for (std::size_t i = 0; i < drive.count; ++i) {
+            system.push(drive.rows[i].row, impulse[i] - drive.rows[i].before);
+        }
     }
 }
 
-void DirectSolver::writeDrives() {
+void DirectDrives::write(const DirectSystem& system) {
     for (const Drive& drive : drives_) {
-        const DrivePush impulse = impulseAt(drive, excessesOf(drive));
+        const Push impulse = impulseAt(system, drive, excessesOf(system, drive));
         for (std::size_t i = 0; i < drive.count; ++i) { *drive.rows[i].held.impulse = static_cast<Real>(impulse[i]); }
     }
 }
 
 /// @return whether it is held otherwise than before, or pushes another way
-bool DirectSolver::classifyDrive(Drive& drive, int round) const {
-    const DrivePush excess = excessesOf(drive);
-    const DrivePush pull = pullAt(drive, excess);
+bool DirectDrives::classify(const DirectSystem& system, Drive& drive, int round) {
+    const Push excess = excessesOf(system, drive);
+    const Push pull = pullAt(system, drive, excess);
     const double size = sizeOf(pull);
     const bool isWithin = size < drive.most;
     if (drive.hold == Hold::held) {
@@ -216,63 +204,83 @@ bool DirectSolver::classifyDrive(Drive& drive, int round) const {
         drive.hold = Hold::held;
         return true;
     }
-    const DrivePush given = impulseAt(drive, excess);
-    const DrivePush along = unitOf(pull);
-    const DrivePush off{given[0] - drive.most * along[0], given[1] - drive.most * along[1]};
+    const Push given = impulseAt(system, drive, excess);
+    const Push along = unitOf(pull);
+    const Push off{given[0] - drive.most * along[0], given[1] - drive.most * along[1]};
     if (sizeOf(off) <= kSmallTurn * drive.most) { return false; }
     drive.along = along;
     drive.share = drive.most / size;
     return true;
 }
 
-bool DirectSolver::classifyDrives(int round) {
+bool DirectDrives::classifyAll(const DirectSystem& system, int round) {
     bool changed = false;
-    for (Drive& drive : drives_) { changed = classifyDrive(drive, round) || changed; }
+    for (Drive& drive : drives_) { changed = classify(system, drive, round) || changed; }
     return changed;
 }
 
-/// From the first solution on, until motors stay within their limits.
-void DirectSolver::searchDrives(DirectReport& report) {
+void DirectDrives::assemble(DirectSystem& system, const DirectJoints& joints, DirectReport& report) const {
+    system.beginMatrix();
+    joints.addTo(system);
+    addTo(system);
+    system.factorise();
+    ++report.factorisations;
+}
+
+void DirectDrives::computeChange(DirectSystem& system, const DirectJoints& joints) const {
+    system.beginChange();
+    joints.push(system);
+    push(system);
+    system.solve();
+}
+
+void DirectDrives::search(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
     if (drives_.empty()) { return; }
-    for (int round = 0; classifyDrives(round); ++round) {
-        assemble<true>(report);
-        computeChange<true>();
+    for (int round = 0; classifyAll(system, round); ++round) {
+        assemble(system, joints, report);
+        computeChange(system, joints);
     }
-    std::vector<DriveMemory>& remembered = remembered_[isFirstHalf_ ? 0 : 1];
+    std::vector<Memory>& remembered = remembered_[isFirstHalf_ ? 0 : 1];
     remembered.clear();
     for (const Drive& drive : drives_) { remembered.push_back({drive.hold, drive.along, drive.share}); }
 }
 
-/// What there is now is right: of it only changes are found.
-void DirectSolver::takeUpDrives(const SolverBatch& batch) {
+void DirectDrives::searchAgain(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+    computeChange(system, joints);
+    for (int round = kRoundsToHold; classifyAll(system, round); ++round) {
+        assemble(system, joints, report);
+        computeChange(system, joints);
+    }
+}
+
+void DirectDrives::takeUp(std::span<const BodyState> states) {
     for (Drive& drive : drives_) {
         for (DriveRow& row : drive.all()) {
             row.before = row.row.guess = static_cast<double>(*row.held.impulse);
-            row.row.excess = excessOf(batch, row.held);
+            row.row.excess = DirectSystem::excessOf(states, row.held);
         }
         drive.given = {drive.rows[0].before, drive.count > 1 ? drive.rows[1].before : 0};
     }
 }
 
-/// Likewise, after `takeUpDrives`: what the change of speeds asks for.
-DirectSolver::DrivePush DirectSolver::laterImpulseOf(const Drive& drive) const {
-    DrivePush excess = excessesOf(drive);
+/// What the change of speeds asks for, after `takeUp`.
+DirectDrives::Push DirectDrives::laterImpulseOf(const DirectSystem& system, const Drive& drive) {
+    Push excess = excessesOf(system, drive);
     for (std::size_t i = 0; i < drive.count; ++i) { excess[i] -= drive.rows[i].row.excess; }
-    const DrivePush pull = pullAt(drive, excess);
+    const Push pull = pullAt(system, drive, excess);
     if (drive.hold == Hold::held) { return pull; }
     if (drive.count < 2) { return drive.given; }
-    const DrivePush aside = across(drive.along);
-    const DrivePush change{pull[0] - drive.rows[0].before, pull[1] - drive.rows[1].before};
+    const Push aside = across(drive.along);
+    const Push change{pull[0] - drive.rows[0].before, pull[1] - drive.rows[1].before};
     const double turn = drive.share * dotOf(aside, change);
     return {drive.given[0] + turn * aside[0], drive.given[1] + turn * aside[1]};
 }
 
-/// Of scope `jointed`. @return whether contacts ask for more than some motor has
-bool DirectSolver::letGoDrives() {
+bool DirectDrives::letGo(const DirectSystem& system) {
     bool changed = false;
     for (Drive& drive : drives_) {
         if (drive.hold != Hold::held) { continue; }
-        const DrivePush pull = laterImpulseOf(drive);
+        const Push pull = laterImpulseOf(system, drive);
         if (!(sizeOf(pull) > drive.most)) { continue; }
         drive.hold = Hold::forced;
         drive.along = unitOf(pull);
@@ -283,37 +291,25 @@ bool DirectSolver::letGoDrives() {
     return changed;
 }
 
-/// What motors change that push as hard as they may.
-void DirectSolver::pushForced() {
+void DirectDrives::pushForced(DirectSystem& system) const {
     bool isPushed = false;
     for (const Drive& drive : drives_) {
         if (drive.hold != Hold::forced) { continue; }
         for (std::size_t i = 0; i < drive.count; ++i) {
             const double change = drive.given[i] - drive.rows[i].before;
             if (change == 0) { continue; }
-            push(drive.rows[i].row, change);
+            system.push(drive.rows[i].row, change);
             isPushed = true;
         }
     }
-    if (isPushed) { matrix_.solve(change_); }
+    if (isPushed) { system.solve(); }
 }
 
-void DirectSolver::holdAgain(SolverBatch& batch, DirectReport& report) {
-    // Where there are contacts, they have the last word.
-    if (drives_.empty() || !batch.contacts.empty() || !isAnyIterated(batch)) { return; }
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-        joints_[i].row.excess = excessOf(batch, jointRows_[i]);
-        joints_[i].forgotten = 0;
+void DirectDrives::writeLater(const DirectSystem& system) {
+    for (const Drive& drive : drives_) {
+        const Push impulse = laterImpulseOf(system, drive);
+        for (std::size_t i = 0; i < drive.count; ++i) { *drive.rows[i].held.impulse = static_cast<Real>(impulse[i]); }
     }
-    takeUpDrives(batch);
-    computeChange<true>();
-    for (int round = kRoundsToHold; classifyDrives(round); ++round) {
-        assemble<true>(report);
-        computeChange<true>();
-    }
-    applyToImpulses<true>();
-    dropNoise();
-    applyToBodies(batch);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -12,11 +12,6 @@ namespace swept::inline SWEPT_PRECISION {
 
 inline constexpr std::uint32_t kNoNode = ~std::uint32_t{0};
 
-/// What of a contact point is in the matrix, as one number.
-constexpr std::uint8_t holdsOf(bool presses, bool sticks) {
-    return static_cast<std::uint8_t>((presses ? 1 : 0) + (sticks ? 2 : 0));
-}
-
 inline double dot3(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 inline void addScaled(Block3& to, double factor, const Block3& a) {

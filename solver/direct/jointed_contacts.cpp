@@ -1,3 +1,5 @@
+#include "jointed_contacts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +8,6 @@
 
 #include "../contacts/contact_demand.h"
 #include "direct_parts.h"
-#include "direct_solver.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -37,13 +38,13 @@ double inverseOf(double answer) {
 }  // namespace
 
 /// Nodes that the matrix couples, side by side; and piles, that contacts tie together as well.
-void DirectSolver::listTies(const SolverBatch& batch) {
-    const auto count = static_cast<std::uint32_t>(nodes_.size());
+void JointedContacts::listTies(const SolverBatch& batch, DirectSystem& system) {
+    const auto count = static_cast<std::uint32_t>(system.nodes().size());
     ties_.assign(count, {});
     for (std::uint32_t i = 0; i < count; ++i) {
-        Tie& tie = ties_[islands_.find(i)];
+        Tie& tie = ties_[system.islandOf(i)];
         ++tie.nodes;
-        tie.mass += nodes_[i].mass;
+        tie.mass += system.nodes()[i].mass;
     }
     std::uint32_t first = 0;
     for (Tie& tie : ties_) {
@@ -52,34 +53,34 @@ void DirectSolver::listTies(const SolverBatch& batch) {
     }
     tieNodes_.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        Tie& tie = ties_[islands_.find(i)];
+        Tie& tie = ties_[system.islandOf(i)];
         tieNodes_[tie.first + tie.nodes++] = i;
     }
     piles_.reset(count);
-    for (std::uint32_t i = 0; i < count; ++i) { piles_.unite(i, islands_.find(i)); }
+    for (std::uint32_t i = 0; i < count; ++i) { piles_.unite(i, system.islandOf(i)); }
     for (const ContactConstraint& contact : batch.contacts) {
-        const std::uint32_t a = nodeOf_[contact.slotA];
-        const std::uint32_t b = nodeOf_[contact.slotB];
+        const std::uint32_t a = system.nodeOf(contact.slotA);
+        const std::uint32_t b = system.nodeOf(contact.slotB);
         if (a != kNoNode && b != kNoNode) { piles_.unite(a, b); }
     }
 }
 
-void DirectSolver::listJointed(SolverBatch& batch) {
-    listTies(batch);
-    jointed_.clear();
-    jointedRounds_ = 0;
+void JointedContacts::list(SolverBatch& batch, DirectSystem& system) {
+    listTies(batch, system);
+    points_.clear();
+    rounds_ = 0;
     std::size_t answers = 0;
     for (ContactConstraint& contact : batch.contacts) {
-        const std::uint32_t a = nodeOf_[contact.slotA];
-        const std::uint32_t b = nodeOf_[contact.slotB];
+        const std::uint32_t a = system.nodeOf(contact.slotA);
+        const std::uint32_t b = system.nodeOf(contact.slotB);
         if (a == kNoNode && b == kNoNode) { continue; }
         for (int i = 0; i < contact.count; ++i) {
-            JointedPoint point;
+            Point point;
             point.contact = &contact;
             point.point = &contact.points[static_cast<std::size_t>(i)];
             point.pile = piles_.find(a != kNoNode ? a : b);
-            point.tieA = a != kNoNode ? islands_.find(a) : kNoNode;
-            point.tieB = b != kNoNode && islands_.find(b) != point.tieA ? islands_.find(b) : kNoNode;
+            point.tieA = a != kNoNode ? system.islandOf(a) : kNoNode;
+            point.tieB = b != kNoNode && system.islandOf(b) != point.tieA ? system.islandOf(b) : kNoNode;
             point.answers = answers;
             for (const std::uint32_t tie : {point.tieA, point.tieB}) {
                 if (tie == kNoNode) { continue; }
@@ -90,45 +91,46 @@ void DirectSolver::listJointed(SolverBatch& batch) {
             for (const std::uint32_t tie : {point.tieA, point.tieB}) {
                 if (tie != kNoNode) { ties_[tie].rounds = point.round + 1; }
             }
-            jointedRounds_ = std::max(jointedRounds_, point.round + 1);
+            rounds_ = std::max(rounds_, point.round + 1);
             point.heldNormal = normalRowOf(contact, *point.point, 0);
             point.heldTangent = tangentRowOf(contact, *point.point);
-            point.normal = rowOf(batch, point.heldNormal);
-            point.tangent = rowOf(batch, point.heldTangent);
-            jointed_.push_back(point);
+            point.normal = system.rowOf(batch.inertias, point.heldNormal);
+            point.tangent = system.rowOf(batch.inertias, point.heldTangent);
+            points_.push_back(point);
             answers += 2 * point.nodes;
         }
     }
     answers_.resize(answers);
-    std::sort(jointed_.begin(), jointed_.end(), [](const JointedPoint& p, const JointedPoint& q) {
+    std::sort(points_.begin(), points_.end(), [](const Point& p, const Point& q) {
         return p.pile != q.pile ? p.pile < q.pile : p.answers < q.answers;  // of a pile in the order of its contacts
     });
 }
 
 /// Of each row while the joints hold. Ties do not answer to each other: a row of each is found at once.
-void DirectSolver::findAnswers() {
-    for (std::uint32_t round = 0; round < jointedRounds_; ++round) {
+void JointedContacts::findAnswers(DirectSystem& system) {
+    for (std::uint32_t round = 0; round < rounds_; ++round) {
         for (const bool isTangent : {false, true}) {
-            std::fill(change_.begin(), change_.end(), Block3{});
-            for (const JointedPoint& point : jointed_) {
-                if (point.round == round) { push(isTangent ? point.tangent : point.normal, 1); }
+            system.beginChange();
+            for (const Point& point : points_) {
+                if (point.round == round) { system.push(isTangent ? point.tangent : point.normal, 1); }
             }
-            matrix_.solve(change_);
-            for (JointedPoint& point : jointed_) {
-                if (point.round == round) { readAnswers(point, isTangent); }
+            system.solve();
+            for (Point& point : points_) {
+                if (point.round == round) { readAnswers(system, point, isTangent); }
             }
         }
     }
-    areAnswersCurrent_ = true;
+    answersOf_ = system.factorNumber();
 }
 
-void DirectSolver::readAnswers(JointedPoint& point, bool isTangent) {
+void JointedContacts::readAnswers(const DirectSystem& system, Point& point, bool isTangent) {
+    const std::span<const Block3> change = system.change();
     std::size_t place = point.answers + (isTangent ? point.nodes : 0);
-    forEachNode(point, [&](std::uint32_t node) { answers_[place++] = change_[node]; });
-    const Row& row = isTangent ? point.tangent : point.normal;
+    forEachNode(point, [&](std::uint32_t node) { answers_[place++] = change[node]; });
+    const SystemRow& row = isTangent ? point.tangent : point.normal;
     double answer = 0;
-    if (row.nodeA != kNoNode) { answer += dot3(row.ofA, change_[row.nodeA]); }
-    if (row.nodeB != kNoNode) { answer += dot3(row.ofB, change_[row.nodeB]); }
+    if (row.nodeA != kNoNode) { answer += dot3(row.ofA, change[row.nodeA]); }
+    if (row.nodeB != kNoNode) { answer += dot3(row.ofB, change[row.nodeB]); }
     double& mass = isTangent ? point.tangentMass : point.normalMass;
     mass = inverseOf(answer);
     if (!isWithinTie(point)) { return; }
@@ -137,12 +139,12 @@ void DirectSolver::readAnswers(JointedPoint& point, bool isTangent) {
     if (!isTangent) { point.pushShare = static_cast<Real>(std::min(1.0, kMostPushedMasses * ofTie / mass)); }
 }
 
-bool DirectSolver::isWithinTie(const JointedPoint& point) {
+bool JointedContacts::isWithinTie(const Point& point) {
     return point.normal.nodeA != kNoNode && point.normal.nodeB != kNoNode && point.tieB == kNoNode;
 }
 
 template <class Visit>
-void DirectSolver::forEachNode(const JointedPoint& point, const Visit& visit) const {
+void JointedContacts::forEachNode(const Point& point, const Visit& visit) const {
     for (const std::uint32_t tie : {point.tieA, point.tieB}) {
         if (tie == kNoNode) { continue; }
         for (std::uint32_t i = 0; i < ties_[tie].nodes; ++i) { visit(tieNodes_[ties_[tie].first + i]); }
@@ -150,17 +152,18 @@ void DirectSolver::forEachNode(const JointedPoint& point, const Visit& visit) co
 }
 
 /// @param answers  of the row
-void DirectSolver::pushTies(const JointedPoint& point, std::size_t answers, double impulse) {
+void JointedContacts::pushTies(DirectSystem& system, const Point& point, std::size_t answers, double impulse) const {
     if (impulse == 0) { return; }
-    forEachNode(point, [&](std::uint32_t node) { addScaled(change_[node], impulse, answers_[answers++]); });
+    const std::span<Block3> change = system.change();
+    forEachNode(point, [&](std::uint32_t node) { addScaled(change[node], impulse, answers_[answers++]); });
 }
 
 /// As `solveContacts` does, one point after the other. @return how far its impulses changed
-Real DirectSolver::solvePoint(JointedPoint& jointed, const ContactPass& pass) {
+Real JointedContacts::solvePoint(DirectSystem& system, Point& jointed, const ContactPass& pass) const {
     const ContactConstraint& contact = *jointed.contact;
     ContactConstraintPoint& point = *jointed.point;
     const bool isCarrying = point.normalImpulse > 0 || (contact.begins && otherCarries(contact, point));
-    const auto closing = static_cast<Real>(-changedExcess(jointed.normal));
+    const auto closing = static_cast<Real>(-system.changedExcess(jointed.normal));
     const auto mass = static_cast<Real>(jointed.normalMass);
     const NormalDemand demand =
         demandOf(contact, point, mass, closing, 1 / pass.h, pass.useBias, isCarrying, jointed.pushShare);
@@ -169,82 +172,76 @@ Real DirectSolver::solvePoint(JointedPoint& jointed, const ContactPass& pass) {
         const Real change = demand.changeAt(point, mass);
         const Real wanted = jointed.normalMass > 0 ? normalBefore + change : Real(0);
         point.normalImpulse = std::max(wanted, Real(0));
-        pushTies(jointed, jointed.answers, static_cast<double>(point.normalImpulse - normalBefore));
+        pushTies(system, jointed, jointed.answers, static_cast<double>(point.normalImpulse - normalBefore));
     }
     const Real limit = contact.friction * point.normalImpulse;
     const Real tangentBefore = point.tangentImpulse;
-    const auto change = static_cast<Real>(-jointed.tangentMass * changedExcess(jointed.tangent));
+    const auto change = static_cast<Real>(-jointed.tangentMass * system.changedExcess(jointed.tangent));
     point.tangentImpulse = std::clamp(tangentBefore + change, -limit, limit);
-    pushTies(jointed, jointed.answers + jointed.nodes, static_cast<double>(point.tangentImpulse - tangentBefore));
+    pushTies(system, jointed, jointed.answers + jointed.nodes,
+             static_cast<double>(point.tangentImpulse - tangentBefore));
     return std::max(std::fabs(point.normalImpulse - normalBefore), std::fabs(point.tangentImpulse - tangentBefore));
 }
 
 /// Until hardly anything changes.
-void DirectSolver::solvePile(std::span<JointedPoint> points, const ContactPass& pass) {
+void JointedContacts::solvePile(DirectSystem& system, std::span<Point> points, const ContactPass& pass) const {
     for (int i = 0; i < kMostPasses; ++i) {
         Real change = 0;
         Real largest = 0;
-        for (JointedPoint& point : points) {
-            change = std::max(change, solvePoint(point, pass));
+        for (Point& point : points) {
+            change = std::max(change, solvePoint(system, point, pass));
             largest = std::max(largest, point.point->normalImpulse);
         }
         if (!(change > kSmallChange * largest)) { return; }
     }
 }
 
-void DirectSolver::solvePiles(const ContactPass& pass) {
-    if (!areAnswersCurrent_) { findAnswers(); }
-    std::fill(change_.begin(), change_.end(), Block3{});
-    pushForced();
-    for (std::size_t begin = 0; begin < jointed_.size();) {
+void JointedContacts::solvePiles(DirectSystem& system, const DirectDrives& drives, const ContactPass& pass) {
+    if (answersOf_ != system.factorNumber()) { findAnswers(system); }
+    system.beginChange();
+    drives.pushForced(system);
+    for (std::size_t begin = 0; begin < points_.size();) {
         std::size_t end = begin;
-        while (end < jointed_.size() && jointed_[end].pile == jointed_[begin].pile) { ++end; }
-        solvePile(std::span(jointed_).subspan(begin, end - begin), pass);
+        while (end < points_.size() && points_[end].pile == points_[begin].pile) { ++end; }
+        solvePile(system, std::span(points_).subspan(begin, end - begin), pass);
         begin = end;
     }
 }
 
-void DirectSolver::solveJointed(SolverBatch& batch, const ContactPass& pass) {
-    takeUpDrives(batch);
-    for (JointedPoint& jointed : jointed_) {
+void JointedContacts::solve(SolverBatch& batch, DirectSystem& system, DirectJoints& joints, DirectDrives& drives,
+                            const ContactPass& pass) {
+    drives.takeUp(batch.states);
+    for (Point& jointed : points_) {
         const ContactConstraint& contact = *jointed.contact;
-        jointed.normal.excess = excessOf(batch, jointed.heldNormal);
-        jointed.tangent.excess = excessOf(batch, jointed.heldTangent);
+        jointed.normal.excess = DirectSystem::excessOf(batch.states, jointed.heldNormal);
+        jointed.tangent.excess = DirectSystem::excessOf(batch.states, jointed.heldTangent);
         jointed.point->separation =
             currentSeparation(contact, *jointed.point, batch.states[contact.slotA], batch.states[contact.slotB]);
         jointed.normalBefore = jointed.point->normalImpulse;
         jointed.tangentBefore = jointed.point->tangentImpulse;
     }
-    solvePiles(pass);
+    solvePiles(system, drives, pass);
     // Contacts were answered as if motors held whatever it takes.
-    while (letGoDrives()) {
+    while (drives.letGo(system)) {
         DirectReport ofPass;
-        assemble<true>(ofPass);
-        for (JointedPoint& jointed : jointed_) {
+        drives.assemble(system, joints, ofPass);
+        for (Point& jointed : points_) {
             jointed.point->normalImpulse = jointed.normalBefore;
             jointed.point->tangentImpulse = jointed.tangentBefore;
         }
-        solvePiles(pass);
+        solvePiles(system, drives, pass);
     }
     if (pass.isLast) {
-        for (JointedPoint& jointed : jointed_) { jointed.point->totalNormalImpulse += jointed.point->normalImpulse; }
+        for (Point& jointed : points_) { jointed.point->totalNormalImpulse += jointed.point->normalImpulse; }
     }
-    for (const HeldJoint& joint : joints_) {
-        const double moved = changedExcess(joint.row) - joint.row.excess;
-        const double change = -strength_ * joint.row.strength * moved;
-        *joint.impulse = static_cast<Real>(static_cast<double>(*joint.impulse) + change);
-    }
-    for (const Drive& drive : drives_) {
-        const DrivePush impulse = laterImpulseOf(drive);
-        for (std::size_t i = 0; i < drive.count; ++i) { *drive.rows[i].held.impulse = static_cast<Real>(impulse[i]); }
-    }
-    dropNoise();
-    applyToBodies(batch);
+    joints.writeLater(system);
+    drives.writeLater(system);
+    system.dropNoise();
+    system.changeVelocities(batch.states);
 }
 
-void DirectSolver::forgetBlows() {
-    for (const HeldJoint& joint : joints_) { *joint.impulse = 0; }
-    for (const JointedPoint& jointed : jointed_) { jointed.point->normalImpulse = jointed.point->tangentImpulse = 0; }
+void JointedContacts::forget() {
+    for (const Point& jointed : points_) { jointed.point->normalImpulse = jointed.point->tangentImpulse = 0; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

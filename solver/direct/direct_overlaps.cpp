@@ -2,18 +2,12 @@
 #include <cmath>
 
 #include "../closeness.h"
+#include "direct_contacts.h"
 #include "direct_parts.h"
-#include "direct_solver.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Weaker than where speeds are solved: rows that contradict each other (a card wedged between planks) must give.
-constexpr double kProjectionStrength = 1.0 / 4;
-/// Friction holds with this part of that. What sticks has more rows than there are ways to move in any heap, so gaps
-/// that were closed without a slip grew smaller by a hundredth a step: of heaps of 20 to 256 boxes, discs and capsules
-/// that came to rest most were solved in every step of the next minutes, instead of being held.
-constexpr double kTangentShare = 1.0 / 256;
 /// Part of an overlap or gap that a projection closes.
 constexpr Real kProjectionRate = Real(1) / 4;
 /// Of many bodies, where each step of it costs a search. (With all of it at once, the first impulses took longer to
@@ -41,18 +35,19 @@ bool isStuck(const ContactConstraint& contact, const ContactConstraintPoint& poi
 
 }  // namespace
 
-bool DirectSolver::gatherOverlaps(const SolverBatch& batch, Real h, bool isLast) {
+bool DirectContacts::gatherOverlaps(const SolverBatch& batch, const DirectSystem& system, Real h, bool isLast) {
     const Real rate = isPatient_ ? kProjectionRateOfPatient : kProjectionRate;
     const Real smallRatio = isPatient_ ? kSmallRatioOfPatient : kSmallRatio;
     bool anyLarge = false;
-    for (ContactPoint& contact : contacts_) {
+    for (Point& contact : points_) {
         const ContactConstraint& constraint = *contact.contact;
         const ContactConstraintPoint& point = *contact.point;
         const Real separation =
             currentSeparation(constraint, point, batch.states[constraint.slotA], batch.states[constraint.slotB]);
         const bool presses = point.normalImpulse > 0 || separation < 0;
-        const Real tolerance = toleranceAt(point, nodeOf_[constraint.slotA] != kNoNode,
-                                           nodeOf_[constraint.slotB] != kNoNode, isLast ? smallRatio : kLargeRatio);
+        const Real tolerance =
+            toleranceAt(point, system.nodeOf(constraint.slotA) != kNoNode, system.nodeOf(constraint.slotB) != kNoNode,
+                        isLast ? smallRatio : kLargeRatio);
         anyLarge = anyLarge || (presses && std::fabs(separation) > tolerance);
         contact.normalHold = presses ? Hold::held : Hold::free;
         contact.tangentHold = presses && isStuck(constraint, point) ? Hold::held : Hold::free;
@@ -61,29 +56,5 @@ bool DirectSolver::gatherOverlaps(const SolverBatch& batch, Real h, bool isLast)
     }
     return anyLarge;
 }
-
-void DirectSolver::moveBodies(SolverBatch& batch) const {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        BodyState& state = batch.states[nodes_[i].slot];
-        state.deltaPosition += {static_cast<Real>(change_[i][0]), static_cast<Real>(change_[i][1])};
-        state.deltaAngle += static_cast<Real>(change_[i][2]);
-        state.deltaRotation = rotationFromAngle(static_cast<double>(state.deltaAngle));
-    }
-}
-
-template <bool kJoints>
-void DirectSolver::project(SolverBatch& batch, Real h, bool always, DirectReport& report) {
-    if (contacts_.empty() || !gatherOverlaps(batch, h, always)) { return; }
-    if constexpr (kJoints) { gatherJoints(batch, h, false, true); }
-    strength_ = kProjectionStrength;
-    assemble<kJoints>(report, kTangentShare);
-    computeChange<kJoints>();
-    isFactorised_ = false;
-    dropNoise();
-    moveBodies(batch);
-}
-
-template void DirectSolver::project<false>(SolverBatch&, Real, bool, DirectReport&);
-template void DirectSolver::project<true>(SolverBatch&, Real, bool, DirectReport&);
 
 }  // namespace swept::inline SWEPT_PRECISION

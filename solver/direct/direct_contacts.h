@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../solve_report.h"
+#include "../solver_batch.h"
+#include "direct_joints.h"
+#include "direct_system.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Contacts in a direct solve.
+///
+/// The damper of a contact only pushes, that of its friction gives way at a limit. As long as that limit is given, the
+/// velocities are the minimum of a convex function that is quadratic piece by piece,
+///     ½ ΔvᵀMΔv + Σ ψ(J·(v + Δv) + bias),  −ψ′(e) = clamp(λ₀ − k·e, least, most),
+/// which Newton's method with a line search finds from anywhere (after Castro, Permenter & Han, "An unconstrained
+/// convex formulation of compliant contact", 2022). Limits of friction follow the normal impulses in a few rounds
+/// around it.
+class DirectContacts {
+public:
+    /// Once a step. @param isPatient  of many bodies: more rounds
+    void begin(std::size_t nodes, bool isPatient);
+    /// @pre contacts stay where they are until the step ends
+    void list(SolverBatch& batch, DirectSystem& system);
+    bool isEmpty() const { return points_.empty(); }
+
+    // A sub-step solves contacts twice, each time for a half of what gravity does. These share out their impulses: each
+    // solve expects half of what the sub-step before ended with, and at rest finds just that.
+    void beginFirstHalf();
+    void beginSecondHalf();
+    void addHalves();
+
+    /// Before each solve. @param useBias  as in the kernels of the constraints
+    void gather(const SolverBatch& batch, Real h, bool useBias);
+    /// What presses, what sticks, and how much. @return false where that takes too many rounds
+    bool search(DirectSystem& system, const DirectJoints& joints, DirectReport& report);
+    /// Whether something is between a kinematic body that comes and what does not yield. @pre search
+    bool isSqueezed(const SolverBatch& batch, const DirectSystem& system);
+    /// Impulses that were found.
+    void write();
+
+    /// Before bodies are moved without speeds: separations of all that presses or overlaps.
+    /// @param isLast  of the step: small ones count, too
+    /// @return whether some separation is too large
+    bool gatherOverlaps(const SolverBatch& batch, const DirectSystem& system, Real h, bool isLast);
+    /// The matrix of joints and contacts, as these are held. @param tangentShare  of their strength that rows of
+    /// friction have
+    void assemble(DirectSystem& system, const DirectJoints& joints, DirectReport& report, double tangentShare = 1);
+    /// The change that they make.
+    void computeChange(DirectSystem& system, const DirectJoints& joints) const;
+
+    /// Whether contacts of an island took more rounds than usual in this step. @param island  its first node
+    bool tookLong(std::uint32_t island) const { return takesLong_[island] != 0; }
+
+private:
+    struct Point {
+        ContactConstraint* contact = nullptr;
+        ContactConstraintPoint* point = nullptr;
+        std::uint32_t island = 0;
+        SystemRow normal;
+        SystemRow tangent;
+        Hold normalHold = Hold::free;
+        Hold tangentHold = Hold::free;
+        double limit = 0;         ///< of friction
+        bool isExpected = false;  ///< to press
+        int partings = 0;         ///< of a point without a known limit, in this solve
+        Real half = 0;            ///< expected normal impulse of half a sub-step
+        Real tangentHalf = 0;
+        Real first = 0;  ///< impulses of the first half
+        Real tangentFirst = 0;
+    };
+
+    // direct_search.cpp
+    void guessHolds();
+    bool holdsAsBefore(const DirectSystem& system, const DirectJoints& joints) const;
+    bool searchIn(DirectSystem& system, const DirectJoints& joints, DirectReport& report);
+    bool settle(DirectSystem& system, const DirectJoints& joints, DirectReport& report);
+    void findNoise(const DirectSystem& system);
+    bool noted(const Point& point, bool isOther);
+    bool classify(const DirectSystem& system, bool isFirm);
+    bool followLimits();
+    bool tighten();
+    double slopeAt(const DirectSystem& system, double part) const;
+    double searchLine(const DirectSystem& system);
+
+    bool isPatient_ = false;
+    bool hasTightened_ = false;  ///< in the last search
+    std::vector<Point> points_;
+    std::vector<std::uint8_t> holds_;      ///< which of them were held when the matrix was factorised
+    int roundsLeft_ = 0;                   ///< of this solve
+    int notedFrom_ = 0;                    ///< from so many left on it is noted who takes them
+    int spareRounds_ = 0;                  ///< since the step began, for what takes more than the usual
+    std::vector<std::uint8_t> takesLong_;  ///< by the first node of an island
+    std::vector<Block3> place_;            ///< where the search stands: the last change that was tried
+    std::vector<double> noise_;            ///< impulses of no meaning in an island, by its first node
+};
+
+}  // namespace swept::inline SWEPT_PRECISION

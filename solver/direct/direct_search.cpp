@@ -1,0 +1,314 @@
+#include "direct_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "direct_parts.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Rounds of Newton's method for given limits of friction: one at rest, a few where something gives. What takes longer
+/// goes to and fro between two pieces, as rows do that are too stiff. Among many bodies there are more pieces to go
+/// through: walls of a thousand bricks that find their first impulses take up to 17, with 12 they were given up.
+constexpr int kMostRounds = 12;
+constexpr int kMostRoundsOfPatient = 40;
+/// The same for a whole solve: a web of 256 bodies that never settles must not stop the world. The first few are not
+/// counted, the others all solves of a step share.
+constexpr int kMostRoundsOfSolve = 48;
+constexpr int kUsualRoundsOfSolve = 4;
+/// Whoever is held otherwise after so many rounds of a solve asks for more than half of what is usual in a sub-step
+/// (effort.cpp).
+constexpr int kRoundsOfNoNote = 3;
+constexpr int kMostRoundsOfPatientSolve = 150;
+/// Dampers are then made weaker by this, as often as that. What they leave is mended by the next solve. Among many
+/// bodies less at a time: with 1/64 the first solves of a pyramid of 1275 boxes left 2 cm/s, with 1/8 0.2 mm/s.
+constexpr double kWeaker = 1.0 / 64;
+constexpr double kWeakerOfPatient = 1.0 / 8;
+constexpr double kWeakest = kWeaker * kWeaker;
+/// Rounds in which the limits follow the normal impulses.
+constexpr int kMostLimitRounds = 8;
+/// Among many bodies a point of no known limit of friction may part as often in the search for its first impulses. (One
+/// of the 586 stones of a wall went to and fro until the rounds were used up, and the search began anew with weaker
+/// dampers; of 2000 stones it was given up.) Few bodies find their way with weaker dampers in fewer rounds:
+/// slender-and-tiny took 1.3 times as many with this, in the mean of twenty strengths of gravity.
+constexpr int kMostPartings = 2;
+/// Limits that are wrong by no more than this part are left to the next solve.
+constexpr double kLimitTolerance = 1.0 / 64;
+/// Impulses that a solve changed by more than this part of the largest are solved for again around the new ones, at
+/// most so many times.
+constexpr double kFarRatio = 1.0 / 64;
+constexpr int kMostTightenings = 4;
+/// Impulses this much smaller than the largest in the island mean nothing: what is at the brink stays as it was.
+constexpr double kBrinkRatio = 1.0 / (1 << 20);
+/// A search along a line ends when its slope has fallen to this part.
+constexpr double kSlopeRatio = 1.0 / 16;
+constexpr int kMostLineSteps = 12;
+
+/// What of a contact point is in the matrix, as one number.
+constexpr std::uint8_t holdsOf(bool presses, bool sticks) {
+    return static_cast<std::uint8_t>((presses ? 1 : 0) + (sticks ? 2 : 0));
+}
+
+}  // namespace
+
+void DirectContacts::assemble(DirectSystem& system, const DirectJoints& joints, DirectReport& report,
+                              double tangentShare) {
+    system.beginMatrix();
+    joints.addTo(system);
+    holds_.clear();
+    for (const Point& contact : points_) {
+        const bool presses = contact.normalHold == Hold::held;
+        const bool sticks = contact.tangentHold == Hold::held;
+        holds_.push_back(holdsOf(presses, sticks));
+        if (presses) { system.add(contact.normal); }
+        if (sticks) { system.add(contact.tangent, tangentShare); }
+    }
+    system.factorise();
+    ++report.factorisations;
+}
+
+void DirectContacts::computeChange(DirectSystem& system, const DirectJoints& joints) const {
+    system.beginChange();
+    joints.push(system);
+    const auto push = [&system](const SystemRow& row, Hold hold) {
+        if (hold == Hold::held) {
+            system.push(row, system.pullOf(row, row.excess));
+        } else if (hold == Hold::forced) {
+            system.push(row, row.impulse);
+        }
+    };
+    for (const Point& contact : points_) {
+        push(contact.normal, contact.normalHold);
+        push(contact.tangent, contact.tangentHold);
+    }
+    system.solve();
+}
+
+bool DirectContacts::holdsAsBefore(const DirectSystem& system, const DirectJoints& joints) const {
+    if (!system.isFactorised() || !joints.isEmpty()) { return false; }
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (holdsOf(points_[i].normalHold == Hold::held, points_[i].tangentHold == Hold::held) != holds_[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void DirectContacts::guessHolds() {
+    for (Point& contact : points_) {
+        if (contact.normalHold == Hold::free) {
+            contact.tangentHold = Hold::free;
+            continue;
+        }
+        const bool sticks = contact.isExpected && std::fabs(contact.tangent.guess) < contact.limit;
+        contact.normalHold = contact.isExpected ? Hold::held : Hold::forced;
+        contact.tangentHold = sticks ? Hold::held : Hold::forced;
+        contact.normal.impulse = contact.tangent.impulse = 0;
+        if (!sticks && contact.isExpected && !std::isinf(contact.limit)) {
+            contact.tangent.impulse = std::clamp(contact.tangent.guess, -contact.limit, contact.limit);
+        }
+    }
+}
+
+void DirectContacts::findNoise(const DirectSystem& system) {
+    for (const Point& contact : points_) {
+        double& noise = noise_[contact.island];
+        noise = std::max(noise, kBrinkRatio * contact.normal.guess);
+        if (contact.normalHold == Hold::held) {
+            const SystemRow& row = contact.normal;
+            noise = std::max(noise, kBrinkRatio * system.pullOf(row, system.changedExcess(row)));
+        }
+    }
+}
+
+bool DirectContacts::noted(const Point& contact, bool isOther) {
+    if (isOther && roundsLeft_ <= notedFrom_) { takesLong_[contact.island] = 1; }
+    return isOther;
+}
+
+/// Impulses and holds by what the dampers say after the change.
+/// @param isFirm  what is at the brink stays as it was
+/// @return whether anything is held otherwise than before
+bool DirectContacts::classify(const DirectSystem& system, bool isFirm) {
+    bool changed = false;
+    for (Point& contact : points_) {
+        if (contact.normalHold == Hold::free) { continue; }
+        bool isOther = false;
+        const auto set = [&isOther](Hold& hold, Hold now) {
+            isOther = isOther || hold != now;
+            hold = now;
+        };
+        const double brink = isFirm ? noise_[contact.island] : 0;
+        SystemRow& normal = contact.normal;
+        SystemRow& tangent = contact.tangent;
+        const double pressed = system.pullOf(normal, system.changedExcess(normal));
+        const bool presses = pressed > (contact.normalHold == Hold::held ? -brink : brink);
+        if (isPatient_ && contact.normalHold == Hold::held && !presses && std::isinf(contact.limit)) {
+            // What holds without limit once it presses, and then carries much, parts its bodies, so that it does not
+            // press: no minimum lies between. It is taken to slide, until it is known how much it presses.
+            if (++contact.partings >= kMostPartings) { contact.limit = 0; }
+        }
+        set(contact.normalHold, presses ? Hold::held : Hold::forced);
+        normal.impulse = presses ? pressed : 0;
+        // A limit that is not known yet holds as long as the point presses.
+        const double limit = std::isinf(contact.limit) && !presses ? 0 : contact.limit;
+        const double rubbed = system.pullOf(tangent, system.changedExcess(tangent));
+        const bool sticks =
+            limit > 0 && std::fabs(rubbed) <= limit + (contact.tangentHold == Hold::held ? brink : -brink);
+        const double before = tangent.impulse;
+        tangent.impulse = sticks ? rubbed : std::clamp(rubbed, -limit, limit);
+        isOther = isOther || (!sticks && contact.tangentHold == Hold::forced && before * tangent.impulse < 0);
+        set(contact.tangentHold, sticks ? Hold::held : Hold::forced);
+        changed = noted(contact, isOther) || changed;
+    }
+    return changed;
+}
+
+double DirectContacts::slopeAt(const DirectSystem& system, double part) const {
+    const std::span<const Block3> change = system.change();
+    double slope = 0;
+    for (std::size_t i = 0; i < change.size(); ++i) {
+        const DirectSystem::Node& node = system.nodes()[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double way = change[i][k] - place_[i][k];
+            slope += (k < 2 ? node.mass : node.inertia) * way * (place_[i][k] + part * way);
+        }
+    }
+    for (const Point& contact : points_) {
+        if (contact.normalHold == Hold::free) { continue; }
+        const auto impulseOf = [&system, part](const SystemRow& row, double least, double most) {
+            return std::clamp(system.pullOf(row, row.at + part * row.along), least, most);
+        };
+        const double pressed = impulseOf(contact.normal, 0, std::numeric_limits<double>::infinity());
+        const double limit = std::isinf(contact.limit) && !(pressed > 0) ? 0 : contact.limit;
+        slope -= pressed * contact.normal.along + impulseOf(contact.tangent, -limit, limit) * contact.tangent.along;
+    }
+    return slope;
+}
+
+/// From `place_` towards the change, to about the lowest point of the function. @return the part of the way
+double DirectContacts::searchLine(const DirectSystem& system) {
+    for (Point& contact : points_) {
+        for (SystemRow* const row : {&contact.normal, &contact.tangent}) {
+            const double there = system.changedExcess(*row);
+            row->at = DirectSystem::excessAfter(*row, place_);
+            row->along = there - row->at;
+        }
+    }
+    double high = 1;
+    double highSlope = slopeAt(system, 1);
+    double low = 0;
+    double lowSlope = slopeAt(system, 0);
+    if (!(highSlope > 0) || !(lowSlope < 0)) { return 1; }
+    const double small = -kSlopeRatio * lowSlope;
+    for (int i = 0; i < kMostLineSteps; ++i) {
+        const double secant = low + (high - low) * (lowSlope / (lowSlope - highSlope));
+        const double middle = i % 2 == 0 ? secant : 0.5 * (low + high);
+        const double slope = slopeAt(system, middle);
+        if (std::fabs(slope) <= small) { return middle; }
+        (slope < 0 ? low : high) = middle;
+        (slope < 0 ? lowSlope : highSlope) = slope;
+    }
+    return low > 0 ? low : high;
+}
+
+/// The minimum for the limits of friction that there are. @return whether it was found
+bool DirectContacts::settle(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+    const std::span<Block3> change = system.change();
+    bool hasPlace = false;
+    const int mostRounds = isPatient_ ? kMostRoundsOfPatient : kMostRounds;
+    for (int round = 0; round < mostRounds && roundsLeft_-- > 0; ++round) {
+        if (!holdsAsBefore(system, joints)) { assemble(system, joints, report); }
+        computeChange(system, joints);
+        ++report.rounds;
+        if (round == 0) { findNoise(system); }
+        if (!classify(system, true)) { return true; }
+        if (hasPlace) {
+            const double part = searchLine(system);
+            if (part < 1) {
+                for (std::size_t i = 0; i < change.size(); ++i) {
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        change[i][k] = place_[i][k] + part * (change[i][k] - place_[i][k]);
+                    }
+                }
+                classify(system, false);
+            }
+        }
+        place_.assign(change.begin(), change.end());
+        hasPlace = true;
+    }
+    return false;
+}
+
+/// @return whether some limit was too far from what its normal impulse says
+bool DirectContacts::followLimits() {
+    bool isFar = false;
+    for (Point& contact : points_) {
+        if (contact.normalHold == Hold::free) { continue; }
+        // What is at the brink may be held by a trace less than nothing.
+        const double limit = static_cast<double>(contact.contact->friction) * std::max(contact.normal.impulse, 0.0);
+        const double rubbed = std::fabs(contact.tangent.impulse);
+        const double slack = kLimitTolerance * limit + noise_[contact.island];
+        const bool isTooStrong = rubbed > limit + slack;
+        const bool isTooWeak = contact.tangentHold == Hold::forced && rubbed + slack < limit;
+        isFar = noted(contact, isTooStrong || isTooWeak) || isFar;
+        contact.limit = limit;
+    }
+    return isFar;
+}
+
+/// Impulses that moved far are where dampers still give way: around the new ones they do so by a small part of that.
+/// @return whether there were any
+bool DirectContacts::tighten() {
+    bool isFar = false;
+    for (const Point& contact : points_) {
+        const double change = std::fabs(contact.normal.impulse - contact.normal.guess);
+        const double rub = std::fabs(contact.tangent.impulse - contact.tangent.guess);
+        const bool isTooFar = std::max(change, rub) > kFarRatio * (noise_[contact.island] / kBrinkRatio);
+        isFar = noted(contact, isTooFar) || isFar;
+    }
+    if (!isFar) { return false; }
+    for (Point& contact : points_) {
+        if (contact.normalHold == Hold::free) { continue; }
+        contact.normal.guess = contact.normal.impulse;
+        contact.tangent.guess = contact.tangent.impulse;
+    }
+    return true;
+}
+
+bool DirectContacts::searchIn(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+    noise_.assign(system.nodes().size(), 0);
+    hasTightened_ = false;
+    const double weaker = isPatient_ ? kWeakerOfPatient : kWeaker;
+    int tightenings = 0;
+    for (int round = 0; round < kMostLimitRounds; ++round) {
+        while (!settle(system, joints, report)) {
+            if (!(system.strength() > kWeakest) || roundsLeft_ <= 0) { return false; }
+            system.setStrength(weaker * system.strength());
+            guessHolds();
+        }
+        if (!followLimits()) {
+            if (tightenings == kMostTightenings || !tighten()) { break; }
+            ++tightenings;
+        }
+        classify(system, false);
+    }
+    hasTightened_ = tightenings > 0;
+    return true;
+}
+
+bool DirectContacts::search(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+    const int most = isPatient_ ? kMostRoundsOfPatientSolve
+                                : std::min(kMostRoundsOfSolve, kUsualRoundsOfSolve + std::max(spareRounds_, 0));
+    roundsLeft_ = most;
+    notedFrom_ = most - kRoundsOfNoNote;
+    const bool isFound = searchIn(system, joints, report);
+    spareRounds_ -= std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
+    return isFound;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
