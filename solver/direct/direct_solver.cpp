@@ -74,7 +74,7 @@ bool DirectSolver::findImpulses(const SolverBatch& batch, DirectReport& report) 
     if (!contacts_.isEmpty()) {
         return contacts_.search(system_, joints_, report) && !contacts_.isSqueezed(batch, system_);
     }
-    if (!joints_.isEmpty() || !system_.isFactorised()) { drives_.assemble(system_, joints_, report); }
+    drives_.assemble(system_, joints_, report);
     drives_.computeChange(system_, joints_);
     drives_.search(system_, joints_, report);
     return true;

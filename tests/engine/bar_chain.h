@@ -18,8 +18,6 @@ inline WorldSettings settingsOf(Profile profile, bool sleeps = false) {
     return settings;
 }
 
-inline std::string nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
 /// What touches nothing, of a density. @param density  kg/m²
 inline ShapeDef untouchable(double density) {
     ShapeDef def = material(0.6, 0, density);

@@ -14,8 +14,6 @@ constexpr double kHalfWidth = 2;
 constexpr double kRadius = 0.1;
 const Profile kProfiles[] = {Profile::fast, Profile::accurate};
 
-std::string nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
 World worldOf(Profile profile) {
     WorldSettings settings = awakeSettings();
     settings.profile = profile;
@@ -93,7 +91,7 @@ TEST(CurvedGround, NeverLiftsABall) {
             for (const double friction : {0.0, 0.6}) {
                 Bowl bowl = c.bowl;
                 bowl.friction = friction;
-                const std::string name = nameOf(profile) + ", steepness " + std::to_string(bowl.steepness) + ", " +
+                const std::string name = profileName(profile) + ", steepness " + std::to_string(bowl.steepness) + ", " +
                                          std::to_string(bowl.segments) + " segments, friction " +
                                          std::to_string(friction) + ", " + std::to_string(c.hertz) + " Hz: ";
                 expectNoGain(name, Swings(profile, bowl, circle(kRadius), 20, c.hertz), c.least);
@@ -106,7 +104,7 @@ TEST(CurvedGround, NeverLiftsABall) {
 TEST(CurvedGround, NeverLiftsABox) {
     for (const Profile profile : kProfiles) {
         for (const double steepness : {0.15, 0.5}) {
-            const std::string name = nameOf(profile) + ", steepness " + std::to_string(steepness) + ": ";
+            const std::string name = profileName(profile) + ", steepness " + std::to_string(steepness) + ": ";
             const Bowl bowl{.steepness = steepness, .segments = 400};
             expectNoGain(name + "box, ", Swings(profile, bowl, box(kRadius, kRadius), 20), 0.5);
         }
@@ -144,7 +142,7 @@ TEST(CurvedGround, OfAPipeMakesNoEnergy) {
     for (const Profile profile : kProfiles) {
         for (const double friction : {0.0, 0.6}) {
             for (const double speed : {0.0, 7.0}) {
-                const std::string name = nameOf(profile) + ", friction " + std::to_string(friction) + ", " +
+                const std::string name = profileName(profile) + ", friction " + std::to_string(friction) + ", " +
                                          std::to_string(speed) + " m/s: ";
                 EXPECT_GE(leftInPipe(profile, friction, speed, name), friction > 0 ? 0.1 : 0.25) << name;
             }

@@ -13,8 +13,6 @@ namespace swept::test::dragged {
 namespace {
 
 constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
-const char* nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
 constexpr double kHalfWidth = 9.5;  ///< of the room, inside
 constexpr double kHeight = 20;
 
@@ -118,7 +116,7 @@ TEST(Dragged, TrailersStayAtTheWallThatStopsThem) {
         for (const Tie kind : kTies) {
             for (const int cars : {1, 2}) {
                 const std::string name =
-                    std::string(nameOf(profile)) + ", " + nameOf(kind) + ", " + std::to_string(cars) + " car(s)";
+                    profileName(profile) + ", " + nameOf(kind) + ", " + std::to_string(cars) + " car(s)";
                 World world = worldOf(profile);
                 addRoom(world);
                 BodyDef def = bodyAt(BodyType::kinematic, {0, 1});
@@ -180,9 +178,10 @@ TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
                         const Fastest fastest = watch(world, chain, 180);
                         // Beside what a free fall gives, and what straightens as it meets the wall.
                         EXPECT_LT(fastest.speed, 10 * speed + 50)
-                            << nameOf(profile) << ", " << nameOf(kind) << ", " << links << " links, " << speed
+                            << profileName(profile) << ", " << nameOf(kind) << ", " << links << " links, " << speed
                             << " m/s, seed " << seed;
-                        EXPECT_TRUE(fastest.allInside) << nameOf(profile) << ", " << nameOf(kind) << ", seed " << seed;
+                        EXPECT_TRUE(fastest.allInside)
+                            << profileName(profile) << ", " << nameOf(kind) << ", seed " << seed;
                     }
                 }
             }
@@ -213,7 +212,7 @@ TEST(Dragged, WhatTheMouseTakesBeyondAWallComesToRestAtIt) {
                 fastest.speed = std::max(fastest.speed, now.speed);
                 fastest.allInside = fastest.allInside && now.allInside;
             }
-            const std::string name = std::string(nameOf(profile)) + ", " + std::to_string(beyond) + " m beyond";
+            const std::string name = profileName(profile) + ", " + std::to_string(beyond) + " m beyond";
             EXPECT_LT(fastest.speed, 20 + way) << name;
             const Fastest later = watch(world, {crate}, 120);
             EXPECT_LT(later.speed, 0.5) << name;
@@ -246,7 +245,7 @@ TEST(Dragged, WhatIsTurnedOrPushedOffItsJointIsNoFasterThanThat) {
                 must(world.step(kStep));
                 fastest = std::max(fastest, length(velocityOf(world, arm)));
             }
-            EXPECT_LT(fastest, 6) << nameOf(profile) << (isWeld ? ", weld" : ", limit");
+            EXPECT_LT(fastest, 6) << profileName(profile) << (isWeld ? ", weld" : ", limit");
         }
         for (const Tie kind : {Tie::hinge, Tie::weld}) {
             World world = worldOf(profile);
@@ -258,7 +257,7 @@ TEST(Dragged, WhatIsTurnedOrPushedOffItsJointIsNoFasterThanThat) {
             tie(world, kind, must(world.createBody(bodyAt(BodyType::fixed, {0, 2}))), load, {0, 1.9});
             // Until it comes to the wall: then it is squeezed.
             const Fastest fastest = watch(world, {load}, 220);
-            EXPECT_LT(fastest.speed, 12) << nameOf(profile) << ", " << nameOf(kind);
+            EXPECT_LT(fastest.speed, 12) << profileName(profile) << ", " << nameOf(kind);
         }
     }
 }
@@ -280,7 +279,7 @@ TEST(Dragged, HeavyLoadsAreLifted) {
         run(world, 60);
         must(world.setVelocity(hook, vec(0, 1), 0));
         run(world, 240);
-        EXPECT_NEAR(world.position(load).y, 5, 0.1) << nameOf(profile);
+        EXPECT_NEAR(world.position(load).y, 5, 0.1) << profileName(profile);
     }
 }
 

@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::array kProfiles{Profile::accurate, Profile::fast};
 
-const char* nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
 World worldOf(Profile profile, double gravity = kGravity) {
     WorldSettings settings = awakeSettings(gravity);
     settings.profile = profile;
@@ -115,7 +113,7 @@ TEST(DrivenLimits, CarryWhatStandsOnThemUp) {
                 }
                 const double above = world.position(crate).y - world.position(platform).y - kThin - kCrate;
                 const auto who = [&] {
-                    return std::string(nameOf(profile)) + ", " + nameOf(hold) + ", " + std::to_string(speed) + " m/s";
+                    return profileName(profile) + ", " + nameOf(hold) + ", " + std::to_string(speed) + " m/s";
                 };
                 EXPECT_GT(lowest, -0.05) << who();
                 EXPECT_NEAR(above, 0, 0.002) << who();
@@ -147,10 +145,13 @@ TEST(DrivenLimits, LetDownWithoutJerks) {
                     least = std::min(least, hoist.force());
                     most = std::max(most, hoist.force());
                 }
-                EXPECT_LT(most, 1.05 * weight) << nameOf(profile) << ", " << nameOf(hold) << ", " << speed << " m/s";
-                EXPECT_GT(least, 0.95 * weight) << nameOf(profile) << ", " << nameOf(hold) << ", " << speed << " m/s";
-                EXPECT_NEAR(velocityOf(world, load).y, -speed, 0.01 * speed) << nameOf(profile) << ", " << nameOf(hold);
-                EXPECT_NEAR(world.position(load).y, -3 * speed, 0.001) << nameOf(profile) << ", " << nameOf(hold);
+                EXPECT_LT(most, 1.05 * weight)
+                    << profileName(profile) << ", " << nameOf(hold) << ", " << speed << " m/s";
+                EXPECT_GT(least, 0.95 * weight)
+                    << profileName(profile) << ", " << nameOf(hold) << ", " << speed << " m/s";
+                EXPECT_NEAR(velocityOf(world, load).y, -speed, 0.01 * speed)
+                    << profileName(profile) << ", " << nameOf(hold);
+                EXPECT_NEAR(world.position(load).y, -3 * speed, 0.001) << profileName(profile) << ", " << nameOf(hold);
             }
         }
     }
@@ -187,11 +188,11 @@ TEST(DrivenLimits, WindUpTheCableOfACrane) {
             most = std::max(most, force);
             least = std::min(least, force);
         }
-        EXPECT_LT(most, 1.5 * weight) << nameOf(profile);
-        EXPECT_GT(least, 0.5 * weight) << nameOf(profile);
+        EXPECT_LT(most, 1.5 * weight) << profileName(profile);
+        EXPECT_GT(least, 0.5 * weight) << profileName(profile);
         const DVec2 hook = apply(world.transform(load), vec(0, 0.5));
-        EXPECT_NEAR(length(hook - world.position(beam)), cableLength, 0.002) << nameOf(profile);
-        EXPECT_LT(length(velocityOf(world, load)), 1) << nameOf(profile);
+        EXPECT_NEAR(length(hook - world.position(beam)), cableLength, 0.002) << profileName(profile);
+        EXPECT_LT(length(velocityOf(world, load)), 1) << profileName(profile);
     }
 }
 
@@ -219,10 +220,10 @@ TEST(DrivenLimits, RaiseAndLowerADrawbridge) {
                 run(world, 1);
                 lowest = std::min(lowest, heightOfCrate());
             }
-            EXPECT_GT(lowest, -0.05) << nameOf(profile) << ", " << rate << " rad/s";
-            EXPECT_NEAR(heightOfCrate(), 0, 0.05) << nameOf(profile) << ", " << rate << " rad/s";
-            EXPECT_NEAR(world.angle(bridge), rate * steps * kStep, 0.001) << nameOf(profile);
-            EXPECT_NEAR(spinOf(world, bridge), rate, 0.01 * rate) << nameOf(profile);
+            EXPECT_GT(lowest, -0.05) << profileName(profile) << ", " << rate << " rad/s";
+            EXPECT_NEAR(heightOfCrate(), 0, 0.05) << profileName(profile) << ", " << rate << " rad/s";
+            EXPECT_NEAR(world.angle(bridge), rate * steps * kStep, 0.001) << profileName(profile);
+            EXPECT_NEAR(spinOf(world, bridge), rate, 0.01 * rate) << profileName(profile);
             run(world, 60);
             const double holding = std::abs(static_cast<double>(world.jointTorque(hinge)));
             double most = 0;
@@ -235,8 +236,8 @@ TEST(DrivenLimits, RaiseAndLowerADrawbridge) {
                     most = std::max(most, std::abs(static_cast<double>(world.jointTorque(hinge))));
                 }
             }
-            EXPECT_LT(most, 1.5 * holding) << nameOf(profile) << ", " << rate << " rad/s";
-            EXPECT_NEAR(spinOf(world, bridge), -down, 0.02 * down) << nameOf(profile);
+            EXPECT_LT(most, 1.5 * holding) << profileName(profile) << ", " << rate << " rad/s";
+            EXPECT_NEAR(spinOf(world, bridge), -down, 0.02 * down) << profileName(profile);
         }
     }
 }
@@ -265,8 +266,8 @@ TEST(DrivenLimits, LiftTheFrameOfACar) {
             }
             run(world, 1);
         }
-        EXPECT_NEAR(world.position(frame).y - before, 0.5, 0.005) << nameOf(profile);
-        EXPECT_NEAR(velocityOf(world, frame).y, 1, 0.02) << nameOf(profile);
+        EXPECT_NEAR(world.position(frame).y - before, 0.5, 0.005) << profileName(profile);
+        EXPECT_NEAR(velocityOf(world, frame).y, 1, 0.02) << profileName(profile);
     }
 }
 
@@ -292,9 +293,9 @@ TEST(DrivenLimits, GiveWhoSwingsItsSpeed) {
                 }
                 const DVec2 place = world.position(load);
                 const DVec2 outwards = (1 / length(place)) * place;
-                EXPECT_NEAR(dot(outwards, velocityOf(world, load)), -speed, 0.02 * speed) << nameOf(profile);
-                EXPECT_NEAR(cross(place, velocityOf(world, load)), 12, 0.06) << nameOf(profile);
-                EXPECT_NEAR(length(place), reach, 0.002) << nameOf(profile);
+                EXPECT_NEAR(dot(outwards, velocityOf(world, load)), -speed, 0.02 * speed) << profileName(profile);
+                EXPECT_NEAR(cross(place, velocityOf(world, load)), 12, 0.06) << profileName(profile);
+                EXPECT_NEAR(length(place), reach, 0.002) << profileName(profile);
             }
         }
     }
@@ -316,7 +317,7 @@ TEST(DrivenLimits, TakeBackTheWorkThatTheyDid) {
             run(world, 1);
         }
         run(world, 60);
-        EXPECT_NEAR(kineticEnergy(world, load), before, 0.02 * before) << nameOf(profile);
+        EXPECT_NEAR(kineticEnergy(world, load), before, 0.02 * before) << profileName(profile);
     }
 }
 
@@ -340,8 +341,9 @@ TEST(DrivenLimits, ThatJumpFlingNothing) {
                         fastest = std::max(fastest, length(velocityOf(world, platform)));
                         highest = std::max(highest, world.position(platform).y);
                     }
-                    EXPECT_LT(fastest, 1) << nameOf(profile) << ", " << nameOf(hold) << " by " << by;
-                    EXPECT_LT(highest, times * by + 0.01) << nameOf(profile) << ", " << nameOf(hold) << " by " << by;
+                    EXPECT_LT(fastest, 1) << profileName(profile) << ", " << nameOf(hold) << " by " << by;
+                    EXPECT_LT(highest, times * by + 0.01)
+                        << profileName(profile) << ", " << nameOf(hold) << " by " << by;
                 }
             }
         }
@@ -370,8 +372,9 @@ TEST(DrivenLimits, GoOnFromImpactToImpact) {
                 hoist.setHeight(speed * i * kStep);
                 run(world, 1);
                 if (i < 3) { continue; }
-                EXPECT_NEAR(world.position(platform).y, speed * i * kStep, 0.005) << nameOf(profile) << ", step " << i;
-                EXPECT_NEAR(velocityOf(world, platform).y, speed, 0.2) << nameOf(profile) << ", step " << i;
+                EXPECT_NEAR(world.position(platform).y, speed * i * kStep, 0.005)
+                    << profileName(profile) << ", step " << i;
+                EXPECT_NEAR(velocityOf(world, platform).y, speed, 0.2) << profileName(profile) << ", step " << i;
             }
         }
     }
@@ -390,10 +393,11 @@ TEST(DrivenLimits, PassNoCeiling) {
                     hoist.setHeight(speed * i * kStep);
                     run(world, 1);
                     EXPECT_LT(world.position(platform).y, 2)
-                        << nameOf(profile) << ", " << nameOf(hold) << ", " << speed;
+                        << profileName(profile) << ", " << nameOf(hold) << ", " << speed;
                 }
                 run(world, 60);
-                EXPECT_LT(world.position(platform).y, 2) << nameOf(profile) << ", " << nameOf(hold) << ", " << speed;
+                EXPECT_LT(world.position(platform).y, 2)
+                    << profileName(profile) << ", " << nameOf(hold) << ", " << speed;
             }
         }
     }

@@ -22,8 +22,6 @@ World worldOf(Profile profile, double gravity = kGravity) {
     return makeWorld(settings);
 }
 
-std::string nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
 /// Of the last step.
 std::vector<ContactEvent> hitsOf(const World& world) {
     std::vector<ContactEvent> hits;
@@ -94,9 +92,9 @@ void expectSlapsTold(Profile profile, std::vector<Crate> crates) {
         must(world.step(kStep));
         for (Crate& crate : crates) { follow(world, crate); }
     }
-    EXPECT_EQ(hitsAfter(world, 0, 60), 0) << nameOf(profile) << ", when they lie";
+    EXPECT_EQ(hitsAfter(world, 0, 60), 0) << profileName(profile) << ", when they lie";
     for (const Crate& crate : crates) {
-        const std::string name = nameOf(profile) + ", half " + testing::PrintToString(crate.halfX) + " x " +
+        const std::string name = profileName(profile) + ", half " + testing::PrintToString(crate.halfX) + " x " +
                                  testing::PrintToString(crate.halfY);
         EXPECT_GT(crate.slap, 1) << name;
         EXPECT_NEAR(crate.fastest / crate.slap, 1, 0.1) << name;

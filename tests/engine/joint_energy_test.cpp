@@ -91,7 +91,7 @@ TEST(JointEnergy, OfATautBridgeThatABoxFallsOn) {
                 const double fall = world.mass(bodies.back()) * kGravity * height;
                 // What closes the gaps of a taut row lifts it.
                 EXPECT_LE(gainOf(world, bodies, 1 / rate, 6), 0.25 * fall)
-                    << planks << " planks, " << rate << " Hz, " << (profile == Profile::fast ? "fast" : "accurate");
+                    << planks << " planks, " << rate << " Hz, " << profileName(profile);
             }
         }
     }

@@ -164,9 +164,9 @@ TEST(JointLever, GivesNoEnergyAndHolds) {
             for (const Profile profile : {Profile::accurate, Profile::fast}) {
                 for (const bool hasFloor : {false, true}) {
                     const LeverRun result = throwAt(lever, arm, profile, hasFloor);
-                    const testing::Message what = testing::Message() << lever.name << ", arm " << arm << " m, "
-                                                                     << (profile == Profile::fast ? "fast" : "accurate")
-                                                                     << (hasFloor ? ", floor" : "");
+                    const testing::Message what = testing::Message()
+                                                  << lever.name << ", arm " << arm << " m, " << profileName(profile)
+                                                  << (hasFloor ? ", floor" : "");
                     EXPECT_LE(result.gain, 0.02) << what;
                     EXPECT_LE(result.jointGap, 0.002 + 2 * static_cast<double>(kEpsilon) * arm) << what;
                 }

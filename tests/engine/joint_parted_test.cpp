@@ -12,8 +12,6 @@ namespace swept::test {
 namespace {
 
 constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
-const char* nameOf(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
 WorldSettings weightless(Profile profile) {
     WorldSettings settings = awakeSettings(0);
     settings.profile = profile;
@@ -79,8 +77,8 @@ TEST(JointParted, WhatTwoThatPartPullAt) {
                         // What is drawn straight gets fast by itself before it is.
                         const double most = 40 + 110 * gap * gap;
                         const auto tell = [&] {
-                            return std::string(nameOf(profile)) + ", " + first.name + " and " + second.name +
-                                   ", lever " + std::to_string(lever) + ", gap " + std::to_string(gap);
+                            return profileName(profile) + ", " + first.name + " and " + second.name + ", lever " +
+                                   std::to_string(lever) + ", gap " + std::to_string(gap);
                         };
                         EXPECT_LT(mostKinetic(world, load, 60), most) << tell();
                         must(world.setVelocity(carrier, {}, 0));
@@ -120,7 +118,7 @@ TEST(JointParted, WhatIsReeledInFarther) {
                 }
                 most = std::max(most, mostKinetic(world, load, 600));
                 const char* kind = isRope ? "rope" : "rod";
-                EXPECT_LT(most, 20 + 90 * by * by) << nameOf(profile) << ", " << kind << " by " << by;
+                EXPECT_LT(most, 20 + 90 * by * by) << profileName(profile) << ", " << kind << " by " << by;
             }
         }
     }
@@ -145,7 +143,7 @@ TEST(JointParted, WhatIsYankedUpToACarrier) {
             run(world, 30);
             must(world.setLengthLimits(joint, LengthLimits{0, real(9.2 - by)}));
             const double mass = world.mass(load);
-            EXPECT_LT(mostKinetic(world, load, 30), 0.5 * mass * 16) << nameOf(profile) << ", by " << by;
+            EXPECT_LT(mostKinetic(world, load, 30), 0.5 * mass * 16) << profileName(profile) << ", by " << by;
             const DVec2 hook = apply(world.transform(load), vec(0, 0.8));
             EXPECT_LT(length(hook - world.position(rope.base.bodyA)), 9.2 - by + 0.01);
         }
@@ -171,7 +169,7 @@ TEST(JointParted, WhatWhirlsOnARopeThatIsReeledInKeepsItsAngularMomentum) {
                 must(world.step(kStep));
             }
             const double momentum = cross(world.position(load), toDouble(world.velocity(load)));
-            EXPECT_NEAR(momentum, 12, 0.01 * 12) << nameOf(profile) << ", " << speed << " m/s";
+            EXPECT_NEAR(momentum, 12, 0.01 * 12) << profileName(profile) << ", " << speed << " m/s";
         }
     }
 }
@@ -191,7 +189,7 @@ TEST(JointParted, WhatWhirlsAboutASlowCarrierGoesOn) {
         must(world.createJoint(rod));
         for (int i = 0; i < 300; ++i) {
             must(world.step(kStep));
-            ASSERT_NEAR(length(world.velocity(load) - vec(1, 0)), 12, 0.2) << nameOf(profile) << ", step " << i;
+            ASSERT_NEAR(length(world.velocity(load) - vec(1, 0)), 12, 0.2) << profileName(profile) << ", step " << i;
         }
     }
 }
@@ -238,8 +236,8 @@ TEST(JointParted, WhatIsBeyondItsLimitsGetsToThem) {
                 const bool turns = kind[0] == 'h';
                 EXPECT_NEAR(turns ? world.jointAngle(joint) : static_cast<double>(world.jointTranslation(joint)), lower,
                             0.001)
-                    << kind << ' ' << nameOf(profile);
-                EXPECT_LT(kineticOf(world, bar), 1e-4) << kind << ' ' << nameOf(profile) << " from " << lower;
+                    << kind << ' ' << profileName(profile);
+                EXPECT_LT(kineticOf(world, bar), 1e-4) << kind << ' ' << profileName(profile) << " from " << lower;
             }
         }
     }
@@ -265,7 +263,7 @@ TEST(JointParted, WhatIsPutElsewhereIsPulledBack) {
                     run(world, 40);
                     for (const JointId joint : row.joints) {
                         EXPECT_LT(static_cast<double>(world.jointError(joint)), 0.02)
-                            << nameOf(profile) << " at " << height << " by " << by << (isWeld ? ", welded" : "");
+                            << profileName(profile) << " at " << height << " by " << by << (isWeld ? ", welded" : "");
                     }
                 }
             }

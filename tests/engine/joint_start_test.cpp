@@ -148,8 +148,6 @@ void buildNet(Built& built, int side) {
 
 constexpr Profile kBothProfiles[] = {Profile::accurate, Profile::fast};
 
-std::string named(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
-
 TEST(JointStart, WallsCarryTheirWeightAndNoMore) {
     for (const Profile profile : kBothProfiles) {
         for (const Foot foot : {Foot::welded, Foot::lying}) {
@@ -157,7 +155,8 @@ TEST(JointStart, WallsCarryTheirWeightAndNoMore) {
             constexpr int kHigh = 40;
             buildWall(built, 4, kHigh, foot);
             const double load = (foot == Foot::welded ? kHigh : kHigh - 1) * kBrickWeight;
-            expectAtMost("most that a weld carries, of the right load, " + named(profile), built.peak(60) / load, 1.06);
+            expectAtMost("most that a weld carries, of the right load, " + profileName(profile), built.peak(60) / load,
+                         1.06);
         }
     }
 }
@@ -168,7 +167,7 @@ TEST(JointStart, WhatIsALittleStrongerThanItsLoadStands) {
             Built built(profile);
             built.breakForce = real(1.15 * 8 * kBrickWeight);
             buildWall(built, 10, 8, foot);
-            EXPECT_EQ(built.breaksWithin(300), 0U) << named(profile);
+            EXPECT_EQ(built.breaksWithin(300), 0U) << profileName(profile);
         }
     }
 }
@@ -179,19 +178,19 @@ TEST(JointStart, NetsRopesAndBridgesCarryTheirWeightAndNoMore) {
         constexpr int kSide = 12;
         buildNet(net, kSide);
         const double column = kSide * 0.36 * kDensity * kGravity;
-        expectAtMost("net, of the right load, " + named(profile), net.peak(60) / column, 1.02);
+        expectAtMost("net, of the right load, " + profileName(profile), net.peak(60) / column, 1.02);
 
         Built rope(profile);
         buildRope(rope, 50, 100);
         const double weight = 150 * 4 * 0.04 * 0.09 * 30 * kGravity;
-        expectAtMost("rope, of the right load, " + named(profile), rope.peak(60) / weight, 1.02);
+        expectAtMost("rope, of the right load, " + profileName(profile), rope.peak(60) / weight, 1.02);
 
         Built bridge(profile);
         buildBridge(bridge, profile == Profile::fast ? 8 : 20);  // in `fast` light bars buckle beyond
         run(bridge.world, 1);
         const double first = bridge.largestForce();
-        expectAtMost("bridge, of its load in the first step, " + named(profile), bridge.peak(600) / first, 1.02);
-        expectAtMost("how far it sank, metres, " + named(profile),
+        expectAtMost("bridge, of its load in the first step, " + profileName(profile), bridge.peak(600) / first, 1.02);
+        expectAtMost("how far it sank, metres, " + profileName(profile),
                      -bridge.world.position(bridge.bodies[bridge.bodies.size() / 2]).y, 1e-3);
     }
 }
@@ -211,9 +210,10 @@ TEST(JointStart, ABeamHasTheRightTorqueFromTheFirstStepOn) {
         for (int i = 0; i < 60; ++i) {
             run(built.world, 1);
             const JointId root = built.joints.front();
-            EXPECT_NEAR(static_cast<double>(length(built.world.jointForce(root))) / weight, 1, 0.01) << named(profile);
+            EXPECT_NEAR(static_cast<double>(length(built.world.jointForce(root))) / weight, 1, 0.01)
+                << profileName(profile);
             EXPECT_NEAR(std::fabs(static_cast<double>(built.world.jointTorque(root))) / torque, 1, 0.01)
-                << named(profile);
+                << profileName(profile);
         }
     }
 }
@@ -230,7 +230,7 @@ TEST(JointStart, WhatIsAddedBreaksNothing) {
             const double y = 2 * kBrick * (8 + i);
             const BodyId brick = built.brick({2 * 2 * kBrick, y + kBrick});
             built.join<WeldJointDef>(below, brick, {2 * 2 * kBrick, y});
-            EXPECT_EQ(built.breaksWithin(30), 0U) << named(profile) << ", brick " << i;
+            EXPECT_EQ(built.breaksWithin(30), 0U) << profileName(profile) << ", brick " << i;
         }
     }
 }
@@ -242,7 +242,7 @@ TEST(JointStart, ABlowBreaksIt) {
         built.breakForce = real(1.25 * 8 * kBrickWeight);
         buildWall(built, 10, 8, Foot::welded);
         addBody(built.world, dynamicAt({-0.6, 3}, vec(30, 0)), circle(0.3), material(0.5, 0, 200));
-        EXPECT_GT(built.breaksWithin(10), 0U) << named(profile);
+        EXPECT_GT(built.breaksWithin(10), 0U) << profileName(profile);
     }
 }
 
@@ -259,7 +259,7 @@ TEST(JointStart, WhatIsCutOffKeepsNothingOfItsLoad) {
             gap = std::max(gap, static_cast<double>(built.world.jointError(joint)));
         }
         // In `fast` the load made each joint give way by two centimetres; links that recoiled turn on.
-        expectAtMost("gap, metres, " + named(profile), gap, 5e-4);
+        expectAtMost("gap, metres, " + profileName(profile), gap, 5e-4);
     }
 }
 

@@ -204,8 +204,8 @@ TEST(MotorChain, WeakBrakesGiveWayAsForces) {
         }
         const double error = profile == Profile::fast ? 1e-2 : 1e-3;
         EXPECT_LT(angle, -0.4);
-        EXPECT_NEAR(static_cast<double>(arm.world.jointAngle(arm.joints[0])), angle, error) << nameOf(profile);
-        EXPECT_NEAR(arm.torque(), kTorque, 1e-3) << nameOf(profile);
+        EXPECT_NEAR(static_cast<double>(arm.world.jointAngle(arm.joints[0])), angle, error) << profileName(profile);
+        EXPECT_NEAR(arm.torque(), kTorque, 1e-3) << profileName(profile);
     }
 }
 
@@ -236,9 +236,9 @@ TEST(MotorChain, ArmsSwingAtTheirSpeed) {
         const double error = profile == Profile::fast ? 0.05 : 5e-3;
         for (std::size_t i = 0; i < 3; ++i) {
             EXPECT_NEAR(static_cast<double>(arm.world.jointAngle(arm.joints[i])), i == 1 ? 1 : 0, error)
-                << nameOf(profile) << ", hinge " << i;
+                << profileName(profile) << ", hinge " << i;
         }
-        EXPECT_LT(fastestTip(arm, 1), profile == Profile::fast ? 0.05 : 1e-3) << nameOf(profile);
+        EXPECT_LT(fastestTip(arm, 1), profile == Profile::fast ? 0.05 : 1e-3) << profileName(profile);
     }
 }
 
@@ -275,7 +275,7 @@ TEST(MotorChain, RandomArmsDoNotShake) {
             fastest = std::max(fastest, speed);
             shaking += speed > (profile == Profile::fast ? 0.1 : 1e-3) ? 1 : 0;
         }
-        EXPECT_EQ(shaking, 0) << nameOf(profile) << ", the fastest " << fastest << " m/s";
+        EXPECT_EQ(shaking, 0) << profileName(profile) << ", the fastest " << fastest << " m/s";
     }
 }
 

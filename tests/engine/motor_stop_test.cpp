@@ -24,8 +24,7 @@ World worldAt(const Rate& rate) {
 }
 
 std::string nameOf(const Rate& rate, double torque) {
-    return std::string(rate.profile == Profile::fast ? "fast" : "accurate") + ", dt " + std::to_string(rate.dt) +
-           ", times " + std::to_string(torque);
+    return profileName(rate.profile) + ", dt " + std::to_string(rate.dt) + ", times " + std::to_string(torque);
 }
 
 /// A flipper of 7.5 cm, up to ten thousand times as strong as its weight asks for.

@@ -39,8 +39,8 @@ TEST(Presses, AreBorneByWhatTheyPress) {
         runFor(world, 4);
         const double before = height();
         runFor(world, 4);
-        const std::string what = std::string(press.profile == Profile::fast ? "fast" : "accurate") + ", " +
-                                 std::to_string(size) + " m, " + std::to_string(press.strength) + " weights";
+        const std::string what = profileName(press.profile) + ", " + std::to_string(size) + " m, " +
+                                 std::to_string(press.strength) + " weights";
         EXPECT_GT(height(), press.atLeast) << what;
         EXPECT_NEAR(height(), before, 1e-3) << what << ": sinks on";
     }

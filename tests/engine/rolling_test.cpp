@@ -24,8 +24,6 @@ World worldOf(Profile profile, bool sleep = false) {
     return makeWorld(settings);
 }
 
-std::string nameOf(Profile profile) { return profile == Profile::fast ? "fast, " : "accurate, "; }
-
 BodyId addRolling(World& world, DVec2 position, double speed, const ShapeDef& surface, double radius = kRadius) {
     return addBody(world, dynamicAt(position, vec(speed, 0), -speed / radius), circle(radius), surface);
 }
@@ -64,7 +62,7 @@ TEST(Rolling, SlowsDownABall) {
             const Rolled rolled = roll(profile, rough(c.ofGround), rough(c.ofBall, 1, c.restitution), c.speed);
             const Rolled smooth = roll(profile, rough(0), rough(0, 1, c.restitution), c.speed);
             const double speed = std::abs(c.speed);
-            const std::string name = nameOf(profile) + std::to_string(c.speed) + " m/s, ";
+            const std::string name = profileName(profile) + ", " + std::to_string(c.speed) + " m/s, ";
             expectAtMost(name + "lost", std::abs(rolled.lost - smooth.lost - 2 * brake),
                          2e-3 * brake + (kIsDouble ? 0 : 1e-4 * speed));
             expectAtMost(name + "smooth", std::abs(smooth.lost), 1.5e-4 * speed);
@@ -89,7 +87,7 @@ TEST(Rolling, SlowsDownOverSeams) {
             }
             const BodyId ball = addRolling(world, {0.1, kRadius}, 3, rough(0.06));
             runFor(world, 2);
-            const std::string name = nameOf(profile) + (isChain ? "chain, " : "boxes, ");
+            const std::string name = profileName(profile) + ", " + (isChain ? "chain, " : "boxes, ");
             expectAtMost(name + "lost", std::abs((3 - velocityOf(world, ball).x) / (2 * brake) - 1), 0.01);
         }
     }
@@ -106,12 +104,12 @@ TEST(Rolling, StopsABall) {
             const BodyId ball = addRolling(world, {0, kRadius}, 2, rough(resistance));
             runFor(world, 2 / brake + 2);
             EXPECT_EQ(world.isAwake(ball), !sleeps);
-            expectAtMost(nameOf(profile) + "speed", length(velocityOf(world, ball)), sleeps ? 0 : 1e-6);
-            expectAtMost(nameOf(profile) + "spin", std::abs(spinOf(world, ball)), sleeps ? 0 : 1e-6);
+            expectAtMost(profileName(profile) + ", speed", length(velocityOf(world, ball)), sleeps ? 0 : 1e-6);
+            expectAtMost(profileName(profile) + ", spin", std::abs(spinOf(world, ball)), sleeps ? 0 : 1e-6);
             const DVec2 place = world.position(ball);
-            expectAtMost(nameOf(profile) + "way", std::abs(place.x / (2 * 2 / (2 * brake)) - 1), 5e-3);
+            expectAtMost(profileName(profile) + ", way", std::abs(place.x / (2 * 2 / (2 * brake)) - 1), 5e-3);
             runFor(world, 10);
-            expectAtMost(nameOf(profile) + "creeps", length(world.position(ball) - place), sleeps ? 0 : 1e-6);
+            expectAtMost(profileName(profile) + ", creeps", length(world.position(ball) - place), sleeps ? 0 : 1e-6);
         }
     }
 }
@@ -135,7 +133,7 @@ TEST(Rolling, HoldsABallOnASlope) {
             runFor(world, 3);
             const DVec2 moved = world.position(ball) - start;
             const double speed = dot(velocityOf(world, ball), turned({-1, 0}, tilt));
-            const std::string name = nameOf(profile) + std::to_string(ratio) + ": ";
+            const std::string name = profileName(profile) + ", " + std::to_string(ratio) + ": ";
             if (ratio > 1) {
                 expectAtMost(name + "speed", length(velocityOf(world, ball)), 1e-6);
                 expectAtMost(name + "moved", length(moved), 1e-3);
@@ -169,7 +167,7 @@ TEST(Rolling, IsNotStartedByWaking) {
             }
             runFor(world, 3);
             EXPECT_EQ(world.isAwake(ball), !sleeps);
-            expectAtMost(nameOf(profile) + "moved", length(world.position(ball) - place), 1e-9);
+            expectAtMost(profileName(profile) + ", moved", length(world.position(ball) - place), 1e-9);
         }
     }
 }
@@ -189,12 +187,12 @@ TEST(Rolling, ChangesAtOnce) {
         EXPECT_EQ(world.definition(shape).rollingResistance, 0);
         runFor(world, 1);
         const double free = kGravity * std::sin(tilt) / kInertiaShare;
-        expectAtMost(nameOf(profile) + "free", std::abs(length(velocityOf(world, ball)) / free - 1), 3e-3);
+        expectAtMost(profileName(profile) + ", free", std::abs(length(velocityOf(world, ball)) / free - 1), 3e-3);
         must(world.redefine(shape, rough(0.2)));
         run(world, 12);
         const double brake = kGravity * (0.2 * std::cos(tilt) - std::sin(tilt)) / kInertiaShare;
-        expectAtMost(nameOf(profile) + "braked", std::abs((free - length(velocityOf(world, ball))) / (brake * 0.2) - 1),
-                     0.02);
+        expectAtMost(profileName(profile) + ", braked",
+                     std::abs((free - length(velocityOf(world, ball))) / (brake * 0.2) - 1), 0.02);
         runFor(world, 4);
         EXPECT_FALSE(world.isAwake(ball));
     }
@@ -244,7 +242,7 @@ TEST(Rolling, TakesTheSmallerOfTwoCircles) {
             runFor(world, 3);
             const double moved = length(world.position(ball) - place);
             if (ratio < 1) {
-                expectAtMost(nameOf(profile) + "stays", moved, 1e-3);  // it sinks in
+                expectAtMost(profileName(profile) + ", stays", moved, 1e-3);  // it sinks in
             } else {
                 EXPECT_GT(moved, 0.2);
             }
@@ -267,7 +265,7 @@ TEST(Rolling, HoldsWhatStandsOnItsRound) {
             runFor(world, 3);
             const double turn = std::abs(world.angle(body) - def.angle);
             if (ratio < 1) {
-                expectAtMost(nameOf(profile) + "stands", turn, 1e-4);
+                expectAtMost(profileName(profile) + ", stands", turn, 1e-4);
             } else {
                 EXPECT_GT(turn, 1);
             }
@@ -287,7 +285,8 @@ TEST(Rolling, SlowsDownAHeavyBallOnALightPlank) {
         runFor(world, 2);
         EXPECT_EQ(world.counters().directBodies, 0u);
         const double brake = 0.1 * kGravity / kInertiaShare;
-        expectAtMost(nameOf(profile) + "lost", std::abs((3 - velocityOf(world, ball).x) / (2 * brake) - 1), 0.01);
+        expectAtMost(profileName(profile) + ", lost", std::abs((3 - velocityOf(world, ball).x) / (2 * brake) - 1),
+                     0.01);
     }
 }
 
@@ -311,7 +310,8 @@ TEST(Rolling, SlowsDownACart) {
         }
         runFor(world, 2);
         const double brake = 0.08 * kGravity * carried / moved;
-        expectAtMost(nameOf(profile) + "lost", std::abs((3 - velocityOf(world, chassis).x) / (2 * brake) - 1), 0.01);
+        expectAtMost(profileName(profile) + ", lost", std::abs((3 - velocityOf(world, chassis).x) / (2 * brake) - 1),
+                     0.01);
     }
 }
 
@@ -324,8 +324,8 @@ TEST(Rolling, IsCarriedByABelt) {
         addStatic(world, box(100, 1), belt, {0, -1});
         const BodyId disk = addBody(world, dynamicAt({0, kRadius}), circle(kRadius), rough(0.1));
         runFor(world, 6);
-        expectAtMost(nameOf(profile) + "speed", std::abs(velocityOf(world, disk).x / 2 - 1), 1e-3);
-        expectAtMost(nameOf(profile) + "spin", std::abs(spinOf(world, disk)), 1e-3);
+        expectAtMost(profileName(profile) + ", speed", std::abs(velocityOf(world, disk).x / 2 - 1), 1e-3);
+        expectAtMost(profileName(profile) + ", spin", std::abs(spinOf(world, disk)), 1e-3);
     }
 }
 
@@ -353,7 +353,7 @@ TEST(Rolling, LetsAHeapComeToRest) {
                 gained = std::max(gained, now - energy);
                 energy = now;
             }
-            const std::string name = nameOf(profile) + std::to_string(resistance) + ": ";
+            const std::string name = profileName(profile) + ", " + std::to_string(resistance) + ": ";
             expectAtMost(name + "gained", gained / start, 1e-3);
             expectAtMost(name + "overlap", deepestOverlap(world), 5e-3);
             for (const BodyId disk : disks) { EXPECT_FALSE(world.isAwake(disk)) << name; }

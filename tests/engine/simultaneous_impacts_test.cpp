@@ -99,9 +99,8 @@ TEST(SimultaneousImpacts, ABreakShotOfBulletsIsSymmetric) {
                             off = std::max(off, length(a - DVec2{b.x, -b.y}));
                         }
                     }
-                    const std::string name = std::string(profile == Profile::fast ? "fast" : "accurate") +
-                                             (isBullet ? ", bullets" : "") + ", gap " + std::to_string(gap) +
-                                             ", restitution " + std::to_string(restitution);
+                    const std::string name = profileName(profile) + (isBullet ? ", bullets" : "") + ", gap " +
+                                             std::to_string(gap) + ", restitution " + std::to_string(restitution);
                     expectAtMost(name, off / kSpeed, 0.01);
                 }
             }

@@ -324,10 +324,9 @@ TEST(StepSizes, ChangeWhilePilesSleep) {
                                                    {kStep, 1},
                                                    {kStep, 64},
                                                    {kStep, 256}}) {
-                    const std::string name = std::string(profile == Profile::fast ? "fast" : "accurate") +
-                                             (isHeap ? " heap" : " stack") + " beside " + std::to_string(drifters) +
-                                             ", then dt " + std::to_string(dt) + ", sub-steps " +
-                                             std::to_string(subSteps);
+                    const std::string name = profileName(profile) + (isHeap ? " heap" : " stack") + " beside " +
+                                             std::to_string(drifters) + ", then dt " + std::to_string(dt) +
+                                             ", sub-steps " + std::to_string(subSteps);
                     expectAtMost(name + ", speed", pile.fastestAfter(dt, subSteps), 1e-3);
                 }
             }
