@@ -45,6 +45,8 @@ struct BodyDef {
     bool enabled = true;         ///< false: takes no part until `World::setEnabled` lets it
     std::optional<ContinuousMode> continuous{};  ///< empty: the world's
     std::uint64_t userData = 0;
+
+    bool operator==(const BodyDef&) const = default;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -9,6 +9,7 @@
 #include "../shapes/status.h"
 #include "../shapes/transform.h"
 #include "body_def.h"
+#include "contact_filter.h"
 #include "counters.h"
 #include "events.h"
 #include "ids.h"
@@ -43,7 +44,7 @@ public:
     World& operator=(World&&) noexcept;
     /// A snapshot: everything, ids and the events of the last step included. From equal calls on, the copy and the
     /// original go on with the same bits. Copying into a world that was one of these before reuses its memory. The task
-    /// system is the same; two worlds may be stepped at the same time if it allows that.
+    /// system and the contact filter are the same; two worlds may be stepped at the same time if these allow that.
     World(const World& other);
     World& operator=(const World& other);
 
@@ -54,6 +55,11 @@ public:
     const WorldSettings& settings() const;
     /// Where parallel loops run; null: on the calling thread. Must outlive the world or its replacement.
     void setTaskSystem(TaskSystem* tasks);
+    /// Who else decides which shapes may touch (contact_filter.h); null: nobody. Must outlive the world, its copies, or
+    /// its replacement. Asks anew about all pairs of shapes, also if it is the same one, for filters that follow the
+    /// state of the game: what it forbids now ends, what it allows begins, and all wakes. Takes as long as a step in
+    /// which everything moved.
+    void setContactFilter(const ContactFilter* filter);
 
     /// Advances by dt > 0 seconds. Errors: `notFinite`, `notPositive`; `outOfRange` when dt or 1/dt is above 2⁶³ (in
     /// f64 2⁵¹¹); `missingMass` when a dynamic body has neither shapes with density nor a mass of its own, or
@@ -86,8 +92,10 @@ public:
     /// As it was made or redefined; pose, velocities, `awake` and `enabled` as they are now.
     BodyDef definition(BodyId id) const;
     /// Gives a body another definition; its pose and velocities stay as they are (but for those that the new one does
-    /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it. A new type ends its contacts;
-    /// joints between what is not dynamic rest (as those of a disabled body do: setEnabled) until one of it is.
+    /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it, unless `userData` alone is
+    /// another. A new type ends its contacts, and so does, where there is a contact filter, another `userData`, and
+    /// those that it has then begin; joints between what is not dynamic rest (as those of a disabled body do:
+    /// setEnabled) until one of it is.
     /// Errors: as of createBody; `wrongBodyType` with "type" where it has chains and would be dynamic.
     Status redefine(BodyId id, const BodyDef& def);
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
@@ -153,7 +161,8 @@ public:
     ShapeDef definition(ShapeId id) const;
     /// Another surface, density, filter, … of the same geometry. Wakes the body, unless `userData` alone is another,
     /// and, with another surface or filter, what it touches; with another filter, or as a sensor or none, its contacts
-    /// end, and those that it has then begin. Errors: of `def` as of addShape.
+    /// end, and those that it has then begin. Where there is a contact filter, another `userData` counts as another
+    /// filter. Errors: of `def` as of addShape.
     Status redefine(ShapeId id, const ShapeDef& def);
     /// What it is made of, in the frame of its body: one polygon, or the segments of a chain; none of a stale id.
     void visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const;
@@ -186,9 +195,9 @@ public:
     AnyJointDef definition(JointId id) const;
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;
-    // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else as of
-    // createJoint. Limits, and lengths of rods, that are moved before each step go there within it, at the lesser of
-    // the speeds of this step and the one before, and what they hold goes along and keeps that speed when they stop.
+    // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else
+    // as of createJoint. Limits, and lengths of rods, that are moved before each step go there within it, at the lesser
+    // of the speeds of this step and the one before, and what they hold goes along and keeps that speed when they stop.
     // What is moved for a single step, or by more than the bodies are wide, draws them there and gives them no speed.
     Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);             ///< revolute, wheel
     Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);               ///< prismatic

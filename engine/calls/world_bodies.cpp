@@ -178,9 +178,20 @@ Status World::redefine(BodyId id, const BodyDef& given) {
     if (def.type == BodyType::dynamic && std::any_of(body.shapes.begin(), body.shapes.end(), isChain)) {
         return {StatusCode::wrongBodyType, "type"};
     }
+    const bool isToldApart = world.contactFilter != nullptr && def.userData != body.def.userData;
+    BodyDef before = atPresent(world, slot, body.def);
+    before.userData = def.userData;
+    if (def == before && !isToldApart) {
+        body.def.userData = def.userData;
+        return Status::success();
+    }
     wake(world, slot);
     countBody(world, body, -1);
-    if (isOtherType) { changeType(world, slot, def.type); }
+    if (isOtherType) {
+        changeType(world, slot, def.type);
+    } else if (isToldApart) {
+        dropContacts(world, slot);
+    }
     body.def = def;
     world.motions[slot].velocity = def.velocity;
     world.motions[slot].angularVelocity = def.angularVelocity;
@@ -191,7 +202,11 @@ Status World::redefine(BodyId id, const BodyDef& given) {
         renewJoints(world, slot);
         renewKinds(world, body.shapes);
     }
-    updateProxies(world, slot);
+    if (isToldApart) {
+        renewProxies(world, slot);
+    } else {
+        updateProxies(world, slot);
+    }
     return Status::success();
 }
 

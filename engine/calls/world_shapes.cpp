@@ -263,7 +263,8 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     const std::uint32_t body = world.shapes[id.index].body;
     std::vector<std::uint32_t> slots;
     listSlots(world, id.index, slots);
-    const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter);
+    const bool isToldApart = world.contactFilter != nullptr && def.userData != before.userData;
+    const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter) || isToldApart;
     const bool isOtherSurface =
         def.friction != before.friction || def.restitution != before.restitution ||
         def.rollingResistance != before.rollingResistance || def.surfaceSpeed != before.surfaceSpeed ||

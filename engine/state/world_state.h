@@ -127,6 +127,7 @@ struct Workers {
 /// Nothing in it refers to a place in it from one step to the next, so that a copy goes on like the original.
 struct WorldState : Workers {
     WorldSettings settings;
+    const ContactFilter* contactFilter = nullptr;  ///< of the user's
     SlotPool<Body, BodyId> bodies;
     std::vector<BodyMotion> motions;    ///< by body slot
     std::vector<BodySlot> solverSlots;  ///< by body slot: in its present solve, of what that moves or may meet
