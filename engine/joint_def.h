@@ -46,25 +46,35 @@ struct JointDef {
 struct Spring {
     Real hertz = 0;         ///< greater than 0; of the two bodies alone, held by nothing but this joint
     Real dampingRatio = 0;  ///< at least 0; 1 is critical
+
+    bool operator==(const Spring&) const = default;
 };
 struct AngleLimits {
     Real lower = 0;  ///< radians from the initial relative angle
     Real upper = 0;  ///< at least `lower`
+
+    bool operator==(const AngleLimits&) const = default;
 };
 /// What a motor, angular or linear, moves by less than a thousandth of its size in 4·√(size / g) falls asleep like all
 /// that hardly moves, and stops. A kinematic body does not, nor anything where `WorldSettings::sleep` is off.
 struct AngularMotor {
     Real speed = 0;      ///< rad/s of B relative to A
     Real maxTorque = 0;  ///< N·m, at least 0
+
+    bool operator==(const AngularMotor&) const = default;
 };
 
 struct TranslationLimits {
     Real lower = 0;  ///< metres from the initial place, along the axis
     Real upper = 0;  ///< at least `lower`
+
+    bool operator==(const TranslationLimits&) const = default;
 };
 struct LinearMotor {
     Real speed = 0;     ///< m/s of B relative to A, along the axis
     Real maxForce = 0;  ///< N, at least 0
+
+    bool operator==(const LinearMotor&) const = default;
 };
 
 /// A hinge.
@@ -79,6 +89,8 @@ struct RevoluteJointDef {
 struct LengthLimits {
     Real min = 0;  ///< metres, at least 0
     Real max = 0;  ///< at least `min`; infinity: none
+
+    bool operator==(const LengthLimits&) const = default;
 };
 
 /// Rod (neither spring nor limits), rope (limits), spring (spring), or spring within limits.
@@ -133,6 +145,8 @@ struct MotorDrive {
     std::optional<Real> angularVelocity{};  ///< of B relative to A, rad/s; then there is no offset
     std::optional<Real> maxForce{};         ///< N, at least 0; empty: no linear drive
     std::optional<Real> maxTorque{};        ///< N·m, at least 0; empty: no angular drive
+
+    bool operator==(const MotorDrive&) const = default;
 };
 struct MotorJointDef {
     JointDef base{};

@@ -193,9 +193,16 @@ public:
     /// As it was made, with the points of that time, and what setters changed since. (A gear names the bodies that it
     /// found.) Of a stale id a hinge of no bodies.
     AnyJointDef definition(JointId id) const;
+    /// Gives a joint another definition of its kind, and touches only what is other in it: limits, motors, springs,
+    /// lengths, drives and targets as their setters do, strengths, ratios, `collideConnected`, break limits,
+    /// `userData`. Its bodies, points, axes and geared joints stay, whatever `def` says of them, and so does a length
+    /// where it has none. Another ratio begins where the bodies are: the error of a gear and the slack of a pulley stay
+    /// as they are. Wakes the bodies, unless break limits and `userData` alone are others. Errors: `wrongJointType` of
+    /// another kind; else as of createJoint.
+    Status redefine(JointId id, const AnyJointDef& def);
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;
-    // Setters wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else
+    // Setters of one part wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else
     // as of createJoint. Limits, and lengths of rods, that are moved before each step go there within it, at the lesser
     // of the speeds of this step and the one before, and what they hold goes along and keeps that speed when they stop.
     // What is moved for a single step, or by more than the bodies are wide, draws them there and gives them no speed.

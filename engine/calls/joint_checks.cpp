@@ -24,6 +24,11 @@ Status checkOrder(const std::optional<Limits>& limits) {
     return limits->lower > limits->upper ? Status{StatusCode::outOfRange, "upper"} : Status::success();
 }
 
+template <class Def>
+Status checkGuided(const Def& def) {
+    return firstFault({checkLimits(def.limits), checkMotor(def.motor), checkSpring(def.spring)});
+}
+
 }  // namespace
 
 Status checkBreakLimits(const std::optional<Real>& force, const std::optional<Real>& torque) {
@@ -100,6 +105,27 @@ Status checkDrive(const MotorDrive& drive) {
 Status checkRatio(Real ratio) {
     if (!isFinite(ratio)) { return {StatusCode::notFinite, "ratio"}; }
     return ratio == 0 ? Status{StatusCode::outOfRange, "ratio"} : Status::success();
+}
+
+Status checkParts(const RevoluteJointDef& def) { return checkGuided(def); }
+Status checkParts(const DistanceJointDef& def, Real length) {
+    return firstFault({checkLength(def.length.value_or(length), def.limits), checkSpring(def.spring)});
+}
+Status checkParts(const PrismaticJointDef& def) { return checkGuided(def); }
+Status checkParts(const WheelJointDef& def) { return checkGuided(def); }
+Status checkParts(const WeldJointDef& def) {
+    return firstFault({checkSpring(def.linearSpring), checkSpring(def.angularSpring)});
+}
+Status checkParts(const MotorJointDef& def) { return checkDrive(def.drive); }
+Status checkParts(const MouseJointDef& def) {
+    return firstFault(
+        {checkNumber(def.target, "target"), checkSpring(def.spring), checkStrength(def.maxForce, "maxForce")});
+}
+Status checkParts(const GearJointDef& def) { return checkRatio(def.ratio); }
+Status checkParts(const PulleyJointDef& def) {
+    const Status ratio = checkRatio(def.ratio);
+    if (!ratio.ok()) { return ratio; }
+    return def.ratio < 0 ? Status{StatusCode::negative, "ratio"} : Status::success();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -22,4 +22,16 @@ Status checkStrength(const std::optional<Real>& strength, const char* field);
 Status checkDrive(const MotorDrive& drive);
 Status checkRatio(Real ratio);
 
+// Of what a definition says of more than where the joint is: limits, motors, springs, strengths, ratios.
+Status checkParts(const RevoluteJointDef& def);
+/// @param length  where `def` has none
+Status checkParts(const DistanceJointDef& def, Real length);
+Status checkParts(const PrismaticJointDef& def);
+Status checkParts(const WheelJointDef& def);
+Status checkParts(const WeldJointDef& def);
+Status checkParts(const MotorJointDef& def);
+Status checkParts(const MouseJointDef& def);
+Status checkParts(const GearJointDef& def);
+Status checkParts(const PulleyJointDef& def);
+
 }  // namespace swept::inline SWEPT_PRECISION

@@ -42,14 +42,6 @@ Joint jointOf(const WorldState& world, const JointDef& base, JointParts parts, c
     return joint;
 }
 
-/// Of the bodies that a joint keeps apart.
-std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& joint) {
-    const auto isBetween = [a = joint.bodyA, b = joint.bodyB](const ContactPair& c) {
-        return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
-    };
-    return pairsOf(world, world.bodies[bodyOfFewerShapes(world, joint)].shapes, isBetween);
-}
-
 /// All that may fail when memory runs out, before a joint is made.
 /// @param pairs  whose end it may report
 void makeRoomForJoint(WorldState& world, const Joint& joint, std::size_t pairs) {
@@ -103,8 +95,7 @@ void addBody(Joint& gear, std::uint32_t body) {
 
 Result<JointId> World::createJoint(const RevoluteJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor),
-                                      checkSpring(def.spring), checkNumber(def.anchor, "anchor")});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor")});
     if (!status.ok()) { return status; }
     const HingePart part{def};
     return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, {}}));
@@ -115,8 +106,7 @@ Result<JointId> World::createJoint(const DistanceJointDef& def) {
     const Status points = firstFault({checkNumber(def.anchorA, "anchorA"), checkNumber(def.anchorB, "anchorB")});
     if (!points.ok()) { return points; }
     const Real length = def.length.value_or(static_cast<Real>(swept::length(def.anchorB - def.anchorA)));
-    const Status status =
-        firstFault({checkBase(world, def.base), checkLength(length, def.limits), checkSpring(def.spring)});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def, length)});
     if (!status.ok()) { return status; }
     const JointPart<DistanceJointDef, DistanceConstraint> part{def, {}};
     Joint joint = jointOf(world, def.base, part, {def.anchorA, def.anchorB, def.anchorB - def.anchorA});
@@ -126,8 +116,8 @@ Result<JointId> World::createJoint(const DistanceJointDef& def) {
 
 Result<JointId> World::createJoint(const PrismaticJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor),
-                                      checkSpring(def.spring), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    const Status status = firstFault(
+        {checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
     if (!status.ok()) { return status; }
     const JointPart<PrismaticJointDef, PrismaticConstraint> part{def, {}};
     return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
@@ -135,8 +125,8 @@ Result<JointId> World::createJoint(const PrismaticJointDef& def) {
 
 Result<JointId> World::createJoint(const WheelJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkLimits(def.limits), checkMotor(def.motor),
-                                      checkSpring(def.spring), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    const Status status = firstFault(
+        {checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
     if (!status.ok()) { return status; }
     const JointPart<WheelJointDef, WheelConstraint> part{def, {}};
     return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
@@ -144,8 +134,7 @@ Result<JointId> World::createJoint(const WheelJointDef& def) {
 
 Result<JointId> World::createJoint(const WeldJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkSpring(def.linearSpring),
-                                      checkSpring(def.angularSpring), checkNumber(def.anchor, "anchor")});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor")});
     if (!status.ok()) { return status; }
     const JointPart<WeldJointDef, WeldConstraint> part{def, {}};
     return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, {}}));
@@ -153,7 +142,7 @@ Result<JointId> World::createJoint(const WeldJointDef& def) {
 
 Result<JointId> World::createJoint(const MotorJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkDrive(def.drive)});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def)});
     if (!status.ok()) { return status; }
     const DVec2 origin = world.motions[def.base.bodyB.index].pose.position;
     const JointPart<MotorJointDef, MotorConstraint> part{def, {}};
@@ -163,9 +152,7 @@ Result<JointId> World::createJoint(const MotorJointDef& def) {
 Result<JointId> World::createJoint(const MouseJointDef& def) {
     WorldState& world = *state_;
     const DVec2 anchor = def.anchor.value_or(def.target);
-    const Status status =
-        firstFault({checkBase(world, def.base), checkNumber(def.target, "target"), checkNumber(anchor, "anchor"),
-                    checkSpring(def.spring), checkStrength(def.maxForce, "maxForce")});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkNumber(anchor, "anchor")});
     if (!status.ok()) { return status; }
     if (!world.bodies[def.base.bodyB.index].isDynamic()) { return Status{StatusCode::wrongBodyType, "bodyB"}; }
     const JointPart<MouseJointDef, MouseConstraint> part{def, {}};
@@ -177,7 +164,7 @@ Result<JointId> World::createJoint(const MouseJointDef& def) {
 Result<JointId> World::createJoint(const GearJointDef& def) {
     WorldState& world = *state_;
     const Status joints = firstFault(
-        {checkGeared(world, def.jointA, "jointA"), checkGeared(world, def.jointB, "jointB"), checkRatio(def.ratio)});
+        {checkGeared(world, def.jointA, "jointA"), checkGeared(world, def.jointB, "jointB"), checkParts(def)});
     if (!joints.ok()) { return joints; }
     if (def.jointA == def.jointB) { return Status{StatusCode::notDistinct, "jointB"}; }
     const Joint& first = world.joints[def.jointA.index];
@@ -204,9 +191,8 @@ Result<JointId> World::createJoint(const PulleyJointDef& def) {
     WorldState& world = *state_;
     const Status status = firstFault({checkBase(world, def.base), checkNumber(def.groundA, "groundA"),
                                       checkNumber(def.groundB, "groundB"), checkNumber(def.anchorA, "anchorA"),
-                                      checkNumber(def.anchorB, "anchorB"), checkRatio(def.ratio)});
+                                      checkNumber(def.anchorB, "anchorB"), checkParts(def)});
     if (!status.ok()) { return status; }
-    if (def.ratio < 0) { return Status{StatusCode::negative, "ratio"}; }
     const double rope =
         length(def.anchorA - def.groundA) + static_cast<double>(def.ratio) * length(def.anchorB - def.groundB);
     if (!isInRange(rope)) { return Status{StatusCode::outOfRange, "ratio"}; }

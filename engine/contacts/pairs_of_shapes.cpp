@@ -4,6 +4,7 @@
 #include <array>
 
 #include "../state/awake.h"
+#include "../state/body_joints.h"
 #include "../state/world_state.h"
 #include "contact_making.h"
 
@@ -137,6 +138,13 @@ std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const s
     return pairsOf(world, slots, [&](const ContactPair& pair) {
         return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
     });
+}
+
+std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& joint) {
+    const auto isBetween = [a = joint.bodyA, b = joint.bodyB](const ContactPair& c) {
+        return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
+    };
+    return pairsOf(world, world.bodies[bodyOfFewerShapes(world, joint)].shapes, isBetween);
 }
 
 void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places) {

@@ -11,6 +11,7 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+struct Joint;
 struct WorldState;
 
 /// Where the contacts and candidates of a shape stand, for what is destroyed or put elsewhere between steps. A place
@@ -34,6 +35,8 @@ std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::u
 void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots);
 /// Likewise all pairs of such a shape. @param slots  all that it has
 std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots);
+/// Likewise all between the bodies that a joint keeps apart.
+std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& joint);
 /// @return nothing where the place is that of a candidate: these follow all contacts
 ContactProbe* probeAt(WorldState& world, std::size_t place);
 /// Wakes whom the body touches in one of these pairs.

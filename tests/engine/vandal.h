@@ -184,7 +184,7 @@ private:
     }
     Status changeJoint() {
         const JointId joint = any(known_.joints);
-        switch (random().integer(0, 10)) {
+        switch (random().integer(0, 13)) {
             case 0:
                 return world_.setAngularMotor(joint, angularMotor());
             case 1:
@@ -205,10 +205,31 @@ private:
                 return world_.setTarget(joint, place());
             case 9:
                 return world_.setDrive(joint, drive());
+            case 10:
+            case 11:
+            case 12:
+                return redefineJoint(joint);
             default:
                 return world_.setBreakLimits(joint, seldom([&] { return realPositive(); }),
                                              seldom([&] { return realPositive(); }));
         }
+    }
+    /// Mostly of its kind, with some parts that may be nonsense.
+    Status redefineJoint(JointId joint) {
+        AnyJointDef other = world_.definition(random().chance(0.9) ? joint : any(known_.joints));
+        std::visit(
+            [this](auto& def) {
+                def.base.collideConnected = random().chance(0.5);
+                if (random().chance(0.3)) { def.base.breakForce = realPositive(); }
+                if constexpr (requires { def.spring; }) { def.spring = spring(); }
+                if constexpr (requires { def.target; }) { def.target = place(); }
+                if constexpr (requires { def.maxForce; }) { def.maxForce = realPositive(); }
+                if constexpr (requires { def.ratio; }) { def.ratio = realNumber(); }
+                if constexpr (requires { def.drive; }) { def.drive = drive(); }
+                if constexpr (requires { def.length; }) { def.length = realPositive(); }
+            },
+            other);
+        return world_.redefine(joint, other);
     }
     Status pushBody() {
         const BodyId body = any(known_.bodies);
