@@ -26,10 +26,10 @@ struct WorldState;
 /// A world of rigid bodies, advanced in fixed steps.
 ///
 /// Every call that takes input checks it first and changes nothing when it refuses (see `Status`). Getters of a stale
-/// id return a default value (zeros, false). One thread at a time; queries may run at the same time as each other. What
-/// a query or visit calls back may change the world: it is told of what was there when it was asked. What was destroyed
-/// since is left out, what was moved or made since may be. A world that was moved from may only be assigned to or
-/// destroyed. The same calls give the same bits on every machine, compiler and number of threads.
+/// id return a default value (zeros, false). One thread at a time; what is const may run at the same time as each
+/// other. What a query or visit calls back may change the world: it is told of what was there when it was asked. What
+/// was destroyed since is left out, what was moved or made since may be. A world that was moved from may only be
+/// assigned to or destroyed. The same calls give the same bits on every machine, compiler and number of threads.
 ///
 /// Where memory runs out, `std::bad_alloc` comes through (in a loop that other threads share, and in a library without
 /// exceptions, it ends the program). A call that
@@ -270,13 +270,13 @@ public:
     /// All contact points there are now, also of what is near and does not touch: `separation` tells. They were found
     /// as the last step began, and their bodies moved since.
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
-    // What one body or shape touches. Not const, since the third of these calls after a step lists all contacts by
-    // shape; from then on each takes as long as its answer.
+    // What one body or shape touches. The third of these calls after a step lists all contacts by shape; from then on
+    // each takes as long as its answer.
     /// The contact points of one body, A and B as in the list of all; none of a stale id.
-    void visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit);
+    void visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) const;
     /// What overlaps a sensor: all whose `sensorBegin` was reported, and not its end. None of a stale id, or of what is
     /// no sensor.
-    void visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit);
+    void visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) const;
 
     // --- what the last step did
     // The lists stay as they are until the next step, whatever is destroyed while one goes through them.

@@ -54,27 +54,30 @@ void World::visitContacts(FunctionRef<void(const ContactView&)> visit) const {
     tellAll(*this, views, visit);
 }
 
-void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) {
+void World::visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) const {
     WorldState& world = *state_;
     const Body* body = world.bodies.find(id);
     if (body == nullptr) { return; }
     const auto isOfBody = [slot = id.index](const ContactPair& pair) {
         return pair.bodyA == slot || pair.bodyB == slot;
     };
+    std::vector<std::uint32_t> places;
+    findPairsOf(world, body->shapes, isOfBody, places);
     std::vector<ContactView> views;
-    visitContactsAt(world, pairsOf(world, body->shapes, isOfBody),
-                    [&](const Contact& contact) { listPoints(world, contact, views); });
+    visitContactsAt(world, places, [&](const Contact& contact) { listPoints(world, contact, views); });
     tellAll(*this, views, visit);
 }
 
-void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) {
+void World::visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) const {
     WorldState& world = *state_;
     if (!isValid(sensor) || !world.shapes[sensor.index].def.sensor) { return; }
     const std::uint32_t head = sensor.index;
     std::vector<std::uint32_t> slots;
     listSlots(world, head, slots);
+    std::vector<std::uint32_t> places;
+    findPairsOfShape(world, slots, places);
     std::vector<ShapeId> others;
-    visitContactsAt(world, pairsOfShape(world, slots), [&](const Contact& contact) {
+    visitContactsAt(world, places, [&](const Contact& contact) {
         if (contact.sensor && contact.touching && world.shapes[contact.shapeA].head == head) {
             others.push_back(world.shapes.idOf(world.shapes[contact.shapeB].head));
         }

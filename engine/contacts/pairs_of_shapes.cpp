@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include "../state/awake.h"
 #include "../state/body_joints.h"
@@ -53,9 +54,24 @@ std::array<std::size_t, 2> proxiesOf(const ContactPair& pair) {
     return {static_cast<std::size_t>(pair.proxyA), static_cast<std::size_t>(pair.proxyB)};
 }
 
-/// Sorts places by proxy, by counting. They count as listed once they are: memory may run out meanwhile.
+/// Lists count as made once they are: memory may run out meanwhile.
+class ListMaker {
+public:
+    explicit ListMaker(PairsOfShapes& lists) : state_(lists.state) {}
+    ListMaker(const ListMaker&) = delete;
+    ListMaker& operator=(const ListMaker&) = delete;
+    ~ListMaker() { state_.store(end_, std::memory_order_release); }
+    void finish() { end_ = ListState::listed; }
+
+private:
+    CopiedAtomic<ListState>& state_;
+    ListState end_ = ListState::none;
+};
+
+/// Sorts places by proxy, by counting. @pre `state` is `beingMade`, by this thread
 void listPairs(WorldState& world) {
     PairsOfShapes& lists = world.pairsOfShapes;
+    ListMaker maker(lists);
     lists.begins.assign(world.proxyShapes.size() + 1, 0);
     std::uint32_t entries = 0;
     forEachPair(world, [&](const ContactPair& pair, std::uint32_t) {
@@ -69,12 +85,25 @@ void listPairs(WorldState& world) {
     forEachPair(world, [&](const ContactPair& pair, std::uint32_t place) {
         for (const std::size_t proxy : proxiesOf(pair)) { lists.places[--lists.begins[proxy]] = place; }
     });
-    lists.isListed = true;
+    maker.finish();
+}
+
+/// Whether the lists are there: the third one who asks makes them. While another thread does, nobody waits for it.
+bool areListed(WorldState& world) {
+    PairsOfShapes& lists = world.pairsOfShapes;
+    ListState state = lists.state.load(std::memory_order_acquire);
+    if (state != ListState::none) { return state == ListState::listed; }
+    if (lists.scans.fetch_add(1, std::memory_order_relaxed) < kScansBeforeLists) { return false; }
+    if (!lists.state.compare_exchange_strong(state, ListState::beingMade, std::memory_order_acquire)) {
+        return state == ListState::listed;
+    }
+    listPairs(world);
+    return true;
 }
 
 /// Those of the parked pairs of a shape that are meant.
-void addParked(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant) {
-    std::vector<std::uint32_t>& found = world.pairsOfShapes.found;
+void addParked(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant,
+               std::vector<std::uint32_t>& found) {
     const Places begins = placesIn(world);
     const auto add = [&](auto& pairs, std::size_t begin) {
         pairs.visitOf(world.shapes[shape].proxy, [&](std::uint32_t place) {
@@ -86,14 +115,15 @@ void addParked(WorldState& world, std::uint32_t shape, FunctionRef<bool(const Co
 }
 
 /// Of the pairs of a shape that are not parked. @pre listed
-void addListed(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant) {
-    PairsOfShapes& lists = world.pairsOfShapes;
+void addListed(WorldState& world, std::uint32_t shape, FunctionRef<bool(const ContactPair&)> isMeant,
+               std::vector<std::uint32_t>& found) {
+    const PairsOfShapes& lists = world.pairsOfShapes;
     if (world.shapes[shape].proxy == kNoProxy) { return; }
     const auto proxy = static_cast<std::size_t>(world.shapes[shape].proxy);
     if (proxy + 1 >= lists.begins.size()) { return; }  // made since: it has no pairs yet
     for (std::uint32_t i = lists.begins[proxy]; i < lists.begins[proxy + 1]; ++i) {
         const ContactPair& pair = pairAt(world, lists.places[i]);
-        if (!isGap(pair) && isMeant(pair)) { lists.found.push_back(lists.places[i]); }
+        if (!isGap(pair) && isMeant(pair)) { found.push_back(lists.places[i]); }
     }
 }
 
@@ -106,23 +136,25 @@ ContactProbe* probeAt(WorldState& world, std::size_t place) {
     return &world.parked.probes[static_cast<std::uint32_t>(place - begins.parkedProbes)];
 }
 
+void findPairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
+                 FunctionRef<bool(const ContactPair&)> isMeant, std::vector<std::uint32_t>& found) {
+    found.clear();
+    if (areListed(world)) {
+        for (const std::uint32_t shape : shapes) { addListed(world, shape, isMeant, found); }
+    } else {
+        forEachPair(world, [&](const ContactPair& pair, std::uint32_t place) {
+            if (isMeant(pair)) { found.push_back(place); }
+        });
+    }
+    for (const std::uint32_t shape : shapes) { addParked(world, shape, isMeant, found); }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
 std::span<const std::uint32_t> pairsOf(WorldState& world, std::span<const std::uint32_t> shapes,
                                        FunctionRef<bool(const ContactPair&)> isMeant) {
-    PairsOfShapes& lists = world.pairsOfShapes;
-    lists.found.clear();
-    if (!lists.isListed && lists.scans < kScansBeforeLists) {
-        ++lists.scans;
-        forEachPair(world, [&](const ContactPair& pair, std::uint32_t place) {
-            if (isMeant(pair)) { lists.found.push_back(place); }
-        });
-    } else {
-        if (!lists.isListed) { listPairs(world); }
-        for (const std::uint32_t shape : shapes) { addListed(world, shape, isMeant); }
-    }
-    for (const std::uint32_t shape : shapes) { addParked(world, shape, isMeant); }
-    std::sort(lists.found.begin(), lists.found.end());
-    lists.found.erase(std::unique(lists.found.begin(), lists.found.end()), lists.found.end());
-    return lists.found;
+    findPairsOf(world, shapes, isMeant, world.pairsOfShapes.found);
+    return world.pairsOfShapes.found;
 }
 
 void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uint32_t>& slots) {
@@ -130,14 +162,20 @@ void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uin
     for (std::uint32_t slot = head; slot != kNoIndex; slot = world.shapes[slot].nextInChain) { slots.push_back(slot); }
 }
 
-std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots) {
+void findPairsOfShape(WorldState& world, std::span<const std::uint32_t> slots, std::vector<std::uint32_t>& found) {
     const std::uint32_t body = world.shapes[slots.front()].body;
     const auto isOfShape = [&world, head = slots.front()](ProxyId proxy) {
         return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].head == head;
     };
-    return pairsOf(world, slots, [&](const ContactPair& pair) {
+    const auto isMeant = [&](const ContactPair& pair) {
         return (pair.bodyA == body && isOfShape(pair.proxyA)) || (pair.bodyB == body && isOfShape(pair.proxyB));
-    });
+    };
+    findPairsOf(world, slots, isMeant, found);
+}
+
+std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots) {
+    findPairsOfShape(world, slots, world.pairsOfShapes.found);
+    return world.pairsOfShapes.found;
 }
 
 std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& joint) {
@@ -206,7 +244,7 @@ void removePairs(WorldState& world, std::span<const std::uint32_t> places) {
 void closeUpPairs(WorldState& world) {
     PairsOfShapes& lists = world.pairsOfShapes;
     lists.scans = 0;
-    lists.isListed = false;
+    lists.state = ListState::none;
     if (lists.gaps == 0) { return; }
     lists.gaps = 0;
     std::erase_if(world.probes, isGap);
