@@ -21,10 +21,10 @@ struct FilteredShape {
 /// It is asked where `Filter` and joints allow a contact, so it can only forbid: when two shapes come near each other,
 /// and again within a step by what flies, as often as that looks where it gets to, by several threads at once. A
 /// contact is kept without asking until the two part. So the answer is to follow from what it is told, or from what
-/// does not change: the same for the same two shapes. Where it follows from more (the
-/// state of the game), or is to be another one, the world must be told: `redefine` with another `userData` asks anew
-/// about a shape, or about all shapes of a body, `setContactFilter` about all. If it changes without that, some of its
-/// contacts are of the old answer and some of the new one, until the shapes part. Queries do not ask it.
+/// does not change: the same for the same two shapes. Where it follows from more (the state of the game), the world
+/// must be told when it is another one: `redefine` with another `userData` asks anew about a shape, or about all shapes
+/// of a body; `setContactFilter` asks about all. If it changes without that, some contacts are of the old answer and
+/// some of the new one, until their shapes part. Queries do not ask it.
 class ContactFilter {
 public:
     virtual ~ContactFilter() = default;

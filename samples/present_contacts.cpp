@@ -148,6 +148,9 @@ bool PresentContacts::isA(const Piece& a, const Piece& b) const {
 bool PresentContacts::mayMeet(const Piece& a, const Piece& b) const {
     if (a.body == b.body || !(bodies_[a.body].isDynamic || bodies_[b.body].isDynamic)) { return false; }
     if (!shouldCollide(a.filter, b.filter)) { return false; }
+    for (const Piece* piece : {&a, &b}) {
+        if (!built_.world.isEnabled(built_.bodies[piece->body])) { return false; }
+    }
     const auto [first, last] = jointed_.equal_range({std::min(a.body, b.body), std::max(a.body, b.body)});
     return std::none_of(first, last,
                         [this](const auto& joint) { return built_.world.isValid(built_.joints[joint.second]); });

@@ -123,6 +123,7 @@ BodyDef bodyDefOf(const BodyDescription& given, std::size_t index) {
     def.fixedRotation = given.fixedRotation;
     def.bullet = given.bullet;
     def.awake = given.awake;
+    def.enabled = given.enabled;
     if (given.continuous) { def.continuous = continuousOf(*given.continuous); }
     def.userData = index;
     return def;
@@ -170,7 +171,9 @@ bool buildBody(const SceneDescription& scene, std::size_t i, SceneWorld& built, 
         }
     }
     // Adding shapes wakes: what the scene lays down asleep goes to sleep when it is complete.
-    if (!given.awake && given.type == SceneBodyType::dynamic) { (void)built.world.setAwake(body.value(), false); }
+    if (!given.awake && given.enabled && given.type == SceneBodyType::dynamic) {
+        (void)built.world.setAwake(body.value(), false);
+    }
     return true;
 }
 

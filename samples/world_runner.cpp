@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 #include "counter_names.h"
 #include "engine_refusal.h"
@@ -149,7 +150,7 @@ private:
         const World& world = built_.world;
         for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
             const BodyId id = built_.bodies[i];
-            if (world.type(id) != BodyType::dynamic) { continue; }
+            if (world.type(id) != BodyType::dynamic || !world.isEnabled(id)) { continue; }
             const double mass = world.mass(id);
             const double inertia = scene_.bodies[i].fixedRotation ? 0 : world.inertia(id);
             const DVec2 velocity = toDouble(world.velocity(id));
@@ -243,10 +244,16 @@ private:
         }
     }
 
+    /// What holds nothing has no error.
+    bool isOff(JointId joint) const {
+        const AnyJointDef any = built_.world.definition(joint);
+        const JointDef& base = std::visit([](const auto& def) -> const JointDef& { return def.base; }, any);
+        return !built_.world.isEnabled(base.bodyA) || !built_.world.isEnabled(base.bodyB);
+    }
     void measureJoints() {
         for (std::size_t i = 0; i < built_.joints.size(); ++i) {
             const auto gap = static_cast<double>(built_.world.jointError(built_.joints[i]));
-            if (!(gap > report_.largestJointError)) { continue; }
+            if (!(gap > report_.largestJointError) || isOff(built_.joints[i])) { continue; }
             report_.largestJointError = gap;
             report_.worstJoint = WorstJoint{now(), static_cast<int>(i)};
         }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include <swept/samples/runner.h>
@@ -11,6 +12,8 @@
 
 namespace swept::test {
 namespace {
+
+constexpr double kPi = std::numbers::pi;
 
 class PresentContacts : public testing::TestWithParam<Precision> {
 protected:
@@ -98,6 +101,26 @@ TEST_P(PresentContacts, LeaveOutWhatDoesNotCollide) {
     EXPECT_TRUE(frameOf(*runnerOf(scene)).contacts.empty()) << "their joint keeps them apart";
     scene.joints[0].collideConnected = true;
     EXPECT_EQ(frameOf(*runnerOf(scene)).contacts.size(), 2u);
+}
+
+/// A hinge on it holds nothing, so that it has no error either.
+TEST_P(PresentContacts, LeaveOutWhatTakesNoPart) {
+    SceneDescription scene = boxOnFloor({0, 0.375}, {3, 0});
+    build::addDynamic(scene, "ball", {0, 3}, {build::circle(0.5)});
+    build::hinge(scene, "box", "ball", {0, 3});
+    scene.bodies[1].enabled = false;
+    scene.gravity = {0, -10};
+    const auto runner = runnerOf(scene);
+    for (int step = 0; step < 180; ++step) { ASSERT_TRUE(runner->step()); }
+    const Frame frame = frameOf(*runner);
+    EXPECT_EQ(frame.bodies[1].position, scene.bodies[1].position);
+    EXPECT_FALSE(frame.bodies[1].awake);
+    EXPECT_NEAR(frame.bodies[2].position.y, 0.5, 0.01) << "it falls past the box";
+    const RunReport report = runner->report();
+    EXPECT_LT(report.deepestPenetration, 0.02);
+    EXPECT_EQ(report.largestJointError, 0);
+    EXPECT_NEAR(report.startMomentum.x, 0, 1e-12);
+    EXPECT_NEAR(report.startEnergy, 3 * 10 * kPi / 4, 1e-4) << "of the ball alone";
 }
 
 TEST_P(PresentContacts, OfAChainAreThoseThatTheStepHad) {

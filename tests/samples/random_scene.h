@@ -125,6 +125,7 @@ private:
         if (often()) { b.angularDamping = positive(); }
         if (often()) { b.gravityScale = number(); }
         b.awake = often();
+        b.enabled = often();
         if (often()) { b.continuous = continuous(); }
         if (isDynamic) {
             b.mass = maybe(positive());

@@ -45,6 +45,7 @@ TEST(SceneDefaults, BodyAndShape) {
     EXPECT_EQ(body.angularDamping, 0);
     EXPECT_EQ(body.gravityScale, 1);
     EXPECT_TRUE(body.awake);
+    EXPECT_TRUE(body.enabled);
     EXPECT_FALSE(body.continuous || body.mass || body.inertia);
     ASSERT_EQ(body.shapes.size(), 1u);
     const ShapeDescription& shape = body.shapes[0];
@@ -111,7 +112,7 @@ TEST(SceneKeys, OfSceneViewAndSettings) {
 TEST(SceneKeys, OfBodies) {
     const SceneDescription scene = readGood(R"({"bodies": [{"name": "b", "type": "dynamic", "position": [1, 2],
         "angle": 0.5, "velocity": [3, 4], "angularVelocity": 5, "bullet": true, "fixedRotation": false,
-        "linearDamping": 0.1, "angularDamping": 0.2, "gravityScale": -1, "awake": false, "continuous": "off",
+        "linearDamping": 0.1, "angularDamping": 0.2, "gravityScale": -1, "awake": false, "enabled": false, "continuous": "off",
         "mass": 6, "inertia": 7, "shapes": []}, {"type": "dynamic", "mass": 1, "fixedRotation": true},
         {"type": "dynamic", "mass": 1, "fixedRotation": true, "inertia": 2}]})");
     BodyDescription expected;
@@ -126,6 +127,7 @@ TEST(SceneKeys, OfBodies) {
     expected.angularDamping = 0.2;
     expected.gravityScale = -1;
     expected.awake = false;
+    expected.enabled = false;
     expected.continuous = SceneContinuous::off;
     expected.mass = 6;
     expected.inertia = 7;

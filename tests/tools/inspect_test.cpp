@@ -49,6 +49,15 @@ void expectOnly(const SceneDescription& scene, const std::string& kind, const st
     }
 }
 
+/// It is not in the ground, nor on its way to anything.
+TEST(Inspect, WhatTakesNoPartIsInNobodysWay) {
+    SceneDescription scene = soundScene();
+    build::addDynamic(scene, "ghost", {5, -0.5}, {box({0.5, 0.5})});
+    EXPECT_FALSE(inspectScene(scene).findings.empty());
+    scene.bodies[2].enabled = false;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+}
+
 TEST(Inspect, SoundSceneHasNoFindings) {
     const Inspection inspection = inspectScene(soundScene());
     for (const Finding& finding : inspection.findings) {

@@ -234,6 +234,23 @@ TEST(PeerRunner, JointsHoldAndFiltersPass) {
     }
 }
 
+TEST(PeerRunner, WhatIsDisabledTakesNoPart) {
+    SceneDescription scene = emptyScene();
+    add(scene, "hung", SceneBodyType::dynamic, {0, 5}, {0.5, 0.5}).enabled = false;
+    add(scene, "falls", SceneBodyType::dynamic, {0, 7}, {0.5, 0.5});
+    for (const PeerSettings& peer : peers()) {
+        std::string error;
+        if (peer.engine == PeerEngine::chipmunk) {
+            EXPECT_EQ(makePeerRunner(scene, peer, error, SWEPT_PROGRAM), nullptr);
+            continue;
+        }
+        const Frame frame = run(scene, peer, 60).back();
+        EXPECT_EQ(frame.bodies[0].position, (DVec2{0, 5})) << nameOf(peer);
+        EXPECT_FALSE(frame.bodies[0].awake) << nameOf(peer);
+        EXPECT_LT(frame.bodies[1].position.y, 3) << nameOf(peer);
+    }
+}
+
 TEST(PeerRunner, WhatAnEngineLacksIsRefused) {
     SceneDescription scene = emptyScene();
     add(scene, "a", SceneBodyType::dynamic, {0, 0}, {0.5, 0.5});

@@ -181,8 +181,9 @@ bool mayCollide(const PlacedScene& placed, const PlacedPiece& a, const PlacedPie
     const PlacedBody& bodyB = placed.bodies[static_cast<std::size_t>(b.body)];
     const ShapeDescription& shapeA = bodyA.description->shapes[static_cast<std::size_t>(a.shape)];
     const ShapeDescription& shapeB = bodyB.description->shapes[static_cast<std::size_t>(b.shape)];
-    return a.body != b.body && (bodyA.isDynamic() || bodyB.isDynamic()) && !shapeA.sensor && !shapeB.sensor &&
-           filtersCollide(shapeA.filter, shapeB.filter);
+    const bool takePart = bodyA.description->enabled && bodyB.description->enabled;
+    return a.body != b.body && takePart && (bodyA.isDynamic() || bodyB.isDynamic()) && !shapeA.sensor &&
+           !shapeB.sensor && filtersCollide(shapeA.filter, shapeB.filter);
 }
 
 bool isBehindChain(const PlacedScene& placed, const PlacedPiece& edge, const PlacedPiece& other) {

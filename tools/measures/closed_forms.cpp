@@ -188,6 +188,9 @@ std::optional<ClosedForm> pendulum(const SceneDescription& scene, const PlacedSc
 }  // namespace
 
 std::optional<ClosedForm> closedFormOf(const SceneDescription& scene, double duration) {
+    const bool allTakePart =
+        std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription& body) { return body.enabled; });
+    if (!allTakePart) { return std::nullopt; }
     const PlacedScene placed = place(scene);
     if (auto form = freeFlight(scene, placed)) { return form; }
     if (auto form = bouncingBall(scene, placed)) { return form; }

@@ -172,6 +172,7 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     definition.motionLocks.angularZ = body.fixedRotation;
     definition.isBullet = body.bullet;
     definition.isAwake = body.awake;
+    definition.isEnabled = body.enabled;
     definition.enableSleep = settings.sleep;
     return definition;
 }
@@ -294,7 +295,7 @@ private:
         const auto omega = static_cast<double>(b2Body_GetAngularVelocity(body));
         const bool isAwake = b2Body_IsAwake(body) && b2Body_GetType(body) != b2_staticBody;
         sample.frame.bodies.push_back({fromPeer(b2Body_GetPosition(body)), angles_[i], velocity, omega, isAwake});
-        if (b2Body_GetType(body) == b2_dynamicBody) {
+        if (b2Body_GetType(body) == b2_dynamicBody && scene().bodies[i].enabled) {
             addMotion({static_cast<double>(b2Body_GetMass(body)),
                        static_cast<double>(b2Body_GetRotationalInertia(body)), fromPeer(b2Body_GetWorldCenter(body)),
                        velocity, omega, scene().bodies[i].gravityScale * scene().gravity},

@@ -38,6 +38,7 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     definition.fixedRotation = body.fixedRotation;
     definition.bullet = body.bullet;
     definition.awake = body.awake;
+    definition.enabled = body.enabled;
     definition.allowSleep = settings.sleep;
     return definition;
 }
@@ -220,7 +221,8 @@ void Box2dWorld::readBody(std::size_t body, PeerSample& sample) const {
     const DVec2 velocity = fromBox2d(state.GetLinearVelocity());
     const auto omega = static_cast<double>(state.GetAngularVelocity());
     sample.frame.bodies.push_back({fromBox2d(state.GetPosition()), static_cast<double>(state.GetAngle()), velocity,
-                                   omega, state.IsAwake() && state.GetType() != b2_staticBody});
+                                   omega, state.IsAwake() && state.IsEnabled() && state.GetType() != b2_staticBody});
+    if (!description.enabled) { return; }
     addMotion({mass.mass, description.fixedRotation ? 0 : mass.inertia, fromBox2d(state.GetWorldCenter()), velocity,
                omega, description.gravityScale * scene().gravity},
               sample);

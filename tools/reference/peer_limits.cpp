@@ -34,6 +34,7 @@ std::string lackOfBody(PeerEngine engine, const BodyDescription& body) {
         if (std::string lack = lackOfShape(engine, shape); !lack.empty()) { return lack; }
     }
     if (engine != PeerEngine::chipmunk) { return ""; }
+    if (!body.enabled) { return "bodies that take no part"; }
     if (body.linearDamping != 0 || body.angularDamping != 0) { return "damping of single bodies"; }
     return body.gravityScale == 1 ? "" : "gravity of single bodies";
 }

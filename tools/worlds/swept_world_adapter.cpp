@@ -52,7 +52,7 @@ private:
         const DVec2 velocity = toDouble(world.velocity(id));
         const auto spin = static_cast<double>(world.angularVelocity(id));
         sample.frame.bodies.push_back({world.position(id), world.angle(id), velocity, spin, world.isAwake(id)});
-        if (world.type(id) == BodyType::dynamic) {
+        if (world.type(id) == BodyType::dynamic && world.isEnabled(id)) {
             const BodyDescription& description = scene().bodies[i];
             addMotion({world.mass(id), description.fixedRotation ? 0 : world.inertia(id), world.centerOfMass(id),
                        velocity, spin, description.gravityScale * scene().gravity},
