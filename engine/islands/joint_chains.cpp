@@ -130,9 +130,12 @@ void sumUpJoints(WorldState& world) {
             areAllDynamic = areAllDynamic && (isAwakeDynamic(world, slot) || world.bodies[slot].isDynamic());
         });
         chain.anchors += areAllDynamic ? 0 : 1;
+        chain.isAdrift = chain.isAdrift && areAllDynamic && tie.pushesInside;
     }
     chains.isAnyLoose = std::any_of(chains.list.begin(), chains.list.end(),
                                     [](const JointChain& chain) { return chain.isPassive && chain.anchors == 0; });
+    chains.isAnyAdrift =
+        std::any_of(chains.list.begin(), chains.list.end(), [](const JointChain& chain) { return chain.isAdrift; });
 }
 
 }  // namespace
@@ -145,6 +148,7 @@ void findJointChains(WorldState& world) {
     chains.areCurrent = true;
     chains.tieSleepers = false;
     chains.isAnyLoose = false;
+    chains.isAnyAdrift = false;
     if (world.joints.size() == 0) { return; }
     if (anyAsleep(world)) {
         chains.tieSleepers = tieSleepers(world);

@@ -23,6 +23,7 @@ struct JointChain {
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
     bool holdsAngles = false;   ///< `JointTie::holdsAngle` of any
     bool isPassive = true;      ///< `JointTie::isPassive` of all
+    bool isAdrift = true;       ///< no joint ties it to what is not dynamic, nor pushes from outside
 
     /// What is not anchored has a tie less than bodies if it is a tree. Two bodies that are tied twice are no ring.
     bool hasLoop() const { return ties > bodies || (anchors == 0 && ties - doubled >= bodies); }
@@ -38,6 +39,7 @@ struct JointChains {
     bool areCurrent = false;            ///< those of all joints of what is awake, as they are now
     bool tieSleepers = false;           ///< a joint ties what is awake to what sleeps
     bool isAnyLoose = false;            ///< some chain is passive, and not anchored
+    bool isAnyAdrift = false;           ///< `JointChain::isAdrift` of any
     std::vector<JointChain> list;       ///< in order of their lowest bodies
     std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
     IslandFinder finder;                ///< scratch

@@ -32,8 +32,9 @@ struct EnergyAccount {
     bool isTorn = false;  ///< its joints cannot all hold, and it goes faster than it is led: so it pays
     Real gapBefore = 0;   ///< of its joints and limits (energy_calm.cpp), of what may have burst
     Real gapAfter = 0;
-    double leadSpeed = 0;           ///< of the fastest one, m/s
-    double leadSpin = 0;            ///< rad/s
+    double way = 0;        ///< kinetic, if its bodies had gone evenly to where they are, of what may have burst
+    double leadSpeed = 0;  ///< of the fastest one, m/s
+    double leadSpin = 0;   ///< rad/s
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
     double led = 0;                 ///< kinetic energy, if all of it went along with them
     std::uint32_t motion = kNone;   ///< of the island, an index

@@ -22,6 +22,14 @@ bool mayHaveBurst(const EnergyAccount& account) {
     return excessOf(account) > kBurst * (before + account.fall);
 }
 
+/// Whether what moved it left it a speed, and not only another place: overlaps are pushed out without any. (A box that
+/// was at rest in a post, without gravity, stayed in it for ever once a slack rope tied the two: of no energy rounding
+/// is many times as much.)
+bool goesOn(const EnergyAccount& account) {
+    constexpr double kLeastPart = 1.0 / 4096;
+    return account.kinetic > kLeastPart * account.way;
+}
+
 class Calmer {
 public:
     Calmer(WorldState& world, const TiedGroup& group) : world_(world), group_(group) {}
@@ -29,9 +37,11 @@ public:
     void calm(double time) {
         const auto mayBe = [](const EnergyAccount& account) { return account.isTorn || mayHaveBurst(account); };
         if (!noteGaps(mayBe, &EnergyAccount::gapAfter)) { return; }
+        noteWays(time, mayBe);
         const auto isOff = [&mayBe](const EnergyAccount& account) {
             // What closed the gaps of its joints had a reason to be fast.
-            return mayBe(account) && (account.isTorn || !(account.gapAfter < account.gapBefore));
+            const bool isBurst = goesOn(account) && !(account.gapAfter < account.gapBefore);
+            return mayBe(account) && (account.isTorn || isBurst);
         };
         findPlacesBack(time, mayBe);
         changePlaces();
@@ -60,6 +70,21 @@ private:
             any = true;
         }
         return any;
+    }
+
+    /// What they would have of energy if they had gone evenly to where they are.
+    template <class IsMeant>
+    void noteWays(double time, const IsMeant& isMeant) {
+        const SolveDesk& desk = group_.desk;
+        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+            EnergyAccount& account = accountOf(world_, desk.bodies[i]);
+            if (!pays(account) || !isMeant(account)) { continue; }
+            const EnergyEntry& entry = desk.energyEntries[i];
+            const Body& body = world_.bodies[desk.bodies[i]];
+            const double turned = inertiaOf(body) * squared(static_cast<double>(entry.turned));
+            account.way += 0.5 * (body.mass * squared(toDouble(entry.moved)) + turned) / squared(time);
+        }
     }
 
     /// Where a body gets with what is left of its motion relative to its island, as the island goes as a whole.

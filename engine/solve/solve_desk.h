@@ -9,6 +9,7 @@
 #include "../../solver/solver.h"
 #include "../counters.h"
 #include "../events.h"
+#include "chain_spin.h"
 #include "energy_account.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -37,6 +38,7 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<IslandMotion> islandMotions;  ///< likewise
     std::vector<IslandMotion> motionsBefore;  ///< scratch: the same, before the solve
     std::uint64_t energySolve = 0;            ///< its number
+    std::vector<ChainSpin> chainSpins;        ///< scratch, by place in the list of chains
 
     std::vector<ContactEvent> events;
     StepCounters counters;

@@ -11,6 +11,7 @@
 #include "../../solver/wide/wide_motion.h"
 #include "../crew/beside.h"
 #include "../state/tolerances.h"
+#include "adrift_chains.h"
 #include "curved_ground.h"
 #include "energy_guard.h"
 
@@ -192,6 +193,7 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h) {
     SolveDesk& desk = group.desk;
     const bool isWatched = openAccounts(world, group);
     if (isWatched) { desk.energyEntries.resize(desk.bodies.size()); }
+    keepSpinOfAdrift(world, group);
     std::atomic<bool> anyFlung = false;
     const std::size_t count = desk.bodies.size();
     runInHalves(*desk.loops, count / 2, count, kReadGrain, [&](std::size_t begin, std::size_t end) {

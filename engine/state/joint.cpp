@@ -73,6 +73,18 @@ bool isSprung(const Joint& joint) { return std::visit(SprungJoints{}, joint.part
 
 bool holdsAngle(const Joint& joint) { return std::visit(AngleJoints{}, joint.parts); }
 
+/// Whether it pushes at nothing but its two bodies, and at both alike.
+struct InnerJoints {
+    bool operator()(const JointPart<MouseJointDef, MouseConstraint>&) const { return false; }
+    bool operator()(const JointPart<GearJointDef, GearConstraint>&) const { return false; }
+    bool operator()(const JointPart<PulleyJointDef, PulleyConstraint>&) const { return false; }
+    template <class Part>
+    bool operator()(const Part&) const {
+        return true;
+    }
+};
+bool pushesInside(const Joint& joint) { return std::visit(InnerJoints{}, joint.parts); }
+
 bool isPowered(const Joint& joint) { return std::visit(PoweredJoints{}, joint.parts); }
 
 HingeParts hingePartsOf(const RevoluteJointDef& def) {
@@ -98,6 +110,7 @@ JointTie tieOf(const Joint& joint) {
             .isSprung = isSprung(joint),
             .drivesAngleAlone = motor != nullptr && !motor->def.drive.maxForce,
             .hasRestLoad = joint.restLoad.any(),
+            .pushesInside = pushesInside(joint),
             .hingeParts = hinge != nullptr ? hingePartsOf(hinge->def) : HingeParts{}};
 }
 

@@ -120,6 +120,7 @@ struct JointTie {
     bool isSprung : 1 = false;          ///< passive, with a spring
     bool drivesAngleAlone : 1 = false;  ///< a motor joint that drives no point
     bool hasRestLoad : 1 = false;       ///< `Joint::restLoad`
+    bool pushesInside : 1 = false;      ///< nothing but its two bodies, away from each other
     HingeParts hingeParts;              ///< of a hinge
 
     bool operator==(const JointTie&) const = default;

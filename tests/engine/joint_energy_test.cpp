@@ -27,7 +27,7 @@ WorldSettings settingsOf(Profile profile) {
     return settings;
 }
 
-void hinge(World& world, BodyId a, BodyId b, DVec2 anchor) {
+void hingeAt(World& world, BodyId a, BodyId b, DVec2 anchor) {
     RevoluteJointDef def;
     def.base = between(a, b);
     def.anchor = anchor;
@@ -54,7 +54,7 @@ TEST(JointEnergy, OfARopeThatIsLetGo) {
             BodyDef def = dynamicAt((i + 0.5) * link * along);
             def.angle = rope.angle;
             links.push_back(addBody(world, def, capsule(0.4 * link, 0.06), surface));
-            hinge(world, before, links.back(), i * link * along);
+            hingeAt(world, before, links.back(), i * link * along);
             before = links.back();
         }
         const double start = energyOf(world, links, kGravity);
@@ -81,10 +81,10 @@ TEST(JointEnergy, OfATautBridgeThatABoxFallsOn) {
                 BodyId before = ground;
                 for (int i = 0; i < planks; ++i) {
                     bodies.push_back(addBody(world, dynamicAt({i + 0.5, 0}), box(0.5, 0.05), material(0.6, 0, 20)));
-                    hinge(world, before, bodies.back(), {1.0 * i, 0});
+                    hingeAt(world, before, bodies.back(), {1.0 * i, 0});
                     before = bodies.back();
                 }
-                hinge(world, before, ground, {1.0 * planks, 0});
+                hingeAt(world, before, ground, {1.0 * planks, 0});
                 const double height = 2;
                 bodies.push_back(addBody(world, dynamicAt({0.5 * planks + 0.1, 0.35 + height}), box(0.3, 0.3),
                                          material(0.6, 0, 20)));
@@ -115,13 +115,13 @@ TEST(JointEnergy, OfAChainThatIsBentOverACorner) {
                     shape.filter.group = k == 0 ? -1 : 0;  // the first one hangs inside of the post
                     bodies.push_back(
                         addBody(world, dynamicAt({off + length * (k + 0.5), 12}), box(length / 2, 0.04), shape));
-                    hinge(world, before, bodies.back(), {off + length * k, 12});
+                    hingeAt(world, before, bodies.back(), {off + length * k, 12});
                     before = bodies.back();
                 }
                 ShapeDef heavy = material(0.6, 0, load / (kPi * 0.16));
                 heavy.filter.group = -1;
                 bodies.push_back(addBody(world, dynamicAt({off + length * links, 12}), circle(0.4), heavy));
-                hinge(world, before, bodies.back(), {off + length * links, 12});
+                hingeAt(world, before, bodies.back(), {off + length * links, 12});
                 const double fall = load * kGravity * length * links;
                 EXPECT_LE(gainOf(world, bodies, kStep, 6), 2.5 * fall)
                     << links << " links, " << load << " kg, off " << off << " m";
@@ -140,7 +140,7 @@ TEST(JointEnergy, OfAChainThatFallsDownStairs) {
         for (int i = 0; i < 20; ++i) {
             const double x = -2 + 0.02 * run + 0.27 * i;
             bodies.push_back(addBody(world, dynamicAt({x, 3}), box(0.15, 0.04), material(0.6, 0, 1 / 0.024)));
-            if (i > 0) { hinge(world, before, bodies.back(), {x - 0.135, 3}); }
+            if (i > 0) { hingeAt(world, before, bodies.back(), {x - 0.135, 3}); }
             before = bodies.back();
         }
         EXPECT_LE(gainOf(world, bodies, kStep, 5), 1) << "run " << run;
@@ -378,9 +378,9 @@ TEST(JointEnergy, OfDiscsJointedTwiceThatFall) {
         };
         const DVec2 place{random.range(-2, 2), random.range(-2, 2)};
         const std::vector<BodyId> discs{disc({0, 0}, 1), disc(place, std::pow(10.0, random.range(-1, 1.3)))};
-        hinge(world, discs[0], discs[1], place);
+        hingeAt(world, discs[0], discs[1], place);
         if (i % 3 == 0) {
-            hinge(world, discs[1], discs[0], {0, 0});
+            hingeAt(world, discs[1], discs[0], {0, 0});
         } else if (i % 3 == 1) {
             WeldJointDef weld;
             weld.base = between(discs[0], discs[1]);

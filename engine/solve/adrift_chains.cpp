@@ -1,0 +1,87 @@
+#include "adrift_chains.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "energy_gain.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+/// Where it is in the list of chains; `kNoIndex` of what is no chain that drifts by itself.
+std::uint32_t adriftChainOf(const WorldState& world, std::uint32_t slot) {
+    const JointChains& chains = world.jointChains;
+    const std::uint32_t lowest = world.islands.rootOf(slot);  // of an island that is a chain and nothing else
+    const std::uint32_t place = chains.places[lowest];
+    const bool isChain = place < chains.list.size() && chains.list[place].lowest == lowest;
+    return isChain && chains.list[place].isAdrift ? place : kNoIndex;
+}
+
+/// Whether nothing turns it but its joints.
+bool keepsSpin(const Body& body) {
+    const bool isDamped = body.def.linearDamping != 0 || body.def.angularDamping != 0;
+    const bool isFree = body.inverseMass > 0 && body.inverseInertia > 0;
+    return isFree && !body.hasContact && body.torque == 0 && !isDamped;
+}
+
+}  // namespace
+
+void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
+    const JointChains& chains = world.jointChains;
+    SolveDesk& desk = group.desk;
+    const bool isExact = group.effort.direct == DirectScope::islands;
+    if (!chains.isAnyAdrift || chains.tieSleepers || group.joints.empty() || isExact) { return; }
+    std::vector<ChainSpin>& spins = desk.chainSpins;
+    spins.assign(chains.list.size(), {});
+    const auto forEachMember = [&](const auto& visit) {
+        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+            const std::uint32_t slot = desk.bodies[i];
+            if (world.bodies[slot].holdingJoints == 0 || !isMovable(desk.batch.inertias[i + 1])) { continue; }
+            const std::uint32_t place = adriftChainOf(world, slot);
+            if (place == kNoIndex || !spins[place].isKept) { continue; }
+            const DVec2 before = world.motions[slot].center - world.motions[chains.list[place].lowest].center;
+            visit(spins[place], slot, before, desk.batch.states[i + 1]);
+        }
+    };
+    forEachMember([&](ChainSpin& spin, std::uint32_t slot, DVec2 before, const BodyState& state) {
+        const Body& body = world.bodies[slot];
+        const Vec2 acceleration = accelerationOf(world, body);
+        if (spin.bodies++ == 0) { spin.acceleration = acceleration; }
+        spin.isKept = keepsSpin(body) && acceleration == spin.acceleration;
+        spin.mass += body.mass;
+        spin.before.center += body.mass * before;
+        spin.before.velocity += body.mass * toDouble(world.motions[slot].velocity);
+        spin.after.center += body.mass * (before + toDouble(state.deltaPosition));
+        spin.after.velocity += body.mass * toDouble(state.velocity);
+    });
+    bool isAny = false;
+    for (std::size_t place = 0; place < spins.size(); ++place) {
+        ChainSpin& spin = spins[place];
+        spin.isKept = spin.isKept && spin.bodies == chains.list[place].bodies;
+        if (!spin.isKept) { continue; }
+        for (ChainSpin::Whole* const whole : {&spin.before, &spin.after}) {
+            whole->center = (1 / spin.mass) * whole->center;
+            whole->velocity = (1 / spin.mass) * whole->velocity;
+        }
+        isAny = true;
+    }
+    if (!isAny) { return; }
+    forEachMember([&](ChainSpin& spin, std::uint32_t slot, DVec2 before, const BodyState& state) {
+        const Body& body = world.bodies[slot];
+        const BodyMotion& motion = world.motions[slot];
+        const DVec2 armBefore = before - spin.before.center;
+        const DVec2 arm = before + toDouble(state.deltaPosition) - spin.after.center;
+        spin.inertia += body.mass * dot(arm, arm) + body.inertia;
+        spin.gained += body.mass * (cross(arm, toDouble(state.velocity) - spin.after.velocity) -
+                                    cross(armBefore, toDouble(motion.velocity) - spin.before.velocity)) +
+                       body.inertia * static_cast<double>(state.angularVelocity - motion.angularVelocity);
+    });
+    forEachMember([&](ChainSpin& spin, std::uint32_t, DVec2 before, BodyState& state) {
+        const double change = -spin.gained / spin.inertia;
+        const DVec2 arm = before + toDouble(state.deltaPosition) - spin.after.center;
+        state.velocity += toReal(change * DVec2{-arm.y, arm.x});
+        state.angularVelocity += static_cast<Real>(change);
+    });
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
