@@ -17,6 +17,7 @@ void addUp(Real* impulse, double change) { *impulse = static_cast<Real>(static_c
 void DirectJoints::begin() {
     motions_.clear();
     joints_.clear();
+    ties_.begin();
 }
 
 void DirectJoints::noteMotions(std::span<const BodyState> states) {
@@ -30,10 +31,17 @@ void DirectJoints::listRows(SolverBatch& batch, Real h, bool useBias) {
     joints_.clear();
 }
 
+SystemRow DirectJoints::rowOf(std::span<const BodyInertia> inertias, DirectSystem& system,
+                              const DirectRow& held) const {
+    SystemRow row = system.rowOf(inertias, held);
+    ties_.stiffen(system, inertias, held, row);
+    return row;
+}
+
 void DirectJoints::gather(SolverBatch& batch, DirectSystem& system, Real h, bool useBias) {
     listRows(batch, h, useBias);
     for (const DirectRow& held : rows_) {
-        SystemRow row = system.rowOf(batch.inertias, held);
+        SystemRow row = rowOf(batch.inertias, system, held);
         row.excess = DirectSystem::excessOf(batch.states, held);
         joints_.push_back({row, held.impulse, kForgottenPart * static_cast<double>(*held.impulse)});
     }
@@ -41,7 +49,7 @@ void DirectJoints::gather(SolverBatch& batch, DirectSystem& system, Real h, bool
 
 void DirectJoints::gatherAtRest(SolverBatch& batch, DirectSystem& system, Real h) {
     listRows(batch, h, false);
-    for (const DirectRow& held : rows_) { joints_.push_back({system.rowOf(batch.inertias, held), held.impulse, 0}); }
+    for (const DirectRow& held : rows_) { joints_.push_back({rowOf(batch.inertias, system, held), held.impulse, 0}); }
 }
 
 void DirectJoints::gatherAgain(std::span<const BodyState> states) {

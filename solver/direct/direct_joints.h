@@ -6,6 +6,7 @@
 #include "../solver_batch.h"
 #include "direct_rows.h"
 #include "direct_system.h"
+#include "tie_strengths.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -14,6 +15,10 @@ class DirectJoints {
 public:
     /// Once a step.
     void begin();
+    /// Likewise, where contacts have no rows: how strong those of joints are. @pre all is coupled
+    void weigh(const SolverBatch& batch, const DirectSystem& system, bool holdsDrives) {
+        ties_.find(batch, system, holdsDrives);
+    }
     /// See `DirectSolver`.
     void setLeastClosing(Real seconds) { leastClosing_ = seconds; }
     void noteMotions(std::span<const BodyState> states);
@@ -44,7 +49,10 @@ private:
 
     void listRows(SolverBatch& batch, Real h, bool useBias);
 
-    Real leastClosing_ = 0;        ///< s
+    SystemRow rowOf(std::span<const BodyInertia> inertias, DirectSystem& system, const DirectRow& held) const;
+
+    Real leastClosing_ = 0;  ///< s
+    TieStrengths ties_;
     std::vector<Motion> motions_;  ///< by slot; empty: not noted
     std::vector<DirectRow> rows_;
     std::vector<HeldJoint> joints_;

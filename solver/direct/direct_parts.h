@@ -18,6 +18,14 @@ inline void addScaled(Block3& to, double factor, const Block3& a) {
     for (std::size_t i = 0; i < 3; ++i) { to[i] += factor * a[i]; }
 }
 
+/// Speed of a row per impulse, of what one of its bodies adds to that.
+/// @param moved  of the body, zero where it cannot be moved
+inline double answerOf(const BodyInertia& body, const Block3& moved) {
+    const auto linear = static_cast<double>(body.inverseMass);
+    const auto angular = static_cast<double>(body.inverseInertia);
+    return linear * (moved[0] * moved[0] + moved[1] * moved[1]) + angular * moved[2] * moved[2];
+}
+
 /// The rows of a contact point.
 inline DirectRow normalRowOf(const ContactConstraint& contact, const ContactConstraintPoint& point, Real bias) {
     return {rowAlong(contact.normal, point.anchorA, point.anchorB), contact.slotA, contact.slotB, bias, nullptr};

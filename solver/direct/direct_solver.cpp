@@ -45,6 +45,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     listNodes(batch);
     if (system_.nodes().empty() || !couple(batch)) { return false; }
     contacts_.begin(system_.nodes().size(), isPatient);
+    if (scope != DirectScope::all) { joints_.weigh(batch, system_, holdsDrives(scope)); }
     if (scope == DirectScope::all) { contacts_.list(batch, system_); }
     if (scope == DirectScope::jointed) { jointed_.list(batch, system_); }
     DirectDrives::mark(batch, system_, holdsDrives(scope));

@@ -68,6 +68,7 @@ void DirectSystem::weighIslands(std::span<const ContactConstraint> contacts, boo
         const double mass = nodes_[i].mass;
         load.heaviest = std::max(load.heaviest, mass);
         load.lightest = load.bodies++ == 0 ? mass : std::min(load.lightest, mass);
+        load.mass += mass;
     }
     for (const ContactConstraint& contact : contacts) {
         const std::uint32_t a = nodeOf_[contact.slotA];
@@ -95,11 +96,10 @@ SystemRow DirectSystem::rowOf(std::span<const BodyInertia> inertias, const Direc
     const auto add = [&](std::uint32_t node, BodySlot slot, const Block3& all, Block3& moved) {
         if (node == kNoNode) { return; }
         const BodyInertia& body = inertias[slot];
-        const auto linear = static_cast<double>(body.inverseMass);
-        const auto angular = static_cast<double>(body.inverseInertia);
-        moved = {linear > 0 ? all[0] : 0, linear > 0 ? all[1] : 0, angular > 0 ? all[2] : 0};
-        inverse += linear * (moved[0] * moved[0] + moved[1] * moved[1]) + angular * moved[2] * moved[2];
-        inverseMass += linear;
+        const bool moves = body.inverseMass > 0;
+        moved = {moves ? all[0] : 0, moves ? all[1] : 0, body.inverseInertia > 0 ? all[2] : 0};
+        inverse += answerOf(body, moved);
+        inverseMass += static_cast<double>(body.inverseMass);
         island = islands_.find(node);
     };
     add(row.nodeA, held.slotA, ends.a, row.ofA);

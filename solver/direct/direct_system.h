@@ -51,6 +51,15 @@ public:
         double mass = 0;  ///< kg; 0: cannot be moved
         double inertia = 0;
     };
+    /// What is coupled.
+    struct Load {
+        std::uint32_t bodies = 0;
+        std::uint32_t contacts = 0;
+        double lightest = 0;  ///< kg
+        double heaviest = 0;
+        double mass = 0;      ///< of all of them, kg
+        double strength = 0;  ///< of its rows, see `rowOf`
+    };
 
     // --- once a step
     /// Bodies that have a part in it and can be moved become nodes. @param ties  by slot
@@ -77,6 +86,9 @@ public:
     /// The first node of those that are coupled with it.
     std::uint32_t islandOf(std::uint32_t node) { return islands_.find(node); }
     std::uint32_t islandOf(std::uint32_t node) const { return islands_.rootOf(node); }
+
+    /// @param island  its first node
+    const Load& loadOf(std::uint32_t island) const { return loads_[island]; }
 
     SystemRow rowOf(std::span<const BodyInertia> inertias, const DirectRow& held);
     /// The speed of a row at the present velocities, plus its bias.
@@ -118,15 +130,6 @@ public:
     void changePlaces(std::span<BodyState> states) const;
 
 private:
-    /// What is coupled.
-    struct Load {
-        std::uint32_t bodies = 0;
-        std::uint32_t contacts = 0;
-        double lightest = 0;  ///< kg
-        double heaviest = 0;
-        double strength = 0;  ///< of its rows, see `rowOf`
-    };
-
     void weighIslands(std::span<const ContactConstraint> contacts, bool holdsContacts);
 
     std::vector<std::uint32_t> nodeOf_;  ///< by slot

@@ -89,8 +89,7 @@ Drifter randomDrifter(const WorldSettings& settings, std::uint64_t seed) {
 /// 2 %, up to seven times their energy.)
 TEST(Adrift, ChainsKeepTheirAngularMomentum) {
     for (const Profile profile : {Profile::fast, Profile::accurate}) {
-        WorldSettings settings = awakeSettings(0);
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile, 0);
         for (std::uint64_t seed = 0; seed < 120; ++seed) {
             Drifter drifter = randomDrifter(settings, seed);
             const double spin = drifter.spin();
@@ -106,8 +105,7 @@ TEST(Adrift, ChainsKeepTheirAngularMomentum) {
 /// A fall is no turn: what falls alike is adrift, too, and what air slows down loses its spin as it should.
 TEST(Adrift, FallsLikeOneBody) {
     for (const double damping : {0.0, 0.5}) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = Profile::fast;
+        WorldSettings settings = awakeSettings(Profile::fast);
         Drifter drifter{makeWorld(settings), {}};
         constexpr double kSpin = 6;
         for (int i = 0; i < 3; ++i) {

@@ -12,8 +12,7 @@ namespace swept::test {
 inline constexpr double kBarWeight = 40;  ///< N, of a bar of 2 m
 
 inline WorldSettings settingsOf(Profile profile, bool sleeps = false) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile);
     settings.sleep = sleeps;
     return settings;
 }

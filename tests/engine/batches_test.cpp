@@ -85,8 +85,7 @@ TEST_F(Batches, ChangeNothingWhereLimitsMove) {
 /// A row of boxes on joints of all kinds, the first of which is so fast that squares overflow.
 World overflowing(std::uint64_t seed) {
     Random random(seed);
-    WorldSettings settings = awakeSettings(0);
-    settings.profile = Profile::fast;
+    WorldSettings settings = awakeSettings(Profile::fast, 0);
     World world = makeWorld(settings);
     const int count = random.integer(3, 6);
     JointDef base;

@@ -13,9 +13,8 @@ ShapeDef belt(double speed, double friction = 0.5) {
     return def;
 }
 
-World worldOf(Profile profile, bool sleep = false) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+World beltWorld(Profile profile, bool sleep = false) {
+    WorldSettings settings = awakeSettings(profile);
     settings.sleep = sleep;
     return makeWorld(settings);
 }
@@ -28,7 +27,7 @@ std::string nameOf(Profile profile, double speed) {
 TEST(Belts, CarryABox) {
     for (const Profile profile : kProfiles) {
         for (const double speed : {2.0, -3.0}) {
-            World world = worldOf(profile);
+            World world = beltWorld(profile);
             addStatic(world, box(50, 1), belt(speed), {0, -1});
             const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
             runFor(world, 2);
@@ -44,7 +43,7 @@ TEST(Belts, CarryABox) {
 /// Masses ten to one are solved all at once in profile `accurate`: both methods know belts.
 TEST(Belts, CarryATower) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = beltWorld(profile);
         addStatic(world, box(50, 1), belt(4, 0.3), {0, -1});
         std::vector<BodyId> tower;
         for (int i = 0; i < 3; ++i) {
@@ -69,7 +68,7 @@ TEST(Belts, RunUpASlope) {
     for (const Profile profile : kProfiles) {
         for (const bool holds : {true, false}) {
             const double friction = (holds ? 1.5 : 0.5) * std::tan(tilt);
-            World world = worldOf(profile);
+            World world = beltWorld(profile);
             addStatic(world, box(200, 1), belt(2, friction), turned({0, -1}, tilt), tilt);
             BodyDef def = dynamicAt(turned({0, 0.5}, tilt));
             def.angle = tilt;
@@ -86,7 +85,7 @@ TEST(Belts, RunUpASlope) {
 /// The impulse that makes it roll on the belt moves it by a third of that speed, and turns it by the rest.
 TEST(Belts, SetADiskTurning) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = beltWorld(profile);
         addStatic(world, box(50, 1), belt(3), {0, -1});
         const BodyId disk = addBody(world, dynamicAt({0, 0.5}), circle(0.5), material(0.5));
         runFor(world, 2);
@@ -100,7 +99,7 @@ TEST(Belts, DriveTheirOwnBody) {
     for (const Profile profile : kProfiles) {
         for (const double ground : {0.0, 1.5}) {
             for (const double platform : {0.0, 0.5}) {
-                World world = worldOf(profile);
+                World world = beltWorld(profile);
                 BodyDef def = bodyAt(BodyType::kinematic, {0, -1});
                 def.velocity = vec(platform, 0);
                 addBody(world, def, box(50, 1), belt(ground));
@@ -119,7 +118,7 @@ TEST(Belts, DriveTheirOwnBody) {
 TEST(Belts, DriveOnWhatCanMove) {
     for (const Profile profile : kProfiles) {
         for (const bool isIce : {true, false}) {
-            World world = worldOf(profile);
+            World world = beltWorld(profile);
             addStatic(world, box(100, 1), material(isIce ? 0 : 1), {0, -1});
             const BodyId cart = addBody(world, dynamicAt({0, 0.5}), box(8, 0.5), material(0.5, 0, isIce ? 0.25 : 4));
             const BodyId tank = addBody(world, dynamicAt({-4, 1.3}), box(0.6, 0.3), belt(1));
@@ -141,7 +140,7 @@ TEST(Belts, DriveOnWhatCanMove) {
 
 /// A belt without friction is none: what lies on it sleeps.
 TEST(Belts, DoNothingWithoutFriction) {
-    World world = worldOf(Profile::fast, true);
+    World world = beltWorld(Profile::fast, true);
     addStatic(world, box(50, 1), belt(2, 0), {0, -1});
     const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
     runFor(world, 3);
@@ -169,7 +168,7 @@ TEST(Belts, RunRoundTheOutline) {
 TEST(Belts, ThrowWhatHitsThem) {
     for (const Profile profile : kProfiles) {
         for (const double speed : {5.0, 1000.0}) {
-            World world = worldOf(profile);
+            World world = beltWorld(profile);
             addStatic(world, box(50, 0.01), belt(speed, 0.2));
             BodyDef def = dynamicAt({0, 3}, vec(0, -300));
             def.fixedRotation = true;
@@ -205,7 +204,7 @@ TEST(Belts, ThrowBullets) {
 /// Held by a wall, the box stays where it is, and the wall takes what friction drags.
 TEST(Belts, SlipUnderWhatIsHeld) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile, true);
+        World world = beltWorld(profile, true);
         addStatic(world, box(50, 1), belt(2), {0, -1});
         addStatic(world, box(0.5, 2), material(0), {1, 0});
         const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
@@ -225,7 +224,7 @@ TEST(Belts, SlipUnderWhatIsHeld) {
 TEST(Belts, StartAndStop) {
     for (const Profile profile : kProfiles) {
         for (const bool sleeps : {true, false}) {
-            World world = worldOf(profile, sleeps);
+            World world = beltWorld(profile, sleeps);
             const BodyId ground = must(world.createBody(bodyAt(BodyType::fixed, {0, -1})));
             const ShapeId shape = must(world.addShape(ground, box(50, 1), belt(2)));
             const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
@@ -247,7 +246,7 @@ TEST(Belts, StartAndStop) {
 /// However slow: no body is too slow to be awake on it, nor in balance with it.
 TEST(Belts, RunSlowly) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile, true);
+        World world = beltWorld(profile, true);
         addStatic(world, box(50, 1), belt(1e-3), {0, -1});
         const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
         runFor(world, 20);

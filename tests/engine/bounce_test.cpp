@@ -248,8 +248,7 @@ struct Crowd {
     std::vector<BodyId> balls;
 
     explicit Crowd(double restitution) {
-        WorldSettings settings = awakeSettings(0);
-        settings.profile = Profile::fast;
+        WorldSettings settings = awakeSettings(Profile::fast, 0);
         world = makeWorld(settings);
         constexpr int kSide = 20;
         constexpr double kPlace = 0.205;

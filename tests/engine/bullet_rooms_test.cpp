@@ -17,8 +17,7 @@ struct TurningRoom {
     std::vector<BodyId> bullets;
 
     TurningRoom(Random& random, Profile profile, double spin) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         world = makeWorld(settings);
         BodyDef def;
         def.type = BodyType::kinematic;

@@ -60,8 +60,7 @@ TEST(BulletStrikes, AboveGroundCountNothingTwice) {
         for (const double damping : {0.0, 10.0}) {
             for (const double speed : {2.0, 4.0}) {
                 for (const double late : {0.1, 0.5, 0.9}) {
-                    WorldSettings settings = awakeSettings();
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile);
                     World world = makeWorld(settings);
                     addStatic(world, box(50, 1), material(0), {0, -1});
                     BodyDef def = dynamicAt({0, 0.52}, vec(0, speed), 0);

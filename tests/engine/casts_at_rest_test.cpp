@@ -81,8 +81,7 @@ TEST(CastsAtRest, AreFreeButIntoWhatHoldsThem) {
             for (const double angle : {0.0, 0.35}) {
                 for (const Stander& stander : standers()) {
                     for (const double along : {0.0, 0.001, 0.37, 0.5, 1.49997}) {
-                        WorldSettings settings = awakeSettings();
-                        settings.profile = profile;
+                        WorldSettings settings = awakeSettings(profile);
                         World world = makeWorld(settings);
                         addGround(world, ground, angle);
                         BodyDef def = dynamicAt(turned({along, stander.height}, angle));

@@ -49,8 +49,7 @@ TEST(ContactFilter, TellsFortyKindsByUserData) {
     constexpr int kKinds = 40;
     const SameKind filter;
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         World world = makeWorld(settings);
         world.setContactFilter(&filter);
         std::vector<BodyId> balls;

@@ -14,12 +14,6 @@ constexpr double kHalfWidth = 2;
 constexpr double kRadius = 0.1;
 const Profile kProfiles[] = {Profile::fast, Profile::accurate};
 
-World worldOf(Profile profile) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
-    return makeWorld(settings);
-}
-
 /// y = steepness · x² / half width, half as wide again.
 struct Bowl {
     double steepness = 0;
@@ -45,7 +39,7 @@ struct Swings {
     int count = 0;
 
     Swings(Profile profile, const Bowl& bowl, const Polygon& shape, double seconds, double hertz = 60) {
-        World world = worldOf(profile);
+        World world = makeWorld(profile);
         bowl.addTo(world);
         const double x = -0.8 * kHalfWidth;
         const double slope = 2 * bowl.steepness * x / kHalfWidth;
@@ -114,7 +108,7 @@ TEST(CurvedGround, NeverLiftsABox) {
 /// In a round pipe of 1 m: let go half way up, or so fast at the bottom that it goes round. What it has in energy, of
 /// which it never gets more, after ten seconds.
 double leftInPipe(Profile profile, double friction, double speed, const std::string& name) {
-    World world = worldOf(profile);
+    World world = makeWorld(profile);
     std::vector<Vec2> points;
     for (int i = 0; i < 128; ++i) {
         const double angle = -2 * kPi * i / 128;

@@ -16,12 +16,6 @@ constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
 constexpr double kHalfWidth = 9.5;  ///< of the room, inside
 constexpr double kHeight = 20;
 
-World worldOf(Profile profile, double gravity = kGravity) {
-    WorldSettings settings = awakeSettings(gravity);
-    settings.profile = profile;
-    return makeWorld(settings);
-}
-
 BodyId addRoom(World& world) {
     const BodyId room = must(world.createBody({}));
     const auto wall = [&](Vec2 half, Vec2 center) { must(world.addShape(room, must(makeBox(half, center)))); };
@@ -117,7 +111,7 @@ TEST(Dragged, TrailersStayAtTheWallThatStopsThem) {
             for (const int cars : {1, 2}) {
                 const std::string name =
                     profileName(profile) + ", " + nameOf(kind) + ", " + std::to_string(cars) + " car(s)";
-                World world = worldOf(profile);
+                World world = makeWorld(profile);
                 addRoom(world);
                 BodyDef def = bodyAt(BodyType::kinematic, {0, 1});
                 def.velocity = vec(kSpeed, 0);
@@ -160,7 +154,7 @@ TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
                         const auto number = [&random](double least, double most) {
                             return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
                         };
-                        World world = worldOf(profile);
+                        World world = makeWorld(profile);
                         addRoom(world);
                         const BodyId hook = must(world.createBody(bodyAt(BodyType::kinematic, {0, 5})));
                         BodyId before = hook;
@@ -194,7 +188,7 @@ TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
 TEST(Dragged, WhatTheMouseTakesBeyondAWallComesToRestAtIt) {
     for (const Profile profile : kProfiles) {
         for (const double beyond : {0.5, 1.0, 2.0, 5.0, 20.0}) {
-            World world = worldOf(profile);
+            World world = makeWorld(profile);
             const BodyId room = addRoom(world);
             const BodyId crate = addBody(world, dynamicAt({5, 0.5}), box(0.5, 0.5));
             MouseJointDef def;
@@ -227,7 +221,7 @@ TEST(Dragged, WhatTheMouseTakesBeyondAWallComesToRestAtIt) {
 TEST(Dragged, WhatIsTurnedOrPushedOffItsJointIsNoFasterThanThat) {
     for (const Profile profile : kProfiles) {
         for (const bool isWeld : {false, true}) {
-            World world = worldOf(profile, 0);
+            World world = makeWorld(profile, 0);
             addStatic(world, box(0.3, 0.3), {}, {2, 5});
             BodyDef def = bodyAt(BodyType::kinematic, {0, 3});
             def.angularVelocity = 2;
@@ -248,7 +242,7 @@ TEST(Dragged, WhatIsTurnedOrPushedOffItsJointIsNoFasterThanThat) {
             EXPECT_LT(fastest, 6) << profileName(profile) << (isWeld ? ", weld" : ", limit");
         }
         for (const Tie kind : {Tie::hinge, Tie::weld}) {
-            World world = worldOf(profile);
+            World world = makeWorld(profile);
             addRoom(world);
             BodyDef def = bodyAt(BodyType::kinematic, {-3, 1});
             def.velocity = vec(3, 0);
@@ -265,7 +259,7 @@ TEST(Dragged, WhatIsTurnedOrPushedOffItsJointIsNoFasterThanThat) {
 /// What something kinematic lifts from the ground, on links of a hundredth of its mass, it does lift.
 TEST(Dragged, HeavyLoadsAreLifted) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = makeWorld(profile);
         addRoom(world);
         const BodyId hook = must(world.createBody(bodyAt(BodyType::kinematic, {0, 6})));
         BodyId before = hook;

@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::array kProfiles{Profile::accurate, Profile::fast};
 
-World worldOf(Profile profile, double gravity = kGravity) {
-    WorldSettings settings = awakeSettings(gravity);
-    settings.profile = profile;
-    return makeWorld(settings);
-}
-
 enum class Hold { lowerLimit, bothLimits, rods, ropes };
 constexpr std::array kHolds{Hold::lowerLimit, Hold::bothLimits, Hold::rods, Hold::ropes};
 
@@ -98,7 +92,7 @@ TEST(DrivenLimits, CarryWhatStandsOnThemUp) {
     for (const Profile profile : kProfiles) {
         for (const Hold hold : kHolds) {
             for (const double speed : {0.1, 0.5, 2.0, 5.0}) {
-                World world = worldOf(profile);
+                World world = makeWorld(profile);
                 const BodyId platform = addBody(world, dynamicAt({0, 0}), box(1, kThin));
                 const BodyId crate = addBody(world, dynamicAt({0.2, kThin + kCrate}), box(kCrate, kCrate));
                 Hoist hoist(world, hold, platform, 0.9);
@@ -131,7 +125,7 @@ TEST(DrivenLimits, LetDownWithoutJerks) {
     for (const Profile profile : kProfiles) {
         for (const Hold hold : kHolds) {
             for (const double speed : {0.1, 1.0, 3.0}) {
-                World world = worldOf(profile);
+                World world = makeWorld(profile);
                 const BodyId load = addBody(world, dynamicAt({0, 0}), box(0.4, 0.4));
                 Hoist hoist(world, hold, load, 0.3);
                 run(world, 30);
@@ -161,7 +155,7 @@ TEST(DrivenLimits, LetDownWithoutJerks) {
 /// weight, and swings little more than one that stays where it is on its cable.
 TEST(DrivenLimits, WindUpTheCableOfACrane) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = makeWorld(profile);
         BodyDef trolley = bodyAt(BodyType::kinematic, {0, 10});
         const BodyId beam = must(world.createBody(trolley));
         const BodyId load = addBody(world, dynamicAt({0, 2}), box(0.5, 0.5));
@@ -200,7 +194,7 @@ TEST(DrivenLimits, WindUpTheCableOfACrane) {
 TEST(DrivenLimits, RaiseAndLowerADrawbridge) {
     for (const Profile profile : kProfiles) {
         for (const double rate : {0.2, 1.0}) {
-            World world = worldOf(profile);
+            World world = makeWorld(profile);
             const BodyId bridge = addBody(world, dynamicAt({2, 0}), box(2, kThin));
             const BodyId crate = addBody(world, dynamicAt({3, kThin + kCrate}), box(kCrate, kCrate), material(0.9));
             RevoluteJointDef def;
@@ -245,7 +239,7 @@ TEST(DrivenLimits, RaiseAndLowerADrawbridge) {
 /// The frame of a car on its wheels' limits.
 TEST(DrivenLimits, LiftTheFrameOfACar) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = makeWorld(profile);
         addStatic(world, box(20, 0.5), material(0.8), {0, -0.5});
         const BodyId frame = addBody(world, dynamicAt({0, 1}), box(1.5, 0.2));
         std::vector<JointId> axles;
@@ -276,7 +270,7 @@ TEST(DrivenLimits, GiveWhoSwingsItsSpeed) {
     for (const Profile profile : kProfiles) {
         for (const bool isRod : {false, true}) {
             for (const double speed : {0.5, 2.0}) {
-                World world = worldOf(profile, 0);
+                World world = makeWorld(profile, 0);
                 const BodyId load = addBody(world, dynamicAt({4, 0}, vec(0, 3)), circle(0.2));
                 DistanceJointDef def;
                 def.base = between(anchorOf(world), load);
@@ -304,7 +298,7 @@ TEST(DrivenLimits, GiveWhoSwingsItsSpeed) {
 /// Work comes back: on a rod that is drawn in and let out again a load whirls as before.
 TEST(DrivenLimits, TakeBackTheWorkThatTheyDid) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile, 0);
+        World world = makeWorld(profile, 0);
         const BodyId load = addBody(world, dynamicAt({4, 0}, vec(0, 3)), circle(0.2));
         DistanceJointDef def;
         def.base = between(anchorOf(world), load);
@@ -329,7 +323,7 @@ TEST(DrivenLimits, ThatJumpFlingNothing) {
             for (const double by : {0.03, 0.3, 5.0}) {
                 for (const int times : {1, 2}) {
                     if (times == 2 && by < 5) { continue; }
-                    World world = worldOf(profile);
+                    World world = makeWorld(profile);
                     const BodyId platform = addBody(world, dynamicAt({0, 0}), box(1, kThin));
                     Hoist hoist(world, hold, platform, 0.9);
                     run(world, 30);
@@ -355,7 +349,7 @@ TEST(DrivenLimits, ThatJumpFlingNothing) {
 TEST(DrivenLimits, GoOnFromImpactToImpact) {
     for (const Profile profile : kProfiles) {
         for (const double speed : {2.0, 8.0}) {
-            World world = worldOf(profile);
+            World world = makeWorld(profile);
             const BodyId platform = addBody(world, dynamicAt({0, 0}), box(1, kThin), material(0.5, 0, 100));
             for (const double side : {-1.0, 1.0}) {
                 addBody(world, dynamicAt({0.95 * side, kThin + kCrate}), box(kCrate, kCrate));
@@ -385,7 +379,7 @@ TEST(DrivenLimits, PassNoCeiling) {
     for (const Profile profile : kProfiles) {
         for (const Hold hold : kHolds) {
             for (const double speed : {1.0, 5.0, 20.0}) {
-                World world = worldOf(profile);
+                World world = makeWorld(profile);
                 const BodyId platform = addBody(world, dynamicAt({0, 0}), box(1, kThin));
                 addStatic(world, segment(-5, 2, 5, 2));
                 Hoist hoist(world, hold, platform, 0.9);

@@ -136,8 +136,7 @@ TEST(Energy, OfABlockThatIsSmashedNeverGrows) {
 TEST(Energy, OfWhatLandedOnIceIsTakenBackWithoutMomentum) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         for (const double speed : {0.125, 1.0}) {
-            WorldSettings settings = awakeSettings();
-            settings.profile = profile;
+            WorldSettings settings = awakeSettings(profile);
             World world = makeWorld(settings);
             addStatic(world, box(100, 0.5), material(0), {0, -0.5});
             std::vector<BodyId> bodies;

@@ -159,8 +159,7 @@ TEST(FastIslands, ARagdollStaysTogetherAndOnItsSideOfAWall) {
 /// Solved together first, though one then strikes the wall: neither shows in how they move, to the bit.
 TEST(FastIslands, RagdollsThatAreTriedTogetherMoveAsIfAlone) {
     for (const Profile profile : {Profile::fast, Profile::accurate}) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         std::array<World, 3> worlds{makeWorld(settings), makeWorld(settings), makeWorld(settings)};
         for (World& world : worlds) { addStatic(world, segment(2, -300, 2, 300), material(0.3)); }
         std::array<std::vector<BodyId>, 2> both;  // in the last of the worlds

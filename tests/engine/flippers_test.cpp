@@ -18,8 +18,7 @@ struct Flung {
 
 /// A ball lies on a flipper that turns by one radian, and then stops.
 Flung flungBy(Profile profile, double spin, double place, double rate, double restitution, bool isBullet) {
-    WorldSettings settings = awakeSettings(0);
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile, 0);
     World world = makeWorld(settings);
     const BodyId flipper = must(world.createBody({.type = BodyType::kinematic}));
     const Polygon bar = must(makeCapsule({}, vec(0.15, 0), real(kFlipperHalf)));

@@ -120,8 +120,7 @@ TEST(HardPull, AMagnetHoldsABoxAtAWall) {
             for (const double strength : {10.0, 38.0, 60.0, 100.0}) {
                 // Beyond that, springs of four sub-steps would give way too far (hard_pull.h).
                 if (profile == Profile::fast && rate < 60 && strength > 36) { continue; }
-                WorldSettings settings = awakeSettings();
-                settings.profile = profile;
+                WorldSettings settings = awakeSettings(profile);
                 World world = makeWorld(settings);
                 addStatic(world, box(1, 50), {}, {1, 0});
                 const BodyId body = addBody(world, dynamicAt({-kHalf, 0}), box(kHalf, kHalf));
@@ -163,8 +162,7 @@ TEST(HardPull, NothingIsPulledThroughASegment) {
                 const double half = extent / 2;
                 const std::array<Polygon, 3> shapes{box(2 * half, half), circle(half), capsule(4 * half, half)};
                 for (const Polygon& polygon : shapes) {
-                    WorldSettings settings = awakeSettings();
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile);
                     settings.subSteps = subSteps;
                     World world = makeWorld(settings);
                     const double slope = 0.5;

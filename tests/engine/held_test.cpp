@@ -9,8 +9,7 @@ namespace {
 constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
 
 WorldSettings settingsOf(Profile profile) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile);
     return settings;
 }
 

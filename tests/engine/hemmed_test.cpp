@@ -26,8 +26,7 @@ struct Block {
         }
     }
     static WorldSettings settingsOf(Profile profile) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         return settings;
     }
     WorldTransform poseOf(BodyId body) const { return {world.position(body), rotationFromAngle(world.angle(body))}; }

@@ -16,12 +16,6 @@
 namespace swept::test {
 namespace {
 
-World worldOf(Profile profile, double gravity = kGravity) {
-    WorldSettings settings = awakeSettings(gravity);
-    settings.profile = profile;
-    return makeWorld(settings);
-}
-
 /// Of the last step.
 std::vector<ContactEvent> hitsOf(const World& world) {
     std::vector<ContactEvent> hits;
@@ -85,7 +79,7 @@ void follow(const World& world, Crate& crate) {
 }
 
 void expectSlapsTold(Profile profile, std::vector<Crate> crates) {
-    World world = worldOf(profile);
+    World world = makeWorld(profile);
     addStatic(world, box(200, 1), {}, {0, -1});
     for (std::size_t i = 0; i < crates.size(); ++i) { addLeaning(world, crates[i], 10.0 * static_cast<double>(i)); }
     for (int step = 0; step < 300; ++step) {
@@ -120,7 +114,7 @@ TEST_P(Hits, TellOfManyCratesThatTipOver) {
 TEST_P(Hits, TellEachCornerOfAHexagonThatIsRolled) {
     constexpr double kSpin = 4;
     constexpr double kEdge = 0.5;
-    World world = worldOf(GetParam());
+    World world = makeWorld(GetParam());
     addStatic(world, box(100, 1), material(0.9), {0, -1});
     std::vector<Vec2> corners;
     for (int i = 0; i < 6; ++i) {
@@ -140,14 +134,14 @@ TEST_P(Hits, TellEachCornerOfAHexagonThatIsRolled) {
     }
     const double corner = -world.angle(hexagon) / (kPi / 3);
     EXPECT_GT(corner, 15);
-    EXPECT_GT(hits, 0.7 * corner) << nameOf(GetParam());
-    EXPECT_LT(hits, 1.5 * corner) << nameOf(GetParam());
+    EXPECT_GT(hits, 0.7 * corner) << profileName(GetParam());
+    EXPECT_LT(hits, 1.5 * corner) << profileName(GetParam());
 }
 
 /// Without friction and gravity each change of velocity is a bounce, and the hits of the step tell by which impulses.
 /// @return changes that they do not explain
 int untoldChanges(Profile profile, const Polygon& polygon, double speed, double spin, bool bullets, int& hits) {
-    World world = worldOf(profile, 0);
+    World world = makeWorld(profile, 0);
     const ShapeDef elastic = material(0, 1);
     for (const double side : {-11.0, 11.0}) {
         addStatic(world, box(12, 1), elastic, {0, side});
@@ -186,27 +180,27 @@ TEST_P(Hits, ExplainTheBouncesOfAnElasticGas) {
     for (const bool bullets : {true, false}) {
         int hits = 0;
         EXPECT_EQ(untoldChanges(GetParam(), box(0.4, 0.4), 2, 3, bullets, hits), 0)
-            << nameOf(GetParam()) << ", boxes" << (bullets ? ", bullets" : "");
+            << profileName(GetParam()) << ", boxes" << (bullets ? ", bullets" : "");
         EXPECT_EQ(untoldChanges(GetParam(), circle(0.4), 2, 0, bullets, hits), 0)
-            << nameOf(GetParam()) << ", circles" << (bullets ? ", bullets" : "");
+            << profileName(GetParam()) << ", circles" << (bullets ? ", bullets" : "");
         EXPECT_GT(hits, 1000);
     }
 }
 
 TEST_P(Hits, AreNoneOfATowerOnceItStands) {
     for (const double restitution : {0.0, 0.3}) {
-        World world = worldOf(GetParam());
+        World world = makeWorld(GetParam());
         addStatic(world, box(50, 1), material(0.6, restitution), {0, -1});
         for (int i = 0; i < 10; ++i) {
             const DVec2 place{0.02 * (i % 3), 0.55 + 1.05 * i};
             addBody(world, dynamicAt(place), box(0.5, 0.5), material(0.6, restitution));
         }
-        EXPECT_EQ(hitsAfter(world, 180, 300), 0) << nameOf(GetParam());
+        EXPECT_EQ(hitsAfter(world, 180, 300), 0) << profileName(GetParam());
     }
 }
 
 TEST_P(Hits, AreNoneOfAHeapOnceItLies) {
-    World world = worldOf(GetParam());
+    World world = makeWorld(GetParam());
     addStatic(world, box(50, 1), {}, {0, -1});
     addStatic(world, box(1, 20), {}, {-6, 20});
     addStatic(world, box(1, 20), {}, {6, 20});
@@ -215,18 +209,18 @@ TEST_P(Hits, AreNoneOfAHeapOnceItLies) {
         addBody(world, bodyAt(BodyType::dynamic, place, 0.3 * (i % 7)),
                 i % 3 == 0 ? circle(0.4) : box(0.3 + 0.05 * (i % 5), 0.4));
     }
-    EXPECT_EQ(hitsAfter(world, 700, 300), 0) << nameOf(GetParam());
+    EXPECT_EQ(hitsAfter(world, 700, 300), 0) << profileName(GetParam());
 }
 
 /// Over the seams of a floor.
 TEST_P(Hits, AreNoneOfWhatRollsOrSlides) {
     for (const bool rolls : {true, false}) {
-        World world = worldOf(GetParam());
+        World world = makeWorld(GetParam());
         for (int i = 0; i < 60; ++i) { addStatic(world, box(0.5, 0.5), material(rolls ? 0.6 : 0.1), {i - 30.0, -0.5}); }
         const Polygon polygon = rolls ? circle(0.5) : box(0.7, 0.5);
         const BodyId body =
             addBody(world, dynamicAt({-25, 0.5}, vec(6, 0), rolls ? -12 : 0), polygon, material(rolls ? 0.6 : 0.1));
-        EXPECT_EQ(hitsAfter(world, 1, 240), 0) << nameOf(GetParam()) << (rolls ? ", rolls" : ", slides");
+        EXPECT_EQ(hitsAfter(world, 1, 240), 0) << profileName(GetParam()) << (rolls ? ", rolls" : ", slides");
         EXPECT_GT(world.position(body).x, -10);
     }
 }
@@ -235,19 +229,19 @@ TEST_P(Hits, AreNoneOfWhatRollsOrSlides) {
 TEST_P(Hits, AreNoneOfWhatIsPressedWithoutGravity) {
     for (const double restitution : {0.0, 0.5}) {
         for (const bool isBox : {true, false}) {
-            World world = worldOf(GetParam(), 0);
+            World world = makeWorld(GetParam(), 0);
             addStatic(world, box(1, 10), material(0.5, restitution), {6, 0});
             const BodyId body =
                 addBody(world, dynamicAt({4, 0}), isBox ? box(0.5, 0.5) : circle(0.5), material(0.5, restitution));
             const auto push = [&](int step) { must(world.applyForce(body, vec(10, step % 50 < 25 ? 3 : -3))); };
             EXPECT_EQ(hitsAfter(world, 300, 300, push), 0)
-                << nameOf(GetParam()) << (isBox ? ", box, " : ", ball, ") << restitution;
+                << profileName(GetParam()) << (isBox ? ", box, " : ", ball, ") << restitution;
         }
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Hits, testing::Values(Profile::accurate, Profile::fast),
-                         [](const auto& profile) { return nameOf(profile.param); });
+                         [](const auto& profile) { return profileName(profile.param); });
 
 }  // namespace
 }  // namespace swept::test

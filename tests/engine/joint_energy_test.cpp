@@ -22,8 +22,7 @@ double gainOf(World& world, const std::vector<BodyId>& bodies, double dt, double
 }
 
 WorldSettings settingsOf(Profile profile) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile);
     return settings;
 }
 
@@ -151,8 +150,7 @@ TEST(JointEnergy, OfAChainThatFallsDownStairs) {
 /// kinetic energy at the start
 double gainOfFreeSliders(std::uint64_t seed, double gravity) {
     Random random(seed);
-    WorldSettings settings = awakeSettings(gravity);
-    settings.profile = Profile::fast;
+    WorldSettings settings = awakeSettings(Profile::fast, gravity);
     World world = makeWorld(settings);
     ShapeDef shape;
     shape.filter.group = -1;
@@ -263,8 +261,7 @@ TEST(JointEnergy, OfWhoSwingsOnARopeThatIsReeledIn) {
         for (const bool isRod : {false, true}) {
             for (const double pace : {0.5, 1.0, 2.0, 3.0}) {
                 constexpr double kLength = 6;
-                WorldSettings settings = awakeSettings();
-                settings.profile = profile;
+                WorldSettings settings = awakeSettings(profile);
                 World world = makeWorld(settings);
                 BodyDef ball = dynamicAt({0, -kLength}, vec(7, 0));
                 ball.fixedRotation = true;

@@ -134,8 +134,7 @@ TEST(JointKinds, WhatTheMouseDragsHasItsSpeed) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         for (const double speed : {0.5, 6.0, 30.0}) {
             for (const int kind : {0, 1, 2}) {
-                WorldSettings settings = awakeSettings(0);
-                settings.profile = profile;
+                WorldSettings settings = awakeSettings(profile, 0);
                 World world = makeWorld(settings);
                 const BodyId crate = addBody(world, dynamicAt({0, 0}), box(0.3, 0.3));
                 MouseJointDef def;
@@ -209,8 +208,7 @@ TEST(JointKinds, MouseDoesNotPullThroughTheBodyThatItNames) {
 TEST(JointKinds, MouseWithLimitedForceComesFromFarAway) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         for (const bool hasSpring : {false, true}) {
-            WorldSettings settings = awakeSettings(0);
-            settings.profile = profile;
+            WorldSettings settings = awakeSettings(profile, 0);
             World world = makeWorld(settings);
             const BodyId base = anchorOf(world);
             const BodyId disc = addBody(world, dynamicAt({0, 0}), circle(0.5));

@@ -95,8 +95,7 @@ struct LeverRun {
 
 /// A disc that is thrown down, or slides to what stops it, for five seconds.
 LeverRun throwAt(const LeverCase& lever, double arm, Profile profile, bool hasFloor) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile);
     World world = makeWorld(settings);
     const BodyId ground = must(world.createBody(bodyAt(BodyType::fixed, {})));
     if (hasFloor) { addStatic(world, box(50, 0.5), {}, {0, -0.05 - static_cast<double>(kLeverRadius) - 0.5}); }
@@ -116,8 +115,7 @@ LeverRun throwAt(const LeverCase& lever, double arm, Profile profile, bool hasFl
 /// @return  largest E − E₀, over what the disc has above its lowest place
 double gainOfThrow(Profile profile, double radii, int seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile);
     World world = makeWorld(settings);
     const BodyId ground = anchorOf(world);
     const double arm = radii * static_cast<double>(kLeverRadius);
@@ -224,8 +222,7 @@ TEST(JointLever, OfAMotorSagsAsMuchAsWithoutALever) {
     const double compliance = static_cast<double>(softness.impulseScale / softness.massScale);
     const double expected = compliance * kGravity * kSubStep / static_cast<double>(softness.biasRate);
     for (const double arm : std::span(kLeverArms).first(7)) {  // of longer ones float does not tell it
-        WorldSettings settings = awakeSettings();
-        settings.profile = Profile::fast;
+        WorldSettings settings = awakeSettings(Profile::fast);
         World world = makeWorld(settings);
         const BodyId disc = addBody(world, dynamicAt({arm, 0}), circle(kLeverRadius));
         const JointId joint = withLeverMotor(world, anchorOf(world), disc, arm);
@@ -241,8 +238,7 @@ TEST(JointLever, OfAWeldStopsWhatIsThrown) {
         for (const double arm : {1.0, 2.0, 3.0, 5.0}) {
             for (const double gap : {0.0, 0.05}) {
                 for (const double speed : {5.0, 20.0, 100.0}) {
-                    WorldSettings settings = awakeSettings(0);
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile, 0);
                     World world = makeWorld(settings);
                     const BodyId base = addStatic(world, box(50, 0.5), {}, {0, -gap - 0.2 - 0.5});
                     const BodyId disc = addBody(world, dynamicAt({arm, 0}, vec(0, -speed)), circle(0.2));

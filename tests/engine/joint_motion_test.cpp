@@ -287,8 +287,7 @@ TEST(JointMotion, WhirlingChainsKnowNoUnitOfMass) {
 /// Sub-steps of the parts of a step in which a small disk that whirls presses on a bar that hangs on the ground, or on
 /// a second bar that does.
 std::uint64_t subStepsBesideAWhirl(bool isChained) {
-    WorldSettings settings = awakeSettings(0);
-    settings.profile = Profile::fast;
+    WorldSettings settings = awakeSettings(Profile::fast, 0);
     World world = makeWorld(settings);
     const BodyId bar = addBody(world, dynamicAt({0, 0}), box(1, 0.1));
     RevoluteJointDef hinge;

@@ -162,8 +162,7 @@ TEST(JointOverlaps, ComeApartWithoutGravity) {
 /// Springs switched the guard over energy off. (Of these chains one then had 39 times the energy of its fall; of 2000
 /// random ones with limits as well 9 had more than a tenth too much.)
 TEST(JointSprings, ChainsThatFallOnThemMakeNoEnergy) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = Profile::fast;
+    WorldSettings settings = awakeSettings(Profile::fast);
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         expectAtMost("seed " + std::to_string(seed), growthOf(settings, 10, Ties::sprung, seed), 1.1);
     }

@@ -13,8 +13,7 @@ namespace {
 
 constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
 WorldSettings weightless(Profile profile) {
-    WorldSettings settings = awakeSettings(0);
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile, 0);
     return settings;
 }
 
@@ -128,8 +127,7 @@ TEST(JointParted, WhatIsReeledInFarther) {
 TEST(JointParted, WhatIsYankedUpToACarrier) {
     for (const Profile profile : kProfiles) {
         for (const double by : {0.5, 1.0, 3.0}) {
-            WorldSettings settings = awakeSettings();
-            settings.profile = profile;
+            WorldSettings settings = awakeSettings(profile);
             World world = makeWorld(settings);
             BodyDef passer = bodyAt(BodyType::kinematic, {0, 10});
             passer.velocity = vec(1, 0);
@@ -249,8 +247,7 @@ TEST(JointParted, WhatIsPutElsewhereIsPulledBack) {
         for (const double height : {0.25, 20.0}) {
             for (const double by : {0.1, 1.0, 10.0, 100.0}) {
                 for (const bool isWeld : {false, true}) {
-                    WorldSettings settings = awakeSettings();
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile);
                     World world = makeWorld(settings);
                     addStatic(world, box(200, 1), material(0.6), {0, -1});
                     const Row row = addRow(world, height, [&](BodyId a, BodyId b, double x) {

@@ -95,8 +95,7 @@ TEST(JointSprings, PrismaticBlockOnAnIncline) {
 
 template <class Joint>
 void expectFallWithoutSpring(Profile profile) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+    WorldSettings settings = awakeSettings(profile);
     World world = makeWorld(settings);
     const BodyId wall = anchorOf(world);
     const BodyId block = addBody(world, dynamicAt({0, 0}), box(0.2, 0.2));

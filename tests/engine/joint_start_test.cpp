@@ -25,8 +25,7 @@ struct Built {
     explicit Built(Profile profile) : world(makeWorld(settingsOf(profile))) { ground = anchorOf(world); }
 
     static WorldSettings settingsOf(Profile profile) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         return settings;
     }
     BodyId brick(DVec2 at, double halfX = kBrick, double halfY = kBrick, double density = kDensity) {

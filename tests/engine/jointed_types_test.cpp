@@ -76,8 +76,7 @@ double worstError(const World& world, const LooseChain& chain) {
 
 TEST(JointedTypes, WhatIsFrozenHoldsTheRest) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         World world = makeWorld(settings);
         const LooseChain chain = addLooseChain(world, 5);
         run(world, 20);  // all fall
@@ -178,8 +177,7 @@ TEST(JointedTypes, OfEveryKindOfJoint) {
     constexpr std::array kTypes{BodyType::fixed, BodyType::kinematic, BodyType::dynamic};
     for (std::size_t kind = 0; kind < makers.size(); ++kind) {
         for (const Profile profile : {Profile::accurate, Profile::fast}) {
-            WorldSettings settings = awakeSettings();
-            settings.profile = profile;
+            WorldSettings settings = awakeSettings(profile);
             World world = makeWorld(settings);
             const std::array bodies{addBody(world, dynamicAt({0, 0}), circle(0.25)),
                                     addBody(world, dynamicAt({1, 0}), circle(0.25))};

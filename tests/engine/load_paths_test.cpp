@@ -19,8 +19,7 @@ struct Pile {
         ground = addStatic(world, box(100, 0.5), material(0.6), {0, -0.5});
     }
     static WorldSettings settingsOf(Profile profile) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         return settings;
     }
     void add(DVec2 place, const Polygon& shape, double friction = 0.6) {

@@ -85,19 +85,13 @@ TEST(MixingRules, KeepTheLargestFrictionFinite) {
     }
 }
 
-World worldOf(Profile profile) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
-    return makeWorld(settings);
-}
-
 /// A box of μ 0.8 on ground of 0.1; one of the two has the rule, the other the usual one. It slows down by μg.
 TEST(MixingRules, SlowASlider) {
     constexpr double kSpeed = 12;
     for (const Profile profile : kProfiles) {
         for (const Rule& rule : ownRules()) {
             for (const bool isOfGround : {true, false}) {
-                World world = worldOf(profile);
+                World world = makeWorld(profile);
                 addStatic(world, box(100, 1), ruled(0.1, 0, isOfGround ? rule.rule : MixingRule::usual), {0, -1});
                 const BodyId body = addBody(world, dynamicAt({0, 0.5}, vec(kSpeed, 0)), box(0.5, 0.5),
                                             ruled(0.8, 0, isOfGround ? MixingRule::usual : rule.rule));
@@ -115,7 +109,7 @@ TEST(MixingRules, SlowASlider) {
 TEST(MixingRules, BounceABall) {
     for (const Profile profile : kProfiles) {
         for (const Rule& rule : ownRules()) {
-            World world = worldOf(profile);
+            World world = makeWorld(profile);
             addStatic(world, box(10, 1), ruled(0.5, 0.4, rule.rule), {0, -1});
             const BodyId ball = addBody(world, dynamicAt({0, 5.5}), circle(0.5), material(0.5, 0.9));
             double height = 0;
@@ -136,8 +130,7 @@ TEST(MixingRules, ReflectWhatIsSwept) {
     for (const Profile profile : kProfiles) {
         for (const bool isBullet : {true, false}) {
             for (const Rule& rule : ownRules()) {
-                WorldSettings settings = awakeSettings(0);
-                settings.profile = profile;
+                WorldSettings settings = awakeSettings(profile, 0);
                 World world = makeWorld(settings);
                 ShapeDef heavy = ruled(0, 0.5, rule.rule);
                 heavy.density = real(1e6);

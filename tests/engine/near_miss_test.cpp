@@ -25,8 +25,7 @@ std::vector<Passer> passers() {
 void expectUntouched(BodyType type, Profile profile, const Passer& passer, double speed, double clearance) {
     constexpr int kPhases = 24;
     for (int phase = 0; phase < kPhases; ++phase) {
-        WorldSettings settings = awakeSettings(0);
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile, 0);
         World world = makeWorld(settings);
         addBody(world, bodyAt(type, {4, 0}), box(0.5, 0.5), material(0.5, 0, 1000));
         const double start = 2 + speed * kStep * phase / kPhases;

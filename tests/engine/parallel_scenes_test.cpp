@@ -34,8 +34,7 @@ struct RollingCrowd {
     World world;
     KnownIds known;
     explicit RollingCrowd(Profile profile) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         world = makeWorld(settings);
         for (const double side : {-1.0, 1.0}) {
             addStatic(world, box(30, 1), material(0.8), {side * 20, 5}, side * 0.25);

@@ -281,8 +281,7 @@ struct Flails {
     World world;
     KnownIds known;
     explicit Flails(Profile profile) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         world = makeWorld(settings);
         for (int side = 0; side < 4; ++side) {
             const double turn = side * kPi / 2;

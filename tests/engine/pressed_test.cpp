@@ -30,8 +30,7 @@ TEST(Pressed, AgainstACeilingByAPlate) {
         for (const double speed : {0.1, 0.5, 1.5, 5.0, 20.0}) {
             for (const Polygon& polygon : someShapes()) {
                 for (const bool isThin : {false, true}) {
-                    WorldSettings settings = awakeSettings();
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile);
                     Rest rest{makeWorld(settings), {}};
                     addStatic(rest.world, isThin ? segment(-5, 3, 5, 3) : box(5, 0.2), {}, {0, isThin ? 0.0 : 3.2});
                     BodyDef plate = bodyAt(BodyType::kinematic, {0, 1.5});
@@ -83,8 +82,7 @@ TEST(Pressed, AlongAWall) {
         for (const double speed : {0.5, 8.0, 30.0}) {
             for (const Polygon& polygon : shapes) {
                 for (const bool isThin : {false, true}) {
-                    WorldSettings settings = awakeSettings(0);
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile, 0);
                     Rest rest{makeWorld(settings), {}};
                     addStatic(rest.world, isThin ? segment(0, -50, 0, 50) : box(1, 50), {}, {isThin ? 0.0 : -1.0, 0});
                     BodyDef moving = bodyAt(BodyType::kinematic, {0.13, -20});
@@ -119,8 +117,7 @@ TEST(Pressed, AlongAWall) {
 /// What turns back and forth counts as fast, and is sunk into the wall by half of its radius. The box does not let go.
 TEST(Pressed, WhileItShakes) {
     for (const bool isThin : {true, false}) {
-        WorldSettings settings = awakeSettings(0);
-        settings.profile = Profile::fast;
+        WorldSettings settings = awakeSettings(Profile::fast, 0);
         Rest rest{makeWorld(settings), {}};
         addStatic(rest.world, isThin ? segment(0, -5, 0, 5) : box(0.2, 5), {}, {isThin ? 0.0 : -0.2, 0});
         BodyDef upright = dynamicAt({0.05, 0});

@@ -55,8 +55,7 @@ TEST(Presses, DoNotFlingAwayWhatIsSqueezed) {
         for (const double down : {1.0, 2.0, 4.0}) {
             for (const double along : {0.0, 3.0, 6.0, 10.0}) {
                 for (const double ratio : {0.1, 0.02}) {
-                    WorldSettings settings = awakeSettings();
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile);
                     World world = makeWorld(settings);
                     addStatic(world, segment(-10, 0, 10, 0));
                     const BodyId crate = addBody(world, dynamicAt({0, kHalf}), box(kHalf, kHalf));

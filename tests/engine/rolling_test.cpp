@@ -17,9 +17,8 @@ ShapeDef rough(double resistance, double friction = 1, double restitution = 0) {
     return def;
 }
 
-World worldOf(Profile profile, bool sleep = false) {
-    WorldSettings settings = awakeSettings();
-    settings.profile = profile;
+World rollingWorld(Profile profile, bool sleep = false) {
+    WorldSettings settings = awakeSettings(profile);
     settings.sleep = sleep;
     return makeWorld(settings);
 }
@@ -36,7 +35,7 @@ struct Rolled {
 };
 
 Rolled roll(Profile profile, const ShapeDef& ground, const ShapeDef& ball, double speed) {
-    World world = worldOf(profile);
+    World world = rollingWorld(profile);
     addStatic(world, box(1000, 1), ground, {0, -1});
     const BodyId body = addRolling(world, {0, kRadius}, speed, ball);
     runFor(world, 2);
@@ -77,7 +76,7 @@ TEST(Rolling, SlowsDownOverSeams) {
     const double brake = 0.06 * kGravity / kInertiaShare;
     for (const Profile profile : kProfiles) {
         for (const bool isChain : {true, false}) {
-            World world = worldOf(profile);
+            World world = rollingWorld(profile);
             if (isChain) {
                 std::vector<Vec2> points;
                 for (int i = 0; i <= 80; ++i) { points.push_back(vec(20 - 0.5 * i, 0)); }
@@ -99,7 +98,7 @@ TEST(Rolling, StopsABall) {
     const double brake = resistance * kGravity / kInertiaShare;
     for (const Profile profile : kProfiles) {
         for (const bool sleeps : {true, false}) {
-            World world = worldOf(profile, sleeps);
+            World world = rollingWorld(profile, sleeps);
             addStatic(world, box(50, 1), rough(0), {0, -1});
             const BodyId ball = addRolling(world, {0, kRadius}, 2, rough(resistance));
             runFor(world, 2 / brake + 2);
@@ -127,7 +126,7 @@ TEST(Rolling, HoldsABallOnASlope) {
     const double tilt = std::atan(0.2);
     for (const Profile profile : kProfiles) {
         for (const double ratio : {1.02, 0.98, 0.5}) {
-            World world = worldOf(profile);
+            World world = rollingWorld(profile);
             const BodyId ball = onSlope(world, tilt, rough(0.2 * ratio));
             const DVec2 start = world.position(ball);
             runFor(world, 3);
@@ -153,7 +152,7 @@ TEST(Rolling, IsNotStartedByWaking) {
     const double tilt = std::atan(0.1);
     for (const Profile profile : kProfiles) {
         for (const bool sleeps : {true, false}) {
-            World world = worldOf(profile, sleeps);
+            World world = rollingWorld(profile, sleeps);
             const BodyId ball = onSlope(world, tilt, rough(0.12));
             runFor(world, 5);
             EXPECT_EQ(world.isAwake(ball), !sleeps);
@@ -176,7 +175,7 @@ TEST(Rolling, IsNotStartedByWaking) {
 TEST(Rolling, ChangesAtOnce) {
     const double tilt = std::atan(0.1);
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile, true);
+        World world = rollingWorld(profile, true);
         const BodyId ball = onSlope(world, tilt, rough(0.2));
         ShapeId shape;
         world.visitShapes(ball, [&](ShapeId id) { shape = id; });
@@ -213,8 +212,8 @@ TEST(Rolling, DoesNothingInTheAir) {
 /// Sharp shapes have no radius to roll on; where two points touch, they hold the turn themselves.
 TEST(Rolling, DoesNothingToBoxes) {
     for (const Profile profile : kProfiles) {
-        World rolls = worldOf(profile);
-        World smooth = worldOf(profile);
+        World rolls = rollingWorld(profile);
+        World smooth = rollingWorld(profile);
         for (World* const world : {&rolls, &smooth}) {
             const ShapeDef surface = rough(world == &rolls ? 1 : 0, 0.5);
             addStatic(*world, box(50, 1), surface, {0, -1});
@@ -234,7 +233,7 @@ TEST(Rolling, TakesTheSmallerOfTwoCircles) {
     const double boulder = 10;
     for (const Profile profile : kProfiles) {
         for (const double ratio : {0.95, 1.1}) {
-            World world = worldOf(profile);
+            World world = rollingWorld(profile);
             addStatic(world, circle(boulder), rough(0.1), {0, -boulder});
             const double turn = std::atan(0.1 * ratio);
             const DVec2 place = turned({0, boulder + pebble}, -turn) - DVec2{0, boulder};
@@ -254,7 +253,7 @@ TEST(Rolling, TakesTheSmallerOfTwoCircles) {
 TEST(Rolling, HoldsWhatStandsOnItsRound) {
     for (const Profile profile : kProfiles) {
         for (const double ratio : {0.9, 1.1}) {
-            World world = worldOf(profile);
+            World world = rollingWorld(profile);
             addStatic(world, box(50, 1), rough(0.5), {0, -1});
             // Its centre is 0.4 above that of its foot, of radius 0.2.
             BodyDef def = dynamicAt({0, 0});
@@ -276,7 +275,7 @@ TEST(Rolling, HoldsWhatStandsOnItsRound) {
 /// What would be solved all at once is iterated, and resists: a heavy ball on a light plank that friction holds.
 TEST(Rolling, SlowsDownAHeavyBallOnALightPlank) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = rollingWorld(profile);
         addStatic(world, box(50, 1), material(4), {0, -1});
         addBody(world, dynamicAt({0, 0.1}), box(10, 0.1), material(4, 0, 0.2));
         ShapeDef heavy = rough(0.1);
@@ -293,7 +292,7 @@ TEST(Rolling, SlowsDownAHeavyBallOnALightPlank) {
 /// A cart on two wheels: the joints are solved by themselves, contacts by turns with them.
 TEST(Rolling, SlowsDownACart) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = rollingWorld(profile);
         addStatic(world, box(100, 1), material(1), {0, -1});
         const BodyId chassis = addBody(world, dynamicAt({0, 0.8}, vec(3, 0)), box(1, 0.2));
         double carried = world.mass(chassis);
@@ -318,7 +317,7 @@ TEST(Rolling, SlowsDownACart) {
 /// A belt turns a disk where it lies, which resists that, and so is carried along at last without turning.
 TEST(Rolling, IsCarriedByABelt) {
     for (const Profile profile : kProfiles) {
-        World world = worldOf(profile);
+        World world = rollingWorld(profile);
         ShapeDef belt = rough(0);
         belt.surfaceSpeed = 2;
         addStatic(world, box(100, 1), belt, {0, -1});
@@ -333,7 +332,7 @@ TEST(Rolling, IsCarriedByABelt) {
 TEST(Rolling, LetsAHeapComeToRest) {
     for (const Profile profile : kProfiles) {
         for (const double resistance : {0.02, 0.3, 3.0}) {
-            World world = worldOf(profile, true);
+            World world = rollingWorld(profile, true);
             addStatic(world, box(6, 1), rough(0), {0, -1});
             addStatic(world, box(1, 4), rough(0), {-7, 3});
             addStatic(world, box(1, 4), rough(0), {7, 3});

@@ -136,8 +136,7 @@ TEST(SeamLandings, WhatSinksInIsNotStoppedBySeams) {
         for (const double gravity : {10.0, 20.0, 30.0}) {
             for (const double below : {0.25, 0.1}) {  // half the height of every second piece
                 for (const bool isCrate : {false, true}) {
-                    WorldSettings settings = awakeSettings(gravity);
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile, gravity);
                     World world = makeWorld(settings);
                     for (int i = -2; i < 20; ++i) {
                         const double half = i % 2 == 0 ? 0.25 : below;

@@ -72,8 +72,7 @@ TEST(SimultaneousImpacts, ABreakShotOfBulletsIsSymmetric) {
             for (const double gap : {0.0, 0.001}) {
                 if (profile == Profile::fast && gap == 0) { continue; }
                 for (const double restitution : {1.0, 0.95}) {
-                    WorldSettings settings = awakeSettings(0);
-                    settings.profile = profile;
+                    WorldSettings settings = awakeSettings(profile, 0);
                     World world = makeWorld(settings);
                     const auto ball = [&](DVec2 place, Vec2 velocity) {
                         BodyDef def = dynamicAt(place, velocity);

@@ -153,8 +153,7 @@ TEST(StepSizes, ShorterThanTheOnesBefore) {
 /// Nor are they when the settings ask for more sub-steps: a tower, shaken a little so that nothing of it is held.
 TEST(StepSizes, MoreSubStepsThanBefore) {
     for (const auto& [before, after] : {std::pair{4, 256}, {4, 16}, {16, 256}}) {
-        WorldSettings settings = awakeSettings();
-        settings.profile = Profile::fast;
+        WorldSettings settings = awakeSettings(Profile::fast);
         settings.subSteps = before;
         World world = makeWorld(settings);
         addStatic(world, box(50, 0.5), {}, {0, -0.5});
@@ -213,7 +212,7 @@ double timeToSleep(World& world, const Rhythm& rhythm, Random& random) {
     return time;
 }
 
-World worldOf(Profile profile) {
+World worldOnGround(Profile profile) {
     WorldSettings settings;
     settings.profile = profile;
     World world = makeWorld(settings);
@@ -227,7 +226,7 @@ TEST(StepSizes, PilesSleepInStepsThatGoUpAndDown) {
     for (const Profile profile : {Profile::fast, Profile::accurate}) {
         for (const Rhythm& rhythm : rhythms()) {
             for (const std::uint64_t seed : {1U, 2U}) {
-                World world = worldOf(profile);
+                World world = worldOnGround(profile);
                 for (const double side : {-8.0, 8.0}) { addStatic(world, box(0.5, 10), {}, {side, 10}); }
                 Random random(seed);
                 for (int i = 0; i < 60; ++i) {
@@ -246,7 +245,7 @@ TEST(StepSizes, ChainsSleepInStepsThatGoUpAndDown) {
     for (const bool areWelded : {false, true}) {
         for (const Rhythm& rhythm : rhythms()) {
             if (rhythm.longest > 1.0 / 40) { continue; }  // in `fast` they do not rest in steps of just that, either
-            World world = worldOf(Profile::fast);
+            World world = worldOnGround(Profile::fast);
             BodyId before;
             for (int k = 0; k < 60; ++k) {
                 const DVec2 place{0.5 * (k % 6) + 0.3 * std::floor(k / 6) - 10, 2 + 1.2 * std::floor(k / 6)};
@@ -286,8 +285,7 @@ struct SleepingPile {
             def.gravityScale = 0;
             addBody(world, def, circle(0.2));
         }
-        WorldSettings settings = awakeSettings();
-        settings.profile = profile;
+        WorldSettings settings = awakeSettings(profile);
         settings.sleep = true;
         must(world.configure(settings));
         for (int i = 0; i < 2000 && world.isAwake(boxes[0]); ++i) { must(world.step(kStep)); }

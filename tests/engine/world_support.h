@@ -53,12 +53,21 @@ inline WorldSettings awakeSettings(double gravity = kGravity) {
     return settings;
 }
 
+inline WorldSettings awakeSettings(Profile profile, double gravity = kGravity) {
+    WorldSettings settings = awakeSettings(gravity);
+    settings.profile = profile;
+    return settings;
+}
+
 inline World makeWorld(const WorldSettings& settings) {
     World world;
     must(world.configure(settings));
     return world;
 }
 inline World makeWorld(double gravity = kGravity) { return makeWorld(awakeSettings(gravity)); }
+inline World makeWorld(Profile profile, double gravity = kGravity) {
+    return makeWorld(awakeSettings(profile, gravity));
+}
 
 inline ShapeDef material(double friction, double restitution = 0, double density = 1) {
     ShapeDef def;
