@@ -7,6 +7,7 @@
 #include "hard_pull.h"
 #include "island_load.h"
 #include "settled.h"
+#include "thin_loops.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -35,8 +36,6 @@ constexpr int kBodyRoundsOfDebt = 512;
 constexpr std::uint16_t kPauseOfTower = 16;
 /// Joints in an island that iteration brings together badly.
 constexpr std::uint32_t kLongChain = 16;
-/// Joints that close loops: in larger nets the factor fills up.
-constexpr std::uint32_t kMostLoopBodies = 64;
 /// What rests and is solved all at once makes do with an eighth of the sub-steps: its error does not depend on them. At
 /// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration,
 /// unless masses are far apart.
@@ -142,7 +141,7 @@ bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int 
 /// the ground. Of 400 such pairs that fell four flew off, of pairs that two joints hold up to 32.)
 DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps) {
     const bool isCoarse = subSteps < kFewestSubStepsForJoints;
-    const bool maySolveIt = !load.hasLoop || load.bodies <= kMostLoopBodies;
+    const bool maySolveIt = !load.hasLoop || load.bodies <= kMostLoopBodies || !load.hasWideLoop;
     if (!isTouching && load.plainJoints == load.joints && maySolveIt) { return DirectScope::islands; }
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     if (load.hasLoop || isCoarse) { return DirectScope::none; }

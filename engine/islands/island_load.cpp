@@ -148,6 +148,7 @@ void addJoints(WorldState& world) {
         load.longestChain = std::max(load.longestChain, chain.joints);
         // What only lies on a bridge makes it no chain.
         load.hasLoop = load.hasLoop || chain.hasLoop();
+        load.hasWideLoop = load.hasWideLoop || (chain.hasLoop() && !chain.isThin);
         load.isAnchored = load.isAnchored || chain.anchors > 0;
         load.joints += chain.joints;
         load.plainJoints += chain.plainJoints;

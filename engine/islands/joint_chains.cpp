@@ -159,6 +159,7 @@ void findJointChains(WorldState& world) {
     tieBodies(world);
     listMembers(world);
     sumUpJoints(world);
+    findThinLoops(world);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -5,6 +5,7 @@
 
 #include "../../shapes/real.h"
 #include "../../solver/graph/island_finder.h"
+#include "thin_loops.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -24,6 +25,7 @@ struct JointChain {
     bool holdsAngles = false;   ///< `JointTie::holdsAngle` of any
     bool isPassive = true;      ///< `JointTie::isPassive` of all
     bool isAdrift = true;       ///< no joint ties it to what is not dynamic, nor pushes from outside
+    bool isThin = false;        ///< a large loop, whose factor fills up little (thin_loops.h)
 
     /// What is not anchored has a tie less than bodies if it is a tree. Two bodies that are tied twice are no ring.
     bool hasLoop() const { return ties > bodies || (anchors == 0 && ties - doubled >= bodies); }
@@ -44,6 +46,7 @@ struct JointChains {
     std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
     IslandFinder finder;                ///< scratch
     std::vector<std::uint32_t> places;  ///< scratch, by slot of the lowest body: in `list`
+    ThinLoops thinLoops;                ///< scratch
 
     /// A body wakes, or falls asleep. @param holdingJoints  of the body
     void noteTurn(std::uint32_t holdingJoints) { areCurrent = areCurrent && holdingJoints == 0; }
