@@ -300,6 +300,18 @@ double tryPart(Course& course, double time, bool fits, double& next) {
     return 0;
 }
 
+bool isOnChain(const AdvancingIsland& island) {
+    return std::any_of(island.held.begin(), island.held.end(),
+                       [](const Contact& contact) { return contact.ofChain && contact.pressed; });
+}
+
+/// Seconds of the next part of an island that turns too fast for one. What rides on a curve has parts of one length: in
+/// each it turns by as much as the ground did in the one before, and pays for the way that it went straight on
+/// (curved_ground.h).
+double longestTurning(const Course& course, double rest, double most) {
+    return isOnChain(course.island) ? rest / std::ceil(rest / most) : most;
+}
+
 /// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow
 /// among floor and wall less well, and may throw it up.
 bool fliesInstead(const Course& course) {
@@ -359,7 +371,7 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
         const double spin = fastestSpin(course, Spinners::all);
         if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
         double time = std::max(next, course.shortest);
-        if (spin * time > maxTurn) { time = std::max(maxTurn / spin, course.shortest); }
+        if (spin * time > maxTurn) { time = std::max(longestTurning(course, rest, maxTurn / spin), course.shortest); }
         if (time > rest - 0.5 * course.shortest) { time = rest; }
         const double gained = tryPart(course, time, fits, next);
         if (gained <= 0 && fliesInstead(course)) {

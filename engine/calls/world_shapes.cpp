@@ -93,6 +93,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape, Real 
     world.bodies[body].shapes.push_back(id->index);
     if (world.bodies[body].isDynamic()) { weigh(world, std::span(&id->index, 1)); }
     countTraits(world, stored.def, 1);
+    world.chainShapes += stored.isChainSegment ? 1U : 0U;
     return *id;
 }
 

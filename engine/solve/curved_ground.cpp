@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "energy_gain.h"
 
@@ -49,6 +51,17 @@ bool goesAlong(const BodyState& state, double turn) {
     return std::fabs(static_cast<double>(state.deltaAngle) - turn) < 0.5 * std::fabs(turn);
 }
 
+/// Members of islands that ride on a chain together.
+template <class Visit>
+void forEachRider(WorldState& world, const SolveDesk& desk, const Visit& visit) {
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        const Body& body = world.bodies[desk.bodies[i]];
+        if (!isMovable(desk.batch.inertias[i + 1]) || !(body.inverseMass > 0) || mayRide(body)) { continue; }
+        EnergyAccount& account = accountOf(world, desk.bodies[i]);
+        if (account.solve == desk.energySolve && account.isOnChain && !account.isFed) { visit(i, body, account); }
+    }
+}
+
 }  // namespace
 
 void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodyState& state, Real time) {
@@ -78,6 +91,47 @@ void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodySt
     const double change = std::max(std::min(wanted, -excess), std::min(-lift, 0.0));
     const double share = 1 + 2 * change / squared(ride.after);
     state.velocity = toReal(std::sqrt(std::max(share, 0.0)) * ride.after);
+}
+
+bool mayRideTogether(const WorldState& world, const SolveDesk& desk) {
+    if (world.chainShapes == 0) { return false; }
+    return std::any_of(desk.energyRoots.begin(), desk.energyRoots.end(), [&world](std::uint32_t root) {
+        const EnergyAccount& account = world.energyAccounts[root];
+        return account.gained - account.work > kGainRounding * account.kinetic + kGainTremble * account.fall;
+    });
+}
+
+void payForLift(WorldState& world, SolveDesk& desk, double time) {
+    std::vector<IslandMotion>& islands = desk.islandMotions;
+    islands.clear();
+    forEachRider(world, desk, [&](std::size_t i, const Body& body, EnergyAccount& account) {
+        const DVec2 before = toDouble(desk.energyEntries[i].velocityBefore);
+        const Ride ride{.before = before,
+                        .after = toDouble(world.motions[desk.bodies[i]].velocity),
+                        .pull = toDouble(accelerationOf(world, body)),
+                        .time = time};
+        if (account.motion == kNoIndex) {
+            account.motion = static_cast<std::uint32_t>(islands.size());
+            islands.push_back({.root = world.islands.find(desk.bodies[i])});
+        }
+        if (!ride.isBorne()) { return; }
+        islands[account.motion].lift -= body.mass * dot(ride.pull, ride.wayOut(ride.turn()));
+    });
+    for (IslandMotion& island : islands) {
+        EnergyAccount& account = world.energyAccounts[island.root];
+        const double excess = account.gained - account.springs - account.work;
+        const double paid = std::clamp(std::min(excess, island.lift), 0.0, account.kinetic);
+        if (paid > 0) { island.share = std::sqrt(1 - paid / account.kinetic); }
+        account.kinetic -= paid;
+        account.gained -= paid;
+    }
+    forEachRider(world, desk, [&](std::size_t i, const Body&, const EnergyAccount& account) {
+        const auto share = static_cast<Real>(islands[account.motion].share);
+        BodyMotion& motion = world.motions[desk.bodies[i]];
+        motion.velocity = share * motion.velocity;
+        motion.angularVelocity *= share;
+    });
+    for (const IslandMotion& island : islands) { world.energyAccounts[island.root].motion = kNoIndex; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../state/world_state.h"
+#include "solve_desk.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -14,6 +15,15 @@ namespace swept::inline SWEPT_PRECISION {
 /// @param state  what the solve made of it; its motion in the world is still that of before
 /// @param time   that was solved for, s
 void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodyState& state, Real time);
+
+/// What rides on a chain with others, jointed or touching, is lifted in the same way: each member goes as straight as its
+/// ground, or what bears it, has it. So the island pays for the lift of all of them, out of the motion of all; but never
+/// for more than it gained beyond the work of gravity, forces and springs.
+
+/// Whether some island may have been lifted so.
+bool mayRideTogether(const WorldState& world, const SolveDesk& desk);
+/// @pre accounts know what feeds the islands, what springs gave, and the ground that they press on
+void payForLift(WorldState& world, SolveDesk& desk, double time);
 
 /// Whether a body may ride by itself.
 inline bool mayRide(const Body& body) {

@@ -26,6 +26,7 @@ struct EnergyAccount {
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
     bool isAnchored = false;    ///< one of them, or a gear, does so
     bool isGrounded = false;    ///< presses on something static
+    bool isOnChain = false;     ///< and that is a chain
     DVec2 push{};               ///< of what is static, all of it, N·s
     /// By joints to kinematic bodies, and by those that calls move. Noted only of what may have gained.
     bool isLed = false;
@@ -69,6 +70,7 @@ struct IslandMotion {
     DVec2 keptVelocity{};
     double keptSpin = 0;
     double share = 1;  ///< what is left of the motion relative to it
+    double lift = 0;   ///< of ground that turned under it (`payForLift`), J
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "../../solver/joint_islands/joint_island.h"
+#include "curved_ground.h"
 #include "driven_joints.h"
 #include "energy_calm.h"
 #include "energy_gain.h"
@@ -24,6 +25,7 @@ void noteContact(WorldState& world, const Contact& contact) {
     if (contact.dynamicA == contact.dynamicB) { return; }
     account.isFed = account.isFed || world.bodies[other].def.type == BodyType::kinematic;
     account.isGrounded = account.isGrounded || contact.pressed;
+    account.isOnChain = account.isOnChain || (contact.pressed && contact.ofChain);
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
     account.push += (contact.dynamicB ? impulse : -impulse) * toDouble(normal);
@@ -321,12 +323,18 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
     };
     const bool any = std::any_of(roots.begin(), roots.end(), hasGainedAnything) ||
                      (hasJoints && std::any_of(roots.begin(), roots.end(), hasGainedIfTied));
-    if (!any) { return; }
+    const bool mayRide = mayRideTogether(world, group.desk);
+    if (!any && !mayRide) { return; }
     if (hasJoints) {
         noteJointed(world, group);
         bookSprings(world, group, h);
     }
     markDrivenAccounts(world, group);
+    if (mayRide) {
+        noteOthers(world, group);
+        payForLift(world, group.desk, static_cast<double>(time));
+    }
+    if (!any) { return; }
     const auto drifts = [&](std::uint32_t root) { return mayDrift(world.energyAccounts[root]); };
     if (std::any_of(roots.begin(), roots.end(), drifts)) { findDrifts(world, group.desk); }
     const bool mayTouch = group.role == BodyRole::solved ? !world.touching.empty() : !group.contacts.empty();
@@ -336,7 +344,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
         return !account.isFed && hasGained(account, account.isAnchored ? hanging : 0);
     };
     if (std::none_of(roots.begin(), roots.end(), mayHaveGained)) { return; }
-    noteOthers(world, group);
+    if (!mayRide) { noteOthers(world, group); }
     // What platforms carry gains all the time, and is fed.
     const auto pays = [&](std::uint32_t root) {
         return hasGained(world.energyAccounts[root]) && !world.energyAccounts[root].isFed;

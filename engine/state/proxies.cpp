@@ -59,6 +59,7 @@ void removeProxy(WorldState& world, std::uint32_t slot) {
 void removeShapeSlot(WorldState& world, std::uint32_t slot) {
     removeProxy(world, slot);
     countTraits(world, world.shapes[slot].def, -1);
+    world.chainShapes -= world.shapes[slot].isChainSegment ? 1U : 0U;
     world.shapes.erase(world.shapes.idOf(slot));
 }
 

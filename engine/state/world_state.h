@@ -149,6 +149,7 @@ struct WorldState : Workers {
     std::uint32_t sensorShapes = 0;
     std::uint32_t bouncyShapes = 0;   ///< with restitution: without any, nothing bounces
     std::uint32_t rollingShapes = 0;  ///< with rolling resistance
+    std::uint32_t chainShapes = 0;    ///< segments of chains: without any, what rides together has nothing to pay
     SensorSweeps sensorSweeps;
     std::uint32_t kinematicBodies = 0;
     std::uint32_t fixedBodies = 0;  ///< never awake: static, or disabled

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "world_support.h"
 
-/// What slides or rolls in a bowl or a pipe, by itself: nothing drives it, so it never gets higher than it began.
+/// What slides or rolls in a bowl or a pipe, by itself or with others: nothing drives it, so it never gets higher than it
+/// began.
 
 namespace swept::test {
 namespace {
@@ -139,6 +141,90 @@ TEST(CurvedGround, OfAPipeMakesNoEnergy) {
                 const std::string name = profileName(profile) + ", friction " + std::to_string(friction) + ", " +
                                          std::to_string(speed) + " m/s: ";
                 EXPECT_GE(leftInPipe(profile, friction, speed, name), friction > 0 ? 0.1 : 0.25) << name;
+            }
+        }
+    }
+}
+
+/// Who rides together in a bowl: a row of balls that touch, two on a rod, a car.
+enum class Riders : std::uint8_t { row, rod, car };
+
+struct Convoy {
+    World world;
+    std::vector<BodyId> bodies;
+
+    Convoy(Profile profile, const Bowl& bowl, Riders riders) : world(worldOf(profile)) {
+        bowl.addTo(world);
+        const double spacing = riders == Riders::row ? 2 * kRadius : 6 * kRadius;
+        const DVec2 rear = wheelPlace(bowl, -1.6);
+        double x = -1.6 + spacing / 2;
+        for (int i = 0; i < 40; ++i) { x += spacing - length(wheelPlace(bowl, x) - rear); }
+        const DVec2 front = wheelPlace(bowl, x);
+        for (const DVec2 place : {rear, front}) {
+            bodies.push_back(addBody(world, dynamicAt(place), circle(kRadius), material(bowl.friction)));
+        }
+        if (riders == Riders::rod) {
+            const JointDef ends{.bodyA = bodies[0], .bodyB = bodies[1]};
+            must(world.createJoint(DistanceJointDef{.base = ends, .anchorA = rear, .anchorB = front}));
+        }
+        if (riders == Riders::car) { addChassis(rear, front, bowl.friction); }
+    }
+
+    static DVec2 wheelPlace(const Bowl& bowl, double x) {
+        const double slope = 2 * bowl.steepness * x / kHalfWidth;
+        const double scale = kRadius / std::hypot(1, slope);
+        return {x - slope * scale, bowl.at(x) + scale};
+    }
+    void addChassis(DVec2 rear, DVec2 front, double friction) {
+        const DVec2 along = (1 / length(front - rear)) * (front - rear);
+        const BodyDef def{.type = BodyType::dynamic,
+                          .position = 0.5 * (rear + front) + 0.15 * DVec2{-along.y, along.x},
+                          .angle = std::atan2(along.y, along.x)};
+        const BodyId chassis = addBody(world, def, box(0.35, 0.08), material(friction));
+        for (const DVec2 place : {rear, front}) {
+            const BodyId wheel = place.x == rear.x ? bodies[0] : bodies[1];
+            must(world.createJoint(
+                RevoluteJointDef{.base = {.bodyA = chassis, .bodyB = wheel}, .anchor = place}));
+        }
+        bodies.push_back(chassis);
+    }
+    double energy() const {
+        double sum = 0;
+        for (const BodyId body : bodies) {
+            sum += kineticEnergy(world, body) +
+                   static_cast<double>(world.mass(body)) * kGravity * world.position(body).y;
+        }
+        return sum;
+    }
+    double mass() const {
+        double sum = 0;
+        for (const BodyId body : bodies) { sum += static_cast<double>(world.mass(body)); }
+        return sum;
+    }
+};
+
+/// Most that they have in energy in 30 s, above the lowest place, as a part of what they had.
+double mostOfConvoy(Profile profile, const Bowl& bowl, Riders riders) {
+    Convoy convoy(profile, bowl, riders);
+    const double lowest = convoy.mass() * kGravity * kRadius;
+    const double before = convoy.energy() - lowest;
+    double most = 0;
+    for (int i = 0; i < 1800; ++i) {
+        must(convoy.world.step(kStep));
+        most = std::max(most, (convoy.energy() - lowest) / before);
+    }
+    return most;
+}
+
+TEST(CurvedGround, LiftsNobodyWhoRidesWithOthers) {
+    for (const Profile profile : kProfiles) {
+        for (const double steepness : {0.3, 0.6}) {
+            for (const Riders riders : {Riders::row, Riders::rod, Riders::car}) {
+                const Bowl bowl{
+                    .steepness = steepness, .segments = 800, .friction = riders == Riders::car ? 0.6 : 0.0};
+                const std::string name = nameOf(profile) + ", steepness " + std::to_string(steepness) + ", " +
+                                         std::to_string(static_cast<int>(riders)) + ", most";
+                expectAtMost(name, mostOfConvoy(profile, bowl, riders), 1.01);
             }
         }
     }
