@@ -36,6 +36,8 @@ constexpr int kBodyRoundsOfDebt = 512;
 constexpr std::uint16_t kPauseOfTower = 16;
 /// Joints in an island that iteration brings together badly.
 constexpr std::uint32_t kLongChain = 16;
+/// The same of beams that hang on the ground. (Eight bars of 10 kg bent by 8 cm under 50 kg.)
+constexpr std::uint32_t kLongBeam = 4;
 /// What rests and is solved all at once makes do with an eighth of the sub-steps: its error does not depend on them. At
 /// rest is what is no faster than this part of what gravity gives it in a step; blows are shared out by iteration,
 /// unless masses are far apart.
@@ -149,7 +151,9 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     // flies, gets on with light bodies whose turn is held only when both are iterated: a ball that hit a welded sign of
     // 1/60 of its mass moved it within a pass of contacts, and was thrown back when the joint closed its gap.
     const Real heaviest = load.holdsAngles ? load.heaviestJointed : heaviestOf(load);
-    const bool isHopeless = load.longestChain >= kLongChain || heaviest >= kHeavyRatio * load.lightestJointed;
+    // A beam that welds hold to the ground bends under what lies on it by what each weld gives way, times its length.
+    const bool isBeam = load.isAnchored && load.holdsAngles && load.longestChain >= kLongBeam;
+    const bool isHopeless = isBeam || load.longestChain >= kLongChain || heaviest >= kHeavyRatio * load.lightestJointed;
     // Two that hold the same bodies work against each other, the more so the nearer they come to a toggle.
     const bool isDoubled = load.joints >= load.bodies && load.plainJoints == load.joints;
     // What joints tie to the ground contacts with the ground may contradict, and then both win by turns.

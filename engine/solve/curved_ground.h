@@ -16,9 +16,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// @param time   that was solved for, s
 void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodyState& state, Real time);
 
-/// What rides on a chain with others, jointed or touching, is lifted in the same way: each member goes as straight as its
-/// ground, or what bears it, has it. So the island pays for the lift of all of them, out of the motion of all; but never
-/// for more than it gained beyond the work of gravity, forces and springs.
+/// What rides on a chain with others, jointed or touching, is lifted in the same way: each member goes as straight as
+/// its ground, or what bears it, has it. So the island pays for the lift of all of them, out of the motion of all; but
+/// never for more than it gained beyond the work of gravity, forces and springs.
 
 /// Whether some island may have been lifted so.
 bool mayRideTogether(const WorldState& world, const SolveDesk& desk);

@@ -19,7 +19,8 @@ struct EnergyAccount {
     bool isSprung = false;    ///< these two are known
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
     double drift = 0;         ///< kinetic, of how an island goes as a whole that joints alone hold together
-    bool isFed = false;       ///< from outside: by belts, kinematic bodies, motors, calls; what it gains is no error
+    double motors = 0;        ///< the most that they may have given (motor_work.h), of what gained
+    bool isFed = false;       ///< from outside: by belts, kinematic bodies, targets, calls; what it gains is no error
     bool isYanked = false;    ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
     bool isTouching = false;    ///< something; noted only of what may have gained

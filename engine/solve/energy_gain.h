@@ -28,7 +28,7 @@ inline constexpr double kMostFallsInTouch = 1.0 / 4;
 /// thousandth of its inertia).
 inline double excessOf(const EnergyAccount& account) {
     const bool pays = account.isJointed && !account.isTouching && !account.isYanked;
-    return account.gained - account.springs - (pays ? account.work : std::max(account.work, 0.0));
+    return account.gained - account.springs - account.motors - (pays ? account.work : std::max(account.work, 0.0));
 }
 
 /// @param falls  that joints may give back

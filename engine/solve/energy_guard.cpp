@@ -11,6 +11,7 @@
 #include "energy_gain.h"
 #include "energy_shares.h"
 #include "joint_builder.h"
+#include "motor_work.h"
 #include "spring_energy.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -95,9 +96,9 @@ void findFed(WorldState& world, const TiedGroup& group) {
     }
 }
 
-void noteJointed(EnergyAccount& account, bool isPassive, std::uint32_t anchors) {
+void noteJointed(EnergyAccount& account, bool isExact, std::uint32_t anchors) {
     account.isJointed = true;
-    account.isFed = account.isFed || !isPassive;
+    account.isFed = account.isFed || isExact;
     account.isAnchored = account.isAnchored || anchors > 0;
     account.anchors += anchors;
 }
@@ -110,7 +111,7 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
         for (const JointChain& chain : world.jointChains.list) {
             EnergyAccount& account = accountOf(world, chain.lowest);
             const bool isIn = account.solve == group.desk.energySolve;
-            if (isIn) { noteJointed(account, chain.isPassive && !isExact, chain.anchors); }
+            if (isIn) { noteJointed(account, isExact, chain.anchors); }
         }
         return;
     }
@@ -118,7 +119,7 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t joint : group.joints) {
         const JointTie& tie = world.jointTies[joint];
         EnergyAccount& account = accountOf(world, moves(tie.bodyA) ? tie.bodyA : tie.bodyB);
-        noteJointed(account, tie.isPassive && !isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
+        noteJointed(account, isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
     }
 }
 
@@ -263,6 +264,19 @@ void book(WorldState& world, SolveDesk& desk) {
 
 namespace {
 
+/// What motors may have given islands that gained more than gravity and forces gave them.
+void bookMotors(WorldState& world, const TiedGroup& group, double time) {
+    for (const std::uint32_t i : group.joints) {
+        const JointTie& tie = world.jointTies[i];
+        if (tie.isPassive) { continue; }
+        EnergyAccount& account = accountOf(world, tie);
+        if (account.solve != group.desk.energySolve || account.isFed || !(account.gained > account.work)) { continue; }
+        const double most = mostWorkOf(world.joints[i], time);
+        account.isFed = std::isinf(most);
+        if (!account.isFed) { account.motors += most; }
+    }
+}
+
 /// How a body stood and moved before the solve, from what that did to it.
 BodyMotion motionBefore(const WorldState& world, const SolveDesk& desk, std::uint32_t slot) {
     BodyMotion motion = world.motions[slot];
@@ -327,6 +341,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
     if (!any && !mayRide) { return; }
     if (hasJoints) {
         noteJointed(world, group);
+        bookMotors(world, group, static_cast<double>(time));
         bookSprings(world, group, h);
     }
     markDrivenAccounts(world, group);

@@ -45,7 +45,7 @@ double torqueAtWall(int bars, double load) { return kGravity * (kBarMass * bars 
 /// A ball falls on the tip by 5 cm, and lies there. (The weld at the wall told up to 80 times what it carries, in
 /// bursts, for as long as it lay there.)
 TEST(Beams, CantileversBearWhatLiesOnTheirTip) {
-    for (const int bars : {16, 30, 120}) {
+    for (const int bars : {4, 8, 16, 30, 120}) {
         for (const double load : {0.1, 50.0}) {
             Beam beam(bars, true);
             run(beam.world, kSecond);

@@ -6,8 +6,8 @@
 
 #include "world_support.h"
 
-/// What slides or rolls in a bowl or a pipe, by itself or with others: nothing drives it, so it never gets higher than it
-/// began.
+/// What slides or rolls in a bowl or a pipe, by itself or with others: nothing drives it, so it never gets higher than
+/// it began.
 
 namespace swept::test {
 namespace {
@@ -153,7 +153,7 @@ struct Convoy {
     World world;
     std::vector<BodyId> bodies;
 
-    Convoy(Profile profile, const Bowl& bowl, Riders riders) : world(worldOf(profile)) {
+    Convoy(Profile profile, const Bowl& bowl, Riders riders) : world(makeWorld(profile)) {
         bowl.addTo(world);
         const double spacing = riders == Riders::row ? 2 * kRadius : 6 * kRadius;
         const DVec2 rear = wheelPlace(bowl, -1.6);
@@ -183,16 +183,15 @@ struct Convoy {
         const BodyId chassis = addBody(world, def, box(0.35, 0.08), material(friction));
         for (const DVec2 place : {rear, front}) {
             const BodyId wheel = place.x == rear.x ? bodies[0] : bodies[1];
-            must(world.createJoint(
-                RevoluteJointDef{.base = {.bodyA = chassis, .bodyB = wheel}, .anchor = place}));
+            must(world.createJoint(RevoluteJointDef{.base = {.bodyA = chassis, .bodyB = wheel}, .anchor = place}));
         }
         bodies.push_back(chassis);
     }
     double energy() const {
         double sum = 0;
         for (const BodyId body : bodies) {
-            sum += kineticEnergy(world, body) +
-                   static_cast<double>(world.mass(body)) * kGravity * world.position(body).y;
+            sum +=
+                kineticEnergy(world, body) + static_cast<double>(world.mass(body)) * kGravity * world.position(body).y;
         }
         return sum;
     }
@@ -220,9 +219,8 @@ TEST(CurvedGround, LiftsNobodyWhoRidesWithOthers) {
     for (const Profile profile : kProfiles) {
         for (const double steepness : {0.3, 0.6}) {
             for (const Riders riders : {Riders::row, Riders::rod, Riders::car}) {
-                const Bowl bowl{
-                    .steepness = steepness, .segments = 800, .friction = riders == Riders::car ? 0.6 : 0.0};
-                const std::string name = nameOf(profile) + ", steepness " + std::to_string(steepness) + ", " +
+                const Bowl bowl{.steepness = steepness, .segments = 800, .friction = riders == Riders::car ? 0.6 : 0.0};
+                const std::string name = profileName(profile) + ", steepness " + std::to_string(steepness) + ", " +
                                          std::to_string(static_cast<int>(riders)) + ", most";
                 expectAtMost(name, mostOfConvoy(profile, bowl, riders), 1.01);
             }

@@ -192,8 +192,8 @@ TEST(JointSprings, SoftWeldConservesMomentum) {
 /// followed what its arms weigh as they turn, half of such pairs on soft welds had 7800 times their energy after a
 /// minute; in Box2D 3, too, some had thousands of times as much.)
 TEST(JointSprings, WhatWhirlsOnThemGainsNothing) {
-    enum class Kind : std::uint8_t { distance, softWeld, hungWeld, bentWeld, hinge, slider, wheel };
-    const auto tie = [](World& world, Kind kind, BodyId a, BodyId b, Random& random) {
+    enum class Held : std::uint8_t { distance, softWeld, hungWeld, bentWeld, hinge, slider, wheel };
+    const auto tie = [](World& world, Held kind, BodyId a, BodyId b, Random& random) {
         const JointDef base = between(a, b);
         const Spring spring{real(random.range(1, 10)), 0};
         const double side = random.range(-0.2, 0.2);
@@ -201,28 +201,28 @@ TEST(JointSprings, WhatWhirlsOnThemGainsNothing) {
         const double angle = random.range(0, 2 * kPi);
         const DVec2 axis{std::cos(angle), std::sin(angle)};
         switch (kind) {
-            case Kind::distance:
+            case Held::distance:
                 return must(world.createJoint(DistanceJointDef{
                     .base = base, .anchorA = {side, 0.2}, .anchorB = anchor + DVec2{0.4, 0}, .spring = spring}));
-            case Kind::softWeld:
+            case Held::softWeld:
                 return must(world.createJoint(
                     WeldJointDef{.base = base, .anchor = anchor, .linearSpring = spring, .angularSpring = spring}));
-            case Kind::hungWeld:
+            case Held::hungWeld:
                 return must(world.createJoint(WeldJointDef{.base = base, .anchor = anchor, .linearSpring = spring}));
-            case Kind::bentWeld:
+            case Held::bentWeld:
                 return must(world.createJoint(WeldJointDef{.base = base, .anchor = anchor, .angularSpring = spring}));
-            case Kind::hinge:
+            case Held::hinge:
                 return must(world.createJoint(RevoluteJointDef{.base = base, .anchor = anchor, .spring = spring}));
-            case Kind::slider:
+            case Held::slider:
                 return must(world.createJoint(
                     PrismaticJointDef{.base = base, .anchor = anchor, .axis = axis, .spring = spring}));
-            case Kind::wheel:
+            case Held::wheel:
                 return must(
                     world.createJoint(WheelJointDef{.base = base, .anchor = anchor, .axis = axis, .spring = spring}));
         }
         return JointId{};
     };
-    for (int kind = 0; kind <= static_cast<int>(Kind::wheel); ++kind) {
+    for (int kind = 0; kind <= static_cast<int>(Held::wheel); ++kind) {
         for (std::uint64_t seed = 0; seed < 24; ++seed) {
             Random random(seed);
             WorldSettings settings = awakeSettings(0);
@@ -237,7 +237,7 @@ TEST(JointSprings, WhatWhirlsOnThemGainsNothing) {
                 const ShapeDef surface = material(0.6, 0, random.range(1, 5));
                 pair.push_back(addBody(world, def, box(width, random.range(0.1, 0.3)), surface));
             }
-            tie(world, static_cast<Kind>(kind), pair[0], pair[1], random);
+            tie(world, static_cast<Held>(kind), pair[0], pair[1], random);
             const double start = energyOf(world, pair, 0);
             double most = 0;
             for (int i = 0; i < 1200; ++i) {
