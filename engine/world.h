@@ -93,9 +93,9 @@ public:
     BodyDef definition(BodyId id) const;
     /// Gives a body another definition; its pose and velocities stay as they are (but for those that the new one does
     /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it, unless `userData` alone is
-    /// another. A new type ends its contacts, and so does, where there is a contact filter, another `userData`, and
-    /// those that it has then begin; joints between what is not dynamic rest (as those of a disabled body do:
-    /// setEnabled) until one of it is.
+    /// another and there is no contact filter. A new type ends its contacts, and so does, where there is a contact
+    /// filter, another `userData`, and those that it has then begin; joints between what is not dynamic rest (as those
+    /// of a disabled body do: setEnabled) until one of it is.
     /// Errors: as of createBody; `wrongBodyType` with "type" where it has chains and would be dynamic.
     Status redefine(BodyId id, const BodyDef& def);
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
@@ -274,8 +274,8 @@ public:
     // each takes as long as its answer.
     /// The contact points of one body, A and B as in the list of all; none of a stale id.
     void visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) const;
-    /// What overlaps a sensor: all whose `sensorBegin` was reported, and not its end. None of a stale id, or of what is
-    /// no sensor.
+    /// What overlaps a sensor: all whose `sensorBegin` was reported, and not its end, but for what calls put elsewhere
+    /// or took away since. None of a stale id, or of what is no sensor.
     void visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) const;
 
     // --- what the last step did

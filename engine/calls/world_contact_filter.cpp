@@ -1,3 +1,5 @@
+#include <span>
+
 #include "../contacts/may_touch.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../islands/held_islands.h"

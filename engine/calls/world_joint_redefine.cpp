@@ -22,12 +22,15 @@ double termOf(const WorldState& world, const Joint& joint, const PulleyJointDef&
     return length(anchorBOf(world, joint) - def.groundB);
 }
 
+/// In double: times a coordinate of a thousand the rounding of a float would be seen.
+double changeOf(Real before, Real now) { return static_cast<double>(now) - static_cast<double>(before); }
+
 /// Another ratio takes hold where the bodies are: what the joint lacks of holding stays as it is.
 double constantOf(const WorldState& world, const Joint& joint, const GearJointDef& before, Real ratio) {
-    return joint.gearConstant + static_cast<double>(ratio - before.ratio) * termOf(world, before);
+    return joint.gearConstant + changeOf(before.ratio, ratio) * termOf(world, before);
 }
 double constantOf(const WorldState& world, const Joint& joint, const PulleyJointDef& before, Real ratio) {
-    return static_cast<double>(joint.length) + static_cast<double>(ratio - before.ratio) * termOf(world, joint, before);
+    return static_cast<double>(joint.length) + changeOf(before.ratio, ratio) * termOf(world, joint, before);
 }
 
 /// Whether a joint may have another definition of its kind.

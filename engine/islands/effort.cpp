@@ -152,7 +152,7 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     // 1/60 of its mass moved it within a pass of contacts, and was thrown back when the joint closed its gap.
     const Real heaviest = load.holdsAngles ? load.heaviestJointed : heaviestOf(load);
     // A beam that welds hold to the ground bends under what lies on it by what each weld gives way, times its length.
-    const bool isBeam = load.isAnchored && load.holdsAngles && load.longestChain >= kLongBeam;
+    const bool isBeam = load.longestBeam >= kLongBeam;
     const bool isHopeless = isBeam || load.longestChain >= kLongChain || heaviest >= kHeavyRatio * load.lightestJointed;
     // Two that hold the same bodies work against each other, the more so the nearer they come to a toggle.
     const bool isDoubled = load.joints >= load.bodies && load.plainJoints == load.joints;

@@ -146,6 +146,7 @@ void addJoints(WorldState& world) {
     for (const JointChain& chain : world.jointChains.list) {
         IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
         load.longestChain = std::max(load.longestChain, chain.joints);
+        if (chain.anchors > 0 && chain.holdsAngles) { load.longestBeam = std::max(load.longestBeam, chain.joints); }
         // What only lies on a bridge makes it no chain.
         load.hasLoop = load.hasLoop || chain.hasLoop();
         load.hasWideLoop = load.hasWideLoop || (chain.hasLoop() && !chain.isThin);

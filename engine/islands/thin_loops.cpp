@@ -10,9 +10,8 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// Blocks of the factor for each body. What costs is their number times how many stand in a column. Rings, ladders and
-/// trusses, at any length, have up to 2, nets of three in a row 2.8 to 3, of ten 5.6. (A step of a truss of 121 bodies
-/// takes 0.7 to 2 ms while it swings, iterated 0.07 to 0.14 ms, but iterated it falls apart; nets hang well on
-/// iteration, which takes a quarter to two thirds of the time.)
+/// trusses, at any length, have up to 2, nets of three in a row 2.8 to 3, of ten 5.6. (Measured:
+/// solver/MEASURED.md, "Trusses"; `Nets.LongTrussesStandHoweverLong`.)
 constexpr std::size_t kMostBlocksOfThin = 2;
 
 bool mayBeThin(const JointChain& chain) {

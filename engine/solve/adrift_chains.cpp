@@ -1,5 +1,6 @@
 #include "adrift_chains.h"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -32,15 +33,20 @@ void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
     const bool isExact = group.effort.direct == DirectScope::islands;
     if (!chains.isAnyAdrift || chains.tieSleepers || group.joints.empty() || isExact) { return; }
     std::vector<ChainSpin>& spins = desk.chainSpins;
-    spins.assign(chains.list.size(), {});
+    // What goes from impact to impact is one island, and is solved many times in a step.
+    const bool isOne = group.role != BodyRole::solved;
+    spins.assign(isOne ? 1 : chains.list.size(), {});
     const auto forEachMember = [&](const auto& visit) {
         for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
             const std::uint32_t slot = desk.bodies[i];
             if (world.bodies[slot].holdingJoints == 0 || !isMovable(desk.batch.inertias[i + 1])) { continue; }
             const std::uint32_t place = adriftChainOf(world, slot);
-            if (place == kNoIndex || !spins[place].isKept) { continue; }
+            if (place == kNoIndex) { continue; }
+            ChainSpin& spin = spins[isOne ? 0 : place];
+            if (!spin.isKept) { continue; }
+            spin.members = chains.list[place].bodies;
             const DVec2 before = world.motions[slot].center - world.motions[chains.list[place].lowest].center;
-            visit(spins[place], slot, before, desk.batch.states[i + 1]);
+            visit(spin, slot, before, desk.batch.states[i + 1]);
         }
     };
     forEachMember([&](ChainSpin& spin, std::uint32_t slot, DVec2 before, const BodyState& state) {
@@ -55,9 +61,8 @@ void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
         spin.after.velocity += body.mass * toDouble(state.velocity);
     });
     bool isAny = false;
-    for (std::size_t place = 0; place < spins.size(); ++place) {
-        ChainSpin& spin = spins[place];
-        spin.isKept = spin.isKept && spin.bodies == chains.list[place].bodies;
+    for (ChainSpin& spin : spins) {
+        spin.isKept = spin.isKept && spin.bodies > 0 && spin.bodies == spin.members;
         if (!spin.isKept) { continue; }
         for (ChainSpin::Whole* const whole : {&spin.before, &spin.after}) {
             whole->center = (1 / spin.mass) * whole->center;
@@ -78,8 +83,11 @@ void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
     });
     forEachMember([&](ChainSpin& spin, std::uint32_t, DVec2 before, BodyState& state) {
         const double change = -spin.gained / spin.inertia;
+        if (!std::isfinite(change)) { return; }
         const DVec2 arm = before + toDouble(state.deltaPosition) - spin.after.center;
         state.velocity += toReal(change * DVec2{-arm.y, arm.x});
+        const Real speed = length(state.velocity);
+        if (speed > world.settings.maxSpeed) { state.velocity = (world.settings.maxSpeed / speed) * state.velocity; }
         state.angularVelocity += static_cast<Real>(change);
     });
 }

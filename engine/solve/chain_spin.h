@@ -13,9 +13,10 @@ struct ChainSpin {
         DVec2 center{};  ///< of mass, metres
         DVec2 velocity{};
     };
-    bool isKept = true;  ///< nothing outside of it turns it
-    std::uint32_t bodies = 0;
-    Vec2 acceleration{};  ///< of all of them alike
+    bool isKept = true;         ///< nothing outside of it turns it
+    std::uint32_t members = 0;  ///< bodies of the chain, all of which have to be in the solve
+    std::uint32_t bodies = 0;   ///< that are
+    Vec2 acceleration{};        ///< of all of them alike
     double mass = 0;
     Whole before;
     Whole after;

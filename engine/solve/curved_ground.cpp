@@ -119,7 +119,7 @@ void payForLift(WorldState& world, SolveDesk& desk, double time) {
     });
     for (IslandMotion& island : islands) {
         EnergyAccount& account = world.energyAccounts[island.root];
-        const double excess = account.gained - account.springs - account.work;
+        const double excess = account.gained - account.springs - account.motors - account.work;
         const double paid = std::clamp(std::min(excess, island.lift), 0.0, account.kinetic);
         if (paid > 0) { island.share = std::sqrt(1 - paid / account.kinetic); }
         account.kinetic -= paid;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <variant>
 
 namespace swept::inline SWEPT_PRECISION {
@@ -23,11 +22,11 @@ struct MostWork {
     double operator()(const JointPart<MotorJointDef, MotorConstraint>& part) const {
         const MotorDrive& drive = part.def.drive;
         double work = 0;
-        if (drive.maxForce) {
+        if (drive.maxForce && *drive.maxForce > 0) {
             if (!drive.linearVelocity) { return kUnknown; }
             work += static_cast<double>(*drive.maxForce) * static_cast<double>(length(*drive.linearVelocity)) * time;
         }
-        if (drive.maxTorque) {
+        if (drive.maxTorque && *drive.maxTorque > 0) {
             if (!drive.angularVelocity) { return kUnknown; }
             work += workOf(AngularMotor{.speed = *drive.angularVelocity, .maxTorque = *drive.maxTorque}, time);
         }

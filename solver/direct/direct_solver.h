@@ -77,7 +77,7 @@ private:
     std::vector<BodyTie> ties_;      ///< by slot
     DirectSystem system_;
     DirectJoints joints_;
-    DirectDrives drives_;      ///< none in scope `all`
+    DirectDrives drives_;      ///< where `holdsDrives`
     DirectContacts contacts_;  ///< in scope `all`
     JointedContacts jointed_;  ///< in scope `jointed`
 };

@@ -17,7 +17,7 @@ inline constexpr double kMostGive = 0.01;
 inline constexpr double kDirectMassRatio = 1e6;
 /// What profile `accurate` solves all at once may have no fewer sub-steps.
 inline constexpr int kFewestSubSteps = 8;
-/// Nor, where its joints close loops, more bodies.
+/// Nor, where its joints close loops, more bodies. (Long thin ones may have 256, which is not looked at here.)
 inline constexpr int kMostLoopBodies = 64;
 /// Nor, where its contacts do and it moves. (Test Stack.HeavyDroppedOnTwoLightColumnsStands: 10⁵ : 1.)
 inline constexpr int kMostPileBodies = 16;
