@@ -62,6 +62,9 @@ void findMotion(DrivenJoint& driven, const WorldState& world, const Joint& joint
     driven.isYank = driven.isYank || yanks;
 }
 
+/// Of what follows a target it is known what it did (motor_work.h).
+bool isAccounted(const Joint& joint) { return joint.type() == JointType::mouse || joint.type() == JointType::motor; }
+
 /// The accounts of what the joint ties, as far as they are of the present solve.
 void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
     const Joint* const joint = world.joints.find(driven.joint);
@@ -72,7 +75,7 @@ void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
         if (account.solve != desk.energySolve) { continue; }
         account.isYanked = account.isYanked || driven.isYank;
         const Real speed = woundSpeed(driven);
-        if (driven.isYank && !(speed > 0)) { continue; }
+        if (isAccounted(*joint) || (driven.isYank && !(speed > 0))) { continue; }
         account.isLed = true;
         account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(speed));
     }

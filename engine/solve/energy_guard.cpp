@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "../../solver/joint_islands/joint_island.h"
 #include "curved_ground.h"
@@ -264,19 +265,6 @@ void book(WorldState& world, SolveDesk& desk) {
 
 namespace {
 
-/// What motors may have given islands that gained more than gravity and forces gave them.
-void bookMotors(WorldState& world, const TiedGroup& group, double time) {
-    for (const std::uint32_t i : group.joints) {
-        const JointTie& tie = world.jointTies[i];
-        if (tie.isPassive) { continue; }
-        EnergyAccount& account = accountOf(world, tie);
-        if (account.solve != group.desk.energySolve || account.isFed || !(account.gained > account.work)) { continue; }
-        const double most = mostWorkOf(world.joints[i], time);
-        account.isFed = std::isinf(most);
-        if (!account.isFed) { account.motors += most; }
-    }
-}
-
 /// How a body stood and moved before the solve, from what that did to it.
 BodyMotion motionBefore(const WorldState& world, const SolveDesk& desk, std::uint32_t slot) {
     BodyMotion motion = world.motions[slot];
@@ -296,6 +284,36 @@ void placeMovable(WorldState& world, const SolveDesk& desk, bool isAsked) {
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
         world.solverSlots[desk.bodies[i]] = isAsked ? static_cast<BodySlot>(i + 1) : kFixedSlot;
     }
+}
+
+/// What motors may have given islands that gained more than gravity and forces gave them, and what did give them that
+/// follows targets.
+void bookMotors(WorldState& world, const TiedGroup& group, double time) {
+    const auto isAsked = [&](const JointTie& tie) {
+        if (tie.isPassive) { return false; }
+        const EnergyAccount& account = accountOf(world, tie);
+        return account.solve == group.desk.energySolve && !account.isFed && account.gained > account.work;
+    };
+    bool isPlaced = false;
+    for (const std::uint32_t i : group.joints) {
+        const JointTie& tie = world.jointTies[i];
+        if (!isAsked(tie)) { continue; }
+        EnergyAccount& account = accountOf(world, tie);
+        const Joint& joint = world.joints[i];
+        const double most = mostWorkOf(joint, time);
+        if (!std::isinf(most)) {
+            account.motors += most;
+            continue;
+        }
+        if (!std::exchange(isPlaced, true)) { placeMovable(world, group.desk, true); }
+        const JointMoves moves{.beforeA = motionBefore(world, group.desk, tie.bodyA),
+                               .beforeB = motionBefore(world, group.desk, tie.bodyB),
+                               .afterA = world.motions[tie.bodyA],
+                               .afterB = world.motions[tie.bodyB]};
+        account.motors += workDoneBy(world, joint, moves);
+        account.isSprung = true;
+    }
+    if (isPlaced) { placeMovable(world, group.desk, false); }
 }
 
 /// What springs gave, or took, of islands that gained more than gravity and forces gave them. Of others nobody need

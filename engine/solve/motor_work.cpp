@@ -43,8 +43,61 @@ struct MostWork {
     }
 };
 
+/// Of a point of a body.
+DVec2 wayOf(const WorldState& world, std::uint32_t slot, Vec2 localPoint, const BodyMotion& before,
+            const BodyMotion& after) {
+    const Vec2 arm = localPoint - world.bodies[slot].localCenter;
+    return (after.center - before.center) +
+           toDouble(rotate(after.pose.rotation, arm) - rotate(before.pose.rotation, arm));
+}
+
+/// In the frame of a body.
+Vec2 localPlace(const WorldState& world, std::uint32_t slot, DVec2 place, const BodyMotion& motion) {
+    return unrotate(motion.pose.rotation, toReal(place - motion.center)) + world.bodies[slot].localCenter;
+}
+
+struct WorkDone {
+    const WorldState& world;
+    const Joint& joint;
+    const JointMoves& moves;
+
+    double operator()(const JointPart<MouseJointDef, MouseConstraint>&) const { return dot(force(), wayOfB()); }
+    double operator()(const JointPart<MotorJointDef, MotorConstraint>& part) const {
+        const MotorDrive& drive = part.def.drive;
+        const DVec2 anchorB =
+            moves.beforeB.center +
+            toDouble(rotate(moves.beforeB.pose.rotation, joint.localAnchorB - world.bodies[joint.bodyB].localCenter));
+        const Vec2 localA = drive.linearVelocity ? localPlace(world, joint.bodyA, anchorB, moves.beforeA)
+                                                 : drive.linearOffset.value_or(joint.localAnchorA);
+        return dot(force(), wayOfB() - wayOfA(localA)) + turning();
+    }
+    double operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>&) const { return alongAxis(); }
+    double operator()(const JointPart<WheelJointDef, WheelConstraint>&) const { return alongAxis() + turning(); }
+    template <class Part>
+    double operator()(const Part&) const {
+        return turning();
+    }
+
+private:
+    DVec2 force() const { return toDouble(joint.reactionForce); }
+    DVec2 wayOfA(Vec2 localPoint) const { return wayOf(world, joint.bodyA, localPoint, moves.beforeA, moves.afterA); }
+    DVec2 wayOfB() const { return wayOf(world, joint.bodyB, joint.localAnchorB, moves.beforeB, moves.afterB); }
+    double turning() const {
+        const double turn = (moves.afterB.angle - moves.beforeB.angle) - (moves.afterA.angle - moves.beforeA.angle);
+        return static_cast<double>(joint.reactionTorque) * turn;
+    }
+    double alongAxis() const {
+        const DVec2 axis = toDouble(rotate(moves.afterA.pose.rotation, joint.localAxis));
+        return dot(force(), axis) * dot(axis, wayOfB() - wayOfA(joint.localAnchorA));
+    }
+};
+
 }  // namespace
 
 double mostWorkOf(const Joint& joint, double time) { return std::visit(MostWork{time}, joint.parts); }
+
+double workDoneBy(const WorldState& world, const Joint& joint, const JointMoves& moves) {
+    return std::visit(WorkDone{world, joint, moves}, joint.parts);
+}
 
 }  // namespace swept::inline SWEPT_PRECISION
