@@ -17,7 +17,7 @@ namespace {
 void forgetSteps(Body& body) {
     body.hasContact = false;
     body.touchesDynamic = false;
-    body.rode = false;
+    body.groundNormal = {};
     body.fast = false;
     body.effort = {};
     body.searchDebt = 0;

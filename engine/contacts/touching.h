@@ -26,7 +26,7 @@ struct TouchFindings {
     bool mayHem : 1 = false;    ///< they pass each other so near that they may be held up (hemmed_pairs.h)
     bool bounces : 1 = false;   ///< of something static or kinematic: its body will bounce, or did and is on its way
     bool rests : 1 = false;     ///< likewise: it is carried, at least at one point
-    bool strikes : 1 = false;   ///< likewise: a point gets there within this step, and not slowly
+    bool strikes : 1 = false;   ///< likewise: a point gets there within this step, and not slowly, or round a curve
     bool isSunken : 1 = false;  ///< likewise: overlaps so far that it has to be held (`kSlackRatio`)
 };
 

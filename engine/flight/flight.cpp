@@ -10,6 +10,7 @@
 #include "../modes/modes.h"
 #include "../solve/constraint_builder.h"
 #include "../state/tolerances.h"
+#include "curved_path.h"
 #include "flight_state.h"
 #include "free_path.h"
 #include "set_back.h"
@@ -215,25 +216,39 @@ bool lookIfStuck(const Flight& flight, int impacts, double& atLastLook) {
     return flight.elapsed - std::exchange(atLastLook, flight.elapsed) < kLeastGain * flight.dt;
 }
 
+/// With more shapes than this in its way, a flyer looks ahead only so many times as far as it was to its last impact:
+/// along a curve of many pieces each impact would ask all that the rest of the step may meet.
+constexpr std::size_t kManyObstacles = 16;
+constexpr double kTimesAhead = 4;
+
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
     resolveStart(flight);
     double atLastLook = flight.elapsed;
-    for (int impacts = 0; flight.remaining() > 0; ++impacts) {
+    double ahead = flight.dt;
+    for (int impacts = 0; flight.remaining() > 0;) {
+        const double share = std::min(ahead / flight.remaining(), 1.0);
         const Sweep sweep = sweepOf(flight);
-        const FirstImpact first = nextImpact(flight, sweep);
+        const FirstImpact first = nextImpact(flight, sweep, share, share);
         if (!first.hit) {
-            advance(flight, sweep, 1);
+            advance(flight, sweep, share);
+            if (share < 1) {
+                ahead *= 2;
+                continue;
+            }
             endRide(flight);
             return;
         }
         const auto reason = first.fraction > 0 ? LostTimeReason::budget : LostTimeReason::stuck;
         if (isExhausted(flight, impacts, reason)) { return holdHere(flight, reason); }
         if (lookIfStuck(flight, impacts, atLastLook)) { return holdHere(flight, LostTimeReason::stuck); }
+        const double time = first.fraction * flight.remaining();
+        ahead = scratch.obstacles.size() > kManyObstacles && time > 0 ? kTimesAhead * time : flight.dt;
         advance(flight, sweep, first.fraction);
         const bool isHit = resolveHere(flight);
         notePose(flight);
+        ++impacts;
         ++scratch.impacts;
         if (isHit && flight.stops) { return holdHere(flight, LostTimeReason::stop); }
     }
@@ -276,8 +291,9 @@ void advance(Flight& flight, const Sweep& sweep, double fraction) {
     flight.elapsed = fraction >= 1 ? flight.dt : std::min(flight.elapsed + time, flight.dt);  // but for rounding
 }
 
-FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit) {
-    findObstacles(*flight.world, flight.slot, sweep, flight.elapsed, *flight.scratch);
+FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit, double ahead) {
+    findObstacles(*flight.world, flight.slot, ahead < 1 ? part(sweep, 0, ahead) : sweep, flight.elapsed,
+                  *flight.scratch);
     clearWhatIsLeft(flight, sweep);
     const auto count = static_cast<std::size_t>(flight.carrierCount);
     if (count > 0) { allowSag(*flight.world, {flight.carriers.data(), count}, flight.elapsed, *flight.scratch); }
@@ -293,6 +309,7 @@ bool resolveHere(Flight& flight) {
     scratch.constraints.clear();
     scratch.order.clear();
     scratch.met.clear();
+    const DVec2 center = flight.motion.center;
     for (std::size_t i = 0; i < scratch.obstacles.size(); ++i) {
         addConstraint(flight, scratch.obstacles[i], static_cast<std::uint32_t>(i));
     }
@@ -309,7 +326,7 @@ bool resolveHere(Flight& flight) {
     }
     const bool slides = flight.ride.body != kNoIndex && slidesOn(flight);
     reflectOrStop(scratch, flight.threshold());
-    flight.motion.velocity = scratch.states[kFlyerSlot].velocity;
+    const Vec2 before = std::exchange(flight.motion.velocity, scratch.states[kFlyerSlot].velocity);
     flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
     bool anyHit = false;
     for (const ContactConstraint& constraint : scratch.constraints) {
@@ -318,6 +335,7 @@ bool resolveHere(Flight& flight) {
     }
     const bool meetsKinematic = scratch.states.size() > kFlyerSlot + 1;
     if (meetsKinematic || flight.ride.body != kNoIndex) { followRide(flight, slides); }
+    goAlongCurve(flight, before, toReal(flight.motion.center - center));
     return anyHit;
 }
 
@@ -379,12 +397,17 @@ void enterLedger(const Flight& flight, LostTimeReason reason) {
 }
 
 void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
-    if (flyClear(world, slot, dt)) { return; }
+    Body& body = world.bodies[slot];
+    if (flyClear(world, slot, dt)) {
+        body.groundNormal = {};
+        return;
+    }
     Flight flight = flightOf(world, slot, dt, scratch);
     limitSpeed(flight);
     flyThrough(flight);
     limitSpeed(flight);
     world.motions[slot] = flight.motion;
+    body.groundNormal = isStillAlong(flight) ? flight.metLast.normal : Vec2{};
 }
 
 void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, LostTimeReason reason,

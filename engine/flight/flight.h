@@ -46,6 +46,13 @@ struct TurningRide {
     double sag = 0;                 ///< how far it sinks in until the next one, slops
 };
 
+/// Static ground along which a flyer goes since it met it.
+struct GroundMetLast {
+    std::uint32_t body = kNoIndex;  ///< slot; `kNoIndex`: none, or of several bodies
+    Vec2 normal{};                  ///< there, towards the flyer
+    DVec2 center{};                 ///< of the flyer, when it met it
+};
+
 /// An obstacle by its distance from the start of a sweep.
 struct NearObstacle {
     double distanceSquared = 0;  ///< of its box, m²
@@ -92,7 +99,8 @@ struct Flight {
     std::array<Vec2, 4> carriers{};  ///< normals of what carries it
     int carrierCount = 0;
     TurningRide ride{};
-    bool stops = false;  ///< mode `stop`: it stays at its first hit
+    GroundMetLast metLast{};  ///< in this step
+    bool stops = false;       ///< mode `stop`: it stays at its first hit
 
     const Body& body() const;
     Real threshold() const;  ///< slower approaches do not bounce, m/s

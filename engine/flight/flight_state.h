@@ -19,7 +19,8 @@ Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch&
 /// damping.
 Sweep sweepOf(const Flight& flight);
 /// First static or kinematic shape that the rest of the step meets, before this fraction of it.
-FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit = 1);
+/// @param ahead  shapes that only what follows this fraction may meet are left out; not before `limit`
+FirstImpact nextImpact(const Flight& flight, const Sweep& sweep, double limit = 1, double ahead = 1);
 /// On to a fraction of the rest of the step, velocities too.
 void advance(Flight& flight, const Sweep& sweep, double fraction);
 /// Contacts of this moment with static and kinematic shapes, all together: approaching velocities are reflected, slow

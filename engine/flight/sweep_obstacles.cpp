@@ -183,6 +183,17 @@ void sortByDistance(const WorldState& world, const Sweep& sweep, FlightScratch& 
     std::sort(scratch.nearest.begin(), scratch.nearest.end());
 }
 
+/// At least as far as the centre gets from where it begins: by a fraction of the sweep, by that part of it.
+double longestWay(const Sweep& sweep) { return length(sweep.c1 - sweep.c0) + length(sweep.k); }
+
+/// Static ground, which stays where its box is. @param way  that the centre goes at most, metres
+bool isOutOfReach(const WorldState& world, const FlightObstacle& obstacle, const NearObstacle& near, double way) {
+    const Shape& own = world.shapes[obstacle.own];
+    const double reach = way + length(obstacle.lift) + static_cast<double>(own.radius + 2 * kTargetRatio * own.extent);
+    if (!(near.distanceSquared > reach * reach)) { return false; }
+    return world.bodies[world.shapes[obstacle.other].body].def.type == BodyType::fixed;
+}
+
 }  // namespace
 
 BodyMotion motionAt(const Sweep& sweep, double fraction, Vec2 localCenter) {
@@ -339,10 +350,11 @@ FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from
                         double limit, bool ignoresSunk) {
     FirstImpact first{.fraction = limit};
     sortByDistance(world, sweep, scratch);
+    const double longest = longestWay(sweep);
     for (const NearObstacle& near : scratch.nearest) {
         if (!(first.fraction > 0)) { break; }
         FlightObstacle& obstacle = scratch.obstacles[near.index];
-        if (obstacle.isClear) { continue; }
+        if (obstacle.isClear || isOutOfReach(world, obstacle, near, first.fraction * longest)) { continue; }
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
         const FirstImpact impact =
             firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);

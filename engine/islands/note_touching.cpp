@@ -11,6 +11,7 @@
 #include "../contacts/hemmed_pairs.h"
 #include "../contacts/near_miss.h"
 #include "../contacts/travel.h"
+#include "../flight/curved_path.h"
 #include "../state/tolerances.h"
 #include "hard_pull.h"
 
@@ -19,8 +20,8 @@ namespace {
 
 /// A bouncing body flies from impact to impact on a parabola, however slow it is: what comes down from the separation
 /// that there is now is faster than what does not bounce. A body that is carried is moved by the solver, however fast
-/// it slides, until it strikes something: the solver shares such a blow among the contacts less well, and may throw the
-/// body up.
+/// it slides, until it strikes something, or its way curves: the solver shares such a blow among the contacts less
+/// well, and may throw the body up.
 TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32_t otherSlot, const Contact& contact,
                         Real dt) {
     TouchFindings footing;
@@ -47,6 +48,7 @@ TouchFindings footingOf(const WorldState& world, std::uint32_t slot, std::uint32
         footing.strikes = footing.strikes || (approach * dt > gap && !isSlow);
         footing.rests = footing.rests || (carries && isSlow && gap <= kEndRatio * contact.extent);
     }
+    footing.strikes = footing.strikes || (footing.rests && slot == contact.bodyB && meetsCurve(world, contact, dt));
     return footing;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "energy_gain.h"
@@ -10,8 +11,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Radians in a solve beyond which ground is no curve any more, but a corner.
-constexpr double kMostTurn = 1.0 / 4;
 /// Ground bears what rides on it: with this part of its weight at least.
 constexpr double kLeastBorne = 1.0 / 4;
 /// What turns by less of a speed than this part of what it would fall by in the time goes straight on.
@@ -27,24 +26,29 @@ struct Ride {
     DVec2 pull{};  ///< m/s²
     double time = 0;
 
+    DVec2 push() const { return after - before - time * pull; }
     bool isBorne() const {
-        const double borne = squared(after - before - time * pull);
+        const double borne = squared(push());
         return borne > squared(kLeastBorne * time) * squared(pull) && borne > kGainRounding * squared(after);
+    }
+    /// Of the ground, towards the body, of any length: across its way, for friction pushes, too.
+    Vec2 normal() const {
+        const DVec2 across{-after.y, after.x};
+        const double side = dot(across, push());
+        return toReal(side == 0 ? push() : (side < 0 ? -1 : 1) * across);
     }
     /// Radians that it turned; 0: hardly any, too many for a curve, or it is as good as at rest.
     double turn() const {
         const double square = dot(before, after);
         const double turned = cross(before, after);
         const double least = squared(kLeastTurned * time) * squared(pull) + kGainRounding * squared(after);
-        const bool isCurve = std::fabs(turned) < kMostTurn * square && squared(turned) > least * square;
+        const bool isCurve =
+            std::fabs(turned) < static_cast<double>(kMostCurve) * square && squared(turned) > least * square;
         return isCurve ? turned / square : 0;
     }
     /// How far it has gone into the curve, as a vector out of it, metres.
     DVec2 wayOut(double turn) const { return (0.5 * time * turn) * DVec2{-after.y, after.x}; }
 };
-
-/// Of solid shapes, all of them: a circle about the centre of mass.
-bool isRound(const Body& body) { return body.extent >= (2 - 8 * kEpsilon) * body.radius; }
 
 /// What has corners turns as its way does; else it lands, or tips over one of them.
 bool goesAlong(const BodyState& state, double turn) {
@@ -70,9 +74,9 @@ void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodySt
                     .after = toDouble(state.velocity),
                     .pull = toDouble(accelerationOf(world, body)),
                     .time = static_cast<double>(time)};
-    const bool rode = body.rode;
-    body.rode = ride.isBorne();
-    if (!rode || !body.rode) { return; }
+    const bool isBorne = ride.isBorne();
+    const Vec2 before = std::exchange(body.groundNormal, isBorne ? ride.normal() : Vec2{});
+    if (before == Vec2{} || !isBorne) { return; }
     const double turn = ride.turn();
     if (turn == 0) { return; }
     const bool round = isRound(body);

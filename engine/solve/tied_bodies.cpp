@@ -144,7 +144,7 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
         if (Body& body = world.bodies[slot]; mayRide(body)) {
             followCurve(world, slot, body, state, time);
         } else {
-            body.rode = false;
+            body.groundNormal = {};
         }
         if (isWatched) { noteEnergy(desk.energyEntries[i], world, slot, state, time); }
         any = readBody(world, slot, state) || any;

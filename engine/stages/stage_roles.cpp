@@ -78,6 +78,7 @@ void giveRoles(WorldState& world) {
             body.touchesDynamic = (traits & kTouchesDynamic) != 0;
             body.role = roleOf(world, body, traits);
             if (body.role != BodyRole::solved) { body.effort = {}; }
+            if (body.role == BodyRole::free) { body.groundNormal = {}; }
             if (body.role == BodyRole::flyer) { traits |= kIsFlyer; }
             if (body.role == BodyRole::solved) { traits |= kIsTied; }
             const bool isBullet = world.bulletBodies > 0 && body.def.bullet;

@@ -43,6 +43,9 @@ struct Body {
     Vec2 localCenter{};
     Vec2 force{};  ///< for the next step
     Real torque = 0;
+    /// Of ground that bore it in the last step, or along which it flew, towards it, of any length; 0: none did
+    /// (curved_ground.h).
+    Vec2 groundNormal{};
     std::uint32_t holdingJoints = 0;  ///< of `joints`, those that hold (`Joint::holds`)
 
     bool awake = false;
@@ -53,11 +56,10 @@ struct Body {
     bool sunk = false;            ///< this step: likewise, so far that it is swept however slowly it goes on
     bool bounces = false;         ///< this step: comes back from something static or kinematic, or is about to
     bool rests = false;           ///< this step: something static or kinematic carries it
-    bool strikes = false;         ///< gets to something static or kinematic within this step, and not slowly
-    bool startled = false;        ///< this step: a kinematic body may move over it
-    bool fast = false;            ///< this step: startled, or some point may move far (`kFastRatio` and its like)
-    bool flung = false;           ///< this step: the solver moved it about as far as only a fast body may
-    bool rode = false;            ///< the last solve: ground bore it (curved_ground.h)
+    bool strikes = false;   ///< gets to something static or kinematic within this step, not slowly, or round a curve
+    bool startled = false;  ///< this step: a kinematic body may move over it
+    bool fast = false;      ///< this step: startled, or some point may move far (`kFastRatio` and its like)
+    bool flung = false;     ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
     std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (effort.h)
     std::uint16_t soughtSteps = 0;  ///< in which it was still, and its island not in balance (balance.h)

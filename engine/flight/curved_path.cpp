@@ -1,0 +1,100 @@
+#include "curved_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../solve/curved_ground.h"
+#include "../state/tolerances.h"
+#include "flight_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+const Shape& shapeMet(const Flight& flight, const ContactConstraint& constraint) {
+    return flight.world->shapes[flight.scratch->obstacles[constraint.source].other];
+}
+
+/// Where the flyer is after an impact: along which of its contacts, all of one static body, it goes on.
+GroundMetLast groundHere(const Flight& flight) {
+    GroundMetLast ground;
+    Real slowest = std::numeric_limits<Real>::infinity();
+    for (const ContactConstraint& constraint : flight.scratch->constraints) {
+        const std::uint32_t body = shapeMet(flight, constraint).body;
+        const bool isOther = ground.body != kNoIndex && body != ground.body;
+        if (isOther || constraint.slotA != kFixedSlot) { return {}; }
+        const Real parting = dot(flight.motion.velocity, constraint.normal);
+        if (!(parting < slowest)) { continue; }
+        slowest = parting;
+        ground = {body, constraint.normal, flight.motion.center};
+    }
+    return ground;
+}
+
+/// Of the energy that an impact took, twice what turning from one piece to the next did, per kilogram: all but what it
+/// bounces with, and what it had from falling towards the piece before.
+Real lostByTurning(const GroundMetLast& from, const GroundMetLast& to, Vec2 before, Vec2 after) {
+    if (from.body != to.body || from.body == kNoIndex) { return 0; }
+    const Real sine = std::fabs(cross(from.normal, to.normal));
+    const bool isCurve = sine < kMostCurve && dot(from.normal, to.normal) > 0;
+    const Real approach = -dot(before, to.normal);
+    if (!isCurve || !(approach > 0)) { return 0; }
+    const Real fall = std::max(-dot(before, from.normal), Real(0));
+    return square(approach) - square(dot(after, to.normal)) - square(fall);
+}
+
+/// What it met last, or, first in a step, went along at the end of the one before.
+GroundMetLast groundBefore(const Flight& flight, const GroundMetLast& here) {
+    if (flight.metLast.body != kNoIndex) { return flight.metLast; }
+    const UnitAndLength normal = normalized(flight.body().groundNormal);
+    return normal.length > 0 ? GroundMetLast{here.body, normal.unit, {}} : GroundMetLast{};
+}
+
+/// The next piece, seen from the one before it, in the frame of their body.
+struct NextPiece {
+    bool isThere = false;
+    Vec2 begin{};
+    Vec2 way{};
+};
+
+NextPiece nextPiece(const ChainSegment& segment, Vec2 velocity) {
+    if (dot(velocity, segment.q - segment.p) > 0) { return {segment.hasAfter, segment.q, segment.after - segment.q}; }
+    return {segment.hasBefore, segment.p, segment.before - segment.p};
+}
+
+}  // namespace
+
+bool meetsCurve(const WorldState& world, const Contact& contact, Real dt) {
+    if (!contact.ofChain || contact.resistsRolling || !isRound(world.bodies[contact.bodyB])) { return false; }
+    if (world.bodies[contact.bodyA].def.type != BodyType::fixed) { return false; }
+    const ChainSegment& segment = world.shapes[contact.shapeA].segment;
+    const Vec2 velocity = unrotate(world.motions[contact.bodyA].pose.rotation, world.motions[contact.bodyB].velocity);
+    const NextPiece next = nextPiece(segment, velocity);
+    const Real speed = length(velocity);
+    const bool getsThere = dot(next.begin - contact.manifold.points[0].point, velocity) < square(speed) * dt;
+    if (!next.isThere || !getsThere) { return false; }
+    const Real span = length(next.way);
+    const Real sine = dot(next.way, normalOf(segment)) / span;
+    if (!(sine > 0) || !(sine < kMostCurve) || !(dot(next.way, velocity) > 0)) { return false; }
+    const Real way = speed * dt;
+    return way * sine * std::max(way / span, Real(1)) > 2 * kShallowRatio * contact.extent;
+}
+
+void goAlongCurve(Flight& flight, Vec2 before, Vec2 setBack) {
+    const GroundMetLast here = groundHere(flight);
+    const GroundMetLast from = groundBefore(flight, here);
+    flight.metLast = here;
+    if (!isRound(flight.body())) { return; }
+    const Real lift = -dot(accelerationOf(*flight.world, flight.body()), setBack);
+    const Real lost = lostByTurning(from, here, before, flight.motion.velocity) - 2 * std::max(lift, Real(0));
+    const Real left = lengthSquared(flight.motion.velocity);
+    if (lost > 0 && left > 0) { flight.motion.velocity *= std::sqrt(1 + lost / left); }
+}
+
+bool isStillAlong(const Flight& flight) {
+    if (flight.metLast.body == kNoIndex) { return false; }
+    const double gap = dot(flight.motion.center - flight.metLast.center, toDouble(flight.metLast.normal));
+    return gap < static_cast<double>(kShallowRatio * flight.body().extent);
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
