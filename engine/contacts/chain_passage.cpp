@@ -69,12 +69,45 @@ private:
     bool areSorted_ = false;
 };
 
+/// Which segments of a chain hang together for a shape: a loop that comes down behind the floor from which it rose is
+/// the same chain, but nobody goes over a corner from one to the other.
+class WithinReach {
+public:
+    WithinReach(const WorldState& world, const Contact& contact) : world_(world) {
+        const Polygon& core = world.shapes[contact.shapeB].polygon;
+        const Vec2 middle = middleOf(core);
+        for (const Vec2 vertex : core.points()) { reach_ = std::max(reach_, length(vertex - middle)); }
+        constexpr Real kRoom = 2;  // it may have moved since it stood there
+        reach_ = kRoom * (reach_ + core.radius + world.shapes[contact.shapeA].segment.radius);
+        middle_ = applyInverse(poseNow(world, contact.bodyA), apply(poseNow(world, contact.bodyB), middle));
+    }
+    /// Whether the chain leads from one to the other, in either direction, without a corner that is farther away.
+    bool areJoined(std::uint32_t a, std::uint32_t b) const { return leads(a, b) || leads(b, a); }
+
+private:
+    bool leads(std::uint32_t from, std::uint32_t to) const {
+        std::uint32_t at = from;
+        while (at != to) {
+            const Shape& shape = world_.shapes[at];
+            const bool goesOn = shape.segment.hasAfter && length(shape.segment.q - middle_) <= reach_;
+            at = shape.nextInChain != kNoIndex ? shape.nextInChain : shape.head;
+            if (!goesOn || at == from) { return false; }
+        }
+        return true;
+    }
+
+    const WorldState& world_;
+    Vec2 middle_{};  ///< of the shape, in the frame of the chain
+    Real reach_ = 0;
+};
+
 OnChain othersOf(const WorldState& world, const Contact& contact, ChainContacts& contacts) {
     const std::uint32_t head = world.shapes[contact.shapeA].head;
+    const WithinReach within(world, contact);
     OnChain others;
     contacts.visitThoseOf(contact.bodyB, [&](const Contact& other) {
         if (world.shapes[other.shapeA].head != head) { return; }
-        others.stands = others.stands || other.touching;
+        others.stands = others.stands || (other.touching && within.areJoined(contact.shapeA, other.shapeA));
         others.passes = others.passes || other.passes;
     });
     return others;
