@@ -5,6 +5,7 @@
 
 #include "../state/tolerances.h"
 #include "ghosts.h"
+#include "round_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -36,10 +37,11 @@ Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, 
 Manifold turnedToGround(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
                         const Manifold& closest) {
     if (closest.count == 0 || world.bodies[a.body].isDynamic()) { return closest; }
+    const Real slop = kTargetRatio * std::min(a.extent, b.extent);
+    if (a.polygon.count == 1) { return lyingOnRound(a.polygon, b.polygon, bInA, margin, slop, closest); }
     const int face = faceBeside(a.polygon, closest.normal);
     if (face < 0) { return closest; }
     const Manifold onFace = collideOnFace(a.polygon, face, b.polygon, bInA, margin, kFaceSine);
-    const Real slop = kTargetRatio * std::min(a.extent, b.extent);
     const bool agrees = onFace.count > 0 && std::fabs(deepestSeparation(onFace) - deepestSeparation(closest)) <= slop;
     return agrees ? onFace : closest;
 }
