@@ -146,7 +146,7 @@ void addJoints(WorldState& world) {
     for (const JointChain& chain : world.jointChains.list) {
         IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
         load.longestChain = std::max(load.longestChain, chain.joints);
-        if (chain.anchors > 0 && chain.holdsAngles) { load.longestBeam = std::max(load.longestBeam, chain.joints); }
+        if (chain.anchors > 0) { load.longestBeam = std::max(load.longestBeam, chain.angleJoints); }
         // What only lies on a bridge makes it no chain.
         load.hasLoop = load.hasLoop || chain.hasLoop();
         load.hasWideLoop = load.hasWideLoop || (chain.hasLoop() && !chain.isThin);
@@ -154,7 +154,7 @@ void addJoints(WorldState& world) {
         load.joints += chain.joints;
         load.plainJoints += chain.plainJoints;
         load.powered += chain.poweredJoints;
-        load.holdsAngles = load.holdsAngles || chain.holdsAngles;
+        load.holdsAngles = load.holdsAngles || chain.angleJoints > 0;
     }
 }
 

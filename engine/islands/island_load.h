@@ -17,7 +17,7 @@ struct IslandLoad {
     bool isAnchored = false;         ///< a joint ties it to what is not dynamic
     bool hasLoop = false;            ///< joints between some of its bodies, and the ground, close one
     bool hasWideLoop = false;        ///< not all chains that do are `JointChain::isThin`
-    std::uint32_t longestBeam = 0;   ///< joints of a chain that hangs on what is not dynamic, and holds angles
+    std::uint32_t longestBeam = 0;   ///< joints that hold angles, of a chain that hangs on what is not dynamic
     std::uint32_t longestChain = 0;  ///< joints that hang together without contacts
     Real lightestJointed = 0;        ///< kg, of the bodies that joints hold
     Real heaviestJointed = 0;

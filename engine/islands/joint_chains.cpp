@@ -123,7 +123,7 @@ void sumUpJoints(WorldState& world) {
         chain.doubled += !tie.drivesAngleAlone && isDoubled(world, tie, i) ? 1 : 0;
         chain.plainJoints += tie.isPlain ? 1 : 0;
         chain.poweredJoints += tie.isPowered ? 1 : 0;
-        chain.holdsAngles = chain.holdsAngles || tie.holdsAngle;
+        chain.angleJoints += tie.holdsAngle ? 1 : 0;
         chain.isPassive = chain.isPassive && tie.isPassive;
         bool areAllDynamic = true;
         forEachBodyOf(world, tie, i, [&](std::uint32_t slot) {

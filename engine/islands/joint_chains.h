@@ -21,11 +21,11 @@ struct JointChain {
     std::uint32_t doubled = 0;      ///< those of them whose two bodies one before ties already
     std::uint32_t plainJoints = 0;  ///< `JointTie::isPlain`
     std::uint32_t poweredJoints = 0;
-    std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
-    bool holdsAngles = false;   ///< `JointTie::holdsAngle` of any
-    bool isPassive = true;      ///< `JointTie::isPassive` of all
-    bool isAdrift = true;       ///< no joint ties it to what is not dynamic, nor pushes from outside
-    bool isThin = false;        ///< a large loop, whose factor fills up little (thin_loops.h)
+    std::uint32_t anchors = 0;      ///< joints that tie it to what is not dynamic
+    std::uint32_t angleJoints = 0;  ///< `JointTie::holdsAngle`
+    bool isPassive = true;          ///< `JointTie::isPassive` of all
+    bool isAdrift = true;           ///< no joint ties it to what is not dynamic, nor pushes from outside
+    bool isThin = false;            ///< a large loop, whose factor fills up little (thin_loops.h)
 
     /// What is not anchored has a tie less than bodies if it is a tree. Two bodies that are tied twice are no ring.
     bool hasLoop() const { return ties > bodies || (anchors == 0 && ties - doubled >= bodies); }
