@@ -102,5 +102,38 @@ TEST(Beams, BeamsOnTwoPostsBearWhatLiesOnTheirMiddle) {
     }
 }
 
+/// A crane: two sliders that hold their place, and two fingers whose motors press on a crate of 80 N. It is no beam.
+/// (As one its joints and contacts took turns: the crate climbed through the fingers by 1.8 mm/s.)
+TEST(Beams, WhatTheFingersOfACraneGripStays) {
+    constexpr Filter kNothing{.category = 2, .mask = 0};
+    for (const double tilt : {0.0, 0.05}) {
+        World world = makeWorld();
+        const BodyId ground = anchorOf(world);
+        const auto slider = [&](BodyId from, double y, DVec2 axis) {
+            const BodyId body = addBody(world, dynamicAt({0, y}), box(0.5, 0.15), {.density = 50, .filter = kNothing});
+            PrismaticJointDef def{.base = between(from, body), .anchor = {0, y}, .axis = axis};
+            def.motor = LinearMotor{.speed = 0, .maxForce = 10'000};
+            must(world.createJoint(def));
+            return body;
+        };
+        const BodyId head = slider(slider(ground, 9, {1, 0}), 7.5, {0, 1});
+        BodyDef lying = dynamicAt({0, 6.5});
+        lying.angle = tilt;
+        const BodyId crate = addBody(world, lying, box(0.4, 0.4), {.density = 20, .friction = real(0.6)});
+        for (const int side : {-1, 1}) {
+            const DVec2 hinge{0.5 * side, 7.4};
+            const Polygon shape = must(makeBox(vec(0.06, 0.45), vec(0.1 * side, -0.45)));
+            const BodyId finger = addBody(world, dynamicAt(hinge), shape, {.density = 40, .friction = real(0.9)});
+            RevoluteJointDef def{.base = between(head, finger), .anchor = hinge};
+            def.motor = AngularMotor{.speed = real(-1.5 * side), .maxTorque = 400};
+            must(world.createJoint(def));
+        }
+        run(world, 2 * kSecond);
+        const double start = world.position(crate).y;
+        run(world, 10 * kSecond);
+        EXPECT_NEAR(world.position(crate).y, start, 5e-4) << "tilted by " << tilt;
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
