@@ -18,11 +18,31 @@ std::uint32_t adriftChainOf(const WorldState& world, std::uint32_t slot) {
     return isChain && chains.list[place].isAdrift ? place : kNoIndex;
 }
 
-/// Whether nothing turns it but its joints.
+/// Whether nothing turns it but its joints, and what it touches of dynamic bodies.
 bool keepsSpin(const Body& body) {
     const bool isDamped = body.def.linearDamping != 0 || body.def.angularDamping != 0;
     const bool isFree = body.inverseMass > 0 && body.inverseInertia > 0;
-    return isFree && !body.hasContact && body.torque == 0 && !isDamped;
+    return isFree && (!body.hasContact || body.touchesDynamic) && body.torque == 0 && !isDamped;
+}
+
+/// What touches something that is not of the chain is turned by it. @pre of each chain that is kept all joined bodies
+/// of its island are in it
+void dropTouched(const WorldState& world, const TiedGroup& group, std::vector<ChainSpin>& spins) {
+    const auto look = [&](std::uint32_t a, std::uint32_t b, bool areDynamic) {
+        const std::uint32_t own = world.bodies[a].isDynamic() ? a : b;
+        const std::uint32_t place = adriftChainOf(world, own);
+        if (place == kNoIndex) { return; }
+        const bool isInside = areDynamic && world.bodies[a].holdingJoints > 0 && world.bodies[b].holdingJoints > 0;
+        ChainSpin& spin = spins[group.role != BodyRole::solved ? 0 : place];
+        spin.isKept = spin.isKept && isInside;
+    };
+    if (group.role == BodyRole::solved) {
+        for (const TouchingPair& pair : world.touching) { look(pair.bodyA, pair.bodyB, pair.areDynamic()); }
+        return;
+    }
+    for (const Contact& contact : group.contacts) {
+        if (contact.isSolid()) { look(contact.bodyA, contact.bodyB, contact.dynamicA && contact.dynamicB); }
+    }
 }
 
 }  // namespace
@@ -54,15 +74,21 @@ void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
         const Vec2 acceleration = accelerationOf(world, body);
         if (spin.bodies++ == 0) { spin.acceleration = acceleration; }
         spin.isKept = keepsSpin(body) && acceleration == spin.acceleration;
+        spin.touches = spin.touches || body.hasContact;
         spin.mass += body.mass;
         spin.before.center += body.mass * before;
         spin.before.velocity += body.mass * toDouble(world.motions[slot].velocity);
         spin.after.center += body.mass * (before + toDouble(state.deltaPosition));
         spin.after.velocity += body.mass * toDouble(state.velocity);
     });
-    bool isAny = false;
+    bool touch = false;
     for (ChainSpin& spin : spins) {
         spin.isKept = spin.isKept && spin.bodies > 0 && spin.bodies == spin.members;
+        touch = touch || (spin.isKept && spin.touches);
+    }
+    if (touch) { dropTouched(world, group, spins); }
+    bool isAny = false;
+    for (ChainSpin& spin : spins) {
         if (!spin.isKept) { continue; }
         for (ChainSpin::Whole* const whole : {&spin.before, &spin.after}) {
             whole->center = (1 / spin.mass) * whole->center;

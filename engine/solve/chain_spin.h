@@ -14,6 +14,7 @@ struct ChainSpin {
         DVec2 velocity{};
     };
     bool isKept = true;         ///< nothing outside of it turns it
+    bool touches = false;       ///< some of it touches something
     std::uint32_t members = 0;  ///< bodies of the chain, all of which have to be in the solve
     std::uint32_t bodies = 0;   ///< that are
     Vec2 acceleration{};        ///< of all of them alike
