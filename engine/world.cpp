@@ -3,10 +3,10 @@
 #include <cmath>
 #include <tuple>
 
+#include "bodies/awake.h"
 #include "solve/step_change.h"
 #include "stages/shared_step.h"
 #include "stages/step.h"
-#include "state/awake.h"
 #include "state/number_range.h"
 #include "state/profile.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "../bodies/body_mass.h"
 #include "../flight/free_path.h"
-#include "../state/body_mass.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -107,16 +107,16 @@ bool isOneHard(const Course& course) {
            isPulledHard(course.world, course.world.bodies[members[0]], static_cast<Real>(course.dt));
 }
 
-int subStepsFor(const Course& course, double time) {
+int subStepsOfPart(const Course& course, double time) {
     const Effort effort = course.world.bodies[course.island.members[0]].effort;
     const int usual = subStepsOf(course.world.settings);
-    const int asked = effort.isCrowd || isOneHard(course) ? swept::subStepsFor(effort, usual) : usual;
+    const int asked = effort.isCrowd || isOneHard(course) ? subStepsFor(effort, usual) : usual;
     const bool isJointed = !course.island.jointSlots.empty();
     const bool isBudgeted = hasErrorBudget(course.world.settings);
     // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the
     // effort says of the whole step (doublingsForWhips) goes for its parts. With a budget it may be fewer sub-steps
     // than asked for: joints that then open too far are advanced again (effort_trial.h).
-    const int chosen = swept::subStepsFor(effort, usual);
+    const int chosen = subStepsFor(effort, usual);
     const int atLeast = isJointed && isBudgeted ? 1 : asked;
     const int standard = isJointed || isBudgeted ? std::max(atLeast, chosen) : asked;
     const double share = std::ceil(standard * time / course.dt * (1 - kShortestPart));
@@ -133,7 +133,7 @@ void solvePart(Course& course, double time) {
     AdvancingIsland& island = course.island;
     yieldToGround(course.world, island);
     const StepPart part{
-        .begin = course.elapsed, .length = time, .dt = course.dt, .subSteps = subStepsFor(course, time)};
+        .begin = course.elapsed, .length = time, .dt = course.dt, .subSteps = subStepsOfPart(course, time)};
     setSubStep(course.world, island, time / part.subSteps);
     putTotalsAside(island);
     island.group = island.members;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "../state/advancing_island.h"
 #include "../state/world_state.h"
-#include "advancing_island.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

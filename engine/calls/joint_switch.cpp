@@ -5,10 +5,10 @@
 #include <numbers>
 #include <variant>
 
-#include "../islands/levers.h"
+#include "../bodies/awake.h"
+#include "../bodies/body_joints.h"
+#include "../bodies/levers.h"
 #include "../solve/joint_builder.h"
-#include "../state/awake.h"
-#include "../state/body_joints.h"
 #include "../state/number_range.h"
 
 namespace swept::inline SWEPT_PRECISION {

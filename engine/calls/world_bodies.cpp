@@ -2,16 +2,16 @@
 #include <cmath>
 
 #include "../../shapes/room.h"
+#include "../bodies/awake.h"
+#include "../bodies/body_joints.h"
+#include "../bodies/body_mass.h"
+#include "../bodies/proxies.h"
+#include "../bodies/travel.h"
+#include "../bodies/world_boxes.h"
 #include "../contacts/pairs_of_shapes.h"
-#include "../contacts/travel.h"
 #include "../modes/modes.h"
 #include "../solve/joint_builder.h"
-#include "../state/awake.h"
-#include "../state/body_joints.h"
-#include "../state/body_mass.h"
 #include "../state/number_range.h"
-#include "../state/proxies.h"
-#include "../state/world_boxes.h"
 #include "joint_switch.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -1,10 +1,10 @@
 #include <span>
 
+#include "../bodies/awake.h"
+#include "../bodies/world_boxes.h"
 #include "../contacts/may_touch.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../islands/held_islands.h"
-#include "../state/awake.h"
-#include "../state/world_boxes.h"
 #include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {

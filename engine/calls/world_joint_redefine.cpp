@@ -1,11 +1,11 @@
 #include <utility>
 
+#include "../bodies/awake.h"
+#include "../bodies/body_joints.h"
+#include "../bodies/world_boxes.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../solve/joint_builder.h"
-#include "../state/awake.h"
-#include "../state/body_joints.h"
 #include "../state/number_range.h"
-#include "../state/world_boxes.h"
 #include "../state/world_state.h"
 #include "joint_checks.h"
 

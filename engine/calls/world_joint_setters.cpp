@@ -4,8 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "../bodies/awake.h"
 #include "../solve/driven_joints.h"
-#include "../state/awake.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
 #include "joint_checks.h"

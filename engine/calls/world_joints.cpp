@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "../../shapes/room.h"
-#include "../islands/levers.h"
+#include "../bodies/awake.h"
+#include "../bodies/body_joints.h"
+#include "../bodies/levers.h"
 #include "../solve/joint_builder.h"
-#include "../state/awake.h"
-#include "../state/body_joints.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
 #include "joint_checks.h"

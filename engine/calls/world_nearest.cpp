@@ -14,7 +14,7 @@ constexpr Real kFirstReach = Real(1) / (1 << 20);
 constexpr Real kReachGrowth = 4;
 /// A box that holds more than this is left, and one that reaches half as far beyond what is known to be empty taken:
 /// far from all shapes, growth may have gone from none of them to all. So often, then it is searched whatever it holds.
-constexpr int kCrowd = 32;
+constexpr int kMostInBox = 32;
 constexpr int kMostCuts = 12;
 
 /// No shape of a world, but what distances are taken to.
@@ -78,7 +78,7 @@ NearestShape nearestTo(const WorldState& world, const Polygon& polygon, const Wo
     int cuts = 0;
     while (true) {
         int visited = 0;
-        const int most = cuts < kMostCuts ? kCrowd : std::numeric_limits<int>::max();
+        const int most = cuts < kMostCuts ? kMostInBox : std::numeric_limits<int>::max();
         world.broadphase->query(grown(own, looked), [&](ProxyId proxy) {
             const std::uint32_t slot = slotOf(world, proxy);
             const bool mayBeNearest = gapOf(world.broadphase->box(proxy), own) <= std::max(search.least(), Real(0));

@@ -3,14 +3,14 @@
 
 #include "../../shapes/manifold_batch.h"
 #include "../../shapes/room.h"
+#include "../bodies/awake.h"
+#include "../bodies/body_mass.h"
+#include "../bodies/body_measures.h"
+#include "../bodies/proxies.h"
+#include "../bodies/world_boxes.h"
 #include "../contacts/contact_making.h"
 #include "../contacts/pairs_of_shapes.h"
-#include "../state/awake.h"
-#include "../state/body_mass.h"
-#include "../state/body_measures.h"
 #include "../state/number_range.h"
-#include "../state/proxies.h"
-#include "../state/world_boxes.h"
 #include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include "../bodies/travel.h"
 #include "contact_making.h"
 #include "pair_boxes.h"
-#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "../bodies/travel.h"
 #include "../crew/beside.h"
 #include "../crew/join_blocks.h"
 #include "../state/world_state.h"
 #include "candidates.h"
 #include "pair_boxes.h"
-#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "../state/body.h"
+#include "../state/contact.h"
 #include "../state/shape.h"
 #include "../state/tolerances.h"
-#include "contact.h"
 
 /// What contacts carry from one sub-step to the next, as its length changes.
 

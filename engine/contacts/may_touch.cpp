@@ -1,6 +1,6 @@
 #include "may_touch.h"
 
-#include "../state/body_joints.h"
+#include "../bodies/body_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

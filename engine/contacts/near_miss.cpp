@@ -5,7 +5,6 @@
 #include "../../shapes/distance.h"
 #include "../../toi/time_of_impact.h"
 #include "../../toi/toi_polygon.h"
-#include "../modes/modes.h"
 #include "../state/tolerances.h"
 #include "../state/world_state.h"
 

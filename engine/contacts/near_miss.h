@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact.h"
+#include "../state/contact.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -4,12 +4,12 @@
 
 #include "../../shapes/compiler.h"
 #include "../../shapes/distance.h"
+#include "../bodies/travel.h"
 #include "contact_batch.h"
 #include "contact_fetch.h"
 #include "contact_manifold.h"
 #include "contact_tests.h"
 #include "slides.h"
-#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

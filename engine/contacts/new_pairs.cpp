@@ -1,7 +1,6 @@
 #include "new_pairs.h"
 
-#include "../islands/held_islands.h"
-#include "../state/awake.h"
+#include "../bodies/awake.h"
 #include "contact_making.h"
 #include "may_touch.h"
 

@@ -1,6 +1,6 @@
 #include "noticing.h"
 
-#include "../state/awake.h"
+#include "../bodies/awake.h"
 #include "../state/tolerances.h"
 #include "contact_tests.h"
 #include "parked_contacts.h"

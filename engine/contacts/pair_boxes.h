@@ -4,7 +4,7 @@
 #include <span>
 
 #include "../../shapes/lanes.h"
-#include "contact.h"
+#include "../state/contact.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

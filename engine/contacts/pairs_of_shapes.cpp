@@ -4,8 +4,8 @@
 #include <array>
 #include <atomic>
 
-#include "../state/awake.h"
-#include "../state/body_joints.h"
+#include "../bodies/awake.h"
+#include "../bodies/body_joints.h"
 #include "../state/world_state.h"
 #include "contact_making.h"
 

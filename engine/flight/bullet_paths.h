@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bullet_work.h"
+#include "../state/bullet_work.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

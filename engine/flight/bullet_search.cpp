@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "../../broadphase/wide_kernels.h"
+#include "../bodies/place_order.h"
 #include "../contacts/may_touch.h"
 #include "../containers/move_all.h"
 #include "../modes/modes.h"
-#include "../state/place_order.h"
 #include "../state/tolerances.h"
 #include "bullet_paths.h"
 #include "bullet_start.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "bullet_work.h"
+#include "../state/bullet_work.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "../../broadphase/wide_kernels.h"
+#include "../bodies/place_order.h"
 #include "../modes/modes.h"
-#include "../state/place_order.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "../bodies/awake.h"
 #include "../islands/reset_bodies.h"
 #include "../modes/modes.h"
-#include "../state/awake.h"
 #include "../state/tolerances.h"
 #include "bullet_impact.h"
 #include "bullet_paths.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "../contacts/contact.h"
 #include "flight.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -9,11 +8,6 @@ namespace swept::inline SWEPT_PRECISION {
 /// of them at the angle θ between it and the one before, without bouncing, which takes ½mv²θ²; round a pipe that is
 /// most of its energy soon. What is round gets that back: what it lost to the turn of the ground since it met it last
 /// in this step, not what it lost to falling on it. It never has more than before.
-
-/// Whether a body that touches a chain comes to where that turns towards it within the step, so fast that a contact,
-/// which keeps its normal for a step, would let it in too far to be swept out again (`kShallowRatio`).
-/// @pre B is dynamic
-bool meetsCurve(const WorldState& world, const Contact& contact, Real dt);
 
 /// After an impact. Remembers where the flyer is, for the next one.
 /// @param before   its velocity then, m/s

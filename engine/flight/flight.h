@@ -1,111 +1,12 @@
 #pragma once
 
-#include <array>
-#include <compare>
 #include <cstdint>
-#include <limits>
-#include <vector>
 
-#include "../../shapes/cache_line.h"
-#include "../../solver/impacts/impact.h"
-#include "../../toi/time_of_impact.h"
 #include "../events.h"
-#include "../state/body.h"
-#include "../state/shape.h"
+#include "../state/flight.h"
 #include "../state/step_part.h"
 
 namespace swept::inline SWEPT_PRECISION {
-
-struct WorldState;
-class GroundOnTheWay;
-
-/// A static or kinematic shape that a swept shape may meet.
-struct FlightObstacle {
-    std::uint32_t own = 0;    ///< slot of the swept body's shape
-    std::uint32_t other = 0;  ///< slot of the obstacle
-    double level = 0;         ///< separation at which the next impact is looked for, metres
-    DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
-    bool isClear = false;     ///< the sweep is known not to meet it
-    bool isSunkInto = false;  ///< deeper than what contacts hold may be
-    Real height = -std::numeric_limits<Real>::infinity();  ///< at the start it is known to be as far away, metres
-};
-
-/// Something static that a flyer met just now, and is not below its target of.
-struct MetGround {
-    std::uint32_t own = 0;  ///< slots, as in `FlightObstacle`
-    std::uint32_t other = 0;
-    Vec2 normal{};  ///< towards the flyer
-};
-
-/// What a flyer slides along: a kinematic body that turns, whose surface therefore meets it again and again.
-struct TurningRide {
-    std::uint32_t body = kNoIndex;  ///< slot of what it met last
-    int impacts = 0;                ///< of the ride so far; 0: it did not slide
-    double since = 0;               ///< of the last one, seconds of the step
-    Vec2 normal{};                  ///< there, towards the flyer
-    double sag = 0;                 ///< how far it sinks in until the next one, slops
-};
-
-/// Static ground along which a flyer goes since it met it.
-struct GroundMetLast {
-    std::uint32_t body = kNoIndex;  ///< slot; `kNoIndex`: none, or of several bodies
-    Vec2 normal{};                  ///< there, towards the flyer
-    DVec2 center{};                 ///< of the flyer, when it met it
-};
-
-/// An obstacle by its distance from the start of a sweep.
-struct NearObstacle {
-    double distanceSquared = 0;  ///< of its box, m²
-    std::uint32_t index = 0;
-    auto operator<=>(const NearObstacle&) const = default;
-};
-
-/// What one worker needs for sweeps, and what it found: kept for its capacity, merged after the parallel loop. Nothing
-/// of it shares a cache line with another worker's: they lie side by side, and are written all the time.
-struct alignas(kCacheLine) FlightScratch {
-    std::vector<FlightObstacle> obstacles;
-    WorldTransform startPose;  ///< of the body, at the start of the sweep that they were found for; if there are any
-    std::vector<NearObstacle> nearest;
-    std::vector<MetGround> met;  ///< since the flyer moved last
-    std::vector<std::uint32_t> found;
-    std::vector<Vec2> normals;
-    std::vector<BodyState> states;
-    std::vector<BodyInertia> inertias;
-    std::vector<ContactConstraint> constraints;
-    std::vector<ContactConstraint*> order;
-    ImpactScratch impact;
-
-    bool isSunk = false;               ///< see `firstImpact`
-    GroundOnTheWay* ground = nullptr;  ///< of the island that advances, if kinematic bodies are awake
-
-    std::vector<ContactEvent> events;
-    std::vector<LostTimeEntry> lostTime;
-    std::vector<ImpactPose> impactPoses;
-    std::uint64_t toiCalls = 0;
-    std::uint64_t toiIterations = 0;
-    std::uint64_t impacts = 0;
-    std::uint64_t speedsLimited = 0;
-    std::uint64_t sweeps = 0;
-};
-
-/// A body in flight: its own copy of its motion, and how much of the step has passed.
-struct Flight {
-    WorldState* world = nullptr;
-    std::uint32_t slot = 0;
-    FlightScratch* scratch = nullptr;
-    BodyMotion motion{};
-    double dt = 0;
-    double elapsed = 0;              ///< seconds
-    std::array<Vec2, 4> carriers{};  ///< normals of what carries it
-    int carrierCount = 0;
-    TurningRide ride{};
-    GroundMetLast metLast{};  ///< in this step
-    bool stops = false;       ///< mode `stop`: it stays at its first hit
-
-    const Body& body() const;
-    Real threshold() const;  ///< slower approaches do not bounce, m/s
-    double remaining() const { return dt - elapsed; }
-};
 
 /// Integrates the whole step of a flyer: free flight to its first impact, the impact with all contacts of that moment,
 /// and on through the remaining time; in mode `stop` that is lost. Touches only the body's own state and the scratch,

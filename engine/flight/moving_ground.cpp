@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../state/body_mass.h"
+#include "../bodies/body_mass.h"
 #include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "../../toi/toi_polygon.h"
-#include "../contacts/travel.h"
-#include "../state/body_mass.h"
+#include "../bodies/body_mass.h"
+#include "../bodies/travel.h"
 #include "../state/tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {

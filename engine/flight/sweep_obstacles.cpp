@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "../../toi/toi_polygon.h"
+#include "../bodies/travel.h"
 #include "../contacts/chain_passage.h"
 #include "../contacts/ghosts.h"
 #include "../contacts/may_touch.h"
 #include "../contacts/shape_manifold.h"
-#include "../contacts/travel.h"
 #include "../state/tolerances.h"
 #include "moving_ground.h"
 

@@ -5,7 +5,7 @@
 
 #include "../../solver/closeness.h"
 #include "../../solver/softness.h"
-#include "../contacts/travel.h"
+#include "../bodies/travel.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 #include "load_paths.h"

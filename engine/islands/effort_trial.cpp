@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "../bodies/body_mass.h"
 #include "../solve/joint_builder.h"
-#include "../state/body_mass.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 
@@ -43,14 +43,15 @@ void putKinematicsBack(WorldState& world) {
     forEachKinematic(world, [&](std::uint32_t slot) { world.motions[slot] = world.trial.motions[slot]; });
 }
 
-const WorldTransform& poseBefore(const WorldState& world, std::uint32_t slot) {
+const WorldTransform& poseBeforeTrial(const WorldState& world, std::uint32_t slot) {
     const bool mayMove = world.bodies[slot].def.type != BodyType::fixed;
     return mayMove ? world.trial.motions[slot].pose : world.motions[slot].pose;
 }
 
 /// What the motion of the step makes of the points that a contact had as it began: how deep they are, metres.
 Real depthAfter(const WorldState& world, const Contact& contact) {
-    const Transform before = relativeTransform(poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+    const Transform before =
+        relativeTransform(poseBeforeTrial(world, contact.bodyA), poseBeforeTrial(world, contact.bodyB));
     const Transform after = relativeTransform(world.motions[contact.bodyA].pose, world.motions[contact.bodyB].pose);
     const Manifold& manifold = contact.manifold;
     const Rotation turn = after.rotation * inverse(before.rotation);

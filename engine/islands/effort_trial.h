@@ -1,13 +1,10 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "../contacts/contact.h"
-#include "../state/body.h"
-#include "../state/joint.h"
+#include "../state/effort.h"
 
 /// What was solved with too few sub-steps for its error budget is taken back and solved again with more. Errors that
 /// come all at once (a blow, a load that arrives, a rope that tightens) cannot be read off the error before them.
@@ -15,25 +12,6 @@
 namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
-
-/// What a solve changes of a contact.
-struct ContactOutcome {
-    std::uint32_t contact = 0;  ///< index
-    std::array<Real, 2> normalImpulse{};
-    std::array<Real, 2> tangentImpulse{};
-    std::array<Real, 2> totalImpulse{};
-    bool pressed = false;
-};
-
-/// State of a class of islands before it is solved. Kept for its capacity.
-struct EffortTrial {
-    std::vector<BodyMotion> motions;     ///< by body slot; of members and kinematic bodies
-    std::vector<std::uint32_t> members;  ///< slots
-    std::vector<ContactOutcome> contacts;
-    std::vector<Joint> joints;  ///< in the order of `WorldState::tiedJoints`
-    std::size_t events = 0;
-    std::vector<Contact> held;  ///< of an island with something fast, in the order of `AdvancingIsland::held`
-};
 
 /// Before the islands of an effort are solved. @pre `WorldState::tiedJoints` are theirs
 void rememberClass(WorldState& world, Effort effort);

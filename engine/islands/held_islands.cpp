@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "../contacts/travel.h"
-#include "../state/awake.h"
+#include "../bodies/awake.h"
+#include "../bodies/travel.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
 #include "tied_roots.h"
@@ -15,29 +15,6 @@ namespace {
 bool maySetAside(const WorldState& world, const IslandRest& rest) {
     // What has a budget of errors is not left with any that iteration may yet take away.
     return !rest.isRestless && !rest.isPushed && (rest.isDirect || !hasErrorBudget(world.settings));
-}
-
-std::uint32_t openIsland(HeldIslands& held, std::uint32_t body) {
-    if (held.free.empty()) {
-        held.free.push_back(static_cast<std::uint32_t>(held.list.size()));
-        held.list.emplace_back();
-        held.free.reserve(held.list.capacity());
-    }
-    const std::uint32_t place = held.free.back();
-    held.free.pop_back();
-    held.list[place] = {.last = body, .placeInUse = static_cast<std::uint32_t>(held.inUse.size())};
-    held.inUse.push_back(place);
-    return place;
-}
-
-void closeIsland(HeldIslands& held, std::uint32_t place) {
-    held.bodies -= held.list[place].bodies;
-    const std::uint32_t placeInUse = held.list[place].placeInUse;
-    held.inUse[placeInUse] = held.inUse.back();
-    held.list[held.inUse.back()].placeInUse = placeInUse;
-    held.inUse.pop_back();
-    held.list[place] = {};
-    held.free.push_back(place);
 }
 
 /// After all that were added before.
@@ -66,7 +43,7 @@ void addBody(WorldState& world, std::uint32_t place, std::uint32_t slot) {
     island.timeToSleep = std::max(island.timeToSleep, restTimeOf(world, body) - body.restTime);
 }
 
-void fallAsleep(WorldState& world, std::uint32_t place) {
+void fallAsleepTogether(WorldState& world, std::uint32_t place) {
     const std::uint32_t first = world.held.list[place].last;
     std::uint32_t slot = first;
     do {
@@ -76,7 +53,7 @@ void fallAsleep(WorldState& world, std::uint32_t place) {
         slot = body.nextAsleep;
     } while (slot != first);
     world.counters.fellAsleep += world.held.list[place].bodies;
-    closeIsland(world.held, place);
+    world.held.close(place);
 }
 
 /// What they carry goes on as it was in the last sub-step: totals begin anew in every step.
@@ -96,7 +73,7 @@ void holdBalancedIslands(WorldState& world) {
     for (const std::uint32_t slot : world.tied) {
         IslandRest& rest = restOf(world, slot);
         if (!maySetAside(world, rest)) { continue; }
-        if (rest.heldIn == kNoIndex) { rest.heldIn = openIsland(world.held, slot); }
+        if (rest.heldIn == kNoIndex) { rest.heldIn = world.held.open(slot); }
         addBody(world, rest.heldIn, slot);
     }
     if (world.held.bodies == before) { return; }
@@ -109,33 +86,6 @@ void holdBalancedIslands(WorldState& world) {
     world.counters.solvedBodies = world.tied.size();
 }
 
-void releaseHeld(WorldState& world, std::uint32_t start) {
-    const std::uint32_t place = world.bodies[start].heldIn;
-    const HeldIsland island = world.held.list[place];
-    closeIsland(world.held, place);
-    std::uint32_t slot = island.last;
-    std::uint32_t next = world.bodies[slot].nextAsleep;
-    do {
-        slot = next;
-        Body& body = world.bodies[slot];
-        next = std::exchange(body.nextAsleep, slot);  // or what is made fixed now would wake them later
-        body.heldIn = kNoIndex;
-        body.awake = true;
-        body.soughtSteps = kJustReleased;
-        body.restSteps += island.restSteps;
-        body.restTime += island.restTime;
-        world.awake.push_back(slot);
-        world.parked.woken.push_back(slot);
-    } while (slot != island.last);
-}
-
-void releaseAllHeld(WorldState& world) {
-    if (world.held.inUse.empty()) { return; }
-    for (std::size_t i = 0; i < world.held.list.size(); ++i) {
-        if (world.held.list[i].bodies > 0) { releaseHeld(world, world.held.list[i].last); }
-    }
-}
-
 void restHeld(WorldState& world, double dt) {
     const std::vector<std::uint32_t>& inUse = world.held.inUse;
     for (std::size_t i = inUse.size(); i > 0; --i) {  // from behind: the last one takes the place of one that goes
@@ -144,7 +94,7 @@ void restHeld(WorldState& world, double dt) {
         ++island.restSteps;
         island.restTime += dt;
         const bool isTired = island.restSteps >= island.stepsToSleep && island.restTime >= island.timeToSleep;
-        if (isTired) { fallAsleep(world, place); }
+        if (isTired) { fallAsleepTogether(world, place); }
     }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "../state/body_joints.h"
+#include "../bodies/body_joints.h"
 #include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {

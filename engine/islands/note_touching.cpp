@@ -8,11 +8,11 @@
 #include "../../shapes/branchless.h"
 #include "../../shapes/cache_line.h"
 #include "../../shapes/compiler.h"
+#include "../bodies/travel.h"
 #include "../contacts/hemmed_pairs.h"
 #include "../contacts/near_miss.h"
-#include "../contacts/travel.h"
-#include "../flight/curved_path.h"
 #include "../state/tolerances.h"
+#include "curve_ahead.h"
 #include "hard_pull.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -5,10 +5,10 @@
 
 #include "../../broadphase/wide_kernels.h"
 #include "../../toi/toi_polygon.h"
+#include "../bodies/place_order.h"
 #include "../contacts/may_touch.h"
 #include "../contacts/new_pairs.h"
 #include "../containers/sort_few.h"
-#include "../state/place_order.h"
 #include "../state/tolerances.h"
 #include "modes.h"
 
@@ -18,7 +18,7 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-bool isBefore(const ImpactOfBody& impact, std::uint32_t slot) { return impact.body < slot; }
+bool isOfLowerBody(const ImpactOfBody& impact, std::uint32_t slot) { return impact.body < slot; }
 
 /// By body: a step has thousands of impacts, and all that is awake is asked.
 void listImpacts(WorldState& world) {
@@ -33,7 +33,7 @@ void listImpacts(WorldState& world) {
 /// From the first impact of the body on, if it has any.
 std::span<const ImpactOfBody> impactsFrom(const WorldState& world, std::uint32_t slot) {
     const std::vector<ImpactOfBody>& impacts = world.sensorSweeps.impacts;
-    const auto first = std::lower_bound(impacts.begin(), impacts.end(), slot, isBefore);
+    const auto first = std::lower_bound(impacts.begin(), impacts.end(), slot, isOfLowerBody);
     return std::span(impacts).subspan(static_cast<std::size_t>(first - impacts.begin()));
 }
 

@@ -1,5 +1,5 @@
+#include "../bodies/world_boxes.h"
 #include "../state/tolerances.h"
-#include "../state/world_boxes.h"
 #include "modes.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -9,11 +9,6 @@ void reachAhead(WorldState& world) {
         const bool ahead = modeOf(world, world.bodies[slot]) == ContinuousMode::speculative;
         if (ahead) { updateProxies(world, slot); }
     }
-}
-
-bool isAhead(const WorldState& world, const Contact& contact) {
-    const Real usual = world.shapes[contact.shapeA].extent + world.shapes[contact.shapeB].extent;
-    return deepestSeparation(contact.manifold) > kMaxReachRatio * usual;
 }
 
 void anchorAtCores(ContactConstraint& constraint, Real radiusA, Real radiusB) {

@@ -2,14 +2,14 @@
 #include <cmath>
 #include <limits>
 
-#include "../state/body_mass.h"
+#include "../bodies/body_mass.h"
 #include "modes.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// A body that was cut to the limit must not be cut again for the rounding of the cut (of `float`, and of positions).
-constexpr Real kRounding = 1 + Real(0x1p-18);
+constexpr Real kLimitRounding = 1 + Real(0x1p-18);
 
 /// Smallest width, radius included. Segments have none of their own: their `extent` is their length.
 Real widthOf(const Shape& shape) { return shape.polygon.count <= 2 ? 2 * shape.polygon.radius : shape.extent; }
@@ -58,7 +58,7 @@ void limitVelocity(WorldState& world, std::uint32_t slot, double dt) {
     const Real own = length(motion.velocity) + std::fabs(motion.angularVelocity) * body.radius;
     const Real gain =
         step * (length(accelerationOf(world, body)) + std::fabs(angularAccelerationOf(body)) * body.radius);
-    if (!(own > 0) || own + gain <= limit * kRounding) { return; }
+    if (!(own > 0) || own + gain <= limit * kLimitRounding) { return; }
     const Real share = std::max(limit - gain, Real(0)) / own;
     motion.velocity = share * motion.velocity;
     motion.angularVelocity = share * motion.angularVelocity;
@@ -73,7 +73,7 @@ void limitWay(WorldState& world, std::uint32_t slot, double dt) {
     const DVec2 moved = motion.center - body.startCenter;
     const double turned = motion.angle - body.startAngle;
     const double way = length(moved) + std::fabs(turned) * static_cast<double>(body.radius);
-    if (way <= most * static_cast<double>(kRounding)) { return; }
+    if (way <= most * static_cast<double>(kLimitRounding)) { return; }
     const double share = most / way;
     motion.center = body.startCenter + share * moved;
     motion.angle = body.startAngle + share * turned;

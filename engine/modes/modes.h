@@ -1,34 +1,12 @@
 #pragma once
 
-#include "../state/tolerances.h"
+#include "../bodies/body_mode.h"
 #include "../state/world_state.h"
 
-/// What the continuous modes (`ContinuousMode`) have to do beside the sweeps of `stop` and `subStep`.
-///
-/// A body's own mode goes before the world's. Each body keeps to its own: where two modes meet in a pair, what the more
-/// careful one does is done for both. A speculative body makes the contact ahead, and it holds its partner too; a swept
-/// body stops at, or bounces off, a static or kinematic body whatever the mode of that is.
+/// What the continuous modes (`ContinuousMode`) have to do beside the sweeps of `stop` and `subStep`. Which mode that
+/// is: body_mode.h.
 
 namespace swept::inline SWEPT_PRECISION {
-
-inline ContinuousMode modeOf(const WorldState& world, const Body& body) {
-    return body.def.continuous.value_or(world.settings.continuous);
-}
-
-/// Whether fast bodies of this mode are swept against what they may hit.
-constexpr bool isSwept(ContinuousMode mode) { return mode == ContinuousMode::stop || mode == ContinuousMode::subStep; }
-
-/// Whether a body is a bullet that flies freely, and fast as such. @param motion  of some point in the step, metres
-inline bool isFastFreeBullet(const WorldState& world, const Body& body, Real motion) {
-    const bool isFree = !body.hasContact && body.holdingJoints == 0;
-    if (!isFree || !(motion > kFastBulletRatio * body.extent)) { return false; }
-    return body.isDynamic() && body.def.bullet && modeOf(world, body) == ContinuousMode::subStep && body.extent > 0;
-}
-
-/// Whether a mode has anything to do before and after the solve.
-constexpr bool isWatched(ContinuousMode mode) {
-    return mode == ContinuousMode::speedLimit || mode == ContinuousMode::speculative;
-}
 
 /// In the step, before anything looks at speeds. `speedLimit` (mode_speed_limit.cpp) slows what is too fast,
 /// `speculative` (mode_speculative.cpp) has the boxes of its bodies span their whole motion.
@@ -44,9 +22,6 @@ void sweepSensors(WorldState& world, double dt);
 /// radius. Infinite while the world has no walls.
 Real speedLimitOf(WorldState& world, std::uint32_t body, Real dt);
 
-/// Whether only mode `speculative` makes a contact between so distant shapes.
-/// @pre the contact has points
-bool isAhead(const WorldState& world, const Contact& contact);
 /// A contact point stands half way between the surfaces, and turns with both bodies. At a distance each body is held at
 /// the core of its own shape instead: an impulse would turn it about a point in the air, and the surface of a ball that
 /// begins to roll would turn away from what it is about to hit.

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "../state/body_mass.h"
+#include "../bodies/body_mass.h"
 #include "energy_gain.h"
 #include "joint_builder.h"
 #include "torn_joints.h"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "../../solver/direct/start_balance.h"
-#include "../islands/balance.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
 #include "joint_builder.h"

@@ -1,49 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "../../shapes/cache_line.h"
-#include "../../shapes/raw_vector.h"
-#include "../../shapes/task_system.h"
-#include "../../solver/solver.h"
-#include "../counters.h"
-#include "../events.h"
-#include "chain_spin.h"
-#include "energy_account.h"
+#include "../../shapes/real.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
+struct SolveDesk;
 struct WorldState;
-
-/// Of some pairs that touch.
-struct LinkCounts {
-    std::uint32_t links = 0;
-    std::uint32_t bouncing = 0;  ///< of these, with restitution
-};
-
-/// Where a group is solved. Several may be at the same time, each at a desk of its own, as long as no body moves in two
-/// of them. What a solve leaves for the whole step stays here until `clearDesk`. Kept for its capacity.
-struct alignas(kCacheLine) SolveDesk {
-    TaskSystem* loops = nullptr;  ///< where its parallel loops run
-    SolverBatch batch;
-    Solver solver;
-    RawVector<std::uint8_t> takesPart;        ///< in the present solve: by place among the bodies of the group
-    RawVector<std::uint32_t> bodies;          ///< slots in the world of what does, by slot of the solve less one
-    std::vector<LinkCounts> linkCounts;       ///< scratch, by block of pairs
-    std::vector<BodySlot> standing;           ///< slots of the solve that kinematic bodies have
-    RawVector<Vec2> localCenters;             ///< of the bodies of the present solve, by their slot there
-    RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`
-    std::vector<std::uint32_t> energyRoots;   ///< likewise
-    std::vector<IslandMotion> islandMotions;  ///< likewise
-    std::vector<IslandMotion> motionsBefore;  ///< scratch: the same, before the solve
-    std::uint64_t energySolve = 0;            ///< its number
-    std::vector<ChainSpin> chainSpins;        ///< scratch, by place in the list of chains
-
-    std::vector<ContactEvent> events;
-    StepCounters counters;
-    bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
-};
 
 /// What it left becomes that of the step.
 void clearDesk(WorldState& world, SolveDesk& desk);

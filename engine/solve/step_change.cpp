@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "../bodies/awake.h"
+#include "../bodies/world_boxes.h"
 #include "../contacts/impulse_growth.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../contacts/parked_contacts.h"
-#include "../islands/held_islands.h"
 #include "../state/profile.h"
-#include "../state/world_boxes.h"
 #include "joint_growth.h"
 
 namespace swept::inline SWEPT_PRECISION {

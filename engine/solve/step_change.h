@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../islands/effort_budget.h"
+#include "../state/profile.h"
 #include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -11,7 +11,6 @@
 #include "../../solver/contacts/contact_lanes.h"
 #include "../contacts/contact_making.h"
 #include "../crew/join_blocks.h"
-#include "../islands/effort_budget.h"
 #include "../modes/modes.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"

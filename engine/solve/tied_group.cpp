@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "../islands/effort_budget.h"
 #include "../state/profile.h"
 #include "joint_builder.h"
 #include "tied_bodies.h"

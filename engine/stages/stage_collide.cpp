@@ -1,3 +1,4 @@
+#include "../bodies/travel.h"
 #include "../contacts/candidates.h"
 #include "../contacts/chain_passage.h"
 #include "../contacts/contact_fetch.h"
@@ -5,7 +6,6 @@
 #include "../contacts/contact_tests.h"
 #include "../contacts/near_update.h"
 #include "../contacts/new_pairs.h"
-#include "../contacts/travel.h"
 #include "../crew/beside.h"
 #include "../modes/modes.h"
 #include "step.h"

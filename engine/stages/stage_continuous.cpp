@@ -1,12 +1,12 @@
 #include <algorithm>
 
+#include "../bodies/world_boxes.h"
 #include "../containers/move_all.h"
 #include "../crew/shared_choice.h"
 #include "../flight/bullets.h"
 #include "../flight/solved_path.h"
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
-#include "../state/world_boxes.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {

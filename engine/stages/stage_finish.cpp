@@ -2,14 +2,14 @@
 #include <cmath>
 #include <span>
 
+#include "../bodies/awake.h"
+#include "../bodies/body_joints.h"
+#include "../bodies/travel.h"
+#include "../bodies/world_boxes.h"
 #include "../contacts/contact_fetch.h"
-#include "../contacts/travel.h"
 #include "../crew/beside.h"
 #include "../solve/joint_builder.h"
-#include "../state/awake.h"
-#include "../state/body_joints.h"
 #include "../state/tolerances.h"
-#include "../state/world_boxes.h"
 #include "event_order.h"
 #include "step.h"
 

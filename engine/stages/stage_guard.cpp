@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "../bodies/body_mass.h"
 #include "../contacts/parked_contacts.h"
 #include "../solve/joint_builder.h"
-#include "../state/body_mass.h"
 #include "../state/number_range.h"
 #include "step.h"
 

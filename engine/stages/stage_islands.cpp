@@ -104,7 +104,7 @@ std::uint32_t memberOf(const WorldState& world, std::uint32_t joint) {
 }
 
 /// Probes per block, each of which one worker lists.
-constexpr std::size_t kProbesPerBlock = 1024;
+constexpr std::size_t kFastProbesPerBlock = 1024;
 
 void listContactsOfBlock(const WorldState& world, std::uint32_t begin, std::uint32_t end,
                          std::vector<IslandItems::Added>& contacts) {
@@ -123,12 +123,12 @@ void listContactsOfBlock(const WorldState& world, std::uint32_t begin, std::uint
 void listFastContacts(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     const std::size_t count = world.probes.size();
-    const std::size_t blocks = (count + kProbesPerBlock - 1) / kProbesPerBlock;
+    const std::size_t blocks = (count + kFastProbesPerBlock - 1) / kFastProbesPerBlock;
     fast.contactsOfBlocks.resize(std::max(blocks, fast.contactsOfBlocks.size()));
     world.loops->run(blocks, 1, [&](std::size_t first, std::size_t last, int) {
         for (std::size_t block = first; block < last; ++block) {
-            const std::size_t begin = block * kProbesPerBlock;
-            const std::size_t end = std::min(begin + kProbesPerBlock, count);
+            const std::size_t begin = block * kFastProbesPerBlock;
+            const std::size_t end = std::min(begin + kFastProbesPerBlock, count);
             listContactsOfBlock(world, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
                                 fast.contactsOfBlocks[block]);
         }

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <span>
 
+#include "../bodies/awake.h"
 #include "../contacts/noticing.h"
 #include "../islands/note_touching.h"
 #include "../islands/reset_bodies.h"
 #include "../islands/tied_roots.h"
 #include "../modes/modes.h"
-#include "../state/awake.h"
 #include "../state/tolerances.h"
 #include "step.h"
 #include "waking.h"

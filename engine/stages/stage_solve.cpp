@@ -4,11 +4,11 @@
 
 #include "../../shapes/cache_line.h"
 #include "../../shapes/compiler.h"
+#include "../bodies/body_mass.h"
 #include "../containers/sort_few.h"
 #include "../crew/shared_choice.h"
 #include "../islands/effort_budget.h"
 #include "../solve/tied_group.h"
-#include "../state/body_mass.h"
 #include "../state/profile.h"
 #include "step.h"
 

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "../bodies/awake.h"
+#include "../bodies/body_measures.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../crew/beside.h"
 #include "../islands/effort.h"
@@ -11,8 +13,6 @@
 #include "../solve/joint_rest.h"
 #include "../solve/joint_start.h"
 #include "../solve/step_change.h"
-#include "../state/awake.h"
-#include "../state/body_measures.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "../bodies/awake.h"
 #include "../contacts/noticing.h"
-#include "../state/awake.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -7,7 +7,7 @@
 #include "../../shapes/cache_line.h"
 #include "../../shapes/transform.h"
 #include "../body_def.h"
-#include "../islands/effort.h"
+#include "effort.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

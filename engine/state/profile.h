@@ -1,6 +1,9 @@
 #pragma once
 
+#include <limits>
+
 #include "../world_settings.h"
+#include "effort.h"
 #include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -40,6 +43,18 @@ constexpr Real pushRatioOf(const WorldSettings& settings) {
 
 constexpr double growthOf(const WorldSettings& settings) {
     return settings.profile == Profile::accurate ? kAccurateGrowth : kFastGrowth;
+}
+
+constexpr bool hasErrorBudget(const WorldSettings& settings) {
+    constexpr Real kNone = std::numeric_limits<Real>::infinity();
+    return settings.maxPenetration < kNone || settings.maxJointError < kNone;
+}
+
+/// Of a step that is not cut into parts. The springs of contacts and joints are as stiff as these sub-steps can sample:
+/// with a budget their own, since what they give way is the error.
+constexpr int standardSubSteps(const WorldSettings& settings, Effort effort) {
+    const int usual = subStepsOf(settings);
+    return hasErrorBudget(settings) ? subStepsFor(effort, usual) : usual;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -3,125 +3,52 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "../../shapes/copied_atomic.h"
 #include "../../shapes/mass.h"
+#include "../../shapes/raw_vector.h"
 #include "../../solver/graph/island_finder.h"
-#include "../../solver/solver.h"
-#include "../advance/advancing_island.h"
-#include "../advance/fast_islands.h"
-#include "../contacts/contact.h"
-#include "../contacts/contact_lists.h"
-#include "../contacts/hemmed_pairs.h"
-#include "../contacts/pairs_of_shapes.h"
-#include "../contacts/parked_contacts.h"
-#include "../contacts/slide.h"
-#include "../contacts/touching.h"
 #include "../containers/pair_table.h"
 #include "../containers/slot_pool.h"
-#include "../crew/crew.h"
-#include "../flight/bullet_work.h"
-#include "../flight/clash.h"
-#include "../flight/flight.h"
-#include "../islands/balance.h"
-#include "../islands/effort_budget.h"
-#include "../islands/effort_trial.h"
-#include "../islands/held_islands.h"
-#include "../islands/island_load.h"
-#include "../islands/joint_chains.h"
-#include "../islands/load_paths.h"
-#include "../solve/energy_account.h"
-#include "../solve/solve_desk.h"
 #include "../world.h"
+#include "advancing_island.h"
 #include "body.h"
+#include "body_glance.h"
+#include "body_places.h"
+#include "bullet_work.h"
+#include "clash.h"
+#include "contact.h"
+#include "contact_lists.h"
+#include "effort_trial.h"
+#include "energy_account.h"
+#include "event_places.h"
+#include "fast_islands.h"
+#include "flight.h"
+#include "held_islands.h"
+#include "hemmed_pairs.h"
+#include "island_errors.h"
+#include "island_load.h"
+#include "island_rest.h"
 #include "joint.h"
-#include "place_order.h"
+#include "joint_chains.h"
+#include "load_paths.h"
+#include "pairs_of_shapes.h"
+#include "parked_contacts.h"
 #include "recent_steps.h"
 #include "sensor_sweeps.h"
 #include "shape.h"
 #include "sleeping_pairs.h"
+#include "slide.h"
+#include "solve_desk.h"
+#include "touching.h"
+#include "workers.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 /// Whether a body may sleep, as far as its own motion tells.
 enum class Tiredness : std::uint8_t { kinematic, restless, tired };
-
-/// What the order of events is told by, mostly.
-struct EventPlace {
-    std::uint64_t key = 0;    ///< slots of its shapes, the lower above the other; or its fraction, as bits
-    std::uint32_t index = 0;  ///< in `WorldState::contactEvents`
-};
-
-/// Who touches a chain. Of a sensor (A) which of the two slots it has: that may change.
-enum class TouchKind : std::uint8_t { ofSolid, ofLowerSensor, ofHigherSensor };
-
-/// A touch with a segment of a chain.
-struct ChainTouch {
-    std::uint64_t key = 0;  ///< slots of the shapes, of the chain its first segment: that of an `EventPlace`
-    TouchKind kind = TouchKind::ofSolid;
-};
-
-/// Scratch of `sortEvents`, kept for its capacity.
-struct EventPlaces {
-    std::vector<EventPlace> ofChains;      ///< begins and ends
-    std::vector<EventPlace> atStart;       ///< of the step: all others of fraction 0
-    std::vector<EventPlace> later;         ///< by fraction
-    std::vector<EventPlace> spare;         ///< of `sortByKeys`
-    std::vector<ChainTouch> chainTouches;  ///< that events ask for, one per segment
-    std::vector<ChainTouch> spareTouches;  ///< of `sortByKeys`
-    std::vector<std::uint8_t> isNamed;     ///< by slot of a shape: it begins or ends to touch a chain, or is one
-};
-
-/// What contacts look at first of their bodies, as the stage of contacts began (travel.h).
-struct alignas(kLineOfFloats) BodyGlance {
-    DVec2 center{};
-    double turned = std::numeric_limits<double>::infinity();  ///< `BodyTravel::turned`
-    Real ahead = 0;                                           ///< how far its contacts reach, metres
-    Real motion = -1;  ///< `motionBound`, metres; negative while the body is static or asleep
-    Real reach =
-        std::numeric_limits<Real>::infinity();  ///< none of its contact points is farther from the centre, metres
-    // Of a dynamic body that is awake, as the stage of contacts began:
-    bool isFast = false;  ///< `Body::fast`; of others, never
-    Vec2 velocity{};
-    Vec2 pull{};      ///< its acceleration without contacts and joints
-    Real swing = 0;   ///< no point moves faster about the centre of mass, m/s
-    Real widest = 0;  ///< `Body::widest`
-
-    /// As the stage of contacts began.
-    bool isAwake() const { return !(motion < 0); }
-};
-
-/// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted
-/// last.
-struct BodyTravel {
-    double angle = 0;
-    double turned = 0;    ///< metres, rounded up
-    Real boxMotion = -1;  ///< of which its boxes were made last: `motionBound`, or more
-    /// Its needed boxes hold it wherever it gets from there by moving and turning less than `boxRoom`, metres.
-    double boxRoom = 0;
-    DVec2 boxCenter{};
-    double boxAngle = 0;
-};
-
-/// Who runs the loops of a world. A copy has a crew of its own, and works for the same user.
-struct Workers {
-    SerialTaskSystem serialTasks;
-    TaskSystem* userTasks = &serialTasks;  ///< what the user gave; stages use `loops`
-    Crew crew;
-    TaskSystem* loops = &serialTasks;  ///< where the parallel loops of the present step run
-
-    Workers() = default;
-    Workers(const Workers& other) { *this = other; }
-    Workers& operator=(const Workers& other) {
-        if (this == &other) { return *this; }
-        userTasks = other.userTasks == &other.serialTasks ? &serialTasks : other.userTasks;
-        return *this;
-    }
-    ~Workers() = default;
-};
 
 /// All data of a world. The step is a sequence of free functions over it (step.cpp); the public face is `World`.
 /// Nothing in it refers to a place in it from one step to the next, so that a copy goes on like the original.

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <swept/engine/contacts/parked_pairs.h>
+#include <swept/engine/state/parked_pairs.h>
 
 #include <algorithm>
 #include <map>

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "../contacts/contact.h"
 #include "../containers/island_items.h"
-#include "../flight/clash.h"
-#include "../flight/moving_ground.h"
-#include "../state/body.h"
-#include "../state/joint.h"
+#include "body.h"
+#include "clash.h"
+#include "contact.h"
+#include "joint.h"
+#include "moving_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -25,6 +25,9 @@ void noteMotion(WorldState& world, std::uint32_t body);
 /// Largest separation at which contact points of a shape are made: what it may move in a step, up to a part of its
 /// extent (all of it in mode `speculative`).
 Real contactReach(const WorldState& world, const Shape& shape);
+/// Whether only mode `speculative` makes a contact between so distant shapes.
+/// @pre the contact has points
+bool isAhead(const WorldState& world, const Contact& contact);
 
 /// Both bodies of a contact, as the stage of contacts found them.
 struct BodyGlances {

@@ -9,18 +9,6 @@ namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
 
-/// A body by where it is.
-struct BodyPlace {
-    std::uint64_t key = 0;
-    std::uint32_t slot = 0;
-};
-
-/// Scratch of `orderByPlace`, kept for its capacity.
-struct BodyPlaces {
-    std::vector<BodyPlace> order;
-    std::vector<BodyPlace> spare;
-};
-
 /// Puts bodies into an order in which those that are near each other follow each other: along a curve that fills the
 /// plane (G. M. Morton 1966).
 void orderByPlace(WorldState& world, std::vector<std::uint32_t>& slots);

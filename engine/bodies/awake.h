@@ -1,8 +1,9 @@
 #pragma once
 
-#include "world_state.h"
+#include "../state/world_state.h"
 
-/// Who is awake (`WorldState::awake`), who wakes whom, and how long each has to rest before it may sleep.
+/// Who is awake (`WorldState::awake`) or held (`WorldState::held`), who wakes whom, and how long each has to rest
+/// before it may sleep.
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -18,6 +19,10 @@ void setInMotion(WorldState& world, std::uint32_t body, Vec2 velocity, Real angu
 void wakeAll(WorldState& world);
 /// Wakes everything that a joint holds to the body.
 void wakeJoined(WorldState& world, std::uint32_t body);
+/// All that is held with a body takes part again, in its old order. @pre it is held
+void releaseHeld(WorldState& world, std::uint32_t body);
+/// What everything was in balance with is no longer so.
+void releaseAllHeld(WorldState& world);
 /// Whether a body wakes what it touches: it is awake and can push. A kinematic body at rest lets others sleep on it.
 bool disturbs(const WorldState& world, std::uint32_t body);
 /// Seconds that a body has to rest before it may sleep; a body without extent (only sensors) counts steps alone.

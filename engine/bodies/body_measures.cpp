@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include "../contacts/travel.h"
-#include "world_state.h"
+#include "../state/world_state.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "../state/shape.h"
 #include "contact.h"
+#include "shape.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "../containers/key_sort.h"
-#include "world_state.h"
+#include "../state/world_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

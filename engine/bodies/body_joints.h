@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world_state.h"
+#include "../state/world_state.h"
 
 /// The joints that bodies have, and how one is removed from them.
 

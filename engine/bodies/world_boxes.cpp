@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../contacts/travel.h"
-#include "../modes/modes.h"
-#include "tolerances.h"
+#include "../state/tolerances.h"
+#include "body_mode.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

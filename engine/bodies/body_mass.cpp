@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "../contacts/travel.h"
-#include "../islands/levers.h"
-#include "../modes/modes.h"
+#include "../state/number_range.h"
 #include "body_measures.h"
-#include "number_range.h"
+#include "body_mode.h"
+#include "levers.h"
+#include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "../../broadphase/wide_tree.h"
 #include "../../shapes/raw_vector.h"
-#include "../state/shape.h"
 #include "flight.h"
+#include "shape.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world_state.h"
+#include "../state/world_state.h"
 
 /// What a body weighs and where its centre is, by its shapes; and among which kinds it counts.
 

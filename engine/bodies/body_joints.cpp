@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "../islands/levers.h"
 #include "awake.h"
+#include "levers.h"
 #include "world_boxes.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../../shapes/room.h"
-#include "tolerances.h"
+#include "../state/tolerances.h"
 #include "world_boxes.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -36,6 +37,33 @@ void wake(WorldState& world, std::uint32_t start) {
         ++world.counters.wokeUp;
         slot = next;
     } while (slot != start);
+}
+
+void releaseHeld(WorldState& world, std::uint32_t start) {
+    const std::uint32_t place = world.bodies[start].heldIn;
+    const HeldIsland island = world.held.list[place];
+    world.held.close(place);
+    std::uint32_t slot = island.last;
+    std::uint32_t next = world.bodies[slot].nextAsleep;
+    do {
+        slot = next;
+        Body& body = world.bodies[slot];
+        next = std::exchange(body.nextAsleep, slot);  // or what is made fixed now would wake them later
+        body.heldIn = kNoIndex;
+        body.awake = true;
+        body.soughtSteps = kJustReleased;
+        body.restSteps += island.restSteps;
+        body.restTime += island.restTime;
+        world.awake.push_back(slot);
+        world.parked.woken.push_back(slot);
+    } while (slot != island.last);
+}
+
+void releaseAllHeld(WorldState& world) {
+    if (world.held.inUse.empty()) { return; }
+    for (std::size_t i = 0; i < world.held.list.size(); ++i) {
+        if (world.held.list[i].bodies > 0) { releaseHeld(world, world.held.list[i].last); }
+    }
 }
 
 void rouse(WorldState& world, std::uint32_t slot) {

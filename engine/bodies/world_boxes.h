@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world_state.h"
+#include "../state/world_state.h"
 
 /// Boxes of shapes: what the broadphase has to know of them in the coming step.
 

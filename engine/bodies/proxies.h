@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world_state.h"
+#include "../state/world_state.h"
 
 /// What a shape is in the broadphase. Shapes of bodies that are enabled have a proxy; its kind is the shape's.
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "../contacts/contact.h"
-#include "../contacts/slide.h"
-#include "../solve/solve_desk.h"
-#include "../state/body.h"
-#include "../state/joint.h"
+#include "body.h"
+#include "contact.h"
+#include "joint.h"
+#include "slide.h"
+#include "solve_desk.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -1,9 +1,9 @@
 #include "travel.h"
 
 #include "../../shapes/manifold_memory.h"
-#include "../modes/modes.h"
 #include "../state/tolerances.h"
-#include "../state/world_boxes.h"
+#include "body_mode.h"
+#include "world_boxes.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -108,6 +108,11 @@ Real contactReach(const WorldState& world, const Shape& shape) {
     // What is fast along one axis is told without a root, and many of those that are asked for their reach are.
     if (!isAhead && dt * std::max(std::fabs(velocity.x), std::fabs(velocity.y)) >= most) { return most; }
     return reachOfMotion(motionBound(world, shape.body, dt), shape.extent, isAhead);
+}
+
+bool isAhead(const WorldState& world, const Contact& contact) {
+    const Real usual = world.shapes[contact.shapeA].extent + world.shapes[contact.shapeB].extent;
+    return deepestSeparation(contact.manifold) > kMaxReachRatio * usual;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include "../../shapes/real.h"
+#include "../../solver/direct/direct_scope.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// How the solver treats an island: into how many sub-steps it divides the step, and what it solves all at once instead
+/// of by iteration. Islands of one class are one solve.
+struct Effort {
+    std::int8_t doublings = 0;  ///< of the sub-steps that the settings ask for; negative: halvings
+    DirectScope direct = DirectScope::none;
+    bool isCrowd = false;  ///< jostling, not carrying: one pass of relaxation after each solve does
+    bool isLarge = false;  ///< a web of more than `kSmallWebBodies`: searched with more patience
+    /// Which of those that were searched in vain in this step, from 1 on: a class of its own, since all others may be
+    /// solved by then; 0: none.
+    std::uint8_t retry = 0;
+    bool isSettled = false;  ///< contacts are right as they are (settled.h): held in one sub-step, not solved anew
+
+    /// At once: a step compares thousands.
+    bool operator==(const Effort& other) const { return std::memcmp(this, &other, sizeof(Effort)) == 0; }
+};
+static_assert(std::has_unique_object_representations_v<Effort>);
+
+/// Doublings go up to this many sub-steps, unless the settings ask for more themselves.
+inline constexpr int kMostSubSteps = 64;
+
+/// At least 1.
+constexpr int subStepsFor(Effort effort, int subSteps) {
+    if (effort.isSettled) { return 1; }
+    if (effort.doublings >= 0) { return subSteps << effort.doublings; }
+    const int halved = subSteps >> -effort.doublings;
+    return halved > 1 ? halved : 1;
+}
+
+/// After each solve.
+constexpr int relaxPassesFor(Effort effort, int relaxPasses) {
+    return effort.isCrowd && relaxPasses > 1 ? 1 : relaxPasses;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION
