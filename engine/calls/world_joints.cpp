@@ -5,6 +5,7 @@
 #include "../bodies/awake.h"
 #include "../bodies/body_joints.h"
 #include "../bodies/levers.h"
+#include "../contacts/pairs_of_shapes.h"
 #include "../solve/joint_builder.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"

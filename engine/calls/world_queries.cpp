@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../../shapes/ray_cast.h"
+#include "../state/tolerances.h"
 #include "cast_start.h"
 #include "query_support.h"
 

@@ -5,6 +5,7 @@
 #include "../../shapes/distance.h"
 #include "../../toi/time_of_impact.h"
 #include "../../toi/toi_polygon.h"
+#include "../bodies/travel.h"
 #include "../state/tolerances.h"
 #include "../state/world_state.h"
 

@@ -6,6 +6,7 @@
 #include "../../solver/closeness.h"
 #include "../../solver/softness.h"
 #include "../bodies/travel.h"
+#include "../contacts/contact_tests.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 #include "load_paths.h"
@@ -208,10 +209,6 @@ bool chooseSought(WorldState& world) {
 }
 
 }  // namespace
-
-bool isTied(const WorldState& world, const TouchingPair& pair) {
-    return (world.traits[pair.dynamicBody()] & kIsTied) != 0;
-}
 
 IslandRest& restOf(WorldState& world, std::uint32_t slot) { return world.islandRests[world.islands.find(slot)]; }
 

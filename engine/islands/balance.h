@@ -27,13 +27,9 @@ struct RestLimits {
 /// What rests on a slope within that of its angle of friction stays; what moves more slowly stops.
 RestLimits restLimitsFor(Profile profile);
 
-/// `Body::soughtSteps` of what was held until now: what concerns it takes place, before another balance is sought.
-inline constexpr std::uint16_t kJustReleased = 1;
 /// Steps from one search in vain to the next, at most; a power of two.
 inline constexpr std::uint16_t kLongestPause = 64;
 
-/// Whether a contact is of what the solver moves in this step: beside a kinematic body at rest it may be of a sleeper.
-bool isTied(const WorldState& world, const TouchingPair& pair);
 /// Of the island of a body, by slot. @pre `findBalancedIslands` is at work, or found some; the body is awake
 IslandRest& restOf(WorldState& world, std::uint32_t slot);
 /// Those that an island has to keep.

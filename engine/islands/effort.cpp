@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../solve/search_debt.h"
 #include "../state/profile.h"
+#include "balance.h"
 #include "hard_pull.h"
+#include "held_islands.h"
 #include "island_load.h"
 #include "settled.h"
 #include "thin_loops.h"
@@ -23,15 +26,6 @@ constexpr Real kHeavyRatio = 8;
 /// was dropped from 1 cm on two boxes of 1 kg sank in by 2.2 cm, one of 10 000 kg through them; now 13 nm.) Larger
 /// heaps that move find no more in it than iteration does, and take up to twice the time.
 constexpr std::uint32_t kFewInWeb = 16;
-/// So many rounds of the search cost a step of debt. A pyramid of 1275 boxes that finds its first impulses owes 10, and
-/// nothing after that; at most nine steps in a row are spent on rounds without end.
-constexpr int kRoundsOfDebt = 16;
-constexpr std::uint16_t kMostDebt = 96;
-/// In a small web or a tower what is at rest needs some rounds in each sub-step, for ever; more of them cost a step of
-/// debt for so many bodies that they were for. (A heap of 256 bodies that came to rest asked for 150 rounds, 10 ms,
-/// fourteen times in a row, where a step that is iterated takes 0.15 ms.)
-constexpr int kUsualRoundsOfSubStep = 6;
-constexpr int kBodyRoundsOfDebt = 512;
 /// Towers of equal masses are iterated for so many steps after a search in vain: for long they might not stand it.
 constexpr std::uint16_t kPauseOfTower = 16;
 /// Joints in an island that iteration brings together badly.
@@ -220,19 +214,6 @@ Effort effortFor(const IslandLoad& load, const StepScale& step, double pull) {
             .direct = scope,
             .isLarge = scope == DirectScope::all && !isTree(load) && load.bodies > kSmallWebBodies};
 }
-
-}  // namespace
-
-std::uint16_t searchDebtAfter(std::uint16_t debt, const SearchCost& cost) {
-    const int unusual = std::max(cost.rounds - kUsualRoundsOfSubStep * cost.subSteps, 0);
-    const auto ofSmall =
-        static_cast<std::int64_t>(unusual) * static_cast<std::int64_t>(cost.bodies) / kBodyRoundsOfDebt;
-    const std::int64_t owed = debt + (cost.isLarge ? cost.rounds / kRoundsOfDebt : ofSmall);
-    // A step goes down from it before anybody asks.
-    return cost.isSolved && owed < kMostDebt ? static_cast<std::uint16_t>(owed) : kMostDebt + 1;
-}
-
-namespace {
 
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kEffortGrain = 128;

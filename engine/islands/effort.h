@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "../../shapes/real.h"
@@ -14,19 +13,6 @@ struct WorldState;
 /// that cost: a search for what presses and sticks that does not end must not stop the world.
 inline constexpr std::uint32_t kSmallWebBodies = 256;
 inline constexpr std::uint32_t kMostWebBodies = 2048;
-
-/// What it cost to solve the contacts of a class all at once.
-struct SearchCost {
-    int rounds = 0;
-    int subSteps = 0;
-    std::size_t bodies = 0;
-    bool isLarge = false;
-    bool isSolved = false;  ///< in vain else
-};
-
-/// What a body owes after such a search. Debts go down by one in each step; beyond a limit, as after a search in vain,
-/// the island is iterated: a web until it owes nothing, a tower for some steps, unless it has masses far apart.
-std::uint16_t searchDebtAfter(std::uint16_t debt, const SearchCost& cost);
 
 /// Gives every body that the solver moves the effort of its island, from the state alone.
 void assignEfforts(WorldState& world, double dt);

@@ -6,6 +6,7 @@
 #include "../solve/joint_builder.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
+#include "effort_budget.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

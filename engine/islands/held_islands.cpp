@@ -7,6 +7,7 @@
 #include "../bodies/travel.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
+#include "balance.h"
 #include "tied_roots.h"
 
 namespace swept::inline SWEPT_PRECISION {

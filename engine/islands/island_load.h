@@ -11,7 +11,7 @@ struct WorldState;
 /// Bodies in the smallest crowd (effort.cpp).
 inline constexpr std::uint32_t kFewestInCrowd = 64;
 
-/// Finds the loads of all islands (`WorldState::islandLoads`), and counts down what their bodies owe (`effort.h`).
+/// Finds the loads of all islands (`WorldState::islandLoads`), and counts down what their bodies owe (search_debt.h).
 void findIslandLoads(WorldState& world);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -5,6 +5,7 @@
 
 #include "../bodies/body_joints.h"
 #include "../state/world_state.h"
+#include "thin_loops.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

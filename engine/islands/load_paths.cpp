@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "../contacts/contact_tests.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 #include "balance.h"

@@ -8,6 +8,7 @@
 #include "../bodies/place_order.h"
 #include "../contacts/may_touch.h"
 #include "../contacts/new_pairs.h"
+#include "../contacts/parked_contacts.h"
 #include "../containers/sort_few.h"
 #include "../state/tolerances.h"
 #include "modes.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../../solver/direct/start_balance.h"
+#include "../contacts/contact_tests.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
 #include "joint_builder.h"

@@ -9,6 +9,7 @@
 #include "../../shapes/cache_line.h"
 #include "../../shapes/compiler.h"
 #include "../../solver/contacts/contact_lanes.h"
+#include "../bodies/travel.h"
 #include "../contacts/contact_making.h"
 #include "../crew/join_blocks.h"
 #include "../modes/modes.h"

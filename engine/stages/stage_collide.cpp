@@ -6,6 +6,7 @@
 #include "../contacts/contact_tests.h"
 #include "../contacts/near_update.h"
 #include "../contacts/new_pairs.h"
+#include "../contacts/parked_contacts.h"
 #include "../crew/beside.h"
 #include "../modes/modes.h"
 #include "step.h"

@@ -8,6 +8,7 @@
 #include "../bodies/world_boxes.h"
 #include "../contacts/contact_fetch.h"
 #include "../crew/beside.h"
+#include "../islands/held_islands.h"
 #include "../solve/joint_builder.h"
 #include "../state/tolerances.h"
 #include "event_order.h"

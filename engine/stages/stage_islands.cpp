@@ -6,7 +6,11 @@
 #include "../contacts/candidates.h"
 #include "../flight/bullet_start.h"
 #include "../flight/clash.h"
+#include "../flight/moving_ground.h"
+#include "../islands/effort_trial.h"
 #include "../modes/modes.h"
+#include "../solve/solve_desk.h"
+#include "../state/profile.h"
 #include "step.h"
 
 namespace swept::inline SWEPT_PRECISION {

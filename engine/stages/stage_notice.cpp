@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "../bodies/travel.h"
 #include "../contacts/contact_fetch.h"
 #include "../contacts/contact_making.h"
 #include "../contacts/contact_tests.h"

@@ -6,6 +6,7 @@
 
 #include "../bodies/awake.h"
 #include "../contacts/noticing.h"
+#include "../islands/joint_chains.h"
 #include "../islands/note_touching.h"
 #include "../islands/reset_bodies.h"
 #include "../islands/tied_roots.h"

@@ -8,6 +8,8 @@
 #include "../containers/sort_few.h"
 #include "../crew/shared_choice.h"
 #include "../islands/effort_budget.h"
+#include "../islands/effort_trial.h"
+#include "../solve/solve_desk.h"
 #include "../solve/tied_group.h"
 #include "../state/profile.h"
 #include "step.h"

@@ -61,7 +61,7 @@ struct Body {
     bool fast = false;      ///< this step: startled, or some point may move far (`kFastRatio` and its like)
     bool flung = false;     ///< this step: the solver moved it about as far as only a fast body may
     BodyRole role = BodyRole::idle;
-    std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (effort.h)
+    std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (search_debt.h)
     std::uint16_t soughtSteps = 0;  ///< in which it was still, and its island not in balance (balance.h)
     Effort effort;                  ///< of its island, this step
     DVec2 startCenter{};            ///< at the start of this step

@@ -6,6 +6,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// `Body::soughtSteps` of what was held until now: what concerns it takes place, before another balance is sought.
+inline constexpr std::uint16_t kJustReleased = 1;
+
 /// What contacts and pulls leave of each other on a body in a step.
 struct Pull {
     Vec2 force{};     ///< N·s
