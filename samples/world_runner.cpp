@@ -79,7 +79,7 @@ public:
             return false;
         }
         ++steps_;
-        addCounters(sums_, built_.world.counters());
+        addStep(sums_, built_.world.counters());
         for (const LostTimeEntry& entry : built_.world.lostTime()) { noteLostTime(entry); }
         if (options_.collectEvents) { collectEvents(); }
         if (options_.measure) {

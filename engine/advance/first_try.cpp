@@ -92,7 +92,7 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
     const StepPart part{.length = dt, .dt = dt};
     fast.meets[island] = firstImpactOf(world, members, part, scratch);
     const bool meets = fast.meets[island] < 1;
-    scratch.impacts += meets ? 1 : 0;
+    scratch.counters.impacts += meets ? 1 : 0;
     if (!meets) { holdSunk(world, members, part, scratch); }
     TriedPlace place = fast.triedPlaces[island];
     for (const std::uint32_t slot : members) {

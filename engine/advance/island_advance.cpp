@@ -213,7 +213,7 @@ bool isSunk(const WorldState& world, std::uint32_t slot) {
 }
 
 void hold(WorldState& world, std::uint32_t slot, const StepPart& part, FlightScratch& scratch) {
-    ++scratch.sweeps;
+    ++scratch.counters.sweeps;
     const bool stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
     clampAtImpact(world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, scratch);
 }
@@ -289,7 +289,7 @@ double tryPart(Course& course, double time, bool fits, double& next) {
         holdMembers(course, time, false);
         return time;
     }
-    ++course.scratch.impacts;
+    ++course.scratch.counters.impacts;
     if (fits && fraction >= kGoodFit && fraction * time >= course.shortest) {
         cutPart(course, time, fraction);
         holdMembers(course, fraction * time, false);
@@ -332,7 +332,7 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
     double first = 1;
     for (const std::uint32_t slot : members) {
         if (!isSweptMember(world, slot, part.length / part.dt)) { continue; }
-        ++scratch.sweeps;
+        ++scratch.counters.sweeps;
         scratch.isSunk = false;
         const FirstImpact impact = impactOfPath(world, slot, part.length, first, scratch, true);
         if (scratch.isSunk) { world.bodies[slot].sunk = true; }

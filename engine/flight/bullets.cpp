@@ -144,7 +144,7 @@ void meet(WorldState& world, FlightScratch& scratch) {
     listMembers(work);
     for (const std::uint32_t index : work.members) { bringTo(world, work.partners[index], time); }
     collideBodies(world, scratch);
-    scratch.impacts += work.together.size();
+    scratch.counters.impacts += work.together.size();
     for (const std::uint32_t index : work.members) {
         BulletPartner& partner = work.partners[index];
         partner.moved = true;
@@ -169,7 +169,7 @@ void bounce(WorldState& world, const BulletMeeting& meeting, FlightScratch& scra
     } else {
         const bool isHit = resolveStanding(partner.flight);
         notePose(partner.flight);
-        ++scratch.impacts;
+        ++scratch.counters.impacts;
         if (isHit && partner.flight.stops) { stop(partner, partner.flight.elapsed, LostTimeReason::stop); }
     }
     world.bulletWork.members.assign(1, world.bulletWork.indices[meeting.first]);

@@ -197,7 +197,7 @@ ClashEnd flyThrough(Clash& clash) {
         const NextImpact next = nextImpactOf(clash);
         advanceAll(clash, next.hit ? next.fraction : 1);
         if (!next.hit) { return ClashEnd::bounced; }
-        ++clash.scratch.impacts;
+        ++clash.scratch.counters.impacts;
         if (next.isPair) {
             resolvePairs(clash, false);
             resolveGround(clash);
@@ -270,8 +270,8 @@ ClashEnd clash(WorldState& world, std::span<const std::uint32_t> members, std::s
     const std::size_t events = scratch.events.size();
     const std::size_t poses = scratch.impactPoses.size();
     const std::size_t losses = scratch.lostTime.size();
-    const std::uint64_t impacts = scratch.impacts;
-    const std::uint64_t speedsLimited = scratch.speedsLimited;
+    const std::uint64_t impacts = scratch.counters.impacts;
+    const std::uint64_t speedsLimited = scratch.counters.speedsLimited;
     if (!begin(clash, members, contacts)) { return ClashEnd::none; }
     ClashEnd end = flyThrough(clash);
     if (end == ClashEnd::bounced && work.anyBullets && mayMeetMore(clash, members)) { end = ClashEnd::dissolved; }
@@ -282,8 +282,8 @@ ClashEnd clash(WorldState& world, std::span<const std::uint32_t> members, std::s
     scratch.events.resize(events);
     scratch.impactPoses.resize(poses);
     scratch.lostTime.erase(scratch.lostTime.begin() + static_cast<std::ptrdiff_t>(losses), scratch.lostTime.end());
-    scratch.impacts = impacts;
-    scratch.speedsLimited = speedsLimited;
+    scratch.counters.impacts = impacts;
+    scratch.counters.speedsLimited = speedsLimited;
     return end;
 }
 

@@ -249,7 +249,7 @@ void flyThrough(Flight& flight) {
         const bool isHit = resolveHere(flight);
         notePose(flight);
         ++impacts;
-        ++scratch.impacts;
+        ++scratch.counters.impacts;
         if (isHit && flight.stops) { return holdHere(flight, LostTimeReason::stop); }
     }
 }
@@ -380,7 +380,7 @@ void limitSpeed(Flight& flight) {
     const Real limit = flight.world->settings.maxSpeed;
     if (!(speed > limit)) { return; }
     flight.motion.velocity = (limit / speed) * flight.motion.velocity;
-    ++flight.scratch->speedsLimited;
+    ++flight.scratch->counters.speedsLimited;
 }
 
 bool isExhausted(const Flight& flight, int impacts, LostTimeReason reason) {
@@ -422,7 +422,7 @@ void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, 
     motion.center = stopped.center;
     motion.angle = stopped.angle;
     motion.pose = stopped.pose;
-    ++scratch.impacts;
+    ++scratch.counters.impacts;
     const double lost = (slides ? shareMissed(body, asked, stopped) : 1 - first.fraction) * part.length;
     takeBackFall(world, slot, lost);
     scratch.lostTime.push_back({.body = world.bodies.idOf(slot), .seconds = lost, .reason = reason});

@@ -82,8 +82,8 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
     lifted.c0 += obstacle.lift;
     lifted.c1 += obstacle.lift;
     Toi toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
-    ++scratch.toiCalls;
-    scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+    ++scratch.counters.toiCalls;
+    scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
     if (toi.state == ToiState::hit && toi.fraction <= 0) {
         const bool isDeep = toi.separation < length(obstacle.lift) - slackOf(world, obstacle);
         if (isDeep && !ignoresSunk && !obstacle.isSunkInto) {
@@ -97,8 +97,8 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
         }
         obstacle.level = std::min(obstacle.level, levelInContact(world, obstacle, toi.separation));
         toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
-        ++scratch.toiCalls;
-        scratch.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+        ++scratch.counters.toiCalls;
+        scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
     }
     return toi;
 }

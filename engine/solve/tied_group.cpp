@@ -31,39 +31,112 @@ Real leastClosingOf(const WorldState& world, const TiedGroup& group, const StepP
     return static_cast<Real>(closing) / static_cast<Real>(standardSubSteps(world.settings, group.effort));
 }
 
-/// @param h  seconds of a sub-step
-/// @param areIterated  then hinges have links
-void addJoints(WorldState& world, const TiedGroup& group, TiedHinges& hinges, bool areIterated, Real h,
-               const StepPart& part) {
-    const auto dt = static_cast<Real>(part.dt);
-    const auto left = static_cast<Real>(part.dt - part.begin);
+/// What is known of a solve before its contacts are looked at.
+struct SolvePlan {
+    Real time;          ///< that it goes through, s
+    Real h;             ///< of a sub-step, s
+    DirectScope scope;  ///< what is solved all at once
+    bool isIterated;    ///< nothing is
+    bool hasJoints;
+    const StepPart& part;
+};
+
+SolvePlan planOf(const TiedGroup& group, const StepPart& part) {
+    const auto time = static_cast<Real>(part.length);
+    const DirectScope scope = group.effort.isSettled ? DirectScope::none : group.effort.direct;
+    return {.time = time,
+            .h = time / static_cast<Real>(part.subSteps),
+            .scope = scope,
+            .isIterated = scope == DirectScope::none,
+            .hasJoints = !group.joints.empty(),
+            .part = part};
+}
+
+/// Impulses that are kept are those of the world's sub-steps; but islands that advance keep their own.
+Real keptImpulseScale(const WorldState& world, const TiedGroup& group, const StepPart& part) {
+    if (group.role != BodyRole::solved) { return 1; }
+    return static_cast<Real>(subStepsOf(world.settings)) / static_cast<Real>(part.subSteps);
+}
+
+/// How the contacts of a group come to the solver, and how they bounce.
+struct ContactWay {
+    std::size_t bouncing = 0;  ///< with restitution
+    bool inTurn = false;       ///< these bounce one after the other
+    bool areLinked = false;    ///< by links, from which the solver makes blocks; else each is a constraint
+};
+
+/// Links them where they may be. @pre the bodies of the group have their slots
+ContactWay linkContacts(const WorldState& world, const TiedGroup& group, const SolvePlan& plan,
+                        TiedContacts& contacts) {
+    if (!plan.isIterated || world.watched) { return {.bouncing = contacts.countBouncing()}; }
+    const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
+    const std::size_t bouncing = contacts.link();
+    const bool inTurn = bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
+    const bool areLinked = bouncing <= kMostAlone || inTurn;
+    if (!areLinked) { contacts.unlink(); }
+    if (areLinked && bouncing > 0) { contacts.letBounce(inTurn); }
+    return {bouncing, inTurn, areLinked};
+}
+
+/// Where iterated, hinges have links.
+void addJoints(WorldState& world, const TiedGroup& group, const SolvePlan& plan, TiedHinges& hinges) {
+    const auto dt = static_cast<Real>(plan.part.dt);
+    const auto left = static_cast<Real>(plan.part.dt - plan.part.begin);
     group.desk.batch.mayGlide = !world.drivenJoints.empty();
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
-        if (tie.isHinge && areIterated) {
+        if (tie.isHinge && plan.isIterated) {
             hinges.link(i, tie);
         } else {
-            addConstraint(group.desk.batch, world, i, h, dt, left);
+            addConstraint(group.desk.batch, world, i, plan.h, dt, left);
         }
     }
 }
 
-SolveReport solveWithJoints(WorldState& world, const TiedGroup& group, const SolverSettings& settings) {
+SolverSettings settingsOf(const WorldState& world, const TiedGroup& group, const SolvePlan& plan,
+                          const ContactWay& way) {
+    const bool isFast = world.settings.profile == Profile::fast;
+    return {.dt = plan.time,
+            .subSteps = plan.part.subSteps,
+            .relaxPasses = relaxPassesFor(group.effort, relaxPassesOf(world.settings)),
+            .restitutionThreshold = length(world.settings.gravity) * static_cast<Real>(plan.part.dt),
+            .maxSpeed = world.settings.maxSpeed,
+            .joints = plan.hasJoints,
+            .bounces = way.bouncing > 0 && !way.inTurn,
+            .bouncesInTurn = way.inTurn,
+            .coarseImpacts = isFast,
+            .direct = plan.scope,
+            .leastClosing = leastClosingOf(world, group, plan.part),
+            .patient = group.effort.isLarge,
+            .takenBack = group.role == BodyRole::solved,
+            .settled = group.effort.isSettled};
+}
+
+SolveReport solveBatch(WorldState& world, const TiedGroup& group, const SolverSettings& settings) {
     SolverBatch& batch = group.desk.batch;
     const SolveReport report = group.desk.solver.solve(batch, settings, *group.desk.loops);
-    readConstraints(batch, world, settings.dt);
-    batch.clearJoints();  // so that nobody need look for any in a solve without
+    if (settings.joints) {
+        readConstraints(batch, world, settings.dt);
+        batch.clearJoints();  // so that nobody need look for any in a solve without
+    }
     return report;
 }
 
 /// Only who took long pays: beside one heap that is searched in vain others are solved all at once.
-/// @param all  nothing was searched
-void rememberSearch(WorldState& world, const TiedGroup& group, const SearchCost& cost, bool all) {
+/// @param isSolved  see `solveGroup`
+void rememberSearch(WorldState& world, const TiedGroup& group, const StepPart& part, const SolveReport& report,
+                    bool isSolved) {
     const SolveDesk& desk = group.desk;
+    const SearchCost cost{.rounds = report.direct.rounds,
+                          .subSteps = part.subSteps,
+                          .bodies = desk.batch.states.size() - 1,
+                          .isLarge = group.effort.isLarge,
+                          .isSolved = isSolved};
+    const bool isNothingSearched = !report.isDirect;
     for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
         Body& body = world.bodies[desk.bodies[i]];
         if (!isMember(body, group)) { continue; }
-        if (all || desk.solver.tookLong(static_cast<BodySlot>(i + 1))) {
+        if (isNothingSearched || desk.solver.tookLong(static_cast<BodySlot>(i + 1))) {
             body.searchDebt = searchDebtAfter(body.searchDebt, cost);
         }
     }
@@ -94,66 +167,28 @@ void countSolve(SolveDesk& desk, const SolveReport& report, int subStepsAsked, b
 }  // namespace
 
 bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part) {
-    const auto dt = static_cast<Real>(part.dt);
-    const auto time = static_cast<Real>(part.length);
-    const Real h = time / static_cast<Real>(part.subSteps);
-    const Real threshold = length(world.settings.gravity) * dt;
+    const SolvePlan plan = planOf(group, part);
     SolveDesk& desk = group.desk;
     desk.batch.clearAllButJoints();  // those went when they had been read
-    const DirectScope scope = group.effort.isSettled ? DirectScope::none : group.effort.direct;
-    const int usual = subStepsOf(world.settings);
-    const Real scale =
-        group.role == BodyRole::solved ? static_cast<Real>(usual) / static_cast<Real>(part.subSteps) : Real(1);
-    TiedContacts contacts(world, group, part, h, scale);
-    const bool isIterated = scope == DirectScope::none;
-    const bool mayLink = isIterated && !world.watched;
-    const bool hasJoints = !group.joints.empty();
-    const bool onlyContacts = !hasJoints;
-    const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
+    TiedContacts contacts(world, group, part, plan.h, keptImpulseScale(world, group, part));
     giveSlots(world, group);
-    const std::size_t bouncing = mayLink ? contacts.link() : contacts.countBouncing();
-    const bool inTurn = mayLink && bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
-    const bool areLinked = mayLink && (bouncing <= kMostAlone || inTurn);
-    if (mayLink && !areLinked) { contacts.unlink(); }
-    if (areLinked && bouncing > 0) { contacts.letBounce(inTurn); }
+    const ContactWay way = linkContacts(world, group, plan, contacts);
     std::optional<TiedHinges> hinges;
     // Links, and so colours, are known without a look at the bodies.
-    setBodies(world, group, isIterated ? h : h / 2, [&] {
-        if (!onlyContacts) {
-            hinges.emplace(world, group, h, part);
-            addJoints(world, group, *hinges, isIterated, h, part);
+    setBodies(world, group, plan.isIterated ? plan.h : plan.h / 2, [&] {
+        if (plan.hasJoints) {
+            hinges.emplace(world, group, plan.h, part);
+            addJoints(world, group, plan, *hinges);
         }
-        if (areLinked) { desk.solver.colourAhead(desk.batch, onlyContacts, desk.standing); }
+        if (way.areLinked) { desk.solver.colourAhead(desk.batch, !plan.hasJoints, desk.standing); }
     });
-    if (!areLinked) { contacts.addConstraints(); }
-    const SolverSettings settings{.dt = time,
-                                  .subSteps = part.subSteps,
-                                  .relaxPasses = relaxPassesFor(group.effort, relaxPassesOf(world.settings)),
-                                  .restitutionThreshold = threshold,
-                                  .maxSpeed = world.settings.maxSpeed,
-                                  .joints = hasJoints,
-                                  .bounces = bouncing > 0 && !inTurn,
-                                  .bouncesInTurn = inTurn,
-                                  .coarseImpacts = world.settings.profile == Profile::fast,
-                                  .direct = scope,
-                                  .leastClosing = leastClosingOf(world, group, part),
-                                  .patient = group.effort.isLarge,
-                                  .takenBack = group.role == BodyRole::solved,
-                                  .settled = group.effort.isSettled};
-    const SolveReport report =
-        onlyContacts ? desk.solver.solve(desk.batch, settings, *desk.loops) : solveWithJoints(world, group, settings);
-    if (!areLinked) { contacts.readConstraints(); }
-    readBodies(world, group, time, h);
-    const bool isSolved = scope != DirectScope::all || (report.isDirect && report.direct.givenUp == 0);
-    if (scope == DirectScope::all) {
-        rememberSearch(world, group,
-                       {.rounds = report.direct.rounds,
-                        .subSteps = part.subSteps,
-                        .bodies = desk.batch.states.size() - 1,
-                        .isLarge = group.effort.isLarge,
-                        .isSolved = isSolved},
-                       !report.isDirect);
-    }
+    if (!way.areLinked) { contacts.addConstraints(); }
+    const SolveReport report = solveBatch(world, group, settingsOf(world, group, plan, way));
+    if (!way.areLinked) { contacts.readConstraints(); }
+    readBodies(world, group, plan.time, plan.h);
+    const bool isSearch = plan.scope == DirectScope::all;
+    const bool isSolved = !isSearch || (report.isDirect && report.direct.givenUp == 0);
+    if (isSearch) { rememberSearch(world, group, part, report, isSolved); }
     countSolve(desk, report, part.subSteps, group.effort.isSettled, contacts.count() + group.joints.size());
     return isSolved;
 }

@@ -2,6 +2,7 @@
 #include "../contacts/candidates.h"
 #include "../contacts/chain_passage.h"
 #include "../contacts/contact_fetch.h"
+#include "../contacts/contact_lists.h"
 #include "../contacts/contact_making.h"
 #include "../contacts/contact_tests.h"
 #include "../contacts/near_update.h"

@@ -2,6 +2,7 @@
 
 #include "../bodies/world_boxes.h"
 #include "../containers/move_all.h"
+#include "../counter_list.h"
 #include "../crew/shared_choice.h"
 #include "../flight/bullets.h"
 #include "../flight/solved_path.h"
@@ -35,12 +36,8 @@ void merge(WorldState& world, FlightScratch& scratch) {
     moveAll(world.contactEvents, scratch.events);
     moveAll(world.lostTime, scratch.lostTime);
     moveAll(world.impactPoses, scratch.impactPoses);
-    world.counters.toiCalls += scratch.toiCalls;
-    world.counters.toiIterations += scratch.toiIterations;
-    world.counters.impacts += scratch.impacts;
-    world.counters.speedsLimited += scratch.speedsLimited;
-    world.counters.sweeps += scratch.sweeps;
-    scratch.toiCalls = scratch.toiIterations = scratch.impacts = scratch.speedsLimited = scratch.sweeps = 0;
+    addPart(world.counters, scratch.counters);
+    scratch.counters = {};
 }
 
 }  // namespace

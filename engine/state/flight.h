@@ -9,6 +9,7 @@
 #include "../../shapes/cache_line.h"
 #include "../../solver/impacts/impact.h"
 #include "../../toi/time_of_impact.h"
+#include "../counters.h"
 #include "../events.h"
 #include "body.h"
 #include "shape.h"
@@ -80,11 +81,7 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<ContactEvent> events;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
-    std::uint64_t toiCalls = 0;
-    std::uint64_t toiIterations = 0;
-    std::uint64_t impacts = 0;
-    std::uint64_t speedsLimited = 0;
-    std::uint64_t sweeps = 0;
+    StepCounters counters;
 };
 
 /// A body in flight: its own copy of its motion, and how much of the step has passed.

@@ -12,8 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <swept/engine/counter_list.h>
 #include <swept/samples/built_in/builtin_scenes.h>
-#include <swept/samples/counter_names.h>
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_fields.h>
 #include <swept/samples/scene_names.h>
@@ -295,7 +295,7 @@ TEST(ScenePage, NamesTheMembersOfReports) {
 
 TEST(ScenePage, NamesEveryCounterOfReports) {
     std::vector<std::string> names;
-    for (const auto& [name, member] : kCounterNames) { names.emplace_back(name); }
+    for (const CounterEntry& counter : kCounters) { names.emplace_back(counter.name); }
     expectNamed("#### Counters", names);
 }
 
