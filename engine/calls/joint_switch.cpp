@@ -8,7 +8,8 @@
 #include "../bodies/awake.h"
 #include "../bodies/body_joints.h"
 #include "../bodies/levers.h"
-#include "../solve/joint_builder.h"
+#include "../solve/joint_place.h"
+#include "../solve/joint_results.h"
 #include "../state/number_range.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -10,7 +10,7 @@
 #include "../bodies/world_boxes.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../modes/modes.h"
-#include "../solve/joint_builder.h"
+#include "../solve/joint_results.h"
 #include "../state/number_range.h"
 #include "joint_switch.h"
 

@@ -111,13 +111,13 @@ MixedSurface surfaceOf(const WorldState& world, const Contact& contact) {
     return surface;
 }
 
-Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second) {
-    if (!comesFirst(world, first, second)) { std::swap(first, second); }
-    const Shape& a = world.shapes[first];
-    const Shape& b = world.shapes[second];
+Contact contactOf(const WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    if (!comesFirst(world, shapeA, shapeB)) { std::swap(shapeA, shapeB); }
+    const Shape& a = world.shapes[shapeA];
+    const Shape& b = world.shapes[shapeB];
     Contact contact;
-    contact.shapeA = first;
-    contact.shapeB = second;
+    contact.shapeA = shapeA;
+    contact.shapeB = shapeB;
     contact.bodyA = a.body;
     contact.bodyB = b.body;
     mixSurfaces(world, contact);

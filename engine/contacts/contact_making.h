@@ -6,8 +6,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A contact of two shapes, still without manifold; which of them is A is decided here.
-Contact contactOf(const WorldState& world, std::uint32_t first, std::uint32_t second);
+/// A contact of two shapes, still without manifold; which of them is its A is decided here.
+Contact contactOf(const WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB);
 /// Friction and restitution of a contact, by its shapes.
 void mixSurfaces(const WorldState& world, Contact& contact);
 /// The same with the speed of belts, which contacts do not keep.

@@ -37,25 +37,25 @@ bool addPair(WorldState& world, const NewPair& pair, bool isNear) {
 
 }  // namespace
 
-NewPair newPairOf(const WorldState& world, std::uint32_t a, std::uint32_t b) {
-    const Shape& first = world.shapes[a];
-    const Shape& second = world.shapes[b];
+NewPair newPairOf(const WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    const Shape& a = world.shapes[shapeA];
+    const Shape& b = world.shapes[shapeB];
     NewPair pair;
-    pair.shapeA = a;
-    pair.shapeB = b;
-    pair.bodyA = first.body;
-    pair.bodyB = second.body;
-    pair.proxyA = first.proxy;
-    pair.proxyB = second.proxy;
-    pair.mayTouch = mayTouch(world, first, second);
+    pair.shapeA = shapeA;
+    pair.shapeB = shapeB;
+    pair.bodyA = a.body;
+    pair.bodyB = b.body;
+    pair.proxyA = a.proxy;
+    pair.proxyB = b.proxy;
+    pair.mayTouch = mayTouch(world, a, b);
     if (!pair.mayTouch) { return pair; }
-    pair.mayWait = mayWait(world, first, second);
-    pair.isKnown = disturbs(world, first.body) || disturbs(world, second.body);
+    pair.mayWait = mayWait(world, a, b);
+    pair.isKnown = disturbs(world, a.body) || disturbs(world, b.body);
     return pair;
 }
 
-bool addContact(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    const NewPair pair = newPairOf(world, a, b);
+bool addContact(WorldState& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    const NewPair pair = newPairOf(world, shapeA, shapeB);
     if (!addPair(world, pair, true)) { return false; }
     if (!pair.isKnown) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
     return true;

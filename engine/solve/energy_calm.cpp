@@ -7,6 +7,7 @@
 #include "../bodies/body_mass.h"
 #include "energy_gain.h"
 #include "joint_builder.h"
+#include "joint_results.h"
 #include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -311,16 +311,6 @@ void setOut(DistanceConstraint& constraint, const LimitMotion& motion, Real left
     constraint.motion = motion;
 }
 
-/// Calls `visit(part)` unless the joint is a filter.
-template <class Parts, class Visit>
-void visitPart(Parts& parts, Visit&& visit) {
-    std::visit(
-        [&](auto& part) {
-            if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(part)>, FilterPart>) { visit(part); }
-        },
-        parts);
-}
-
 bool isIterated(const WorldState& world, const Joint& joint) {
     const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
     return world.bodies[moving].effort.direct == DirectScope::none;
@@ -367,66 +357,8 @@ FreedomParts hingeParts(const Joint& joint, Real angle, Real h, Real dt) {
     return parts;
 }
 
-void takeReaction(Joint& joint, const JointReaction& total, Real dt) {
-    joint.reactionForce = (1 / dt) * total.impulse;
-    joint.reactionTorque = (1 / dt) * total.twist;
-}
-
-void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt) {
-    joint.hinge = {constraint.linearImpulse, constraint.lowerImpulse, constraint.upperImpulse, constraint.motorImpulse,
-                   constraint.springImpulse};
-    takeReaction(joint, constraint.total, dt);
-}
-
 Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt) {
     return softnessOfStep(world, effort, kJointCycles, kJointDampingRatio, h, dt);
-}
-
-void forgetStart(Joint& joint) {
-    visitPart(joint.parts, [](auto& part) {
-        if constexpr (requires { part.memory; }) { part.memory = {}; }
-    });
-    joint.hinge = {};
-    joint.restLoad = {};
-}
-
-void forgetImpulses(Joint& joint) {
-    forgetStart(joint);
-    joint.reactionForce = {};
-    joint.reactionTorque = 0;
-}
-
-namespace {
-
-/// What its point took of a motor joint. @pre the reaction of the hinge was read
-void giveToHinge(WorldState& world, const HingeBeside& hinge, Real dt) {
-    if (!hinge.isThere) { return; }
-    Joint& joint = world.joints[hinge.source];
-    joint.reactionForce += ((hinge.isReversed ? -1 : 1) / dt) * hinge.total;
-    if (!isFinite(joint.reactionForce)) { forgetImpulses(joint); }
-}
-
-}  // namespace
-
-void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
-    batch.forEachJointKind([&](const auto& constraints) {
-        using Constraint = typename std::remove_cvref_t<decltype(constraints)>::value_type;
-        for (const Constraint& constraint : constraints) {
-            Joint& joint = world.joints[constraint.source];
-            if constexpr (std::is_same_v<Constraint, RevoluteConstraint>) {
-                takeHinge(joint, constraint, dt);
-            } else {
-                visitPart(joint.parts, [&](auto& part) {
-                    using Part = std::remove_cvref_t<decltype(part)>;
-                    if constexpr (std::is_same_v<typename Part::Constraint, Constraint>) { part.memory = constraint; }
-                });
-                takeReaction(joint, constraint.total, dt);
-                // A torque is a force times a lever, and overflows before its bodies do.
-                if (!isFinite(joint.reactionForce) || !std::isfinite(joint.reactionTorque)) { forgetImpulses(joint); }
-            }
-            if constexpr (std::is_same_v<Constraint, MotorConstraint>) { giveToHinge(world, constraint.hinge, dt); }
-        }
-    });
 }
 
 JointErrors errorsOf(const WorldState& world, const Joint& joint) {

@@ -18,17 +18,6 @@ FreedomParts hingeParts(const Joint& joint, Real angle, Real h, Real dt);
 /// Of what joints hold. @param effort  of the bodies
 Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt);
 
-/// What a solve found. @param dt  that was solved
-void takeReaction(Joint& joint, const JointReaction& total, Real dt);
-void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt);
-
-/// Impulses to start from that belong to a state that is gone, or are no numbers; and the reactions of the last step.
-void forgetImpulses(Joint& joint);
-/// The impulses alone.
-void forgetStart(Joint& joint);
-/// Takes impulses and reactions back from a solved batch.
-void readConstraints(SolverBatch& batch, WorldState& world, Real dt);
-
 /// Of all that it holds; limits of angles and translations do not count.
 JointErrors errorsOf(const WorldState& world, const Joint& joint);
 

@@ -11,6 +11,7 @@
 #include "../state/tolerances.h"
 #include "joint_builder.h"
 #include "joint_rest.h"
+#include "joint_results.h"
 #include "tied_bodies.h"
 #include "tied_contacts.h"
 #include "tied_group.h"

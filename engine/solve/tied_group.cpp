@@ -5,6 +5,7 @@
 
 #include "../state/profile.h"
 #include "joint_builder.h"
+#include "joint_results.h"
 #include "search_debt.h"
 #include "tied_bodies.h"
 #include "tied_contacts.h"

@@ -4,6 +4,7 @@
 #include "../../solver/joint_blocks/hinge_lanes.h"
 #include "joint_builder.h"
 #include "joint_rest.h"
+#include "joint_results.h"
 #include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -6,7 +6,7 @@
 
 #include "../bodies/body_mass.h"
 #include "../contacts/parked_contacts.h"
-#include "../solve/joint_builder.h"
+#include "../solve/joint_results.h"
 #include "../state/number_range.h"
 #include "step.h"
 

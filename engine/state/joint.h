@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "../../solver/solver_batch.h"
@@ -104,6 +106,16 @@ struct Joint {
     bool keepsApart() const { return !base.collideConnected || isFilter(); }
     std::span<const std::uint32_t> allBodies() const { return {bodies.data(), bodyCount}; }
 };
+
+/// Calls `visit(part)` unless the joint is a filter.
+template <class Parts, class Visit>
+void visitPart(Parts& parts, Visit&& visit) {
+    std::visit(
+        [&](auto& part) {
+            if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(part)>, FilterPart>) { visit(part); }
+        },
+        parts);
+}
 
 /// What the step asks of all joints, one after the other, before it looks at any of them: joints are large.
 struct JointTie {

@@ -71,12 +71,13 @@ void solveHeld(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) 
         rod.apply(change);
     }
     if (!joint.hasLimits) { return; }
-    const Real lower = limitChange(rod.mass, rod.speed() - asked.lower, rod.length - joint.minLength,
-                                   joint.lowerImpulse, joint.softness, h, useBias);
+    const JointPass pass = passOf(joint, h, useBias);
+    const Real lower =
+        limitChange(pass, rod.mass, rod.speed() - asked.lower, rod.length - joint.minLength, joint.lowerImpulse);
     joint.lowerImpulse += lower;
     rod.apply(lower);
-    const Real upper = limitChange(rod.mass, -(rod.speed() - asked.upper), joint.maxLength - rod.length,
-                                   joint.upperImpulse, joint.softness, h, useBias);
+    const Real upper =
+        limitChange(pass, rod.mass, -(rod.speed() - asked.upper), joint.maxLength - rod.length, joint.upperImpulse);
     joint.upperImpulse += upper;
     rod.apply(-upper);
 }

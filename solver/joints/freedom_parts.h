@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "joint_constraint.h"
 #include "limit_pace.h"
 #include "point_constraint.h"
 
@@ -13,13 +14,13 @@ namespace swept::inline SWEPT_PRECISION {
 /// One side of a pair of limits, whose impulse only pushes. @param room  what is left before the limit, negative beyond
 /// it
 /// @param speed  at which the room grows, less the limit's own; @return change of the accumulated impulse
-inline Real limitChange(Real mass, Real speed, Real room, Real accumulated, const Softness& softness, Real h,
-                        bool useBias) {
+inline Real limitChange(const JointPass& pass, Real mass, Real speed, Real room, Real accumulated) {
     Real change = 0;
     if (room > 0) {
-        change = -mass * (speed + room / h);  // may reach the limit within this sub-step, no more
+        change = -mass * (speed + room / pass.h);  // may reach the limit within this sub-step, no more
     } else {
-        change = scalarChange(mass, speed, useBias ? room : Real(0), accumulated, useBias ? softness : kRigid);
+        change = scalarChange(mass, speed, pass.useBias ? room : Real(0), accumulated,
+                              pass.useBias ? pass.softness : kRigid);
     }
     return std::max(accumulated + change, Real(0)) - accumulated;
 }
@@ -67,44 +68,49 @@ constexpr void pushSpring(FreedomParts& parts, Real mass, Real place) {
     parts.springImpulse = parts.hasSpring ? -mass * (parts.spring.push * place) : Real(0);
 }
 
+/// The direction that a joint leaves free, as it is in a sub-step.
+struct FreeDirection {
+    Real mass = 0;   ///< impulse per speed; 0: nothing to move
+    Real place = 0;  ///< rad or metres along it
+};
+
 /// Limits, one after the other. @tparam kGlide  they move
 template <bool kGlide, class SpeedNow, class Push>
-void solveLimits(FreedomParts& parts, Real mass, Real place, const Softness& softness, Real h, bool useBias,
-                 SpeedNow&& speed, Push&& push) {
-    const LimitPace asked = kGlide ? parts.motion.asked(useBias) : LimitPace{};
+void solveLimits(FreedomParts& parts, const FreeDirection& free, const JointPass& pass, SpeedNow&& speed, Push&& push) {
+    const LimitPace asked = kGlide ? parts.motion.asked(pass.useBias) : LimitPace{};
     const Real lower =
-        limitChange(mass, speed() - asked.lower, place - parts.lower, parts.lowerImpulse, softness, h, useBias);
+        limitChange(pass, free.mass, speed() - asked.lower, free.place - parts.lower, parts.lowerImpulse);
     parts.lowerImpulse += lower;
     push(lower);
     const Real upper =
-        limitChange(mass, -(speed() - asked.upper), parts.upper - place, parts.upperImpulse, softness, h, useBias);
+        limitChange(pass, free.mass, -(speed() - asked.upper), parts.upper - free.place, parts.upperImpulse);
     parts.upperImpulse += upper;
     push(-upper);
 }
 
 /// Drag of the spring, motor and limits in this order: limits have the last word. @param speed  the present one, called
 /// anew for each
-/// @param drives  the motor is not held otherwise (`JointConstraint::isDriveHeld`)
 /// @param push  applies an impulse
 template <class SpeedNow, class Push>
-void solveFreedom(FreedomParts& parts, Real mass, Real place, const Softness& softness, Real h, bool useBias,
-                  bool drives, SpeedNow&& speed, Push&& push) {
-    if (!(mass > 0)) { return; }       // nothing to move; and 0 times the room of a limit at infinity is no number
-    if (parts.hasSpring && useBias) {  // once per sub-step
-        const Real change = parts.spring.drag * (parts.springImpulse - mass * speed());
+void solveFreedom(FreedomParts& parts, const FreeDirection& free, const JointPass& pass, SpeedNow&& speed,
+                  Push&& push) {
+    if (!(free.mass > 0)) { return; }       // nothing to move; and 0 times the room of a limit at infinity is no number
+    if (parts.hasSpring && pass.useBias) {  // once per sub-step
+        const Real change = parts.spring.drag * (parts.springImpulse - free.mass * speed());
         parts.springImpulse += change;
         push(change);
     }
-    if (parts.hasMotor && drives) {
-        const Real change = motorChange(mass, speed(), parts.motorSpeed, parts.motorImpulse, parts.maxMotorImpulse);
+    if (parts.hasMotor && pass.drives) {
+        const Real change =
+            motorChange(free.mass, speed(), parts.motorSpeed, parts.motorImpulse, parts.maxMotorImpulse);
         parts.motorImpulse += change;
         push(change);
     }
     if (!parts.hasLimits) { return; }
     if (parts.isGliding) [[unlikely]] {
-        solveLimits<true>(parts, mass, place, softness, h, useBias, speed, push);
+        solveLimits<true>(parts, free, pass, speed, push);
     } else {
-        solveLimits<false>(parts, mass, place, softness, h, useBias, speed, push);
+        solveLimits<false>(parts, free, pass, speed, push);
     }
 }
 

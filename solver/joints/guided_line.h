@@ -105,8 +105,7 @@ inline void solveAlong(const JointConstraint& joint, FreedomParts& parts, Real& 
                        const JointPair& pair, Real given, Real h, bool useBias) {
     const GuidedPart along = guidedAlong(line, given);
     solveFreedom(
-        parts, along.mass, line.place, joint.softness, h, useBias, !joint.isDriveHeld || !useBias,
-        [&] { return speedAlong(line, pair); },
+        parts, {along.mass, line.place}, passOf(joint, h, useBias), [&] { return speedAlong(line, pair); },
         [&](Real impulse) {
             push(pair, line.axis, line.along, impulse);
             pushAcross(held, line, pair, impulse * along.answer);

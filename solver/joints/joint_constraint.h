@@ -41,6 +41,18 @@ struct JointConstraint {
 
 inline std::array<BodySlot, 2> bodySlots(const JointConstraint& joint) { return {joint.slotA, joint.slotB}; }
 
+/// How the rows of a joint are solved: in each sub-step with bias, which closes errors, and then without, which takes
+/// away the speed that this gave.
+struct JointPass {
+    const Softness& softness;
+    Real h = 0;  ///< of a sub-step, s
+    bool useBias = false;
+    bool drives = true;  ///< nothing else holds its motor
+};
+inline JointPass passOf(const JointConstraint& joint, Real h, bool useBias) {
+    return {joint.softness, h, useBias, !joint.isDriveHeld || !useBias};
+}
+
 /// Anchor of B minus anchor of A now, metres.
 inline Vec2 anchorOffset(const JointConstraint& joint, const BodyState& a, const BodyState& b) {
     return joint.centerOffset + (b.deltaPosition - a.deltaPosition) + rotate(b.deltaRotation, joint.anchorB) -

@@ -45,7 +45,7 @@ void solveOne(PulleyConstraint& joint, const JointPair& pair, Real h, bool useBi
     const Real growth =
         dot(joint.axisA, velocityAt(pair.a, rope.armA)) + joint.ratio * dot(joint.axisB, velocityAt(pair.b, rope.armB));
     const Real change =
-        limitChange(rope.mass, -growth, joint.totalLength - rope.length, joint.tension, joint.softness, h, useBias);
+        limitChange(passOf(joint, h, useBias), rope.mass, -growth, joint.totalLength - rope.length, joint.tension);
     joint.tension += change;
     pull(joint, rope, pair, change);
 }

@@ -46,7 +46,7 @@ void solveParts(RevoluteConstraint& joint, const Pin& pin, const JointPair& pair
         push(joint, pin, pair, -solve(pin.matrix, speedsOf(pin, pair)));
     }
     solveFreedom(
-        joint, spin.mass, angleOf(joint, pair), joint.softness, h, useBias, !joint.isDriveHeld || !useBias,
+        joint, {spin.mass, angleOf(joint, pair)}, passOf(joint, h, useBias),
         [&] { return pair.b.angularVelocity - pair.a.angularVelocity; },
         [&](Real impulse) {
             turn(pair, impulse);
