@@ -14,10 +14,6 @@ namespace swept::inline SWEPT_PRECISION {
 /// Bullets, and what is fast enough to get to where they may get: all with their paths and first meetings.
 /// @pre one flight scratch per worker
 void findPartners(WorldState& world, double dt);
-/// The next meeting, into `BulletWork::together`, and if it is of a pair, all others of bodies that hang together by
-/// such of the same moment, as far as sweeps tell: one after the other they would favour who comes first. They are
-/// taken off the list. @return false: there is none left in this step
-bool takeMeetings(WorldState& world);
 /// What comes next for partners whose paths changed, by index. May move partners in memory.
 void lookAhead(WorldState& world, std::span<const std::uint32_t> partners, FlightScratch& scratch);
 /// What a pair does from now on: see `BulletCarrier`. @param normal  zero: it bounced

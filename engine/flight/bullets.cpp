@@ -7,6 +7,7 @@
 #include "../modes/modes.h"
 #include "../state/tolerances.h"
 #include "bullet_impact.h"
+#include "bullet_meetings.h"
 #include "bullet_paths.h"
 #include "bullet_search.h"
 #include "flight_state.h"

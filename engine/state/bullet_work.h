@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "../../broadphase/wide_tree.h"
@@ -44,7 +45,10 @@ struct BulletMeeting {
 
     bool isPair() const { return second != kNoIndex; }
     /// In order of time; what happens at one moment in one that follows from the slots alone.
-    bool isAfter(const BulletMeeting& other) const;
+    bool isAfter(const BulletMeeting& other) const {
+        return std::tuple(time, isPair(), first, second) >
+               std::tuple(other.time, other.isPair(), other.first, other.second);
+    }
 };
 
 /// What one worker found. Nothing of it shares a cache line with another worker's.
