@@ -265,56 +265,6 @@ TEST(DrivenLimits, LiftTheFrameOfACar) {
     }
 }
 
-/// What swings on a rope or rod that is reeled in comes nearer as fast. (It was told to go around alone.)
-TEST(DrivenLimits, GiveWhoSwingsItsSpeed) {
-    for (const Profile profile : kProfiles) {
-        for (const bool isRod : {false, true}) {
-            for (const double speed : {0.5, 2.0}) {
-                World world = makeWorld(profile, 0);
-                const BodyId load = addBody(world, dynamicAt({4, 0}, vec(0, 3)), circle(0.2));
-                DistanceJointDef def;
-                def.base = between(anchorOf(world), load);
-                def.anchorA = {0, 0};
-                def.anchorB = {4, 0};
-                if (!isRod) { def.limits = LengthLimits{0, 4}; }
-                const JointId joint = must(world.createJoint(def));
-                double reach = 4;
-                while (reach > 2) {
-                    reach -= speed * kStep;
-                    must(isRod ? world.setLength(joint, real(reach))
-                               : world.setLengthLimits(joint, LengthLimits{0, real(reach)}));
-                    run(world, 1);
-                }
-                const DVec2 place = world.position(load);
-                const DVec2 outwards = (1 / length(place)) * place;
-                EXPECT_NEAR(dot(outwards, velocityOf(world, load)), -speed, 0.02 * speed) << profileName(profile);
-                EXPECT_NEAR(cross(place, velocityOf(world, load)), 12, 0.06) << profileName(profile);
-                EXPECT_NEAR(length(place), reach, 0.002) << profileName(profile);
-            }
-        }
-    }
-}
-
-/// Work comes back: on a rod that is drawn in and let out again a load whirls as before.
-TEST(DrivenLimits, TakeBackTheWorkThatTheyDid) {
-    for (const Profile profile : kProfiles) {
-        World world = makeWorld(profile, 0);
-        const BodyId load = addBody(world, dynamicAt({4, 0}, vec(0, 3)), circle(0.2));
-        DistanceJointDef def;
-        def.base = between(anchorOf(world), load);
-        def.anchorA = {0, 0};
-        def.anchorB = {4, 0};
-        const JointId rod = must(world.createJoint(def));
-        const double before = kineticEnergy(world, load);
-        for (int i = 1; i <= 600; ++i) {
-            must(world.setLength(rod, real(3 + std::cos(2 * kPi * i / 120))));
-            run(world, 1);
-        }
-        run(world, 60);
-        EXPECT_NEAR(kineticEnergy(world, load), before, 0.02 * before) << profileName(profile);
-    }
-}
-
 /// What is set elsewhere once, near or far, is put there: it draws its bodies, and gives them no speed. So is what goes
 /// farther in each step than they are wide.
 TEST(DrivenLimits, ThatJumpFlingNothing) {

@@ -240,69 +240,6 @@ struct TwoPins {
     }
 };
 
-/// Where who swings is after a second in which the rope is reeled in: r'' and θ'' of a point mass, in small steps.
-DVec2 endOfReeledSwing(double length, double speed, double pace) {
-    constexpr int kParts = 200'000;
-    constexpr double kPart = 1.0 / kParts;
-    double r = length;
-    double angle = 0;
-    double spin = speed / length;
-    for (int i = 0; i < kParts; ++i) {
-        spin += kPart * (-kGravity * std::sin(angle) + 2 * pace * spin) / r;
-        angle += kPart * spin;
-        r -= kPart * pace;
-    }
-    return {r * std::sin(angle), -r * std::cos(angle)};
-}
-
-/// A winch does work: who swings on a rope that is reeled in gets faster, and is not brought to rest.
-TEST(JointEnergy, OfWhoSwingsOnARopeThatIsReeledIn) {
-    for (const Profile profile : {Profile::accurate, Profile::fast}) {
-        for (const bool isRod : {false, true}) {
-            for (const double pace : {0.5, 1.0, 2.0, 3.0}) {
-                constexpr double kLength = 6;
-                WorldSettings settings = awakeSettings(profile);
-                World world = makeWorld(settings);
-                BodyDef ball = dynamicAt({0, -kLength}, vec(7, 0));
-                ball.fixedRotation = true;
-                const BodyId player = addBody(world, ball, capsule(0.4, 0.3));
-                DistanceJointDef rope;
-                rope.base = {.bodyA = must(world.createBody({})), .bodyB = player};
-                rope.anchorA = {0, 0};
-                rope.anchorB = {0, -kLength};
-                if (!isRod) { rope.limits = LengthLimits{0, real(kLength)}; }
-                const JointId joint = must(world.createJoint(rope));
-                for (int i = 1; i <= 60; ++i) {
-                    const Real length = real(kLength - pace * i * kStep);
-                    must(isRod ? world.setLength(joint, length)
-                               : world.setLengthLimits(joint, LengthLimits{0, length}));
-                    must(world.step(kStep));
-                }
-                const DVec2 error = world.position(player) - endOfReeledSwing(kLength, 7, pace);
-                EXPECT_LT(length(error), 0.02 * pace) << pace << " m/s, " << (isRod ? "rod" : "rope");
-            }
-        }
-    }
-}
-
-/// What is shortened far at once is put elsewhere, and keeps the motion that it had.
-TEST(JointEnergy, OfWhatSwingsOnARopeThatIsShortenedAtOnce) {
-    World world = makeWorld();
-    const BodyId load = addBody(world, dynamicAt({0, -6}, vec(3, 0)), circle(0.3));
-    DistanceJointDef rope;
-    rope.base = {.bodyA = must(world.createBody({})), .bodyB = load};
-    rope.anchorA = {0, 0};
-    rope.anchorB = {0, -6};
-    rope.limits = LengthLimits{0, 6};
-    const JointId joint = must(world.createJoint(rope));
-    run(world, 5);
-    must(world.setLengthLimits(joint, LengthLimits{0, 5}));
-    run(world, 5);
-    EXPECT_NEAR(length(world.position(load)), 5, 0.02);
-    EXPECT_GT(length(velocityOf(world, load)), 2.5);
-    EXPECT_LT(length(velocityOf(world, load)), 4);
-}
-
 /// Forces that cancel each other were kept from sub-step to sub-step, and grew to 6e8 N.
 TEST(JointEnergy, TwoPinsOnOneFaceBearWhatOneWould) {
     Random random(3);

@@ -1,53 +1,20 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <optional>
 #include <string>
+#include <utility>
 
 #include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_builder.h>
-#include <swept/samples/scene_reader.h>
 #include <swept/tools/inspect/inspect_scene.h>
+
+#include "inspect_support.h"
 
 namespace swept {
 namespace {
 
+using namespace inspect_test;
 using build::box;
 using build::circle;
-
-/// Ground and a box of one metre that lies on it: nothing to find.
-SceneDescription soundScene() {
-    SceneDescription scene = build::scene("sound", {0, 2}, 6);
-    build::addFixed(scene, "ground", {0, -0.5}, {box({10, 0.5})});
-    build::addDynamic(scene, "crate", {0, 0.5}, {box({0.5, 0.5})});
-    return scene;
-}
-
-int countOf(const Inspection& inspection, const std::string& kind, const std::string& where) {
-    return static_cast<int>(std::count_if(inspection.findings.begin(), inspection.findings.end(),
-                                          [&](const Finding& f) { return f.kind == kind && f.where == where; }));
-}
-
-bool needs(const Inspection& inspection, const std::string& feature) {
-    for (const Need& need : inspection.needs) {
-        if (need.feature == feature) { return need.needed; }
-    }
-    ADD_FAILURE() << "nothing is said about " << feature;
-    return false;
-}
-
-/// The scene is what its format allows, and the finding is there once and alone.
-void expectOnly(const SceneDescription& scene, const std::string& kind, const std::string& where) {
-    const auto error = validateScene(scene);
-    ASSERT_FALSE(error) << error->text();
-    const Inspection inspection = inspectScene(scene);
-    EXPECT_EQ(countOf(inspection, kind, where), 1) << kind << " at " << where;
-    for (const Finding& finding : inspection.findings) {
-        EXPECT_EQ(finding.kind, kind) << finding.where << ": " << finding.text;
-        EXPECT_FALSE(finding.text.empty());
-        EXPECT_FALSE(finding.remedy.empty());
-    }
-}
 
 /// It is not in the ground, nor on its way to anything.
 TEST(Inspect, WhatTakesNoPartIsInNobodysWay) {
@@ -186,21 +153,6 @@ TEST(Inspect, FindsHeavyOnLight) {
     EXPECT_TRUE(inspectScene(scene).findings.empty());
 }
 
-TEST(Inspect, FindsHeavyLoadsOnChains) {
-    SceneDescription scene = build::scene("chain", {0, 0}, 10);
-    build::addFixed(scene, "hook", {0, 0}, {circle(0.1)});
-    build::addDynamic(scene, "link", {0, -1}, {circle(0.1)});
-    build::addDynamic(scene, "ball", {0, -3}, {build::withDensity(circle(1), 100)});
-    build::hinge(scene, "hook", "link", {0, 0});
-    build::hinge(scene, "link", "ball", {0, -1});
-    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "ten thousand to one swings well";
-    scene.settings.profile = SceneProfile::fast;
-    expectOnly(scene, "mass-ratio", "/bodies/2");
-    scene.settings = {};
-    scene.bodies[2].shapes = {build::withDensity(circle(1), 1e5)};
-    expectOnly(scene, "mass-ratio", "/bodies/2");
-}
-
 /// What two of them lie inside of each other by is told, and how fast the profile pushes them out.
 TEST(Inspect, TellsHowFastOverlapsArePushedOut) {
     SceneDescription scene = soundScene();
@@ -208,90 +160,6 @@ TEST(Inspect, TellsHowFastOverlapsArePushedOut) {
     EXPECT_NE(inspectScene(scene).findings[0].text.find("up to 3.75 m/s"), std::string::npos);
     scene.settings.profile = SceneProfile::fast;
     EXPECT_NE(inspectScene(scene).findings[0].text.find("up to 7.5 m/s"), std::string::npos);
-}
-
-TEST(Inspect, NeedsGoByMotorsAndPairsThatMayTouch) {
-    SceneDescription scene = build::scene("wheel", {0, 0}, 10);
-    build::addFixed(scene, "axle", {0, 0}, {circle(0.1)});
-    build::addDynamic(scene, "wheel", {0, 0}, {circle(0.5)});
-    RevoluteDescription& hinge = build::hinge(scene, "axle", "wheel", {0, 0});
-    EXPECT_FALSE(needs(inspectScene(scene), "continuous collision"));
-    EXPECT_FALSE(needs(inspectScene(scene), "friction")) << "the joint keeps them apart";
-    hinge.motorSpeed = 100;
-    EXPECT_TRUE(needs(inspectScene(scene), "continuous collision"));
-    build::addFixed(scene, "ground", {0, -1}, {box({5, 0.5})});
-    EXPECT_TRUE(needs(inspectScene(scene), "friction"));
-}
-
-TEST(Inspect, FindsJointsThatStartViolatedOrCannotBeMet) {
-    SceneDescription scene = build::scene("rods", {0, 0}, 10);
-    build::addFixed(scene, "left", {-2, 0}, {circle(0.1)});
-    build::addFixed(scene, "right", {2, 0}, {circle(0.1)});
-    build::addDynamic(scene, "ball", {0, -1}, {circle(0.2)});
-    build::rod(scene, "left", "ball", {-2, 0}, {0, -1});
-    EXPECT_TRUE(inspectScene(scene).findings.empty());
-    build::rod(scene, "right", "ball", {2, 0}, {0, -1}).length = 1;
-    const Inspection inspection = inspectScene(scene);
-    EXPECT_EQ(countOf(inspection, "joint-violated", "/joints/1"), 1);
-    EXPECT_EQ(countOf(inspection, "joint-impossible", "/joints/1"), 1);  // 1 + √5 < 4
-    SceneDescription idle = soundScene();
-    build::addFixed(idle, "post", {5, 3}, {circle(0.1)});
-    build::rod(idle, "ground", "post", {5, 0}, {5, 3}).length = 2;
-    EXPECT_EQ(countOf(inspectScene(idle), "joint-idle", "/joints/0"), 1);
-    EXPECT_EQ(countOf(inspectScene(idle), "joint-impossible", "/joints/0"), 1);
-}
-
-TEST(Inspect, FindsLimitsThatExcludeTheStart) {
-    SceneDescription scene = soundScene();
-    scene.bodies[1].position.y = 2;
-    build::hinge(scene, "ground", "crate", {0, 2}).lower = 0.5;
-    expectOnly(scene, "joint-violated", "/joints/0");
-}
-
-TEST(Inspect, FindsLimitsOfSlidersAndWheelsThatExcludeTheStart) {
-    const auto expectViolated = [](const auto& limited) {
-        SceneDescription scene = soundScene();
-        JointDescription& joint = scene.joints.emplace_back();
-        joint.bodyA = "ground";
-        joint.bodyB = "crate";
-        joint.joint = limited;
-        const Inspection inspection = inspectScene(scene);
-        EXPECT_EQ(countOf(inspection, "joint-violated", "/joints/0"), limited.upper < 0 ? 1 : 0);
-    };
-    const DVec2 place = soundScene().bodies[1].position;
-    PrismaticDescription slider;
-    WheelDescription wheel;
-    slider.anchor = wheel.anchor = place;
-    slider.axis = wheel.axis = {0, 1};
-    for (const double upper : {-0.5, 0.5}) {
-        slider.lower = wheel.lower = -1;
-        slider.upper = wheel.upper = upper;
-        expectViolated(slider);
-        expectViolated(wheel);
-    }
-}
-
-TEST(Inspect, FindsJointsTooWeakForWhatHangsOnThem) {
-    SceneDescription scene = soundScene();
-    scene.bodies[1].position.y = 2;  // the crate
-    JointDescription& hook = scene.joints.emplace_back();
-    hook.bodyA = "ground";
-    hook.bodyB = "crate";
-    RevoluteDescription hinge;
-    hinge.anchor = {0, 2};
-    hook.joint = hinge;
-    hook.breakForce = 1e6;
-    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 0);
-    hook.breakForce = 1e-3;
-    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 1);
-    hook.breakForce.reset();
-    MouseDescription mouse;
-    mouse.target = {0, 2};
-    mouse.maxForce = 1e-3;
-    hook.joint = mouse;
-    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 1);
-    scene.joints.push_back(JointDescription(hook));  // two share the weight
-    EXPECT_EQ(countOf(inspectScene(scene), "joint-weak", "/joints/0"), 0);
 }
 
 TEST(Inspect, FindsTunnellingWhereNothingIsSwept) {
@@ -330,15 +198,6 @@ TEST(Inspect, FindsEdgesThatSinglePrecisionLoses) {
     expectOnly(scene, "short-edge", "/bodies/1/shapes/0");
 }
 
-/// The advice on the one finding of this kind; empty, and a failure, without one.
-std::string remedyOf(const SceneDescription& scene, const std::string& kind) {
-    for (const Finding& finding : inspectScene(scene).findings) {
-        if (finding.kind == kind) { return finding.remedy; }
-    }
-    ADD_FAILURE() << "no " << kind;
-    return "";
-}
-
 TEST(Inspect, TellsABoxToBeThickerAndAPolygonToMergeVertices) {
     SceneDescription scene = soundScene();
     scene.bodies[1].shapes = {box({0.5, 1e-6})};
@@ -350,37 +209,6 @@ TEST(Inspect, TellsABoxToBeThickerAndAPolygonToMergeVertices) {
     EXPECT_EQ(countOf(inspectScene(scene), "short-edge", "/bodies/1/shapes/0"), 0) << "what it advises";
     scene.bodies[1].shapes = {build::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {0.499999, 0.500001}})};
     EXPECT_NE(remedyOf(scene, "short-edge").find("merge"), std::string::npos);
-}
-
-/// What is advised to be set is accepted, and then there is nothing to find.
-TEST(Inspect, AdviceOnRodsThatStartViolatedIsAccepted) {
-    const auto sceneWith = [](const DistanceDescription& rope) {
-        SceneDescription scene = build::scene("rope", {0, 0}, 10);
-        build::addFixed(scene, "hook", {0, 4}, {circle(0.1)});
-        build::addDynamic(scene, "ball", {0, 0}, {circle(0.2)});
-        build::rod(scene, "hook", "ball", {0, 4}, {0, 0}) = rope;
-        return scene;
-    };
-    DistanceDescription rope;
-    rope.anchorA = {0, 4};
-    const auto expectAdvice = [&](DistanceDescription given, const std::string& member,
-                                  std::optional<double> DistanceDescription::*wanted) {
-        ASSERT_FALSE(validateScene(sceneWith(given)));
-        const std::string advice = remedyOf(sceneWith(given), "joint-violated");
-        EXPECT_NE(advice.find("or set \"" + member + "\": 4"), std::string::npos) << advice;
-        given.*wanted = 4;
-        EXPECT_FALSE(validateScene(sceneWith(given)));
-        EXPECT_TRUE(inspectScene(sceneWith(given)).findings.empty());
-    };
-    DistanceDescription tooShort = rope;
-    tooShort.maxLength = 2;
-    expectAdvice(tooShort, "maxLength", &DistanceDescription::maxLength);
-    DistanceDescription tooLong = rope;
-    tooLong.minLength = 6;
-    expectAdvice(tooLong, "minLength", &DistanceDescription::minLength);
-    DistanceDescription stiff = rope;
-    stiff.length = 3;
-    expectAdvice(stiff, "length", &DistanceDescription::length);
 }
 
 TEST(Inspect, FindsBulletsWhoseModeIgnoresTheMark) {
