@@ -42,15 +42,17 @@ Status check(const WorldSettings& settings) {
     if (!kinds.ok()) { return kinds; }
     const Status gravity = checkNumber(settings.gravity, "gravity");
     if (!gravity.ok()) { return gravity; }
-    if (settings.subSteps < 0 || settings.subSteps > kMaxSubSteps) { return {StatusCode::outOfRange, "subSteps"}; }
-    if (settings.relaxPasses < -1 || settings.relaxPasses > kMaxRelaxPasses) {
+    if (settings.subSteps && (*settings.subSteps < 1 || *settings.subSteps > kMaxSubSteps)) {
+        return {StatusCode::outOfRange, "subSteps"};
+    }
+    if (settings.relaxPasses && (*settings.relaxPasses < 0 || *settings.relaxPasses > kMaxRelaxPasses)) {
         return {StatusCode::outOfRange, "relaxPasses"};
     }
     if (settings.maxImpacts < 1) { return {StatusCode::outOfRange, "maxImpacts"}; }
     if (std::isnan(settings.maxSpeed)) { return {StatusCode::notFinite, "maxSpeed"}; }
     if (settings.maxSpeed <= 0) { return {StatusCode::notPositive, "maxSpeed"}; }
-    if (!isFinite(settings.toiTolerance)) { return {StatusCode::notFinite, "toiTolerance"}; }
-    if (settings.toiTolerance < 0) { return {StatusCode::negative, "toiTolerance"}; }
+    if (settings.toiTolerance && !isFinite(*settings.toiTolerance)) { return {StatusCode::notFinite, "toiTolerance"}; }
+    if (settings.toiTolerance && !(*settings.toiTolerance > 0)) { return {StatusCode::notPositive, "toiTolerance"}; }
     return checkBudgets(settings);
 }
 

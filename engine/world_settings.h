@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "../broadphase/broadphase_kind.h"
 #include "../shapes/vec2.h"
@@ -22,8 +23,8 @@ namespace swept::inline SWEPT_PRECISION {
 struct WorldSettings {
     Vec2 gravity{0, Real(-9.81)};  ///< m/s²
     Profile profile = Profile::accurate;
-    int subSteps = 0;      ///< 1 … 1024; 0: the profile's
-    int relaxPasses = -1;  ///< per sub-step, 0 … 64; −1: the profile's
+    std::optional<int> subSteps{};     ///< 1 … 1024; else the profile's
+    std::optional<int> relaxPasses{};  ///< per sub-step, 0 … 64; else the profile's
     ContinuousMode continuous = ContinuousMode::subStep;
     /// Per body and step, at least 1. After each 64 of them a body that they took on by less than 1/1024 of the step is
     /// held as `stuck`.
@@ -38,8 +39,9 @@ struct WorldSettings {
     /// Seconds that a body may lose in all, at least 0: impacts beyond `maxImpacts` are resolved, up to 16 times as
     /// many, when it would lose more.
     double maxLostTime = std::numeric_limits<double>::infinity();
-    Real toiTolerance = 0;  ///< metres; 0: a quarter of the target, which is 2⁻¹⁰ of the pair's extent
-    bool sleep = true;      ///< islands at rest are left out of steps until something wakes them; false: never
+    /// Metres, greater than 0; else a quarter of the target, which is 2⁻¹⁰ of the pair's extent.
+    std::optional<Real> toiTolerance{};
+    bool sleep = true;  ///< islands at rest are left out of steps until something wakes them; false: never
     bool measureStageTimes = false;
     BroadphaseKind broadphase = BroadphaseKind::automatic;  ///< may change only while the world has no shapes
 };

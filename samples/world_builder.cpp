@@ -94,12 +94,12 @@ WorldSettings settingsOf(const SceneDescription& scene) {
     WorldSettings settings;
     settings.gravity = toReal(scene.gravity);
     settings.profile = given.profile == SceneProfile::accurate ? Profile::accurate : Profile::fast;
-    settings.subSteps = given.subSteps.value_or(0);
-    settings.relaxPasses = given.relaxPasses.value_or(-1);
+    settings.subSteps = given.subSteps;
+    settings.relaxPasses = given.relaxPasses;
     settings.continuous = continuousOf(given.continuous);
     settings.maxImpacts = given.maxImpacts;
     settings.maxSpeed = given.maxSpeed ? real(*given.maxSpeed) : std::numeric_limits<Real>::infinity();
-    settings.toiTolerance = real(given.toiTolerance.value_or(0));
+    if (given.toiTolerance) { settings.toiTolerance = real(*given.toiTolerance); }
     settings.maxPenetration = real(given.maxPenetration.value_or(std::numeric_limits<double>::infinity()));
     settings.maxJointError = real(given.maxJointError.value_or(std::numeric_limits<double>::infinity()));
     settings.maxLostTime = given.maxLostTime.value_or(std::numeric_limits<double>::infinity());

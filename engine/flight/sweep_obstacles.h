@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "../state/tolerances.h"
@@ -19,8 +20,8 @@ double targetOf(const WorldState& world, const FlightObstacle& obstacle);
 double toleranceOf(const WorldState& world, const FlightObstacle& obstacle);
 /// The latter by the former.
 inline double toleranceOf(const WorldState& world, double target) {
-    const auto wanted = static_cast<double>(world.settings.toiTolerance);
-    return wanted > 0 ? std::min(wanted, target / 2) : target / 4;
+    const std::optional<Real>& wanted = world.settings.toiTolerance;
+    return wanted ? std::min(static_cast<double>(*wanted), target / 2) : target / 4;
 }
 /// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
 /// carries it, metres.

@@ -230,7 +230,7 @@ void assignByLoad(WorldState& world, double dt) {
     const StepScale step{.gravity = static_cast<double>(length(world.settings.gravity)),
                          .dt = dt,
                          .subSteps = subStepsOf(world.settings),
-                         .mayJostle = !hasErrorBudget(world.settings) && world.settings.subSteps <= 0};
+                         .mayJostle = !hasErrorBudget(world.settings) && !world.settings.subSteps};
     const auto pullAt = [&world, &step](std::uint32_t slot, const IslandLoad& load) {
         const bool mayBeHard = load.bodies == 1 && (world.traits[slot] & kIsFast) != 0;
         return mayBeHard ? pullOf(world, world.bodies[slot], step) : step.gravity;

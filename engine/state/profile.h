@@ -27,12 +27,12 @@ inline constexpr double kAccurateGrowth = 4;
 inline constexpr double kFastGrowth = 16;
 
 constexpr int subStepsOf(const WorldSettings& settings) {
-    if (settings.subSteps > 0) { return settings.subSteps; }
+    if (settings.subSteps) { return *settings.subSteps; }
     return settings.profile == Profile::accurate ? kAccurateSubSteps : kFastSubSteps;
 }
 
 constexpr int relaxPassesOf(const WorldSettings& settings) {
-    if (settings.relaxPasses >= 0) { return settings.relaxPasses; }
+    if (settings.relaxPasses) { return *settings.relaxPasses; }
     return settings.profile == Profile::accurate ? kAccurateRelaxPasses : kFastRelaxPasses;
 }
 

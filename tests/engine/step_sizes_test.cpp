@@ -296,7 +296,7 @@ struct SleepingPile {
     double fastestAfter(double dt, int subSteps) const {
         World other = world;
         WorldSettings settings = other.settings();
-        settings.subSteps = subSteps;
+        if (subSteps > 0) { settings.subSteps = subSteps; }
         must(other.configure(settings));
         must(other.step(dt));
         for (const BodyId body : boxes) { must(other.setAwake(body, true)); }

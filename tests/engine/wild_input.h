@@ -90,8 +90,10 @@ public:
         WorldSettings settings;
         settings.gravity = vector();
         settings.profile = static_cast<Profile>(random_.integer(0, random_.chance(0.1) ? 200 : 1));
-        settings.subSteps = random_.chance(0.1) ? random_.integer(-5, 2000) : random_.integer(0, 8);
-        settings.relaxPasses = random_.integer(-3, 3);
+        const int subSteps = random_.chance(0.1) ? random_.integer(-5, 2000) : random_.integer(0, 8);
+        if (subSteps != 0) { settings.subSteps = subSteps; }
+        const int relaxPasses = random_.integer(-3, 3);
+        if (relaxPasses != -1) { settings.relaxPasses = relaxPasses; }
         settings.continuous = static_cast<ContinuousMode>(random_.integer(0, random_.chance(0.1) ? 200 : 4));
         settings.maxImpacts = random_.integer(-1, 12);
         if (random_.chance(0.1)) { settings.maxSpeed = realPositive(); }

@@ -52,11 +52,11 @@ inline void addBody(Digest& digest, const World& world, BodyId id) {
 
 inline void addSettings(Digest& digest, const WorldSettings& settings) {
     digest.add(settings.gravity);
-    digest.add(static_cast<std::uint64_t>(settings.subSteps) << 32U);
-    digest.add(static_cast<std::uint64_t>(settings.relaxPasses));
+    digest.add(static_cast<std::uint64_t>(settings.subSteps.value_or(0)) << 32U);
+    digest.add(static_cast<std::uint64_t>(settings.relaxPasses.value_or(-1)));
     digest.add(static_cast<std::uint64_t>(settings.maxImpacts));
     digest.add(static_cast<double>(settings.maxSpeed));
-    digest.add(static_cast<double>(settings.toiTolerance));
+    digest.add(static_cast<double>(settings.toiTolerance.value_or(0)));
     digest.add(static_cast<double>(settings.maxPenetration));
     digest.add(static_cast<double>(settings.maxJointError));
     digest.add(settings.maxLostTime);

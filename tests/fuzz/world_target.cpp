@@ -228,7 +228,7 @@ private:
     Status configure() {
         WorldSettings settings;
         settings.gravity = vector();
-        settings.subSteps = input_.below(16);
+        if (const int subSteps = input_.below(16); subSteps > 0) { settings.subSteps = subSteps; }
         settings.continuous = static_cast<ContinuousMode>(input_.below(6));
         settings.broadphase = static_cast<BroadphaseKind>(input_.below(kBroadphaseKindCount + 1));
         settings.maxImpacts = input_.below(20) - 1;
