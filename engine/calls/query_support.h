@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../../shapes/distance.h"
+#include "../queries.h"
 #include "../state/world_state.h"
 
 /// What the queries of a world share.

@@ -12,6 +12,7 @@
 #include "../modes/modes.h"
 #include "../solve/joint_results.h"
 #include "../state/number_range.h"
+#include "../world.h"
 #include "joint_switch.h"
 
 namespace swept::inline SWEPT_PRECISION {

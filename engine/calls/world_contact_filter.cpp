@@ -6,6 +6,7 @@
 #include "../contacts/pairs_of_shapes.h"
 #include "../islands/held_islands.h"
 #include "../state/world_state.h"
+#include "../world.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -2,7 +2,9 @@
 #include <vector>
 
 #include "../contacts/pairs_of_shapes.h"
+#include "../queries.h"
 #include "../state/world_state.h"
+#include "../world.h"
 
 /// What touches, asked between steps. What is called back may change the world: all is listed before any is told.
 

@@ -6,6 +6,7 @@
 #include "../bodies/world_boxes.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../state/world_state.h"
+#include "../world.h"
 #include "joint_switch.h"
 
 /// Bodies that leave a world, and come back, with their ids, shapes and joints: those of a pool, for example.

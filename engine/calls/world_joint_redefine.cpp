@@ -7,6 +7,7 @@
 #include "../solve/joint_builder.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
+#include "../world.h"
 #include "joint_checks.h"
 
 /// What is other in the definition of a joint is set, and nothing else is touched.

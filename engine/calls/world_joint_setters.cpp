@@ -8,6 +8,7 @@
 #include "../solve/driven_joints.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
+#include "../world.h"
 #include "joint_checks.h"
 
 namespace swept::inline SWEPT_PRECISION {

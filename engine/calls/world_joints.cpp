@@ -9,6 +9,7 @@
 #include "../solve/joint_builder.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
+#include "../world.h"
 #include "joint_checks.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -3,6 +3,8 @@
 #include <limits>
 #include <tuple>
 
+#include "../queries.h"
+#include "../world.h"
 #include "query_support.h"
 
 namespace swept::inline SWEPT_PRECISION {

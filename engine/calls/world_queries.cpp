@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "../../shapes/ray_cast.h"
+#include "../queries.h"
 #include "../state/tolerances.h"
+#include "../world.h"
 #include "cast_start.h"
 #include "query_support.h"
 

@@ -12,6 +12,7 @@
 #include "../contacts/pairs_of_shapes.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
+#include "../world.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -4,6 +4,7 @@
 #include "../../shapes/bit_cast.h"
 #include "../solve/joint_builder.h"
 #include "../state/world_state.h"
+#include "../world.h"
 
 /// All that there is, one after the other: for editors, debug drawing, games that keep no lists of their own. What is
 /// called back may change the world, so no visit holds on to anything of it meanwhile.

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "../state/clash.h"
+#include "../state/clash_work.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

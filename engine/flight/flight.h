@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "../events.h"
-#include "../state/flight.h"
+#include "../state/flight_work.h"
 #include "../state/step_part.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -11,7 +11,7 @@
 #include "../contacts/may_touch.h"
 #include "../contacts/shape_manifold.h"
 #include "../state/tolerances.h"
-#include "moving_ground.h"
+#include "ground_on_the_way.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

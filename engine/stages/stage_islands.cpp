@@ -6,7 +6,7 @@
 #include "../contacts/candidates.h"
 #include "../flight/bullet_start.h"
 #include "../flight/clash.h"
-#include "../flight/moving_ground.h"
+#include "../flight/ground_on_the_way.h"
 #include "../islands/effort_trial.h"
 #include "../modes/modes.h"
 #include "../solve/solve_desk.h"

@@ -6,7 +6,7 @@
 
 #include "../../broadphase/wide_tree.h"
 #include "../../shapes/raw_vector.h"
-#include "flight.h"
+#include "flight_work.h"
 #include "shape.h"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -6,7 +6,7 @@
 
 #include "../containers/island_items.h"
 #include "body.h"
-#include "clash.h"
+#include "clash_work.h"
 #include "contact.h"
 #include "joint.h"
 #include "moving_ground.h"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "../../shapes/real.h"
+#include "../../solver/direct/block_ldlt.h"
 #include "../../solver/graph/island_finder.h"
-#include "thin_loops.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -27,6 +27,19 @@ struct JointChain {
 
     /// What is not anchored has a tie less than bodies if it is a tree. Two bodies that are tied twice are no ring.
     bool hasLoop() const { return ties > bodies || (anchors == 0 && ties - doubled >= bodies); }
+};
+
+/// Scratch of thin_loops.cpp; empty where there are no large loops.
+struct ThinLoops {
+    struct Tie {
+        std::uint32_t chain = 0;  ///< in `JointChains::list`
+        BlockEdge bodies;         ///< as they are counted in the chain
+    };
+    std::vector<std::uint32_t> numbers;  ///< by slot
+    std::vector<std::uint32_t> counts;   ///< by chain: of its bodies that have their number
+    std::vector<Tie> ties;
+    std::vector<BlockEdge> edges;
+    BlockLdlt factor;
 };
 
 /// All chains. They persist: as long as no joint is made, changed or removed, and nothing that one holds wakes or falls

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../../shapes/aabb.h"
-#include "flight.h"
+#include "flight_work.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -1,4 +1,4 @@
-#include "moving_ground.h"
+#include "ground_on_the_way.h"
 
 #include <algorithm>
 
