@@ -1,14 +1,13 @@
-#include "world.h"
-
 #include <cmath>
 #include <tuple>
 
-#include "bodies/awake.h"
-#include "solve/step_change.h"
-#include "stages/shared_step.h"
-#include "stages/step.h"
-#include "state/number_range.h"
-#include "state/profile.h"
+#include "../bodies/awake.h"
+#include "../solve/step_change.h"
+#include "../stages/shared_step.h"
+#include "../stages/step.h"
+#include "../state/number_range.h"
+#include "../state/profile.h"
+#include "../world.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
