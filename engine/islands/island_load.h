@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "../state/island_load.h"
+#include "../state/island_loads.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

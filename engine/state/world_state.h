@@ -34,7 +34,7 @@
 #include "held_islands.h"
 #include "hemmed_pairs.h"
 #include "island_errors.h"
-#include "island_load.h"
+#include "island_loads.h"
 #include "island_rest.h"
 #include "joint.h"
 #include "joint_chains.h"
