@@ -14,7 +14,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// One side of a pair of limits, whose impulse only pushes. @param room  what is left before the limit, negative beyond
 /// it
 /// @param speed  at which the room grows, less the limit's own; @return change of the accumulated impulse
-inline Real limitChange(const JointPass& pass, Real mass, Real speed, Real room, Real accumulated) {
+inline Real limitChange(JointPass pass, Real mass, Real speed, Real room, Real accumulated) {
     Real change = 0;
     if (room > 0) {
         change = -mass * (speed + room / pass.h);  // may reach the limit within this sub-step, no more
@@ -76,7 +76,7 @@ struct FreeDirection {
 
 /// Limits, one after the other. @tparam kGlide  they move
 template <bool kGlide, class SpeedNow, class Push>
-void solveLimits(FreedomParts& parts, const FreeDirection& free, const JointPass& pass, SpeedNow&& speed, Push&& push) {
+void solveLimits(FreedomParts& parts, FreeDirection free, JointPass pass, SpeedNow&& speed, Push&& push) {
     const LimitPace asked = kGlide ? parts.motion.asked(pass.useBias) : LimitPace{};
     const Real lower =
         limitChange(pass, free.mass, speed() - asked.lower, free.place - parts.lower, parts.lowerImpulse);
@@ -92,8 +92,7 @@ void solveLimits(FreedomParts& parts, const FreeDirection& free, const JointPass
 /// anew for each
 /// @param push  applies an impulse
 template <class SpeedNow, class Push>
-void solveFreedom(FreedomParts& parts, const FreeDirection& free, const JointPass& pass, SpeedNow&& speed,
-                  Push&& push) {
+void solveFreedom(FreedomParts& parts, FreeDirection free, JointPass pass, SpeedNow&& speed, Push&& push) {
     if (!(free.mass > 0)) { return; }       // nothing to move; and 0 times the room of a limit at infinity is no number
     if (parts.hasSpring && pass.useBias) {  // once per sub-step
         const Real change = parts.spring.drag * (parts.springImpulse - free.mass * speed());
