@@ -11,6 +11,10 @@ namespace swept {
 /// by anything; `dynamic` obeys forces and impulses.
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
+/// Whether a force wakes a body. With `no` one that is asleep sleeps on without it, and one that comes to rest under it
+/// falls asleep: for forces that act in every step, as a planet's pull, wind or buoyancy.
+enum class Wake : std::uint8_t { yes, no };
+
 /// What happens when a body moves so fast that it could pass through something within a step.
 enum class ContinuousMode : std::uint8_t {
     off,         ///< nothing: contacts are looked for at the start of the step only

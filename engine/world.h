@@ -121,11 +121,11 @@ public:
     // The calls below are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange` when the sum of the
     // forces or the new velocity is beyond that range, `disabled` where that is for bodies that take part (forces,
     // `setAwake`).
-    /// N at `point` (world), for the next step only, with what was applied before; wakes the body. One that depends on
-    /// positions adds energy unless it is that of half a step ahead (GUIDE.md).
-    Status applyForce(BodyId id, Vec2 force, DVec2 point);
-    Status applyForce(BodyId id, Vec2 force);    ///< likewise, at the centre of mass
-    Status applyTorque(BodyId id, Real torque);  ///< N·m, counter-clockwise; likewise
+    /// N at `point` (world), for the next step only, with what was applied before; wakes the body unless told
+    /// otherwise. One that depends on positions adds energy unless it is that of half a step ahead (GUIDE.md).
+    Status applyForce(BodyId id, Vec2 force, DVec2 point, Wake wake = Wake::yes);
+    Status applyForce(BodyId id, Vec2 force);                           ///< at the centre of mass; wakes the body
+    Status applyTorque(BodyId id, Real torque, Wake wake = Wake::yes);  ///< N·m, counter-clockwise; likewise
     /// N·s at `point` (world), at once; wakes the body.
     Status applyImpulse(BodyId id, Vec2 impulse, DVec2 point);
     Status applyImpulse(BodyId id, Vec2 impulse);         ///< likewise, at the centre of mass

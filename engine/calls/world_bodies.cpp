@@ -109,6 +109,17 @@ BodyDef atPresent(const WorldState& world, std::uint32_t slot, BodyDef def) {
     return def;
 }
 
+/// For a force. What is held is in balance without it, and is asked again. @return whether the body takes it
+bool makeReady(WorldState& world, std::uint32_t slot, Wake wakes) {
+    const Body& body = world.bodies[slot];
+    if (wakes == Wake::yes) {
+        rouse(world, slot);
+    } else if (body.heldIn != kNoIndex) {
+        wake(world, slot);
+    }
+    return body.awake;
+}
+
 }  // namespace
 
 Result<BodyId> World::createBody(const BodyDef& def) {
@@ -299,7 +310,7 @@ Status World::driveTo(BodyId id, DVec2 position, double angle, double dt) {
 Status World::applyForce(BodyId id, Vec2 force) { return applyForce(id, force, centerOfMass(id)); }
 Status World::applyImpulse(BodyId id, Vec2 impulse) { return applyImpulse(id, impulse, centerOfMass(id)); }
 
-Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
+Status World::applyForce(BodyId id, Vec2 force, DVec2 point, Wake wake) {
     WorldState& world = *state_;
     Body* body = world.bodies.find(id);
     const Status pushed = checkTakesPart(body);
@@ -309,14 +320,14 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point) {
     const Vec2 sum = body->force + force;
     const Real torque = body->torque + cross(toReal(point - world.motions[id.index].center), force);
     if (!isInRange(sum) || !isInRange(static_cast<double>(torque))) { return {StatusCode::outOfRange, "force"}; }
-    rouse(world, id.index);
+    if (!makeReady(world, id.index, wake)) { return Status::success(); }
     world.forcesGiven = true;
     body->force = sum;
     body->torque = torque;
     return Status::success();
 }
 
-Status World::applyTorque(BodyId id, Real torque) {
+Status World::applyTorque(BodyId id, Real torque, Wake wake) {
     WorldState& world = *state_;
     Body* body = world.bodies.find(id);
     const Status pushed = checkTakesPart(body);
@@ -325,7 +336,7 @@ Status World::applyTorque(BodyId id, Real torque) {
     if (!number.ok()) { return number; }
     const Real sum = body->torque + torque;
     if (!isInRange(static_cast<double>(sum))) { return {StatusCode::outOfRange, "torque"}; }
-    rouse(world, id.index);
+    if (!makeReady(world, id.index, wake)) { return Status::success(); }
     world.forcesGiven = true;
     body->torque = sum;
     return Status::success();

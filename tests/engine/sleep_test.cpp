@@ -1,3 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
 #include "world_support.h"
 
 /// Sleep: what rests falls asleep, and wakes when something happens to it. Sensors, too.
@@ -217,6 +223,52 @@ TEST(Sleep, WhatGravityLeavesAloneFallsAsleepUntilItIsNot) {
     runFor(world, 1);
     EXPECT_LT(world.position(balloon).y, -4);
     EXPECT_LT(world.position(hovering).y, -4);
+}
+
+/// Crates on a planet whose pull acts in every step: they fall asleep if it does not wake them, sleep on while it
+/// acts, and once something wakes them it pulls them again.
+TEST(Sleep, UnderAForceThatDoesNotWake) {
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        SCOPED_TRACE(profileName(profile));
+        WorldSettings settings = awakeSettings(profile, 0);
+        settings.sleep = true;
+        World world = makeWorld(settings);
+        addStatic(world, circle(20), material(0.6), {0, -20});
+        std::array<BodyId, 3> crates{};
+        for (std::size_t i = 0; i < crates.size(); ++i) {
+            const double height = 0.25 + 0.5 * static_cast<double>(i);
+            crates.at(i) = addBody(world, dynamicAt({0, height}), box(0.25, 0.25), material(0.6));
+        }
+        const auto pull = [&](int steps, Wake wake) {
+            for (int i = 0; i < steps; ++i) {
+                for (const BodyId crate : crates) {
+                    const DVec2 center = world.centerOfMass(crate);
+                    const DVec2 down = DVec2{0, -20} - center;
+                    const double weight = 10 * static_cast<double>(world.mass(crate));
+                    must(world.applyForce(crate, toReal((weight / length(down)) * down), center, wake));
+                    must(world.applyTorque(crate, 0, wake));
+                }
+                must(world.step(kStep));
+            }
+        };
+        const auto asleep = [&] {
+            return std::count_if(crates.begin(), crates.end(), [&](BodyId crate) { return !world.isAwake(crate); });
+        };
+        pull(600, Wake::no);
+        EXPECT_EQ(asleep(), 3);
+        const DVec2 place = world.position(crates[2]);
+        pull(60, Wake::no);
+        EXPECT_EQ(asleep(), 3);
+        expectAtMost("crept", length(world.position(crates[2]) - place), 0);
+        must(world.applyImpulse(crates[2], vec(0, 1)));
+        pull(10, Wake::no);
+        EXPECT_GT(world.position(crates[2]).y, place.y + 0.05);
+        pull(600, Wake::no);
+        EXPECT_EQ(asleep(), 3);
+        expectAtMost("came back", std::fabs(world.position(crates[2]).y - place.y), 0.01);
+        pull(600, Wake::yes);
+        EXPECT_EQ(asleep(), 0);
+    }
 }
 
 TEST(Sensor, ReportsBeginAndEndAndDoesNotCollide) {
