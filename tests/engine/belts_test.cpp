@@ -5,8 +5,6 @@
 namespace swept::test {
 namespace {
 
-const Profile kProfiles[] = {Profile::fast, Profile::accurate};
-
 ShapeDef belt(double speed, double friction = 0.5) {
     ShapeDef def = material(friction);
     def.surfaceSpeed = real(speed);

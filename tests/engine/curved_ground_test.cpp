@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kHalfWidth = 2;
 constexpr double kRadius = 0.1;
-const Profile kProfiles[] = {Profile::fast, Profile::accurate};
-
 /// y = steepness · x² / half width, half as wide again.
 struct Bowl {
     double steepness = 0;

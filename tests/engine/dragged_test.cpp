@@ -12,7 +12,6 @@
 namespace swept::test::dragged {
 namespace {
 
-constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
 constexpr double kHalfWidth = 9.5;  ///< of the room, inside
 constexpr double kHeight = 20;
 

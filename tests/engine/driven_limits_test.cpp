@@ -14,8 +14,6 @@
 namespace swept::test {
 namespace {
 
-constexpr std::array kProfiles{Profile::accurate, Profile::fast};
-
 enum class Hold { lowerLimit, bothLimits, rods, ropes };
 constexpr std::array kHolds{Hold::lowerLimit, Hold::bothLimits, Hold::rods, Hold::ropes};
 

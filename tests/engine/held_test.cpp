@@ -6,8 +6,6 @@
 namespace swept::test {
 namespace {
 
-constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
-
 WorldSettings settingsOf(Profile profile) {
     WorldSettings settings = awakeSettings(profile);
     return settings;

@@ -11,7 +11,6 @@
 namespace swept::test {
 namespace {
 
-constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
 WorldSettings weightless(Profile profile) {
     WorldSettings settings = awakeSettings(profile, 0);
     return settings;

@@ -7,8 +7,6 @@
 namespace swept::test {
 namespace {
 
-constexpr Profile kProfiles[] = {Profile::accurate, Profile::fast};
-
 struct Pile {
     World world;
     BodyId ground;

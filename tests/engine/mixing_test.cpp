@@ -11,8 +11,6 @@
 namespace swept::test {
 namespace {
 
-const Profile kProfiles[] = {Profile::fast, Profile::accurate};
-
 struct Rule {
     MixingRule rule;
     const char* name;

@@ -7,7 +7,6 @@
 namespace swept::test {
 namespace {
 
-const Profile kProfiles[] = {Profile::fast, Profile::accurate};
 constexpr double kRadius = 0.5;
 constexpr double kInertiaShare = 1.5;  // of a disk that rolls
 

@@ -10,8 +10,6 @@
 namespace swept::test {
 namespace {
 
-const Profile kProfiles[] = {Profile::fast, Profile::accurate};
-
 struct Lying {
     std::string name;
     Polygon shape;  ///< half as high as `kHalf`

@@ -43,6 +43,7 @@ inline void expectAtMost(const std::string& what, double measured, double limit)
     testing::Test::RecordProperty(what, testing::PrintToString(measured) + " of " + testing::PrintToString(limit));
 }
 
+inline constexpr Profile kProfiles[] = {Profile::fast, Profile::accurate};
 inline std::string profileName(Profile profile) { return profile == Profile::fast ? "fast" : "accurate"; }
 
 /// Accuracy is measured without sleep, which hides creep.
