@@ -71,6 +71,7 @@ void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
     }
     body.force = {};
     body.torque = 0;
+    body.groundNormal = {};
     body.def.type = type;
     body.mass = 0;
     if (body.isDynamic()) { weigh(world, body.shapes); }
@@ -109,15 +110,18 @@ BodyDef atPresent(const WorldState& world, std::uint32_t slot, BodyDef def) {
     return def;
 }
 
-/// For a force. What is held is in balance without it, and is asked again. @return whether the body takes it
-bool makeReady(WorldState& world, std::uint32_t slot, Wake wakes) {
+/// For a force. What is held is in balance without it, and is asked again; what sleeps on has it if it wakes by the
+/// next step.
+void makeReady(WorldState& world, std::uint32_t slot, Wake wakes) {
+    world.forcesGiven = true;
     const Body& body = world.bodies[slot];
     if (wakes == Wake::yes) {
         rouse(world, slot);
     } else if (body.heldIn != kNoIndex) {
         wake(world, slot);
+    } else if (!body.awake) {
+        world.pushedAsleep.push_back(slot);
     }
-    return body.awake;
 }
 
 }  // namespace
@@ -272,6 +276,7 @@ Status World::setPose(BodyId id, DVec2 position, double angle) {
     motion.angle = angle;
     motion.pose = {position, rotationFromAngle(angle)};
     motion.center = apply(motion.pose, world.bodies[id.index].localCenter);
+    world.bodies[id.index].groundNormal = {};
     if (!world.bodies[id.index].awake) { noteRest(world, id.index); }  // no step does it for what is fixed
     renewProxies(world, id.index);
     return Status::success();
@@ -320,8 +325,7 @@ Status World::applyForce(BodyId id, Vec2 force, DVec2 point, Wake wake) {
     const Vec2 sum = body->force + force;
     const Real torque = body->torque + cross(toReal(point - world.motions[id.index].center), force);
     if (!isInRange(sum) || !isInRange(static_cast<double>(torque))) { return {StatusCode::outOfRange, "force"}; }
-    if (!makeReady(world, id.index, wake)) { return Status::success(); }
-    world.forcesGiven = true;
+    makeReady(world, id.index, wake);
     body->force = sum;
     body->torque = torque;
     return Status::success();
@@ -336,8 +340,7 @@ Status World::applyTorque(BodyId id, Real torque, Wake wake) {
     if (!number.ok()) { return number; }
     const Real sum = body->torque + torque;
     if (!isInRange(static_cast<double>(sum))) { return {StatusCode::outOfRange, "torque"}; }
-    if (!makeReady(world, id.index, wake)) { return Status::success(); }
-    world.forcesGiven = true;
+    makeReady(world, id.index, wake);
     body->torque = sum;
     return Status::success();
 }

@@ -10,6 +10,7 @@
 #include "bullet_meetings.h"
 #include "bullet_paths.h"
 #include "bullet_search.h"
+#include "curved_path.h"
 #include "flight_state.h"
 #include "free_path.h"
 #include "take_along.h"
@@ -185,6 +186,7 @@ void store(WorldState& world, BulletPartner& partner) {
         endRide(partner.flight);
         limitSpeed(partner.flight);
         motion = partner.flight.motion;
+        rememberGround(partner.flight, world.bodies[partner.flight.slot]);
         return;
     }
     motion = motionAt(partner.path, 1, partner.flight.body().localCenter);

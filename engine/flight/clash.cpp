@@ -9,6 +9,7 @@
 #include "../state/tolerances.h"
 #include "bullet_start.h"
 #include "clash_contacts.h"
+#include "curved_path.h"
 #include "flight_state.h"
 #include "sweep_circles.h"
 #include "take_along.h"
@@ -253,6 +254,7 @@ void store(Clash& clash) {
         endRide(flight);
         limitSpeed(flight);
         clash.world.motions[flight.slot] = flight.motion;
+        rememberGround(flight, clash.world.bodies[flight.slot]);
     }
     for (const ClashPair& pair : clash.work.pairs) {
         Contact& contact = clash.world.contacts[pair.contact];

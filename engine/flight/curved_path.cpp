@@ -26,7 +26,7 @@ GroundMetLast groundHere(const Flight& flight) {
         const Real parting = dot(flight.motion.velocity, constraint.normal);
         if (!(parting < slowest)) { continue; }
         slowest = parting;
-        ground = {body, constraint.normal, flight.motion.center};
+        ground = {body, constraint.normal, flight.motion.center, true};
     }
     return ground;
 }
@@ -43,11 +43,17 @@ Real lostByTurning(const GroundMetLast& from, const GroundMetLast& to, Vec2 befo
     return square(approach) - square(dot(after, to.normal)) - square(fall);
 }
 
-/// What it met last, or, first in a step, went along at the end of the one before.
+/// Whether the ground that the flyer met last is hardly farther away than then: it did not bounce off.
+bool isAlong(const Flight& flight, const GroundMetLast& ground) {
+    const double gap = dot(flight.motion.center - ground.center, toDouble(ground.normal));
+    return gap < static_cast<double>(kShallowRatio * flight.body().extent);
+}
+
+/// What it met last. What the solver held it on is known by its normal alone: it is what it still touches as it begins.
 GroundMetLast groundBefore(const Flight& flight, const GroundMetLast& here) {
-    if (flight.metLast.body != kNoIndex) { return flight.metLast; }
-    const UnitAndLength normal = normalized(flight.body().groundNormal);
-    return normal.length > 0 ? GroundMetLast{here.body, normal.unit, {}} : GroundMetLast{};
+    GroundMetLast ground = flight.metLast;
+    if (ground.body == kNoIndex && ground.normal != Vec2{} && flight.elapsed == 0) { ground.body = here.body; }
+    return isAlong(flight, ground) ? ground : GroundMetLast{};
 }
 
 }  // namespace
@@ -63,10 +69,17 @@ void goAlongCurve(Flight& flight, Vec2 before, Vec2 setBack) {
     if (lost > 0 && left > 0) { flight.motion.velocity *= std::sqrt(1 + lost / left); }
 }
 
-bool isStillAlong(const Flight& flight) {
-    if (flight.metLast.body == kNoIndex) { return false; }
-    const double gap = dot(flight.motion.center - flight.metLast.center, toDouble(flight.metLast.normal));
-    return gap < static_cast<double>(kShallowRatio * flight.body().extent);
+GroundMetLast groundOfStepBefore(const Body& body, DVec2 center) {
+    const UnitAndLength normal = normalized(body.groundNormal);
+    return normal.length > 0 ? GroundMetLast{.body = body.ground, .normal = normal.unit, .center = center}
+                             : GroundMetLast{};
+}
+
+void rememberGround(const Flight& flight, Body& body) {
+    const GroundMetLast& ground = flight.metLast;
+    const bool isThere = ground.isOfThisStep && ground.body != kNoIndex && isAlong(flight, ground);
+    body.ground = isThere ? ground.body : kNoIndex;
+    body.groundNormal = isThere ? ground.normal : Vec2{};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

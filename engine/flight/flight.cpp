@@ -270,6 +270,7 @@ Real Flight::threshold() const { return bounceThreshold(*world, body(), static_c
 
 Flight flightOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
     Flight flight{.world = &world, .slot = slot, .scratch = &scratch, .motion = world.motions[slot], .dt = dt};
+    flight.metLast = groundOfStepBefore(flight.body(), flight.motion.center);
     flight.stops = modeOf(world, world.bodies[slot]) == ContinuousMode::stop;
     // What stopped there in an earlier step may be anywhere by now.
     std::erase_if(scratch.met, [&](const MetGround& met) { return world.shapes[met.own].body == slot; });
@@ -407,7 +408,7 @@ void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratc
     flyThrough(flight);
     limitSpeed(flight);
     world.motions[slot] = flight.motion;
-    body.groundNormal = isStillAlong(flight) ? flight.metLast.normal : Vec2{};
+    rememberGround(flight, body);
 }
 
 void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, LostTimeReason reason,

@@ -13,6 +13,7 @@ namespace {
 std::uint32_t adriftChainOf(const WorldState& world, std::uint32_t slot) {
     const JointChains& chains = world.jointChains;
     const std::uint32_t lowest = world.islands.rootOf(slot);  // of an island that is a chain and nothing else
+    if (lowest >= chains.places.size()) { return kNoIndex; }  // it is younger than the chains
     const std::uint32_t place = chains.places[lowest];
     const bool isChain = place < chains.list.size() && chains.list[place].lowest == lowest;
     return isChain && chains.list[place].isAdrift ? place : kNoIndex;
@@ -84,7 +85,8 @@ void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
     bool touch = false;
     for (ChainSpin& spin : spins) {
         spin.isKept = spin.isKept && spin.bodies > 0 && spin.bodies == spin.members;
-        touch = touch || (spin.isKept && spin.touches);
+        // What an island meets on its way its bodies do not know.
+        touch = touch || (spin.isKept && (spin.touches || isOne));
     }
     if (touch) { dropTouched(world, group, spins); }
     bool isAny = false;

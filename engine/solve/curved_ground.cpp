@@ -76,6 +76,7 @@ void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodySt
                     .time = static_cast<double>(time)};
     const bool isBorne = ride.isBorne();
     const Vec2 before = std::exchange(body.groundNormal, isBorne ? ride.normal() : Vec2{});
+    body.ground = kNoIndex;
     if (before == Vec2{} || !isBorne) { return; }
     const double turn = ride.turn();
     if (turn == 0) { return; }

@@ -8,9 +8,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// overlaps, and takes the speed of both out again, one contact after the other: in a pile that something just struck,
 /// a little of it is left behind. So what the kinetic energy of an island of contacts gained in a solve is held against
 /// the work that gravity and forces did, and what is beyond that is taken from the motion of its members relative to
-/// each other, or to the ground that they press on, along which they slide on as they did. So it is with joints that
-/// have no motor, beyond what their springs held and what their gaps may give back. Islands with other joints and what
-/// touches kinematic bodies or belts are left alone: those may do work.
+/// each other, or to the ground that they press on, along which they slide on as they did. So it is with joints, beyond
+/// what their springs held, what their motors and targets gave (motor_work.h), and what their gaps may give back. What
+/// touches kinematic bodies or belts is left alone: those may do work.
 
 /// Begins a solve. @return whether it is watched at all: what is settled is not
 bool openAccounts(WorldState& world, const TiedGroup& group);

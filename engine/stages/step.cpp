@@ -36,12 +36,16 @@ private:
     Clock::time_point last_;
 };
 
+/// @pre `WorldState::stepped`: some of these may have fallen asleep since
 void clearForces(WorldState& world) {
-    world.forcesGiven = false;
-    for (const std::uint32_t slot : world.awake) {
+    const auto clear = [&world](std::uint32_t slot) {
         world.bodies[slot].force = {};
         world.bodies[slot].torque = 0;
-    }
+    };
+    world.forcesGiven = false;
+    for (const std::uint32_t slot : world.stepped) { clear(slot); }
+    for (const std::uint32_t slot : world.pushedAsleep) { clear(slot); }
+    world.pushedAsleep.clear();
 }
 
 /// Of more than one slot in so many it is faster to go through all of them in order.
@@ -124,13 +128,13 @@ void runStages(WorldState& world, double dt) {
     if (sweeps || world.kinematicBodies > 0) { putBackOverflown(world); }
     if (world.sensorShapes > 0) { sweepSensors(world, dt); }
     clock.stop(world.stageTimes.continuous);
-    if (world.forcesGiven) { clearForces(world); }
     if (world.anyRestLoads) { loosenMoving(world, dt); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
     if (isAnyDriven) { endDriven(world); }
     moveProxiesAndSortEvents(world);
     world.stepped = world.awake;
     if (world.settings.sleep) { putToSleep(world, dt); }
+    if (world.forcesGiven) { clearForces(world); }
     if (!world.lostTime.empty()) { countLostTime(world); }
     clock.stop(world.stageTimes.finish);
 }

@@ -46,7 +46,8 @@ struct Body {
     /// Of ground that bore it in the last step, or along which it flew, towards it, of any length; 0: none did
     /// (curved_ground.h).
     Vec2 groundNormal{};
-    std::uint32_t holdingJoints = 0;  ///< of `joints`, those that hold (`Joint::holds`)
+    std::uint32_t ground = 0xFFFFFFFFu;  ///< slot of that ground, if it flew there; else it is not known
+    std::uint32_t holdingJoints = 0;     ///< of `joints`, those that hold (`Joint::holds`)
 
     bool awake = false;
     bool fresh = true;            ///< was in no step yet: asleep or awake, and as fast, as it was made

@@ -16,12 +16,13 @@ struct EnergyAccount {
     double work = 0;          ///< of gravity and forces
     double springs = 0;       ///< work of springs: what they held before the solve, less what they hold after it
     double stored = 0;        ///< what they hold at the end
-    bool isSprung = false;    ///< these two are known
+    bool isSprung = false;    ///< these two are known, or what a target gave: both to an eighth or so
     double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
     double drift = 0;         ///< kinetic, of how an island goes as a whole that joints alone hold together
-    double motors = 0;        ///< the most that they may have given (motor_work.h), of what gained
-    bool isFed = false;       ///< from outside: by belts, kinematic bodies, targets, calls; what it gains is no error
-    bool isYanked = false;    ///< a call moved what a joint holds far: its gap is closed at no cost
+    double motors =
+        0;  ///< the most that they may have given, or what targets did give or take (motor_work.h), of what gained
+    bool isFed = false;     ///< from outside: by belts, kinematic bodies, calls; what it gains is no error
+    bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
     bool isTouching = false;    ///< something; noted only of what may have gained
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic

@@ -48,9 +48,10 @@ struct TurningRide {
 
 /// Static ground along which a flyer goes since it met it.
 struct GroundMetLast {
-    std::uint32_t body = kNoIndex;  ///< slot; `kNoIndex`: none, or of several bodies
-    Vec2 normal{};                  ///< there, towards the flyer
-    DVec2 center{};                 ///< of the flyer, when it met it
+    std::uint32_t body = kNoIndex;  ///< slot; `kNoIndex`: none, of several bodies, or not known
+    Vec2 normal{};                  ///< there, towards the flyer; 0: there is none
+    DVec2 center{};                 ///< of the flyer, when it met it, or as the step began
+    bool isOfThisStep = false;
 };
 
 /// An obstacle by its distance from the start of a sweep.
@@ -95,8 +96,8 @@ struct Flight {
     std::array<Vec2, 4> carriers{};  ///< normals of what carries it
     int carrierCount = 0;
     TurningRide ride{};
-    GroundMetLast metLast{};  ///< in this step
-    bool stops = false;       ///< mode `stop`: it stays at its first hit
+    GroundMetLast metLast{};
+    bool stops = false;  ///< mode `stop`: it stays at its first hit
 
     const Body& body() const;
     Real threshold() const;  ///< slower approaches do not bounce, m/s

@@ -172,8 +172,9 @@ struct WorldState : Workers {
     std::vector<ImpactPose> impactPoses;
     StepCounters counters;
     StageTimes stageTimes;
-    bool forcesGiven = false;   ///< since the last step: some body has a force or a torque for the next one
-    double lastDt = 0;          ///< of the last step, s; predicts how far boxes must reach
+    bool forcesGiven = false;  ///< since the last step: some body has a force or a torque for the next one
+    std::vector<std::uint32_t> pushedAsleep;  ///< slots of those that were asleep: they have it if they wake by then
+    double lastDt = 0;                        ///< of the last step, s; predicts how far boxes must reach
     double closingTime = 0;     ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
     double closingStretch = 1;  ///< so many times that, after steps of fewer sub-steps
     RecentSteps recentSteps;    ///< as long as they vary (step_change.h)

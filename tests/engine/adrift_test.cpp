@@ -157,5 +157,27 @@ TEST(Adrift, PlatesOfFlushTilesTurnOn) {
     }
 }
 
+/// Bodies that came since the joints were looked at last, and touch each other, are of no chain.
+TEST(Adrift, TurnsOnBesideNewBodies) {
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        World world = makeWorld(profile, 0);
+        std::vector<BodyId> bar;
+        for (int i = 0; i < 3; ++i) {
+            const DVec2 place{i - 1.0, 0};
+            bar.push_back(addBody(world, dynamicAt(place, vec(0, 2 * place.x), 2), box(0.5, 0.5)));
+            if (i == 0) { continue; }
+            const DVec2 anchor = place - DVec2{0.5, 0};
+            must(world.createJoint(WeldJointDef{.base = between(bar[bar.size() - 2], bar.back()), .anchor = anchor}));
+        }
+        run(world, 3, kStep);
+        const double turning = angularMomentumOf(world, bar);
+        for (int i = 0; i < 400; ++i) {
+            addBody(world, dynamicAt({10.0 + i % 20, 1.0 * (i / 20)}), box(0.505, 0.505), material(0.6));
+        }
+        run(world, 60, kStep);
+        EXPECT_NEAR(angularMomentumOf(world, bar), turning, 1e-4 * turning) << profileName(profile);
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -192,6 +193,45 @@ TEST(CurvedGround, TakesTheSpeedOfAFall) {
         }
         runFor(world, 0.5);
         expectAtMost(profileName(profile), std::fabs(length(velocityOf(world, ball)) - 10), 0.005);
+    }
+}
+
+/// Where a ramp of 0.2 rad begins that is another body than the floor, what slides onto it keeps cos² of its energy,
+/// whatever part of a step it gets there in.
+TEST(CurvedGround, EndsWithItsBody) {
+    const double slope = 0.2;
+    for (const Profile profile : kProfiles) {
+        for (const double start : {-5.0, -5.13, -5.31, -5.42}) {
+            World world = makeWorld(profile);
+            addBody(world, bodyAt(BodyType::fixed, {-20, -0.5}), box(20, 0.5), material(0));
+            const DVec2 middle = turned({20, -0.5}, slope);
+            addBody(world, bodyAt(BodyType::fixed, middle, slope), box(20, 0.5), material(0));
+            const BodyId ball = addBody(world, dynamicAt({start, 0.25}, vec(30, 0)), circle(0.25), material(0));
+            while (world.position(ball).x < 2) { must(world.step(kStep)); }
+            const double left =
+                energyOf(world, std::span(&ball, 1), kGravity) / (world.mass(ball) * (450 + 0.25 * kGravity));
+            EXPECT_NEAR(left, std::pow(std::cos(slope), 2), 2e-3) << profileName(profile) << ", from " << start;
+        }
+    }
+}
+
+/// What rolled, and was put elsewhere, comes down on a slope as if it had never rolled.
+TEST(CurvedGround, IsForgottenBySetPose) {
+    for (const Profile profile : kProfiles) {
+        double left[2] = {};
+        for (const bool rolled : {false, true}) {
+            World world = makeWorld(profile);
+            addStatic(world, box(5, 0.5), material(0), {0, -0.5});
+            addStatic(world, box(20, 0.5), material(0), {100, -0.5}, 0.2);
+            const BodyId ball =
+                addBody(world, dynamicAt({-3, rolled ? 0.25 : 5}, vec(5, 0)), circle(0.25), material(0));
+            runFor(world, 0.3);
+            must(world.setPose(ball, {100, 0.6}, 0));
+            must(world.setVelocity(ball, vec(40, -20), 0));
+            must(world.step(kStep));
+            left[rolled ? 1 : 0] = length(velocityOf(world, ball));
+        }
+        EXPECT_EQ(left[0], left[1]) << profileName(profile);
     }
 }
 

@@ -271,6 +271,47 @@ TEST(Sleep, UnderAForceThatDoesNotWake) {
     }
 }
 
+/// Whether what wakes a body comes before or after a force that does not.
+TEST(Sleep, ForcesThatDoNotWakeActOnWhatWakesBeforeTheStep) {
+    Vec2 velocities[2];
+    for (const bool pullsFirst : {false, true}) {
+        WorldSettings settings = awakeSettings(0);
+        settings.sleep = true;
+        World world = makeWorld(settings);
+        const BodyId ball = addBody(world, dynamicAt({0, 5}), circle(0.5));
+        runFor(world, 3);
+        ASSERT_FALSE(world.isAwake(ball));
+        const auto pull = [&] { must(world.applyForce(ball, vec(0, -3), world.centerOfMass(ball), Wake::no)); };
+        if (pullsFirst) { pull(); }
+        must(world.applyForce(ball, vec(1, 0)));
+        if (!pullsFirst) { pull(); }
+        must(world.step(kStep));
+        velocities[pullsFirst ? 1 : 0] = world.velocity(ball);
+        EXPECT_LT(world.velocity(ball).y, 0);
+        must(world.step(kStep));
+        EXPECT_EQ(world.velocity(ball), velocities[pullsFirst ? 1 : 0]) << "a force acts for one step";
+    }
+    EXPECT_EQ(velocities[0], velocities[1]);
+}
+
+/// However slowly a force moves what touches nothing, it moves on.
+TEST(Sleep, WhatAForceMovesInTheAirStaysAwake) {
+    for (const Wake wake : {Wake::yes, Wake::no}) {
+        WorldSettings settings = awakeSettings(0);
+        settings.sleep = true;
+        World world = makeWorld(settings);
+        BodyDef def = dynamicAt({});
+        def.linearDamping = 1;
+        const BodyId ball = addBody(world, def, circle(0.5));
+        for (int i = 0; i < 1200; ++i) {
+            const Vec2 force = vec(0.0015 * world.mass(ball), 0);
+            must(world.applyForce(ball, force, world.centerOfMass(ball), wake));
+            must(world.step(kStep));
+        }
+        EXPECT_NEAR(world.position(ball).x, 0.0285, 1e-4);
+    }
+}
+
 TEST(Sensor, ReportsBeginAndEndAndDoesNotCollide) {
     for (const double speed : {2.0, 10.0}) {
         World world = makeWorld(0);
