@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../flight/clamp.h"
 #include "../flight/ground_on_the_way.h"
 #include "../flight/solved_path.h"
 #include "../islands/hard_pull.h"

@@ -14,7 +14,6 @@
 #include "flight_state.h"
 #include "free_path.h"
 #include "set_back.h"
-#include "solved_path.h"
 #include "sweep_obstacles.h"
 #include "take_along.h"
 #include "turning_ride.h"
@@ -194,14 +193,6 @@ constexpr std::int64_t kMostTimesMaxImpacts = 16;
 constexpr int kImpactsToGetOn = 64;
 constexpr double kLeastGain = 1.0 / 1024;
 
-/// How much of a path the body did not go, by its centre and its turn.
-double shareMissed(const Body& body, const Sweep& asked, const BodyMotion& reached) {
-    const auto arm = static_cast<double>(body.radius);
-    const double way = length(asked.c1 - asked.c0) + arm * std::fabs(asked.a1 - asked.a0);
-    const double missed = length(asked.c1 - reached.center) + arm * std::fabs(asked.a1 - reached.angle);
-    return missed < way ? missed / way : 1;
-}
-
 /// For the rest of the step, which is lost.
 void holdHere(Flight& flight, LostTimeReason reason) {
     enterLedger(flight, reason);
@@ -252,16 +243,6 @@ void flyThrough(Flight& flight) {
         ++scratch.counters.impacts;
         if (isHit && flight.stops) { return holdHere(flight, LostTimeReason::stop); }
     }
-}
-
-/// A body that stood for some time did not fall in it: takes back the speed that its acceleration gave it, as far as it
-/// moves along it. Kept, that speed would be energy without a height to pay for it.
-void takeBackFall(WorldState& world, std::uint32_t slot, double seconds) {
-    Vec2& velocity = world.motions[slot].velocity;
-    const Vec2 acceleration = accelerationOf(world, world.bodies[slot]);
-    const Real along = dot(velocity, acceleration);
-    if (!(along > 0)) { return; }
-    velocity -= std::min(static_cast<Real>(seconds), along / lengthSquared(acceleration)) * acceleration;
 }
 
 }  // namespace
@@ -409,30 +390,6 @@ void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratc
     limitSpeed(flight);
     world.motions[slot] = flight.motion;
     rememberGround(flight, body);
-}
-
-void clampAtImpact(WorldState& world, std::uint32_t slot, const StepPart& part, LostTimeReason reason,
-                   FlightScratch& scratch) {
-    const Body& body = world.bodies[slot];
-    BodyMotion& motion = world.motions[slot];
-    const Sweep asked = pathOf(world, slot);
-    FirstImpact first = impactOfPath(world, slot, part.length, 1, scratch);
-    if (!first.hit) { return; }
-    const bool slides = slideAlongSunk(world, slot, part.length, first, scratch);
-    const BodyMotion stopped = motionAt(pathOf(world, slot), first.fraction, body.localCenter);
-    motion.center = stopped.center;
-    motion.angle = stopped.angle;
-    motion.pose = stopped.pose;
-    ++scratch.counters.impacts;
-    const double lost = (slides ? shareMissed(body, asked, stopped) : 1 - first.fraction) * part.length;
-    takeBackFall(world, slot, lost);
-    scratch.lostTime.push_back({.body = world.bodies.idOf(slot), .seconds = lost, .reason = reason});
-    if (first.fraction >= 1) { return; }  // it went straight to where it is
-    scratch.impactPoses.push_back({.body = world.bodies.idOf(slot),
-                                   .position = motion.pose.position,
-                                   .angle = motion.angle,
-                                   .fraction = (part.begin + first.fraction * part.length) / part.dt});
-    takeAlong(world, slot, motion, first.fraction * part.length, part.length, scratch);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -5,6 +5,7 @@
 #include "../counter_list.h"
 #include "../crew/shared_choice.h"
 #include "../flight/bullets.h"
+#include "../flight/clamp.h"
 #include "../flight/solved_path.h"
 #include "../modes/modes.h"
 #include "../state/tolerances.h"

@@ -114,6 +114,38 @@ TEST(Pressed, AlongAWall) {
     }
 }
 
+/// A heavy box presses a thin plank to a wall. In `fast` the plank stands there as deep in the wall as it may be, and
+/// its contacts give a little more in each step: that it does not get there costs it no time, and neither does a wall
+/// that moves and takes it along.
+TEST(Pressed, ByALoadThatStandsLosesNoTime) {
+    constexpr double kThickness = 0.108;
+    constexpr double kForce = 3000;
+    for (const double speed : {0.0, 0.5, -0.5}) {
+        for (const double density : {200.0, 2000.0, 20000.0}) {
+            WorldSettings settings = awakeSettings(Profile::fast, 0);
+            Rest rest{makeWorld(settings), {}};
+            BodyDef moving = bodyAt(speed == 0 ? BodyType::fixed : BodyType::kinematic, {-1, 0});
+            moving.velocity = vec(speed, 0);
+            const BodyId wall = addBody(rest.world, moving, box(1, 5), material(1));
+            const Polygon plank = box(kThickness / 2, 0.14);
+            rest.body = addBody(rest.world, dynamicAt({kThickness / 2, 0}), plank, material(1, 0, 100));
+            BodyDef pressing = dynamicAt({kThickness + 0.4, 0});
+            pressing.fixedRotation = true;
+            const BodyId press = addBody(rest.world, pressing, box(0.4, 0.1), material(1, 0, density));
+            double depth = 0;
+            for (int i = 0; i < 180; ++i) {
+                must(rest.world.applyForce(press, vec(-kForce, 0), rest.world.position(press)));
+                rest.go(1);
+                depth = rest.world.position(wall).x + 1 + kThickness / 2 - rest.world.position(rest.body).x;
+            }
+            const std::string which = std::to_string(speed) + " m/s, " + std::to_string(density) + " kg/m²";
+            EXPECT_GT(depth, kThickness / 8) << which;  // or it is not held
+            EXPECT_LT(depth, 1.001 * kThickness / 4) << which;
+            EXPECT_EQ(rest.lost, 0) << which;
+        }
+    }
+}
+
 /// What turns back and forth counts as fast, and is sunk into the wall by half of its radius. The box does not let go.
 TEST(Pressed, WhileItShakes) {
     for (const bool isThin : {true, false}) {
