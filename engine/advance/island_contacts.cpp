@@ -12,6 +12,7 @@
 #include "../contacts/may_touch.h"
 #include "../contacts/new_pairs.h"
 #include "../contacts/slides.h"
+#include "../flight/ground_on_the_way.h"
 #include "../state/tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -111,7 +112,7 @@ void collideHeld(WorldState& world, IslandDesk& desk, double time, GroundOnTheWa
     std::vector<std::uint32_t>& all = island.heldIndices;
     while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
     const std::span<const std::uint32_t> renewed = std::span(all).first(island.held.size());
-    letThrough(world, island.held, renewed, Moment::partBegins, island.chainContacts);
+    letThrough(world, island.held, renewed, Moment::partBegins, island.crossing, island.chainContacts);
     dropGhosts(world, island.held, island.heldSlides, renewed, island.members, island.nextGroundContact,
                world.serialTasks);
     desk.counters.manifolds += island.held.size();

@@ -9,9 +9,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Deeper than this part of the extent nothing stands on a chain: what comes to the front so deep came from the back.
-constexpr Real kPassedRatio = Real(1) / 32;
-
 WorldTransform poseNow(const WorldState& world, std::uint32_t body) { return world.motions[body].pose; }
 /// At the start of the last step. (Of what is not awake the present one: it did not move.)
 WorldTransform poseBefore(const WorldState& world, std::uint32_t slot) {
@@ -69,45 +66,27 @@ private:
     bool areSorted_ = false;
 };
 
-/// Which segments of a chain hang together for a shape: a loop that comes down behind the floor from which it rose is
-/// the same chain, but nobody goes over a corner from one to the other.
-class WithinReach {
-public:
-    WithinReach(const WorldState& world, const Contact& contact) : world_(world) {
-        const Polygon& core = world.shapes[contact.shapeB].polygon;
-        const Vec2 middle = middleOf(core);
-        for (const Vec2 vertex : core.points()) { reach_ = std::max(reach_, length(vertex - middle)); }
-        constexpr Real kRoom = 2;  // it may have moved since it stood there
-        reach_ = kRoom * (reach_ + core.radius + world.shapes[contact.shapeA].segment.radius);
-        middle_ = applyInverse(poseNow(world, contact.bodyA), apply(poseNow(world, contact.bodyB), middle));
+/// Whether a chain leads from one segment to another without a corner that is farther away than that.
+bool leads(const WorldState& world, std::uint32_t from, std::uint32_t to, Vec2 middle, Real reach) {
+    std::uint32_t at = from;
+    while (at != to) {
+        const Shape& shape = world.shapes[at];
+        const bool goesOn = shape.segment.hasAfter && length(shape.segment.q - middle) <= reach;
+        at = shape.nextInChain != kNoIndex ? shape.nextInChain : shape.head;
+        if (!goesOn || at == from) { return false; }
     }
-    /// Whether the chain leads from one to the other, in either direction, without a corner that is farther away.
-    bool areJoined(std::uint32_t a, std::uint32_t b) const { return leads(a, b) || leads(b, a); }
-
-private:
-    bool leads(std::uint32_t from, std::uint32_t to) const {
-        std::uint32_t at = from;
-        while (at != to) {
-            const Shape& shape = world_.shapes[at];
-            const bool goesOn = shape.segment.hasAfter && length(shape.segment.q - middle_) <= reach_;
-            at = shape.nextInChain != kNoIndex ? shape.nextInChain : shape.head;
-            if (!goesOn || at == from) { return false; }
-        }
-        return true;
-    }
-
-    const WorldState& world_;
-    Vec2 middle_{};  ///< of the shape, in the frame of the chain
-    Real reach_ = 0;
-};
+    return true;
+}
 
 OnChain othersOf(const WorldState& world, const Contact& contact, ChainContacts& contacts) {
     const std::uint32_t head = world.shapes[contact.shapeA].head;
-    const WithinReach within(world, contact);
+    const Shape& own = world.shapes[contact.shapeB];
+    const Vec2 middle =
+        applyInverse(poseNow(world, contact.bodyA), apply(poseNow(world, contact.bodyB), middleOf(own.polygon)));
     OnChain others;
     contacts.visitThoseOf(contact.bodyB, [&](const Contact& other) {
         if (world.shapes[other.shapeA].head != head) { return; }
-        others.stands = others.stands || (other.touching && within.areJoined(contact.shapeA, other.shapeA));
+        others.stands = others.stands || (other.touching && hangTogether(world, own, middle, contact.shapeA, other.shapeA));
         others.passes = others.passes || other.passes;
     });
     return others;
@@ -141,6 +120,16 @@ bool isStillInside(const WorldState& world, const Contact& contact) {
     return clear < -kTargetRatio * contact.extent && !isBehind(world, contact, ofChain, ofShape);
 }
 
+/// In what shapes are that came from behind in the last step, and were not put elsewhere since.
+void listCrossing(WorldState& world, std::vector<ChainPasser>& crossing) {
+    crossing.clear();
+    for (const ChainCrossing& crossed : world.crossed) {
+        const std::uint32_t body = world.shapes[crossed.passer.shape].body;
+        if (world.motions[body].center == crossed.center) { crossing.push_back(crossed.passer); }
+    }
+    world.crossed.clear();
+}
+
 void takePoints(Contact& contact) {
     contact.manifold = {};
     contact.isKept = false;
@@ -155,8 +144,17 @@ Vec2 middleOf(const Polygon& core) {
     return (1 / static_cast<Real>(core.count)) * sum;
 }
 
+bool hangTogether(const WorldState& world, const Shape& own, Vec2 middle, std::uint32_t a, std::uint32_t b) {
+    Real reach = 0;
+    const Vec2 center = middleOf(own.polygon);
+    for (const Vec2 vertex : own.polygon.points()) { reach = std::max(reach, length(vertex - center)); }
+    constexpr Real kRoom = 2;  // it may have moved since it stood there
+    reach = kRoom * (reach + own.polygon.radius + world.shapes[a].segment.radius);
+    return leads(world, a, b, middle, reach) || leads(world, b, a, middle, reach);
+}
+
 bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                Moment moment, std::vector<std::uint64_t>& byBody) {
+                Moment moment, std::span<const ChainPasser> crossing, std::vector<std::uint64_t>& byBody) {
     ChainContacts ofChains(contacts, renewed, byBody);
     bool any = false;
     std::optional<bool> passed;  // any in the last step: as good as never asked
@@ -173,7 +171,9 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
         if (contact.passes) {
             contact.passes = isStillInside(world, contact);
         } else if (contact.manifold.count > 0) {
-            contact.passes = comesThrough(world, contact, moment, ofChains, anyPasses);
+            const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
+            const bool isIn = !contact.touching && std::binary_search(crossing.begin(), crossing.end(), passer);
+            contact.passes = isIn || comesThrough(world, contact, moment, ofChains, anyPasses);
         }
         contact.wasSeen = true;
         if (contact.passes) { takePoints(contact); }
@@ -184,7 +184,11 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
 
 void letThrough(WorldState& world) {
     world.chainPassers.clear();
-    if (!letThrough(world, world.contacts, world.lists.ground, Moment::stepBegins, world.chainContacts)) { return; }
+    std::vector<ChainPasser>& crossing = world.chainCrossing;
+    listCrossing(world, crossing);
+    if (!letThrough(world, world.contacts, world.lists.ground, Moment::stepBegins, crossing, world.chainContacts)) {
+        return;
+    }
     for (const std::uint32_t i : world.lists.ground) {
         const Contact& contact = world.contacts[i];
         if (contact.passes) { world.chainPassers.push_back({contact.shapeA, contact.shapeB}); }

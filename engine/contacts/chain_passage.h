@@ -18,16 +18,25 @@ inline bool isBehind(const Shape& segment, Vec2 place) {
     return dot(place - segment.segment.p, segment.polygon.normals[0]) < 0;
 }
 
+/// Deeper than this part of the extent nothing stands on a chain: what comes to the front so deep came from the back.
+inline constexpr Real kPassedRatio = Real(1) / 32;
+
+/// Whether two segments of a chain (slots) hang together for a shape: a loop that comes down behind the floor from
+/// which it rose is the same chain, but nobody goes over a corner from one to the other.
+/// @param middle  of the shape, in the frame of the chain
+bool hangTogether(const WorldState& world, const Shape& own, Vec2 middle, std::uint32_t a, std::uint32_t b);
+
 /// When it is asked. `startCenter` and `startAngle` of bodies tell where they were before as a step begins, and only
 /// then: parts of a step begin with those of their members set to where these are, and of chains that move they do not.
 enum class Moment : std::uint8_t { stepBegins, partBegins };
 
 /// Takes the points of contacts that pass a chain.
+/// @param crossing  what sweeps found to be in a segment, from behind, in order
 /// @param renewed  indices of the contacts whose manifold is new, in their order
 /// @param byBody  scratch: those with chains
 /// @return whether there were any
 bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                Moment moment, std::vector<std::uint64_t>& byBody);
+                Moment moment, std::span<const ChainPasser> crossing, std::vector<std::uint64_t>& byBody);
 /// Those of the world, which are listed for the sweeps of this step.
 void letThrough(WorldState& world);
 /// Whether a shape passes a chain segment (slots) in this step.

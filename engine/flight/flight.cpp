@@ -10,6 +10,7 @@
 #include "../modes/modes.h"
 #include "../solve/constraint_builder.h"
 #include "../state/tolerances.h"
+#include "chain_crossing.h"
 #include "curved_path.h"
 #include "flight_state.h"
 #include "free_path.h"
@@ -80,6 +81,7 @@ void dropWhatIsNotMet(Flight& flight) {
 }
 
 void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t source) {
+    if (obstacle.isCrossed) { return; }
     const Shape& own = flight.world->shapes[obstacle.own];
     const Shape& other = flight.world->shapes[obstacle.other];
     const Body& otherBody = flight.world->bodies[other.body];
@@ -212,6 +214,15 @@ bool lookIfStuck(const Flight& flight, int impacts, double& atLastLook) {
 constexpr std::size_t kManyObstacles = 16;
 constexpr double kTimesAhead = 4;
 
+/// Advances, and knows what it crosses there.
+void goOn(Flight& flight, const Sweep& sweep, double fraction) {
+    FlightScratch& scratch = *flight.scratch;
+    if (!scratch.fromBehind.empty() || !scratch.crossings.empty()) {
+        noteCrossings(*flight.world, flight.slot, sweep, flight.elapsed, flight.dt, fraction, scratch);
+    }
+    advance(flight, sweep, fraction);
+}
+
 /// Flies until the step is used up or the budget is.
 void flyThrough(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
@@ -223,7 +234,7 @@ void flyThrough(Flight& flight) {
         const Sweep sweep = sweepOf(flight);
         const FirstImpact first = nextImpact(flight, sweep, share, share);
         if (!first.hit) {
-            advance(flight, sweep, share);
+            goOn(flight, sweep, share);
             if (share < 1) {
                 ahead *= 2;
                 continue;
@@ -236,7 +247,7 @@ void flyThrough(Flight& flight) {
         if (lookIfStuck(flight, impacts, atLastLook)) { return holdHere(flight, LostTimeReason::stuck); }
         const double time = first.fraction * flight.remaining();
         ahead = scratch.obstacles.size() > kManyObstacles && time > 0 ? kTimesAhead * time : flight.dt;
-        advance(flight, sweep, first.fraction);
+        goOn(flight, sweep, first.fraction);
         const bool isHit = resolveHere(flight);
         notePose(flight);
         ++impacts;
@@ -386,7 +397,9 @@ void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratc
     }
     Flight flight = flightOf(world, slot, dt, scratch);
     limitSpeed(flight);
+    beginCrossings(world, slot, scratch);
     flyThrough(flight);
+    endCrossings(scratch);
     limitSpeed(flight);
     world.motions[slot] = flight.motion;
     rememberGround(flight, body);

@@ -11,6 +11,7 @@
 #include "../contacts/may_touch.h"
 #include "../contacts/shape_manifold.h"
 #include "../state/tolerances.h"
+#include "chain_crossing.h"
 #include "ground_on_the_way.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -52,7 +53,7 @@ private:
 
 /// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
 bool isBehindChain(const WorldState& world, const Shape& other, StartOfCore& core) {
-    return other.isChainSegment && isBehind(other, core.placeIn(world, other.body));
+    return isBehind(other, core.placeIn(world, other.body));
 }
 
 /// What is sunk in deeper than the slack, and therefore swept however slow it is, may stir up to so many slacks: what
@@ -194,6 +195,33 @@ bool isOutOfReach(const WorldState& world, const FlightObstacle& obstacle, const
     return world.bodies[world.shapes[obstacle.other].body].def.type == BodyType::fixed;
 }
 
+/// Whether what is met there is a chain that lets pass, which then is no obstacle of this sweep any more.
+bool letsCross(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
+               double fraction, FlightScratch& scratch) {
+    if (!world.shapes[obstacle.other].isChainSegment) { return false; }
+    if (!crossesAt(world, obstacle, sweep, otherSweep, fraction, scratch)) { return false; }
+    obstacle.isCrossed = obstacle.isClear = true;
+    scratch.fromBehind.push_back({.segment = obstacle.other, .shape = obstacle.own});
+    return true;
+}
+
+FirstImpact firstOfAll(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
+                       double limit, bool ignoresSunk) {
+    FirstImpact first{.fraction = limit};
+    const double longest = longestWay(sweep);
+    for (const NearObstacle& near : scratch.nearest) {
+        if (!(first.fraction > 0)) { break; }
+        FlightObstacle& obstacle = scratch.obstacles[near.index];
+        if (obstacle.isClear || isOutOfReach(world, obstacle, near, first.fraction * longest)) { continue; }
+        const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
+        const FirstImpact impact =
+            firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
+        if (!impact.hit || letsCross(world, obstacle, sweep, otherSweep, impact.fraction, scratch)) { continue; }
+        first = {true, impact.fraction, near.index};
+    }
+    return first;
+}
+
 }  // namespace
 
 BodyMotion motionAt(const Sweep& sweep, double fraction, Vec2 localCenter) {
@@ -264,6 +292,7 @@ Aabb boxOfPath(const Sweep& sweep, double reach) {
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from,
                    FlightScratch& scratch) {
     scratch.obstacles.clear();
+    scratch.fromBehind.clear();
     bool isPlaced = false;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& own = world.shapes[slot];
@@ -282,8 +311,13 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
             const Shape& other = world.shapes[found];
             if (!isObstacle(world, own, other)) { continue; }
             if (scratch.ground != nullptr) { scratch.ground->meet(other.body); }
-            if (isBehindChain(world, other, core)) { continue; }
-            if (passesChain(world, slot, found)) { continue; }
+            if (other.isChainSegment) {
+                if (isBehindChain(world, other, core)) {
+                    scratch.fromBehind.push_back({.segment = found, .shape = slot});
+                    continue;
+                }
+                if (isCrossing(world, scratch, slot, found)) { continue; }
+            }
             FlightObstacle obstacle{.own = slot, .other = found};
             obstacle.level = targetOf(world, obstacle);
             scratch.obstacles.push_back(obstacle);
@@ -348,19 +382,16 @@ FirstImpact firstImpactWith(const WorldState& world, const Sweep& sweep, const S
 
 FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
                         double limit, bool ignoresSunk) {
-    FirstImpact first{.fraction = limit};
     sortByDistance(world, sweep, scratch);
-    const double longest = longestWay(sweep);
-    for (const NearObstacle& near : scratch.nearest) {
-        if (!(first.fraction > 0)) { break; }
-        FlightObstacle& obstacle = scratch.obstacles[near.index];
-        if (obstacle.isClear || isOutOfReach(world, obstacle, near, first.fraction * longest)) { continue; }
+    for (;;) {
+        const std::size_t crossed = scratch.fromBehind.size();
+        const FirstImpact first = firstOfAll(world, sweep, from, to, scratch, limit, ignoresSunk);
+        // What is crossed next may be near before what is crossed first.
+        if (!first.hit || scratch.fromBehind.size() == crossed) { return first; }
+        FlightObstacle& obstacle = scratch.obstacles[first.obstacle];
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
-        const FirstImpact impact =
-            firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
-        if (impact.hit) { first = {true, impact.fraction, near.index}; }
+        if (!letsCross(world, obstacle, sweep, otherSweep, first.fraction, scratch)) { return first; }
     }
-    return first;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -64,6 +64,7 @@ void collideContacts(WorldState& world) {
     if (!hasContacts(world)) {
         world.lists.clear();
         world.chainPassers.clear();
+        world.crossed.clear();
         return;
     }
     promoteCandidates(world);

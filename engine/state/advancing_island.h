@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body.h"
+#include "chain_passer.h"
 #include "contact.h"
 #include "joint.h"
 #include "slide.h"
@@ -33,6 +34,7 @@ struct AdvancingIsland {
     std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
     std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
+    std::vector<ChainPasser> crossing;             ///< what its members are in at the start of the part, in order
     std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`
 };
 

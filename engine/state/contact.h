@@ -78,13 +78,6 @@ struct alignas(kCacheLine) Contact : ContactRow {
 };
 static_assert(sizeof(Contact) <= 48 * sizeof(Real), "a step reads most of some thousands");
 
-/// A shape that comes through a chain segment from its back (chain_passage.h); slots.
-struct ChainPasser {
-    std::uint32_t segment = 0;
-    std::uint32_t shape = 0;
-    auto operator<=>(const ChainPasser&) const = default;
-};
-
 /// What the stage of contacts found of one in this step.
 enum class ContactState : std::uint8_t {
     asleep,      ///< nothing: neither body is awake

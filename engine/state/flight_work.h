@@ -12,6 +12,7 @@
 #include "../counters.h"
 #include "../events.h"
 #include "body.h"
+#include "chain_passer.h"
 #include "shape.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -27,6 +28,7 @@ struct FlightObstacle {
     DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
     bool isClear = false;     ///< the sweep is known not to meet it
     bool isSunkInto = false;  ///< deeper than what contacts hold may be
+    bool isCrossed = false;   ///< a chain segment that the sweep gets to from behind (chain_crossing.h)
     Real height = -std::numeric_limits<Real>::infinity();  ///< at the start it is known to be as far away, metres
 };
 
@@ -69,6 +71,10 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<NearObstacle> nearest;
     std::vector<MetGround> met;  ///< since the flyer moved last
     std::vector<std::uint32_t> found;
+    std::vector<ChainPasser> fromBehind;  ///< that the last sweep does not stop at (chain_crossing.h)
+    std::vector<ChainPasser> crossings;   ///< what shapes are in that came from behind
+    std::vector<ChainPasser> stillCrossings;
+    bool knowsCrossings = false;  ///< `crossings` are all; else there are those of the start of the step
     std::vector<Vec2> normals;
     std::vector<BodyState> states;
     std::vector<BodyInertia> inertias;
@@ -82,6 +88,7 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<ContactEvent> events;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
+    std::vector<ChainPasser> crossed;  ///< as the step ends
     StepCounters counters;
 };
 

@@ -23,6 +23,7 @@
 #include "body_glance.h"
 #include "body_places.h"
 #include "bullet_work.h"
+#include "chain_passer.h"
 #include "clash_work.h"
 #include "contact.h"
 #include "contact_lists.h"
@@ -119,6 +120,8 @@ struct WorldState : Workers {
     HemmedPairs hemmed;                             ///< likewise
     SleepingPairs sleepingPairs;
     std::vector<ChainPasser> chainPassers;     ///< of this step, in order
+    std::vector<ChainPasser> chainCrossing;    ///< scratch of `letThrough`
+    std::vector<ChainCrossing> crossed;        ///< in which sweeps of the last one ended, in order
     std::vector<std::uint64_t> chainContacts;  ///< scratch of `letThrough`
     std::vector<BodyTraits> traits;            ///< by body slot, of this step
     RawVector<std::uint32_t>
