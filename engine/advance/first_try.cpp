@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../flight/chain_crossing.h"
 #include "../state/profile.h"
 #include "island_advance.h"
 
@@ -90,10 +91,15 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
     FastIslands& fast = world.fastIslands;
     const std::span<const std::uint32_t> members = fast.bodies.of(island);
     const StepPart part{.length = dt, .dt = dt};
+    scratch.meetsBacks = false;
     fast.meets[island] = firstImpactOf(world, members, part, scratch);
     const bool meets = fast.meets[island] < 1;
     scratch.counters.impacts += meets ? 1 : 0;
-    if (!meets) { holdSunk(world, members, part, scratch); }
+    if (!meets) {
+        holdSunk(world, members, part, scratch);
+        noteCrossingsOf(world, members, part, scratch);
+        endCrossings(scratch);
+    }
     TriedPlace place = fast.triedPlaces[island];
     for (const std::uint32_t slot : members) {
         Body& body = world.bodies[slot];

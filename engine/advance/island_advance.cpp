@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../flight/chain_crossing.h"
 #include "../flight/clamp.h"
 #include "../flight/ground_on_the_way.h"
 #include "../flight/solved_path.h"
@@ -219,6 +220,16 @@ void hold(WorldState& world, std::uint32_t slot, const StepPart& part, FlightScr
     clampAtImpact(world, slot, part, stops ? LostTimeReason::stop : LostTimeReason::clamp, scratch);
 }
 
+/// What contacts and sweeps know of what members cross goes for both.
+void shareCrossings(AdvancingIsland& island, FlightScratch& scratch) {
+    for (const Contact& contact : island.held) {
+        const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
+        const auto isSame = [&](const ChainPasser& other) { return other == passer; };
+        if (!contact.passes || std::any_of(scratch.crossings.begin(), scratch.crossings.end(), isSame)) { continue; }
+        scratch.crossings.push_back(passer);
+    }
+}
+
 /// @param isLast  whether nobody looks for impacts of the part: else those that are sunk are held alone
 void holdMembers(Course& course, double time, bool isLast) {
     const StepPart part{.begin = course.elapsed, .length = time, .dt = course.dt};
@@ -246,7 +257,10 @@ void begin(Course& course) {
     island.usualSubStep = island.subStep = course.dt / subStepsOf(course.world.settings);
     if (course.scratch.ground != nullptr) { meetWhatIsKnown(course); }
     island.membersAtStart.clear();
-    for (const std::uint32_t slot : island.members) { island.membersAtStart.push_back(course.world.motions[slot]); }
+    for (const std::uint32_t slot : island.members) {
+        island.membersAtStart.push_back(course.world.motions[slot]);
+        beginCrossings(course.world, slot, course.scratch);
+    }
     for (const std::uint32_t slot : island.jointSlots) {
         course.world.joints[slot].reactionForce = {};
         course.world.joints[slot].reactionTorque = 0;
@@ -271,30 +285,43 @@ std::size_t memberTries(const WorldSettings& settings) {
     return settings.profile == Profile::fast ? kMaxMemberTriesOfFast : kMaxMemberTries;
 }
 
+/// The part stays as it is. @return its length
+double accept(Course& course, double time) {
+    const StepPart part{.begin = course.elapsed, .length = time, .dt = course.dt};
+    noteCrossingsOf(course.world, course.island.members, part, course.scratch);
+    return time;
+}
+
 /// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
 double tryPart(Course& course, double time, bool fits, double& next) {
     const bool isLast = time < 2 * course.shortest;  // try: it stays as it is
     remember(course, !isLast);
     course.ground.goTo(course.elapsed);
     // The whole step begins with the contacts that it has found already.
-    if (course.elapsed > 0 || time < course.dt) { collideHeld(course.world, course.desk, time, course.scratch.ground); }
+    if (course.elapsed > 0 || time < course.dt) {
+        course.island.crossing = course.scratch.crossings;
+        std::sort(course.island.crossing.begin(), course.island.crossing.end());
+        collideHeld(course.world, course.desk, time, course.scratch.ground);
+        shareCrossings(course.island, course.scratch);
+    }
+    course.scratch.meetsBacks = !course.scratch.crossings.empty();
     solvePart(course, time);
     next = growthOf(course.world.settings) * std::max(time, course.shortest);
     if (isLast) {
         holdMembers(course, time, true);
-        return time;
+        return accept(course, time);
     }
     const double fraction =
         firstImpactOf(course.world, course.island.members, {.length = time, .dt = course.dt}, course.scratch);
     if (!(fraction < 1)) {
         holdMembers(course, time, false);
-        return time;
+        return accept(course, time);
     }
     ++course.scratch.counters.impacts;
     if (fits && fraction >= kGoodFit && fraction * time >= course.shortest) {
         cutPart(course, time, fraction);
         holdMembers(course, fraction * time, false);
-        return fraction * time;
+        return accept(course, fraction * time);
     }
     takeBack(course);
     next = std::max(fraction * time, course.shortest);
@@ -348,6 +375,20 @@ void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const S
     }
 }
 
+void noteCrossingsOf(const WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
+                     FlightScratch& scratch) {
+    if (!scratch.meetsBacks) { return; }
+    const auto crosses = [&](std::uint32_t slot) {
+        return std::any_of(scratch.crossings.begin(), scratch.crossings.end(),
+                           [&](const ChainPasser& passer) { return world.shapes[passer.shape].body == slot; });
+    };
+    for (const std::uint32_t slot : members) {
+        if (isSweptMember(world, slot, part.length / part.dt) || crosses(slot)) {
+            noteCrossingsOfPath(world, slot, part.length, scratch);
+        }
+    }
+}
+
 std::size_t mostTogether(const WorldSettings& settings) { return memberTries(settings) / kFewestTries; }
 
 void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch& scratch, double met) {
@@ -356,6 +397,7 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
     const bool wasTried = met < 1;
     if (wasTried && fliesInstead(course)) {
         finish(course);
+        scratch.crossings.clear();
         fly(world, course.island.members[0], dt, scratch);
         return;
     }
@@ -377,6 +419,7 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
         const double gained = tryPart(course, time, fits, next);
         if (gained <= 0 && fliesInstead(course)) {
             finish(course);
+            scratch.crossings.clear();
             fly(world, course.island.members[0], dt, scratch);
             return;
         }
@@ -385,6 +428,7 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
         if (gained > 0 && course.elapsed < dt) { notePoses(course, gained); }
     }
     finish(course);
+    endCrossings(scratch);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -34,4 +34,7 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
 /// Of a part of the step that was solved: members that are sunk into something get no deeper.
 void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part, FlightScratch& scratch);
 
+/// Notes what fast members cross as the part ends (chain_crossing.h), if a search met the back of a chain.
+void noteCrossingsOf(const WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
+                     FlightScratch& scratch);
 }  // namespace swept::inline SWEPT_PRECISION

@@ -42,13 +42,49 @@ bool contains(const std::vector<ChainPasser>& all, ChainPasser asked) {
     return std::find(all.begin(), all.end(), asked) != all.end();
 }
 
-/// Calls `visit(passer)` for what a shape met from behind, or was in already.
+/// Calls `visit(passer)` for what shapes were in as the sweep began.
 template <class Visit>
-void visitCrossed(const WorldState& world, const FlightScratch& scratch, const Visit& visit) {
-    for (const ChainPasser& passer : scratch.fromBehind) { visit(passer); }
+void visitCrossings(const WorldState& world, const FlightScratch& scratch, const Visit& visit) {
     for (const ChainPasser& passer : scratch.crossings) { visit(passer); }
     if (scratch.knowsCrossings) { return; }
     for (const ChainPasser& passer : world.chainPassers) { visit(passer); }
+}
+
+/// Two shapes on their ways, at one moment.
+struct Meeting {
+    const WorldState& world;
+    const Sweep& sweep;
+    double from;
+    double to;
+    double fraction;
+
+    bool isInFront(std::uint32_t own, std::uint32_t other) const {
+        const Shape& segment = world.shapes[other];
+        return !isBehind(segment, middleAt(world, world.shapes[own], segment, sweep, otherSweep(segment), fraction));
+    }
+    /// Whether they overlap by more than this part of the extent.
+    bool isDeeper(std::uint32_t own, std::uint32_t other, Real ratio) const {
+        const Shape& shape = world.shapes[own];
+        const Shape& segment = world.shapes[other];
+        const Toi there = apartAt(shape, segment, sweep, otherSweep(segment), fraction);
+        return there.separation < -static_cast<double>(ratio * std::min(shape.extent, segment.extent));
+    }
+    Sweep otherSweep(const Shape& segment) const { return obstacleSweep(world, segment.body, from, to); }
+};
+
+/// Whether the shape is on the front of another segment, so that it went over a corner to this one.
+bool standsBeside(const Meeting& now, const ChainPasser& passer, const FlightScratch& scratch) {
+    const Shape& segment = now.world.shapes[passer.segment];
+    const Shape& own = now.world.shapes[passer.shape];
+    return std::any_of(scratch.obstacles.begin(), scratch.obstacles.end(), [&](const FlightObstacle& obstacle) {
+        const Shape& other = now.world.shapes[obstacle.other];
+        if (obstacle.isCrossed || obstacle.own != passer.shape || !other.isChainSegment) { return false; }
+        if (other.head != segment.head || !now.isInFront(obstacle.own, obstacle.other)) { return false; }
+        if (!now.isDeeper(obstacle.own, obstacle.other, -kBeginRatio)) { return false; }
+        const Vec2 middle =
+            middleAt(now.world, own, segment, now.sweep, now.otherSweep(segment), now.fraction);
+        return hangTogether(now.world, own, middle, passer.segment, obstacle.other);
+    });
 }
 
 }  // namespace
@@ -64,22 +100,22 @@ bool crossesAt(const WorldState& world, const FlightObstacle& obstacle, const Sw
     const Shape& other = world.shapes[obstacle.other];
     const Vec2 middle = middleAt(world, own, other, sweep, otherSweep, fraction);
     if (isBehind(other, middle)) { return true; }
-    if (!(fraction > 0)) { return false; }
     const Toi met = apartAt(own, other, sweep, otherSweep, fraction);
     if (met.featureA.first >= 0 && met.featureA.second < 0) {
         const Vec2 nearest = other.polygon.vertices[static_cast<std::size_t>(met.featureA.first)];
         if (isNearestToInnerCorner(other.segment, middle, nearest)) { return true; }
     }
     bool crosses = false;
-    visitCrossed(world, scratch, [&](const ChainPasser& passer) {
+    const auto look = [&](const ChainPasser& passer, Real ratio) {
         const Shape& segment = world.shapes[passer.segment];
         if (crosses || passer.shape != obstacle.own || segment.head != other.head) { return; }
         if (isBehind(segment, middle)) { return; }
-        const Toi there = apartAt(own, segment, sweep, otherSweep, fraction);
-        const auto passed = static_cast<double>(kPassedRatio * std::min(own.extent, segment.extent));
-        crosses = there.separation < -passed &&
+        const auto deep = static_cast<double>(ratio * std::min(own.extent, segment.extent));
+        crosses = apartAt(own, segment, sweep, otherSweep, fraction).separation < -deep &&
                   hangTogether(world, own, middle, passer.segment, obstacle.other);
-    });
+    };
+    for (const ChainPasser& passer : scratch.fromBehind) { look(passer, kPassedRatio); }
+    visitCrossings(world, scratch, [&](const ChainPasser& passer) { look(passer, kTargetRatio); });
     return crosses;
 }
 
@@ -87,15 +123,18 @@ void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& swe
                    double fraction, FlightScratch& scratch) {
     std::vector<ChainPasser>& still = scratch.stillCrossings;
     still.clear();
-    visitCrossed(world, scratch, [&](const ChainPasser& passer) {
-        const Shape& own = world.shapes[passer.shape];
-        const Shape& segment = world.shapes[passer.segment];
-        if (own.body != body || contains(still, passer)) { return; }
-        const Sweep otherSweep = obstacleSweep(world, segment.body, from, to);
-        if (isBehind(segment, middleAt(world, own, segment, sweep, otherSweep, fraction))) { return; }
-        const auto out = static_cast<double>(kTargetRatio * std::min(own.extent, segment.extent));
-        if (apartAt(own, segment, sweep, otherSweep, fraction).separation < -out) { still.push_back(passer); }
+    const Meeting now{world, sweep, from, to, fraction};
+    const auto isIn = [&](const ChainPasser& passer) {
+        return world.shapes[passer.shape].body == body && !contains(still, passer) &&
+               now.isInFront(passer.shape, passer.segment) &&
+               now.isDeeper(passer.shape, passer.segment, kTargetRatio);
+    };
+    visitCrossings(world, scratch, [&](const ChainPasser& passer) {
+        if (isIn(passer)) { still.push_back(passer); }
     });
+    for (const ChainPasser& passer : scratch.fromBehind) {
+        if (isIn(passer) && !standsBeside(now, passer, scratch)) { still.push_back(passer); }
+    }
     std::erase_if(scratch.crossings, [&](const ChainPasser& passer) { return world.shapes[passer.shape].body == body; });
     scratch.crossings.insert(scratch.crossings.end(), still.begin(), still.end());
     scratch.fromBehind.clear();

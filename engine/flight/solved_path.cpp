@@ -8,6 +8,7 @@
 #include "../bodies/body_mass.h"
 #include "../bodies/travel.h"
 #include "../state/tolerances.h"
+#include "chain_crossing.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -205,6 +206,12 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
     if (areClear) { return {}; }
     allowSlack(world, path, time, scratch);
     return firstImpact(world, path, 0, time, scratch, limit, ignoresSunk);
+}
+
+void noteCrossingsOfPath(const WorldState& world, std::uint32_t slot, double time, FlightScratch& scratch) {
+    if (!scratch.meetsBacks) { return; }
+    impactOfPath(world, slot, time, 1, scratch, true);
+    noteCrossings(world, slot, pathOf(world, slot), 0, time, 1, scratch);
 }
 
 bool slideAlongSunk(WorldState& world, std::uint32_t slot, double time, FirstImpact& first, FlightScratch& scratch) {

@@ -20,4 +20,7 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t body, double tim
 /// @return whether it gets farther so; otherwise nothing changes
 bool slideAlongSunk(WorldState& world, std::uint32_t body, double time, FirstImpact& first, FlightScratch& scratch);
 
+/// Notes what its shapes cross at the end of the path (chain_crossing.h), if a search met the back of a chain.
+void noteCrossingsOfPath(const WorldState& world, std::uint32_t slot, double time, FlightScratch& scratch);
+
 }  // namespace swept::inline SWEPT_PRECISION

@@ -202,6 +202,7 @@ bool letsCross(const WorldState& world, FlightObstacle& obstacle, const Sweep& s
     if (!crossesAt(world, obstacle, sweep, otherSweep, fraction, scratch)) { return false; }
     obstacle.isCrossed = obstacle.isClear = true;
     scratch.fromBehind.push_back({.segment = obstacle.other, .shape = obstacle.own});
+    scratch.meetsBacks = true;
     return true;
 }
 
@@ -314,9 +315,13 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
             if (other.isChainSegment) {
                 if (isBehindChain(world, other, core)) {
                     scratch.fromBehind.push_back({.segment = found, .shape = slot});
+                    scratch.meetsBacks = true;
                     continue;
                 }
-                if (isCrossing(world, scratch, slot, found)) { continue; }
+                if (isCrossing(world, scratch, slot, found)) {
+                    scratch.meetsBacks = true;
+                    continue;
+                }
             }
             FlightObstacle obstacle{.own = slot, .other = found};
             obstacle.level = targetOf(world, obstacle);

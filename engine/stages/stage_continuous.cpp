@@ -5,6 +5,7 @@
 #include "../counter_list.h"
 #include "../crew/shared_choice.h"
 #include "../flight/bullets.h"
+#include "../flight/chain_crossing.h"
 #include "../flight/clamp.h"
 #include "../flight/solved_path.h"
 #include "../modes/modes.h"
@@ -74,7 +75,10 @@ void sweepFastBodies(WorldState& world, double dt) {
             if (body.role == BodyRole::flyer) {
                 fly(world, slot, dt, scratch);
             } else {
+                scratch.meetsBacks = false;
                 clampAtImpact(world, slot, {.length = dt, .dt = dt}, reasonOf(world, body), scratch);
+                noteCrossingsOfPath(world, slot, dt, scratch);
+                endCrossings(scratch);
             }
         }
     });

@@ -75,6 +75,7 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<ChainPasser> crossings;   ///< what shapes are in that came from behind
     std::vector<ChainPasser> stillCrossings;
     bool knowsCrossings = false;  ///< `crossings` are all; else there are those of the start of the step
+    bool meetsBacks = false;      ///< since it was taken back, a search found something of either kind
     std::vector<Vec2> normals;
     std::vector<BodyState> states;
     std::vector<BodyInertia> inertias;
