@@ -72,19 +72,26 @@ struct Meeting {
     Sweep otherSweep(const Shape& segment) const { return obstacleSweep(world, segment.body, from, to); }
 };
 
-/// Whether the shape is on the front of another segment, so that it went over a corner to this one.
-bool standsBeside(const Meeting& now, const ChainPasser& passer, const FlightScratch& scratch) {
-    const Shape& segment = now.world.shapes[passer.segment];
-    const Shape& own = now.world.shapes[passer.shape];
-    return std::any_of(scratch.obstacles.begin(), scratch.obstacles.end(), [&](const FlightObstacle& obstacle) {
-        const Shape& other = now.world.shapes[obstacle.other];
-        if (obstacle.isCrossed || obstacle.own != passer.shape || !other.isChainSegment) { return false; }
-        if (other.head != segment.head || !now.isInFront(obstacle.own, obstacle.other)) { return false; }
-        if (!now.isDeeper(obstacle.own, obstacle.other, -kBeginRatio)) { return false; }
-        const Vec2 middle =
-            middleAt(now.world, own, segment, now.sweep, now.otherSweep(segment), now.fraction);
-        return hangTogether(now.world, own, middle, passer.segment, obstacle.other);
-    });
+/// Whether the shape, behind the segment, is in front of a neighbour beyond an outer corner that it touches.
+bool isInFrontOfNeighbour(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep,
+                          const Sweep& otherSweep, double fraction, Vec2 middle) {
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const ChainSegment& segment = other.segment;
+    const auto touches = [&](Vec2 corner) {
+        ToiPolygon point;
+        point.count = 1;
+        point.radius = static_cast<double>(segment.radius);
+        point.vertices[0] = toDouble(corner);
+        const Toi there = separationAt(point, otherSweep, asToiPolygon(own.polygon), sweep, fraction);
+        return there.separation < static_cast<double>(kBeginRatio * std::min(own.extent, other.extent));
+    };
+    const auto isInFront = [middle](Vec2 from, Vec2 to) { return cross(to - from, middle - from) < 0; };
+    const Vec2 edge = segment.q - segment.p;
+    const bool isOuterFirst = segment.hasBefore && cross(segment.p - segment.before, edge) > 0;
+    const bool isOuterLast = segment.hasAfter && cross(edge, segment.after - segment.q) > 0;
+    return (isOuterFirst && isInFront(segment.before, segment.p) && touches(segment.p)) ||
+           (isOuterLast && isInFront(segment.q, segment.after) && touches(segment.q));
 }
 
 }  // namespace
@@ -94,16 +101,19 @@ bool isCrossing(const WorldState& world, const FlightScratch& scratch, std::uint
     return !scratch.knowsCrossings && passesChain(world, shape, segment);
 }
 
-bool crossesAt(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
-               double fraction, const FlightScratch& scratch) {
+ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
+                 double fraction, const FlightScratch& scratch) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
     const Vec2 middle = middleAt(world, own, other, sweep, otherSweep, fraction);
-    if (isBehind(other, middle)) { return true; }
+    if (isBehind(other, middle)) {
+        return isInFrontOfNeighbour(world, obstacle, sweep, otherSweep, fraction, middle) ? ChainSide::neighbour
+                                                                                         : ChainSide::back;
+    }
     const Toi met = apartAt(own, other, sweep, otherSweep, fraction);
     if (met.featureA.first >= 0 && met.featureA.second < 0) {
         const Vec2 nearest = other.polygon.vertices[static_cast<std::size_t>(met.featureA.first)];
-        if (isNearestToInnerCorner(other.segment, middle, nearest)) { return true; }
+        if (isNearestToInnerCorner(other.segment, middle, nearest)) { return ChainSide::back; }
     }
     bool crosses = false;
     const auto look = [&](const ChainPasser& passer, Real ratio) {
@@ -116,7 +126,7 @@ bool crossesAt(const WorldState& world, const FlightObstacle& obstacle, const Sw
     };
     for (const ChainPasser& passer : scratch.fromBehind) { look(passer, kPassedRatio); }
     visitCrossings(world, scratch, [&](const ChainPasser& passer) { look(passer, kTargetRatio); });
-    return crosses;
+    return crosses ? ChainSide::back : ChainSide::front;
 }
 
 void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from, double to,
@@ -133,7 +143,7 @@ void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& swe
         if (isIn(passer)) { still.push_back(passer); }
     });
     for (const ChainPasser& passer : scratch.fromBehind) {
-        if (isIn(passer) && !standsBeside(now, passer, scratch)) { still.push_back(passer); }
+        if (isIn(passer)) { still.push_back(passer); }
     }
     std::erase_if(scratch.crossings, [&](const ChainPasser& passer) { return world.shapes[passer.shape].body == body; });
     scratch.crossings.insert(scratch.crossings.end(), still.begin(), still.end());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "../state/world_state.h"
 
 /// What a sweep does about chains. A chain is solid for what comes from its front alone, and within a step a fast body
@@ -12,10 +14,16 @@ namespace swept::inline SWEPT_PRECISION {
 /// Whether the shape is in the segment already, and came from behind.
 bool isCrossing(const WorldState& world, const FlightScratch& scratch, std::uint32_t shape, std::uint32_t segment);
 
-/// Whether what is an obstacle of the sweep passes it, which it meets first at this fraction.
+/// Where a shape is that touches a segment.
+enum class ChainSide : std::uint8_t {
+    front,
+    back,       ///< or in the chain that it came to from behind: it passes
+    neighbour,  ///< at a corner, in front of the neighbour beyond it: that is what stops it
+};
+/// @param fraction  of the sweep, at which it touches first
 /// @pre the obstacle is a chain segment
-bool crossesAt(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
-               double fraction, const FlightScratch& scratch);
+ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
+                 double fraction, const FlightScratch& scratch);
 
 /// Of the segments that the last sweep, which began at `from`, got to from behind, and of those that a shape of it was
 /// in already: notes the ones that it is still in at a fraction of it, and forgets the others.

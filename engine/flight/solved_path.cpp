@@ -7,6 +7,7 @@
 #include "../../toi/toi_polygon.h"
 #include "../bodies/body_mass.h"
 #include "../bodies/travel.h"
+#include "../contacts/chain_passage.h"
 #include "../state/tolerances.h"
 #include "chain_crossing.h"
 
@@ -121,6 +122,14 @@ void judge(const WorldState& world, SolvedPath& path, FlightObstacle& obstacle) 
     obstacle.isClear = clearance.atStart <= path.reachOf(world, obstacle.own) + contactReach(world, other);
 }
 
+/// Of what is behind a chain at the start of its path: whether it still is at its end. Nothing stops it then.
+bool staysBehind(const WorldState& world, const SolvedPath& path, const FlightObstacle& obstacle) {
+    const Shape& other = world.shapes[obstacle.other];
+    if (world.bodies[other.body].def.type != BodyType::fixed) { return false; }
+    const Vec2 middle = middleOf(world.shapes[obstacle.own].polygon);
+    return isBehind(other, applyInverse(world.motions[other.body].pose, apply(path.end, middle)));
+}
+
 /// One wall after the other: in a corner there are two, and setting off from one may lead back into the other.
 constexpr int kMostSlides = 3;
 
@@ -200,7 +209,11 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
     SolvedPath solved{path, scratch.startPose, world.motions[slot].pose, time};
     bool areClear = true;
     for (FlightObstacle& obstacle : scratch.obstacles) {
-        judge(world, solved, obstacle);
+        if (obstacle.isBehind) {
+            obstacle.isClear = staysBehind(world, solved, obstacle);
+        } else {
+            judge(world, solved, obstacle);
+        }
         areClear = areClear && obstacle.isClear;
     }
     if (areClear) { return {}; }

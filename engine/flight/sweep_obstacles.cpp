@@ -138,7 +138,7 @@ StartContact contactAtStart(const WorldState& world, const FlightObstacle& obsta
 void liftFlush(const WorldState& world, double slops, std::span<const Vec2> normals, double from,
                FlightScratch& scratch, std::uint32_t ofBody = kNoIndex) {
     for (FlightObstacle& obstacle : scratch.obstacles) {
-        if (obstacle.isClear) { continue; }  // nobody sweeps against it
+        if (obstacle.isClear || obstacle.isBehind) { continue; }  // nobody sweeps against it, or is in its front
         const Shape& other = world.shapes[obstacle.other];
         if (ofBody != kNoIndex && other.body != ofBody) { continue; }
         const Real slop = slopOf(world, obstacle);
@@ -199,11 +199,24 @@ bool isOutOfReach(const WorldState& world, const FlightObstacle& obstacle, const
 bool letsCross(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
                double fraction, FlightScratch& scratch) {
     if (!world.shapes[obstacle.other].isChainSegment) { return false; }
-    if (!crossesAt(world, obstacle, sweep, otherSweep, fraction, scratch)) { return false; }
+    const ChainSide side = sideAt(world, obstacle, sweep, otherSweep, fraction, scratch);
+    if (side == ChainSide::front) { return false; }
     obstacle.isCrossed = obstacle.isClear = true;
+    if (side == ChainSide::neighbour) { return true; }
     scratch.fromBehind.push_back({.segment = obstacle.other, .shape = obstacle.own});
     scratch.meetsBacks = true;
     return true;
+}
+
+/// Of what is behind a chain as the sweep begins: it may be in it already, and is not lifted out of it.
+FirstImpact firstTouch(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
+                       const FlightObstacle& obstacle, double limit, FlightScratch& scratch) {
+    const Toi toi = timeOfImpact(asToiPolygon(world.shapes[obstacle.other].polygon), otherSweep,
+                                 asToiPolygon(world.shapes[obstacle.own].polygon), sweep,
+                                 settingsFor(world, obstacle, limit));
+    ++scratch.counters.toiCalls;
+    scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+    return {.hit = toi.state != ToiState::separated, .fraction = toi.fraction};
 }
 
 FirstImpact firstOfAll(const WorldState& world, const Sweep& sweep, double from, double to, FlightScratch& scratch,
@@ -216,7 +229,8 @@ FirstImpact firstOfAll(const WorldState& world, const Sweep& sweep, double from,
         if (obstacle.isClear || isOutOfReach(world, obstacle, near, first.fraction * longest)) { continue; }
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
         const FirstImpact impact =
-            firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
+            obstacle.isBehind ? firstTouch(world, sweep, otherSweep, obstacle, first.fraction, scratch)
+                              : firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
         if (!impact.hit || letsCross(world, obstacle, sweep, otherSweep, impact.fraction, scratch)) { continue; }
         first = {true, impact.fraction, near.index};
     }
@@ -312,18 +326,14 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
             const Shape& other = world.shapes[found];
             if (!isObstacle(world, own, other)) { continue; }
             if (scratch.ground != nullptr) { scratch.ground->meet(other.body); }
+            FlightObstacle obstacle{.own = slot, .other = found};
             if (other.isChainSegment) {
-                if (isBehindChain(world, other, core)) {
-                    scratch.fromBehind.push_back({.segment = found, .shape = slot});
-                    scratch.meetsBacks = true;
-                    continue;
-                }
-                if (isCrossing(world, scratch, slot, found)) {
+                obstacle.isBehind = isBehindChain(world, other, core);
+                if (!obstacle.isBehind && isCrossing(world, scratch, slot, found)) {
                     scratch.meetsBacks = true;
                     continue;
                 }
             }
-            FlightObstacle obstacle{.own = slot, .other = found};
             obstacle.level = targetOf(world, obstacle);
             scratch.obstacles.push_back(obstacle);
         }
@@ -344,7 +354,7 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
         const Shape& own = world.shapes[obstacle.own];
         const Shape& other = world.shapes[obstacle.other];
         const Real margin = contactReach(world, own) + contactReach(world, other);
-        if (obstacle.height > margin + roundingOf(world, obstacle)) { continue; }
+        if (obstacle.isBehind || obstacle.height > margin + roundingOf(world, obstacle)) { continue; }
         // Of a path that is long, most is not where it begins. (The slop is more than was rounded.)
         const auto farthest = static_cast<double>(own.radius + margin + slopOf(own, other));
         if (squaredDistanceTo(world, obstacle, sweep.c0) > farthest * farthest) { continue; }

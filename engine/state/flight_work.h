@@ -28,6 +28,7 @@ struct FlightObstacle {
     DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
     bool isClear = false;     ///< the sweep is known not to meet it
     bool isSunkInto = false;  ///< deeper than what contacts hold may be
+    bool isBehind = false;    ///< a chain segment that the shape is behind at the start of the sweep
     bool isCrossed = false;   ///< a chain segment that the sweep gets to from behind (chain_crossing.h)
     Real height = -std::numeric_limits<Real>::infinity();  ///< at the start it is known to be as far away, metres
 };
