@@ -1,7 +1,6 @@
 #include "chain_passage.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "../state/tolerances.h"
 #include "ghosts.h"
@@ -26,6 +25,7 @@ bool isBehind(const WorldState& world, const Contact& contact, const WorldTransf
 struct OnChain {
     bool stands = false;
     bool passes = false;
+    bool passesBeside = false;  ///< a segment that hangs together with the one in question
 };
 
 /// The contacts with chains among others: sorted by their bodies when one is asked for the first time, since mostly
@@ -86,28 +86,49 @@ OnChain othersOf(const WorldState& world, const Contact& contact, ChainContacts&
     OnChain others;
     contacts.visitThoseOf(contact.bodyB, [&](const Contact& other) {
         if (world.shapes[other.shapeA].head != head) { return; }
-        others.stands = others.stands || (other.touching && hangTogether(world, own, middle, contact.shapeA, other.shapeA));
+        if (!other.touching && !other.passes) { return; }
+        const bool isBeside = hangTogether(world, own, middle, contact.shapeA, other.shapeA);
+        others.stands = others.stands || (other.touching && isBeside);
         others.passes = others.passes || other.passes;
+        others.passesBeside = others.passesBeside || (other.passes && isBeside);
     });
     return others;
 }
 
-/// Whether the middle of the shape was behind as the last step began.
-bool wasBehindBefore(const WorldState& world, const Contact& contact) {
-    return isBehind(world, contact, poseBefore(world, contact.bodyA), poseBefore(world, contact.bodyB));
+/// Beyond an inner corner, what is behind the neighbour there is behind the chain, though in front of this side of it.
+bool isBeyondInnerCorner(const ChainSegment& segment, Vec2 place) {
+    const Vec2 edge = segment.q - segment.p;
+    const Vec2 before = segment.p - segment.before;
+    const Vec2 after = segment.after - segment.q;
+    const bool isFirst = segment.hasBefore && cross(before, edge) < 0 && dot(place - segment.p, edge) < 0;
+    const bool isLast = segment.hasAfter && cross(edge, after) < 0 && dot(place - segment.q, edge) > 0;
+    return (isFirst && cross(before, place - segment.p) > 0) || (isLast && cross(after, place - segment.q) > 0);
 }
 
-/// @param anyPasses  whether one of the renewed does; if not, the others need not be asked
+/// Whether the middle of the shape was behind as the last step began.
+bool wasBehindBefore(const WorldState& world, const Contact& contact) {
+    const Shape& segment = world.shapes[contact.shapeA];
+    const Vec2 middle = middleOf(world.shapes[contact.shapeB].polygon);
+    const Vec2 place =
+        applyInverse(poseBefore(world, contact.bodyA), apply(poseBefore(world, contact.bodyB), middle));
+    return isBehind(segment, place) || isBeyondInnerCorner(segment.segment, place);
+}
+
+bool isDeep(const Contact& contact) { return deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent; }
+
 /// @pre it has points
-bool comesThrough(const WorldState& world, const Contact& contact, Moment moment, ChainContacts& contacts,
-                  FunctionRef<bool()> anyPasses) {
-    if (contact.touching || !(deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent)) { return false; }
+bool comesThrough(const WorldState& world, const Contact& contact, Moment moment, ChainContacts& contacts) {
     // A contact that is new was put there, and what was put into the ground comes out of it.
-    const bool wasBehind = moment == Moment::stepBegins && contact.wasSeen && wasBehindBefore(world, contact);
-    if (!wasBehind && !anyPasses()) { return false; }
+    if (contact.touching || moment != Moment::stepBegins || !contact.wasSeen || !isDeep(contact)) { return false; }
+    return wasBehindBefore(world, contact) && !othersOf(world, contact, contacts).stands;  // or it goes over a corner
+}
+
+/// Whether it gets to the next segment while it passes one.
+/// @pre it has points
+bool comesFromBeside(const WorldState& world, const Contact& contact, ChainContacts& contacts) {
+    if (contact.touching) { return false; }
     const OnChain others = othersOf(world, contact, contacts);
-    if (others.stands) { return false; }  // it goes over a corner
-    return wasBehind || others.passes;    // or gets to the next segment while it passes
+    return !others.stands && (others.passesBeside || (others.passes && isDeep(contact)));
 }
 
 /// Of one that came through: whether it is neither out of the chain nor behind it again.
@@ -157,14 +178,6 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
                 Moment moment, std::span<const ChainPasser> crossing, std::vector<std::uint64_t>& byBody) {
     ChainContacts ofChains(contacts, renewed, byBody);
     bool any = false;
-    std::optional<bool> passed;  // any in the last step: as good as never asked
-    const auto anyPasses = [&] {
-        if (!passed) {
-            passed =
-                std::any_of(renewed.begin(), renewed.end(), [contacts](std::uint32_t i) { return contacts[i].passes; });
-        }
-        return any || *passed;
-    };
     for (const std::uint32_t i : renewed) {
         Contact& contact = contacts[i];
         if (!contact.ofChain) { continue; }
@@ -173,11 +186,18 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
         } else if (contact.manifold.count > 0) {
             const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
             const bool isIn = !contact.touching && std::binary_search(crossing.begin(), crossing.end(), passer);
-            contact.passes = isIn || comesThrough(world, contact, moment, ofChains, anyPasses);
+            contact.passes = isIn || comesThrough(world, contact, moment, ofChains);
         }
         contact.wasSeen = true;
         if (contact.passes) { takePoints(contact); }
         any = any || contact.passes;
+    }
+    if (!any) { return false; }
+    for (const std::uint32_t i : renewed) {
+        Contact& contact = contacts[i];
+        if (!contact.ofChain || contact.passes || contact.manifold.count == 0) { continue; }
+        contact.passes = comesFromBeside(world, contact, ofChains);
+        if (contact.passes) { takePoints(contact); }
     }
     return any;
 }
