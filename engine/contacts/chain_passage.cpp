@@ -109,17 +109,20 @@ bool isBeyondInnerCorner(const ChainSegment& segment, Vec2 place) {
 bool wasBehindBefore(const WorldState& world, const Contact& contact) {
     const Shape& segment = world.shapes[contact.shapeA];
     const Vec2 middle = middleOf(world.shapes[contact.shapeB].polygon);
-    const Vec2 place =
-        applyInverse(poseBefore(world, contact.bodyA), apply(poseBefore(world, contact.bodyB), middle));
+    const Vec2 place = applyInverse(poseBefore(world, contact.bodyA), apply(poseBefore(world, contact.bodyB), middle));
     return isBehind(segment, place) || isBeyondInnerCorner(segment.segment, place);
 }
 
-bool isDeep(const Contact& contact) { return deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent; }
+bool isPastStanding(const Contact& contact) {
+    return deepestSeparation(contact.manifold) < -kPassedRatio * contact.extent;
+}
 
 /// @pre it has points
 bool comesThrough(const WorldState& world, const Contact& contact, Moment moment, ChainContacts& contacts) {
     // A contact that is new was put there, and what was put into the ground comes out of it.
-    if (contact.touching || moment != Moment::stepBegins || !contact.wasSeen || !isDeep(contact)) { return false; }
+    if (contact.touching || moment != Moment::stepBegins || !contact.wasSeen || !isPastStanding(contact)) {
+        return false;
+    }
     return wasBehindBefore(world, contact) && !othersOf(world, contact, contacts).stands;  // or it goes over a corner
 }
 
@@ -128,7 +131,7 @@ bool comesThrough(const WorldState& world, const Contact& contact, Moment moment
 bool comesFromBeside(const WorldState& world, const Contact& contact, ChainContacts& contacts) {
     if (contact.touching) { return false; }
     const OnChain others = othersOf(world, contact, contacts);
-    return !others.stands && (others.passesBeside || (others.passes && isDeep(contact)));
+    return !others.stands && (others.passesBeside || (others.passes && isPastStanding(contact)));
 }
 
 /// Of one that came through: whether it is neither out of the chain nor behind it again.

@@ -7,7 +7,8 @@
 /// Shapes that come through a chain from its back, as who jumps onto a platform from below. A chain is solid for a
 /// shape as soon as the middle of its core is in front, and half of the shape may be behind it then: pushed out, it
 /// would be lifted by that much. So the contact of a shape whose middle came to the front while it crossed the segment
-/// has no points until the shape is all in front, or its middle behind again.
+/// has no points until the shape is all in front, or its middle behind again. Nor have those of the pieces that it gets
+/// to meanwhile. What is fast gets behind a piece and through it within a step: flight/chain_crossing.h.
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -1,6 +1,8 @@
 #include "chain_crossing.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "../../toi/toi_polygon.h"
 #include "../contacts/chain_passage.h"
@@ -9,7 +11,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
 
 /// The middle of a shape in the frame of a chain.
 Vec2 middleAt(const WorldState& world, const Shape& own, const Shape& segment, const Sweep& sweep,
@@ -38,7 +39,7 @@ bool isNearestToInnerCorner(const ChainSegment& segment, Vec2 middle, Vec2 neare
     return segment.hasAfter && cross(edge, after) < 0 && isBehindNeighbour(segment.q, after);
 }
 
-bool contains(const std::vector<ChainPasser>& all, ChainPasser asked) {
+bool isListed(const std::vector<ChainPasser>& all, ChainPasser asked) {
     return std::find(all.begin(), all.end(), asked) != all.end();
 }
 
@@ -51,7 +52,7 @@ void visitCrossings(const WorldState& world, const FlightScratch& scratch, const
 }
 
 /// Two shapes on their ways, at one moment.
-struct Meeting {
+struct CrossingMoment {
     const WorldState& world;
     const Sweep& sweep;
     double from;
@@ -97,7 +98,7 @@ bool isInFrontOfNeighbour(const WorldState& world, const FlightObstacle& obstacl
 }  // namespace
 
 bool isCrossing(const WorldState& world, const FlightScratch& scratch, std::uint32_t shape, std::uint32_t segment) {
-    if (contains(scratch.crossings, {.segment = segment, .shape = shape})) { return true; }
+    if (isListed(scratch.crossings, {.segment = segment, .shape = shape})) { return true; }
     return !scratch.knowsCrossings && passesChain(world, shape, segment);
 }
 
@@ -108,36 +109,35 @@ ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const 
     const Vec2 middle = middleAt(world, own, other, sweep, otherSweep, fraction);
     if (isBehind(other, middle)) {
         return isInFrontOfNeighbour(world, obstacle, sweep, otherSweep, fraction, middle) ? ChainSide::neighbour
-                                                                                         : ChainSide::back;
+                                                                                          : ChainSide::back;
     }
     const Toi met = apartAt(own, other, sweep, otherSweep, fraction);
     if (met.featureA.first >= 0 && met.featureA.second < 0) {
         const Vec2 nearest = other.polygon.vertices[static_cast<std::size_t>(met.featureA.first)];
         if (isNearestToInnerCorner(other.segment, middle, nearest)) { return ChainSide::back; }
     }
-    bool crosses = false;
+    bool isInside = false;
     const auto look = [&](const ChainPasser& passer, Real ratio) {
         const Shape& segment = world.shapes[passer.segment];
-        if (crosses || passer.shape != obstacle.own || segment.head != other.head) { return; }
+        if (isInside || passer.shape != obstacle.own || segment.head != other.head) { return; }
         if (isBehind(segment, middle)) { return; }
         const auto deep = static_cast<double>(ratio * std::min(own.extent, segment.extent));
-        crosses = apartAt(own, segment, sweep, otherSweep, fraction).separation < -deep &&
-                  hangTogether(world, own, middle, passer.segment, obstacle.other);
+        isInside = apartAt(own, segment, sweep, otherSweep, fraction).separation < -deep &&
+                   hangTogether(world, own, middle, passer.segment, obstacle.other);
     };
     for (const ChainPasser& passer : scratch.fromBehind) { look(passer, kPassedRatio); }
     visitCrossings(world, scratch, [&](const ChainPasser& passer) { look(passer, kTargetRatio); });
-    return crosses ? ChainSide::back : ChainSide::front;
+    return isInside ? ChainSide::back : ChainSide::front;
 }
 
 void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from, double to,
                    double fraction, FlightScratch& scratch) {
     std::vector<ChainPasser>& still = scratch.stillCrossings;
     still.clear();
-    const Meeting now{world, sweep, from, to, fraction};
+    const CrossingMoment now{world, sweep, from, to, fraction};
     const auto isIn = [&](const ChainPasser& passer) {
-        return world.shapes[passer.shape].body == body && !contains(still, passer) &&
-               now.isInFront(passer.shape, passer.segment) &&
-               now.isDeeper(passer.shape, passer.segment, kTargetRatio);
+        return world.shapes[passer.shape].body == body && !isListed(still, passer) &&
+               now.isInFront(passer.shape, passer.segment) && now.isDeeper(passer.shape, passer.segment, kTargetRatio);
     };
     visitCrossings(world, scratch, [&](const ChainPasser& passer) {
         if (isIn(passer)) { still.push_back(passer); }
@@ -145,7 +145,8 @@ void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& swe
     for (const ChainPasser& passer : scratch.fromBehind) {
         if (isIn(passer)) { still.push_back(passer); }
     }
-    std::erase_if(scratch.crossings, [&](const ChainPasser& passer) { return world.shapes[passer.shape].body == body; });
+    std::erase_if(scratch.crossings,
+                  [&](const ChainPasser& passer) { return world.shapes[passer.shape].body == body; });
     scratch.crossings.insert(scratch.crossings.end(), still.begin(), still.end());
     scratch.fromBehind.clear();
 }

@@ -211,9 +211,9 @@ bool letsCross(const WorldState& world, FlightObstacle& obstacle, const Sweep& s
 /// Of what is behind a chain as the sweep begins: it may be in it already, and is not lifted out of it.
 FirstImpact firstTouch(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
                        const FlightObstacle& obstacle, double limit, FlightScratch& scratch) {
-    const Toi toi = timeOfImpact(asToiPolygon(world.shapes[obstacle.other].polygon), otherSweep,
-                                 asToiPolygon(world.shapes[obstacle.own].polygon), sweep,
-                                 settingsFor(world, obstacle, limit));
+    const Toi toi =
+        timeOfImpact(asToiPolygon(world.shapes[obstacle.other].polygon), otherSweep,
+                     asToiPolygon(world.shapes[obstacle.own].polygon), sweep, settingsFor(world, obstacle, limit));
     ++scratch.counters.toiCalls;
     scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
     return {.hit = toi.state != ToiState::separated, .fraction = toi.fraction};
@@ -229,8 +229,9 @@ FirstImpact firstOfAll(const WorldState& world, const Sweep& sweep, double from,
         if (obstacle.isClear || isOutOfReach(world, obstacle, near, first.fraction * longest)) { continue; }
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
         const FirstImpact impact =
-            obstacle.isBehind ? firstTouch(world, sweep, otherSweep, obstacle, first.fraction, scratch)
-                              : firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
+            obstacle.isBehind
+                ? firstTouch(world, sweep, otherSweep, obstacle, first.fraction, scratch)
+                : firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
         if (!impact.hit || letsCross(world, obstacle, sweep, otherSweep, impact.fraction, scratch)) { continue; }
         first = {true, impact.fraction, near.index};
     }
