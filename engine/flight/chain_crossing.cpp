@@ -25,10 +25,12 @@ Toi apartAt(const Shape& own, const Shape& segment, const Sweep& sweep, const Sw
 }
 
 /// What is nearest to an inner corner is behind the chain, though it may be in front of one of its two sides.
-bool isNearestToInnerCorner(const ChainSegment& segment, Vec2 middle, Vec2 nearest) {
+/// @param beside  the middle of the shape, or a place along the normal of the contact: the middle of a bar may be
+/// anywhere
+bool isNearestToInnerCorner(const ChainSegment& segment, Vec2 beside, Vec2 nearest) {
     const Vec2 edge = segment.q - segment.p;
-    const auto isBehindNeighbour = [middle](Vec2 corner, Vec2 neighbour) {
-        return cross(neighbour, middle - corner) > 0;
+    const auto isBehindNeighbour = [beside](Vec2 corner, Vec2 neighbour) {
+        return cross(neighbour, beside - corner) > 0;
     };
     const bool isFirst = lengthSquared(nearest - segment.p) < lengthSquared(nearest - segment.q);
     if (isFirst) {
@@ -114,7 +116,10 @@ ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const 
     const Toi met = apartAt(own, other, sweep, otherSweep, fraction);
     if (met.featureA.first >= 0 && met.featureA.second < 0) {
         const Vec2 nearest = other.polygon.vertices[static_cast<std::size_t>(met.featureA.first)];
-        if (isNearestToInnerCorner(other.segment, middle, nearest)) { return ChainSide::back; }
+        const WorldTransform pose = motionAt(otherSweep, fraction, world.bodies[other.body].localCenter).pose;
+        const Vec2 beside = nearest + unrotate(pose.rotation, toReal(met.normal));
+        const bool isNearest = isNearestToInnerCorner(other.segment, middle, nearest);
+        if (isNearest && isNearestToInnerCorner(other.segment, beside, nearest)) { return ChainSide::back; }
     }
     bool isInside = false;
     const auto look = [&](const ChainPasser& passer, Real ratio) {
