@@ -105,12 +105,23 @@ bool isBeyondInnerCorner(const ChainSegment& segment, Vec2 place) {
     return (isFirst && cross(before, place - segment.p) > 0) || (isLast && cross(after, place - segment.q) > 0);
 }
 
+/// Beyond an outer corner, what is in front of the neighbour there is in front of the chain, though behind this side.
+bool isBeyondOuterCorner(const ChainSegment& segment, Vec2 place) {
+    const Vec2 edge = segment.q - segment.p;
+    const Vec2 before = segment.p - segment.before;
+    const Vec2 after = segment.after - segment.q;
+    const bool isFirst = segment.hasBefore && cross(before, edge) > 0 && dot(place - segment.p, edge) < 0;
+    const bool isLast = segment.hasAfter && cross(edge, after) > 0 && dot(place - segment.q, edge) > 0;
+    return (isFirst && cross(before, place - segment.p) < 0) || (isLast && cross(after, place - segment.q) < 0);
+}
+
 /// Whether the middle of the shape was behind as the last step began.
 bool wasBehindBefore(const WorldState& world, const Contact& contact) {
     const Shape& segment = world.shapes[contact.shapeA];
     const Vec2 middle = middleOf(world.shapes[contact.shapeB].polygon);
     const Vec2 place = applyInverse(poseBefore(world, contact.bodyA), apply(poseBefore(world, contact.bodyB), middle));
-    return isBehind(segment, place) || isBeyondInnerCorner(segment.segment, place);
+    const bool isBehindIt = isBehind(segment, place) && !isBeyondOuterCorner(segment.segment, place);
+    return isBehindIt || isBeyondInnerCorner(segment.segment, place);
 }
 
 bool isPastStanding(const Contact& contact) {
