@@ -82,16 +82,16 @@ TEST(RoundGround, BearsTowers) {
 
 /// Without friction a small body leaves a sphere where it has come down by a third of the radius.
 TEST(RoundGround, LetsGoWhereItFallsAwayFaster) {
-    constexpr double kRadius = 10;
+    constexpr double kHillRadius = 10;
     for (const Profile profile : kProfiles) {
-        Hill hill(profile, kRadius, box(kHalf, kHalf), 1, 0);
+        Hill hill(profile, kHillRadius, box(kHalf, kHalf), 1, 0);
         must(hill.world.setVelocity(hill.bodies[0], vec(1, 0), 0));
-        const double path = kRadius + kHalf;  // of its middle
+        const double path = kHillRadius + kHalf;  // of its middle
         const double start = 0.5 + kGravity * path;
         double left = 0;
         for (int i = 0; i < 400 && left == 0; ++i) {
             must(hill.world.step(kStep));
-            const DVec2 place = hill.world.position(hill.bodies[0]) + DVec2{0, kRadius};
+            const DVec2 place = hill.world.position(hill.bodies[0]) + DVec2{0, kHillRadius};
             const double energy =
                 kineticEnergy(hill.world, hill.bodies[0]) / hill.world.mass(hill.bodies[0]) + kGravity * place.y;
             EXPECT_NEAR(energy, start, 0.0075 * start) << profileName(profile) << ", step " << i;
