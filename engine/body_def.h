@@ -25,8 +25,9 @@ enum class ContinuousMode : std::uint8_t {
                   ///< more; the plane of a contact has no end, so what would have passed by may be stopped (a ghost)
     stop,         ///< the body stops at its first hit of a static or kinematic shape; the rest of its step is lost
                   ///< (and entered in the lost-time ledger)
-    /// The impact is resolved at its own time, and the body goes on through the rest of the step. (That divides the step
-    /// of this body where it hits; into how many parts the solver divides all steps, `WorldSettings::subSteps` says.)
+    /// The impact is resolved at its own time, and the body goes on through the rest of the step. (That divides the
+    /// step of this body where it hits; into how many parts the solver divides all steps, `WorldSettings::subSteps`
+    /// says.)
     subStep,
 };
 

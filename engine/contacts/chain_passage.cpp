@@ -155,10 +155,11 @@ bool isStillInside(const WorldState& world, const Contact& contact) {
     return clear < -kTargetRatio * contact.extent && !isBehind(world, contact, ofChain, ofShape);
 }
 
-/// In what shapes are that came from behind in the last step, and were not put elsewhere since.
+/// In what shapes are that came from behind in the last step, and were not destroyed or put elsewhere since.
 void listCrossing(WorldState& world, std::vector<ChainPasser>& crossing) {
     crossing.clear();
     for (const ChainCrossing& crossed : world.crossed) {
+        if (!world.shapes.isAlive(crossed.passer.shape)) { continue; }
         const std::uint32_t body = world.shapes[crossed.passer.shape].body;
         if (world.motions[body].center == crossed.center) { crossing.push_back(crossed.passer); }
     }
